@@ -1,0 +1,69 @@
+// How sure the avatar is of what it perceives: a table of concepts, raised by evidence, answers and its own words,
+// which gates read as `certainty(symbol)`. Declared by the machine (FORMAT.md, Beliefs).
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "automaton/symbol_set.h"
+#include "term/term.h"
+
+namespace continua {
+
+struct Concept {
+  std::string name;
+  std::vector<std::size_t> related;
+  std::string word;             ///< lower case; empty: cannot be overheard
+  std::optional<double> fixed;
+};
+
+struct Evidence {
+  SymbolSet inputs;
+  std::vector<std::size_t> concepts;
+  std::vector<double> levels;  ///< ascending, not empty
+};
+
+struct Answer {
+  std::optional<Term> when;
+  SymbolSet inputs;
+  Term about;                  ///< of type text: the symbol that was asked about
+  std::optional<double> set;   ///< nullopt: raise
+};
+
+struct BeliefTable {
+  std::vector<Concept> concepts;
+  std::vector<Evidence> evidence;
+  std::vector<Answer> answers;
+  double overheard = 0;
+};
+
+/// A concept's certainty before and after.
+struct BeliefChange {
+  std::string name;
+  double was = 0, value = 0;
+};
+
+/// Certainties of all concepts: a value. The table must outlive it.
+class Beliefs {
+ public:
+  explicit Beliefs(const BeliefTable& table);
+
+  /// Product over the symbol's concepts of the largest of own and related certainties; 1 if it has none.
+  double certainty(std::string_view symbol) const;
+
+  /// Each returns what it changed, in the table's order.
+  std::vector<BeliefChange> raise(std::string_view symbol);
+  std::vector<BeliefChange> set(std::string_view symbol, double value);
+  std::vector<BeliefChange> overhear(std::string_view utterance);
+
+ private:
+  void change(std::size_t concept_index, double value, std::vector<BeliefChange>& changes);
+
+  const BeliefTable* table_;
+  std::vector<double> certainty_;
+};
+
+}  // namespace continua

@@ -1,0 +1,133 @@
+// A machine as it is run: checked, its names resolved. automaton/FORMAT.md describes the file and what each part means.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "automaton/beliefs.h"
+#include "automaton/configuration.h"
+#include "automaton/symbol_set.h"
+#include "term/term_text.h"
+
+namespace continua {
+
+struct Slot {
+  std::string name;
+  Type type;
+  bool persists = false;  ///< mirrors something physical: flush keeps it
+};
+
+struct Register {
+  std::string name;
+  Type type;
+  Term initial;
+};
+
+/// A slot and the term that fills it; nullopt is the JSON null, which clears it.
+struct Content {
+  std::size_t slot = 0;
+  std::optional<Term> term;
+};
+
+/// What happens to the stack.
+struct Operation {
+  enum class Kind { none, push, push_each, pop, rewrite, rewrite_each, flush, pop_until };
+  Kind kind = Kind::none;
+  std::vector<Content> contents;  ///< push, rewrite; lists of values for …_each; cleared slots for flush
+  bool keeps_stack = false;       ///< rewrite: null: only ε-transitions are tried
+  std::size_t count = 1;          ///< pop
+  StateIndex state = 0;           ///< pop_until
+  std::string source;             ///< as the file has it, compact JSON, for the log
+};
+
+/// Text with terms to fill in: literals[0] holes[0] literals[1] …; one literal more than holes.
+struct Template {
+  std::vector<std::string> literals;
+  std::vector<Term> holes;
+};
+
+struct Effect;
+
+struct Say { Template text; };
+struct Gesture { Term term; };
+struct Act { Term term; };
+struct Remember { std::vector<std::pair<std::size_t, Term>> registers; };
+struct Rewrite { Operation operation; };
+struct Group { std::vector<Effect> effects; };
+
+/// One step of what a state or transition does beside moving.
+struct Effect {
+  std::optional<Term> when;
+  std::variant<Say, Gesture, Act, Remember, Rewrite, Group> what;
+};
+
+struct Gate {
+  Term when;
+  StateIndex otherwise = 0;
+  Operation operation;
+};
+
+struct State {
+  std::string name;
+  bool accepting = false;
+  std::optional<Gate> gate;
+  std::vector<Effect> enter;
+};
+
+struct Transition {
+  std::string id;
+  std::vector<StateIndex> from;
+  std::optional<SymbolSet> on;  ///< nullopt: ε
+  std::string on_text;          ///< as the file has it, for people
+  std::optional<Term> when;
+  StateIndex to = 0;
+  Operation operation;
+  double weight = 1;
+  std::vector<Effect> effects;
+};
+
+/// How terms of a shape are put into words. All lambdas bind the pattern's variables, in order.
+struct Wording {
+  std::vector<Type> variables;
+  Term pattern;                ///< body of the `of` lambda; its free variables are the pattern's
+  std::optional<Term> when;
+  Template say;
+};
+
+enum class Choice { likeliest, sample, unique };
+std::optional<Choice> parse_choice(std::string_view name);
+std::string text(Choice choice);
+
+struct Machine {
+  std::string name;
+  std::string document;  ///< the file, compact JSON
+  StateIndex start = 0;
+  Choice choice = Choice::likeliest;
+  bool epsilon_always = true;     ///< else only after a rewrite
+  bool rewrite_below = false;
+  bool repeats_utterances = true;
+  double minimum_confidence = 0;
+  std::string perspective;        ///< "human", "avatar" or empty
+
+  std::vector<Slot> slots;
+  std::vector<Register> memory;
+  std::vector<State> states;
+  std::vector<Transition> transitions;
+  std::vector<std::vector<std::size_t>> leaving;  ///< for each state, the transitions from it, in file order
+  std::map<std::string, Term, std::less<>> definitions;
+  std::map<std::string, std::map<std::string, Term, std::less<>>, std::less<>> tables;
+  std::vector<Wording> wordings;
+  BeliefTable beliefs;
+  Signature programs;
+
+  std::map<std::string, std::size_t, std::less<>> slot_index, register_index;
+
+  /// Whether a transition's input set names the symbol.
+  bool knows_input(std::string_view symbol) const;
+};
+
+}  // namespace continua

@@ -1,0 +1,21 @@
+// Sets of input symbols, matched by name or by prefix.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace continua {
+
+struct SymbolSet {
+  std::set<std::string, std::less<>> names;
+  std::vector<std::string> prefixes;
+
+  /// Adds a symbol; one that ends in `*` stands for all that begin with what is before it.
+  void add(std::string_view symbol);
+  void add(const SymbolSet& other);
+  bool contains(std::string_view symbol) const;
+};
+
+}  // namespace continua

@@ -1,0 +1,253 @@
+#include "core/located_json.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+
+#include <fmt/format.h>
+
+namespace continua {
+namespace {
+
+std::string escaped(std::string_view key) {
+  std::string out;
+  for (char c : key) {
+    if (c == '~') out += "~0";
+    else if (c == '/') out += "~1";
+    else out += c;
+  }
+  return out;
+}
+
+// Walks text that is already known to be valid JSON and tells where each value begins.
+template <class Note>
+class PlaceFinder {
+ public:
+  PlaceFinder(std::string_view text, Note note) : text_(text), note_(std::move(note)) {}
+
+  void walk(const std::string& pointer) {
+    skip_space();
+    note_(pointer, line_, at_ - line_start_ + 1);
+    if (text_[at_] == '{') walk_members(pointer);
+    else if (text_[at_] == '[') walk_elements(pointer);
+    else if (text_[at_] == '"') skip_string();
+    else while (at_ < text_.size() && std::string_view(",]} \n\t\r").find(text_[at_]) == std::string_view::npos) step();
+  }
+
+ private:
+  void walk_members(const std::string& pointer) {
+    step();
+    for (skip_space(); text_[at_] != '}'; skip_space()) {
+      const auto from = at_;
+      skip_string();
+      const auto key = Json::parse(text_.substr(from, at_ - from)).template get<std::string>();
+      skip_space();
+      step();  // the colon
+      walk(pointer + "/" + escaped(key));
+      skip_comma();
+    }
+    step();
+  }
+
+  void walk_elements(const std::string& pointer) {
+    step();
+    std::size_t index = 0;
+    for (skip_space(); text_[at_] != ']'; skip_space()) {
+      walk(pointer + "/" + std::to_string(index++));
+      skip_comma();
+    }
+    step();
+  }
+
+  void step() {
+    if (text_[at_] == '\n') { ++line_; line_start_ = at_ + 1; }
+    ++at_;
+  }
+  void skip_space() {
+    while (at_ < text_.size() && std::string_view(" \n\t\r").find(text_[at_]) != std::string_view::npos) step();
+  }
+  void skip_comma() {
+    skip_space();
+    if (text_[at_] == ',') step();
+  }
+  void skip_string() {
+    step();
+    while (text_[at_] != '"') {
+      if (text_[at_] == '\\') step();
+      step();
+    }
+    step();
+  }
+
+  std::string_view text_;
+  Note note_;
+  std::size_t at_ = 0, line_ = 1, line_start_ = 0;
+};
+
+// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'; expected …"
+// without its first two parts, and without what was read last where that is long.
+std::string plain_sentence(std::string what) {
+  constexpr std::size_t longest = 60;
+  if (const auto from = what.find("; last read: "); from != std::string::npos) {
+    const auto expected = what.rfind("'; expected");
+    const auto to = expected == std::string::npos || expected < from ? what.size() : expected + 1;
+    if (to - from > longest) what.erase(from, to - from);
+  }
+  const auto position = what.find("column ");
+  const auto colon = position == std::string::npos ? what.find("] ") : what.find(": ", position);
+  return "not valid JSON: " + (colon == std::string::npos ? what : what.substr(colon + 2));
+}
+
+// The byte at which brackets first nest deeper than `max_json_depth`, or npos.
+std::size_t too_deep(std::string_view text) {
+  int depth = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '"') {
+      for (++at; at < text.size() && text[at] != '"'; ++at)
+        if (text[at] == '\\') ++at;
+    } else if (c == '[' || c == '{') {
+      if (++depth > max_json_depth) return at;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return std::string_view::npos;
+}
+
+// A number that no double holds is reported without its place, as "… number overflow parsing '1e999'".
+std::size_t place_of_number(std::string_view text, std::string_view what) {
+  const auto from = what.find('\''), to = what.rfind('\'');
+  const auto found = from < to ? text.find(what.substr(from + 1, to - from - 1)) : std::string_view::npos;
+  return found == std::string_view::npos ? 0 : found;
+}
+
+// `first_line` is the number of the text's first line in the file called `name`.
+Result<Json> parse_text(std::string_view text, const std::string& name, std::size_t first_line) {
+  const auto error_at = [&](std::size_t at, std::string sentence) {
+    const auto end = std::min(at, text.size());
+    const auto newlines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+    const auto newline = end == 0 ? std::string_view::npos : text.rfind('\n', end - 1);
+    const auto column = newline == std::string_view::npos ? end + 1 : end - newline;
+    return Error{fmt::format("{}:{}:{}", name, first_line + static_cast<std::size_t>(newlines), column),
+                 std::move(sentence)};
+  };
+  if (const auto at = too_deep(text); at != std::string_view::npos)
+    return error_at(at, fmt::format("nested deeper than {} levels; expected fewer", max_json_depth));
+  try {
+    return Json::parse(text);
+  } catch (const nlohmann::json::parse_error& problem) {
+    return error_at(problem.byte > 0 ? problem.byte - 1 : 0, plain_sentence(problem.what()));
+  } catch (const nlohmann::json::exception& problem) {
+    return error_at(place_of_number(text, problem.what()), plain_sentence(problem.what()));
+  }
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i] != b[j]);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({substituted, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string compact(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Result<Json> parse_json_line(std::string_view text, const std::string& name, std::size_t line) {
+  return parse_text(text, name, line);
+}
+
+Result<LocatedJson> LocatedJson::parse(std::string_view text, std::string name) {
+  text = without_byte_order_mark(text);
+  LocatedJson document;
+  document.name_ = std::move(name);
+  if (text.find_first_not_of(" \n\t\r") == std::string_view::npos)
+    return Error{document.name_ + ":1:1", "the file is empty; expected a JSON document"};
+  auto root = parse_text(text, document.name_, 1);
+  if (!root) return root.error();
+  document.root_ = std::move(root).value();
+  PlaceFinder finder(text, [&](const std::string& pointer, std::size_t line, std::size_t column) {
+    document.places_.try_emplace(pointer, Place{line, column});
+  });
+  finder.walk("");
+  return document;
+}
+
+Result<LocatedJson> LocatedJson::read(const std::string& path) {
+  auto text = read_file(path);
+  if (!text) return text.error();
+  return parse(*text, path);
+}
+
+std::string LocatedJson::where(std::string_view pointer) const {
+  for (std::string at(pointer);;) {
+    const auto found = places_.find(at);
+    if (found != places_.end()) return fmt::format("{}:{}:{}", name_, found->second.line, found->second.column);
+    if (at.empty()) return name_;
+    const auto slash = at.rfind('/');
+    at.erase(slash == std::string::npos ? 0 : slash);
+  }
+}
+
+Result<std::string> read_file(const std::string& path) {
+  std::error_code unknown;
+  const auto status = std::filesystem::status(path, unknown);
+  if (status.type() == std::filesystem::file_type::not_found)
+    return Error{path, "there is no such file; expected a readable file"};
+  if (std::filesystem::is_directory(status)) return Error{path, "is a folder; expected a readable file"};
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return Error{path, "cannot be opened; expected a readable file"};
+  std::ostringstream text;
+  // Inserting the buffer of an empty file fails without being an error of reading.
+  if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
+  if (file.bad() || text.fail()) return Error{path, "cannot be read; expected a readable file"};
+  return text.str();
+}
+
+std::string_view without_byte_order_mark(std::string_view text) {
+  return text.substr(0, 3) == "\xEF\xBB\xBF" ? text.substr(3) : text;
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t limit = 60;
+  const bool valid = compact(Json(std::string(text))).find("\xEF\xBF\xBD") == std::string::npos;
+  std::string out = "'";
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const auto byte = static_cast<unsigned char>(text[at]);
+    const bool continues = (byte & 0xC0) == 0x80;
+    if (at >= limit && !(valid && continues)) {
+      out += "…";
+      break;
+    }
+    if (byte < 0x20 || byte == 0x7F || (byte >= 0x80 && !valid)) out += fmt::format("\\x{:02x}", byte);
+    else out += text[at];
+  }
+  return out + "'";
+}
+
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
+  const std::string* nearest = nullptr;
+  std::size_t best = std::max<std::size_t>(2, name.size() / 3) + 1;
+  for (const auto& candidate : known) {
+    const auto distance = edit_distance(name, candidate);
+    // Of two short names a distance of two is no resemblance.
+    const bool alike = 2 * distance <= std::max(name.size(), candidate.size());
+    if (alike && distance < best) {
+      best = distance;
+      nearest = &candidate;
+    }
+  }
+  return nearest ? fmt::format(" (did you mean '{}'?)", *nearest) : std::string();
+}
+
+}  // namespace continua

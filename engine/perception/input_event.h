@@ -1,0 +1,60 @@
+// One thing the human did, as a recogniser reported it, and the input symbol it is to a machine.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/sim_time.h"
+#include "world/geometry.h"
+
+namespace continua {
+
+enum class Modality { speech, gesture, pointing };
+
+/// A pointing ray in W: from a point along a direction (not necessarily of unit length).
+struct Ray {
+  Vec3 from_W = Vec3::Zero();
+  Vec3 direction_W = Vec3::UnitX();
+};
+
+/// Another reading of the same signal, from an n-best list.
+struct Alternative {
+  std::string text;  ///< what was said, or the gesture's name
+  double confidence = 1;
+};
+
+struct Word {
+  std::string text;
+  SimTime t;
+};
+
+/// Fields that a modality does not have keep their defaults. traces/FORMAT.md describes each.
+struct InputEvent {
+  SimTime t;
+  Modality modality = Modality::speech;
+  std::string text;                     ///< speech: the words
+  std::string name;                     ///< gesture: "point", "grab", "posack", …
+  std::string hand;                     ///< gesture, pointing: "left", "right" or empty
+  std::string direction;                ///< gesture: "left", "up", … or empty
+  std::string phase;                    ///< gesture: "start", "stop", "stroke"
+  std::optional<Vec3> target_W;         ///< gesture, pointing: the point of the table that is meant
+  std::optional<Ray> ray;               ///< pointing
+  std::optional<SimTime> until;
+  double confidence = 1;                ///< 0 … 1
+  std::vector<Word> words;
+  std::vector<Alternative> alternatives;
+};
+
+/// The name under which machines know the event:
+///   speech    "speech " + the words in lower case, punctuation left out, single spaces ("speech put it there")
+///   gesture   "gesture" + hand + name + direction + phase, those that are there ("gesture right point start")
+///   pointing  "pointing" + hand ("pointing right")
+std::string symbol_of(const InputEvent& event);
+
+/// Where the event points on the plane of the table (z = 0): its target, else where its ray meets that plane.
+std::optional<Vec3> place_of(const InputEvent& event);
+
+std::string text(Modality modality);
+
+}  // namespace continua

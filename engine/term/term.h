@@ -1,0 +1,100 @@
+// Terms: what conditions, stack contents, commands and the log are written in. Immutable values that share
+// structure, with numbered binders (de Bruijn indices), so that alpha-equivalent terms are equal. Semantics §2.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "term/type.h"
+
+namespace continua {
+
+/// A point of frame W, metres.
+using Point = std::array<double, 3>;
+
+/// A place is a point, or an axis-aligned region of W given by two corners. A region may have no extent.
+struct Place {
+  Point min{};
+  Point max{};
+  bool region = false;
+  bool operator==(const Place&) const = default;
+};
+
+class Term {
+ public:
+  enum class Kind {
+    null,      ///< nothing; of every type
+    truth,     ///< true, false
+    number,
+    text,      ///< 'a quoted text'
+    place,     ///< <x, y, z>, or box(<x,y,z>, <x,y,z>)
+    constant,  ///< a name: an object, a program, a function, a slot
+    bound,     ///< variable bound by the index-th enclosing lambda, 0 the innermost
+    lambda,
+    apply,
+    list,
+  };
+
+  /// null
+  Term();
+  static Term null() { return Term(); }
+  static Term truth(bool value);
+  static Term number(double value);
+  static Term text(std::string value);
+  static Term place(Place value);
+  static Term point(double x_m, double y_m, double z_m);
+  static Term constant(std::string name, Type type);
+  static Term bound(int index, Type type);
+  /// `hint` is the name to print for the variable; it does not take part in equality.
+  static Term lambda(std::string hint, Type variable, Term body);
+  /// REQUIRES that function's type is a function (or term) from a type consistent with argument's.
+  static Term apply(Term function, Term argument);
+  static Term list(std::vector<Term> elements, Type element);
+
+  Kind kind() const;
+  const Type& type() const;
+  bool is_null() const { return kind() == Kind::null; }
+  /// True only for the term `true`: null and everything else count as not true.
+  bool is_true() const;
+
+  bool truth_value() const;                     ///< REQUIRES truth
+  double number_value() const;                  ///< REQUIRES number
+  const std::string& text_value() const;        ///< REQUIRES text
+  const Place& place_value() const;             ///< REQUIRES place
+  const std::string& name() const;              ///< REQUIRES constant, or lambda (its hint)
+  int index() const;                            ///< REQUIRES bound
+  const Term& body() const;                     ///< REQUIRES lambda
+  const Type& variable_type() const;            ///< REQUIRES lambda
+  const Term& function() const;                 ///< REQUIRES apply
+  const Term& argument() const;                 ///< REQUIRES apply
+  const std::vector<Term>& elements() const;    ///< REQUIRES list
+
+  /// f(a, b) as (f, [a, b]); any other term as (itself, []).
+  struct Spine;
+  Spine spine() const;
+
+  /// Structural equality, which is alpha-equivalence. Types of equal constants are equal by construction.
+  bool operator==(const Term& other) const;
+
+  /// No bound variable reaches outside of it.
+  bool closed() const;
+
+ private:
+  struct Node;
+  explicit Term(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+  std::shared_ptr<const Node> node_;
+};
+
+struct Term::Spine {
+  Term head;
+  std::vector<Term> arguments;
+};
+
+/// `body` with its variable 0 replaced by `argument`, the others lowered by one; no variable is captured.
+Term instantiate(const Term& body, const Term& argument);
+
+}  // namespace continua

@@ -1,0 +1,40 @@
+// Terms as text, both ways: parse(print(x)) = x.
+//
+//   \x y. put(x, on(y))        lambda; λ is read too; `\x: e. …` states the variable's type
+//   put(block4, on(block1))    application
+//   [a, b]  []                 list
+//   <0.1, -0.2, 0>             point, metres in W;  box(<..>, <..>) of two literal points is a region literal
+//   'text'                     text; \' and \\ inside
+//   null true false 12.5 -3
+//   not a   a and b   a or b   = != < <= > >=   + - * /   -x      in the usual order of binding
+//
+// An operator is sugar for a constant of that name applied: `a + b` is '+'(a, b), -x is 'negate'(x).
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+#include "term/term.h"
+
+namespace continua {
+
+/// The types of the names a term may use; type variables in them make the name polymorphic.
+using Signature = std::map<std::string, Type, std::less<>>;
+
+/// Names of the language itself, their operators included: and or not = != < <= > >= + - * / negate if.
+const Signature& core_signature();
+
+/// Reads a term and infers its type (unification; `term` is consistent with every type), which must be consistent
+/// with `expected`. Errors name the column (where = "column N"), what was found, the nearest valid name.
+Result<Term> parse_term(std::string_view text, const Signature& names, const Type& expected);
+/// The same for a term of any type.
+Result<Term> parse_term(std::string_view text, const Signature& names);
+
+/// In the notation above, operators infix, numbers in their shortest form that reads back equal.
+/// Bound variables print their hint, primed where it would be captured.
+std::string print(const Term& term);
+
+}  // namespace continua

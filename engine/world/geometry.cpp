@@ -1,0 +1,20 @@
+#include "world/geometry.h"
+
+#include <cmath>
+
+namespace continua {
+
+// Dividing whole steps by their number per metre gives the double nearest to the decimal, which multiplying does not.
+double on_grid(double length_m) {
+  const double steps_per_m = std::round(1 / position_grid_m);
+  return std::round(length_m * steps_per_m) / steps_per_m + 0.0;  // + 0.0 turns -0 into 0
+}
+
+Vec3 on_grid(const Vec3& p_W) { return {on_grid(p_W.x()), on_grid(p_W.y()), on_grid(p_W.z())}; }
+
+double yaw_of(const Eigen::Quaterniond& R_WB) {
+  const Eigen::Matrix3d R = R_WB.toRotationMatrix();
+  return std::atan2(R(1, 0), R(0, 0));
+}
+
+}  // namespace continua
