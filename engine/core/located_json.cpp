@@ -14,9 +14,12 @@ namespace {
 std::string escaped(std::string_view key) {
   std::string out;
   for (char c : key) {
-    if (c == '~') out += "~0";
-    else if (c == '/') out += "~1";
-    else out += c;
+    if (c == '~')
+      out += "~0";
+    else if (c == '/')
+      out += "~1";
+    else
+      out += c;
   }
   return out;
 }
@@ -30,10 +33,14 @@ class PlaceFinder {
   void walk(const std::string& pointer) {
     skip_space();
     note_(pointer, line_, at_ - line_start_ + 1);
-    if (text_[at_] == '{') walk_members(pointer);
-    else if (text_[at_] == '[') walk_elements(pointer);
-    else if (text_[at_] == '"') skip_string();
-    else while (at_ < text_.size() && std::string_view(",]} \n\t\r").find(text_[at_]) == std::string_view::npos) step();
+    if (text_[at_] == '{')
+      walk_members(pointer);
+    else if (text_[at_] == '[')
+      walk_elements(pointer);
+    else if (text_[at_] == '"')
+      skip_string();
+    else
+      while (at_ < text_.size() && std::string_view(",]} \n\t\r").find(text_[at_]) == std::string_view::npos) step();
   }
 
  private:
@@ -62,7 +69,10 @@ class PlaceFinder {
   }
 
   void step() {
-    if (text_[at_] == '\n') { ++line_; line_start_ = at_ + 1; }
+    if (text_[at_] == '\n') {
+      ++line_;
+      line_start_ = at_ + 1;
+    }
     ++at_;
   }
   void skip_space() {
@@ -218,7 +228,7 @@ std::string_view without_byte_order_mark(std::string_view text) {
   return text.substr(0, 3) == "\xEF\xBB\xBF" ? text.substr(3) : text;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t limit = 60;
   const bool valid = compact(Json(std::string(text))).find("\xEF\xBF\xBD") == std::string::npos;
   std::string out = "'";
@@ -229,8 +239,10 @@ std::string quoted(std::string_view text) {
       out += "…";
       break;
     }
-    if (byte < 0x20 || byte == 0x7F || (byte >= 0x80 && !valid)) out += fmt::format("\\x{:02x}", byte);
-    else out += text[at];
+    if (byte < 0x20 || byte == 0x7F || (byte >= 0x80 && !valid))
+      out += fmt::format("\\x{:02x}", byte);
+    else
+      out += text[at];
   }
   return out + "'";
 }

@@ -62,7 +62,7 @@ std::string_view without_byte_order_mark(std::string_view text);
 
 /// `text` in single quotes, fit for a sentence of one line: at most 60 bytes of it, bytes that are not printable
 /// ASCII or UTF-8 as \xNN.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// The name among `known` nearest to `name` by edit distance, as " (did you mean 'x'?)", or empty when none is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);

@@ -1,0 +1,11 @@
+// Which MuJoCo the program runs with.
+#pragma once
+
+#include <string>
+
+namespace continua {
+
+/// As MuJoCo writes it: "2.2.2".
+std::string mujoco_version();
+
+}  // namespace continua

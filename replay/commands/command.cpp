@@ -1,0 +1,32 @@
+#include "replay/commands/command.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+
+namespace continua {
+
+void report(const Error& error) {
+  std::string line = error.text();
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  fmt::print(stderr, "continua: {}\n", line);
+}
+
+Outcome write_file(const std::string& path, const std::string& content) {
+  if (path == "-") {
+    const bool written = std::fwrite(content.data(), 1, content.size(), stdout) == content.size();
+    if (written && std::fflush(stdout) == 0) return std::nullopt;
+    return Error{"standard output", fmt::format("cannot be written: {}", std::strerror(errno))};
+  }
+  std::ofstream file(path, std::ios::binary);
+  if (!file) return Error{path, fmt::format("cannot be written: {}", std::strerror(errno))};
+  file << content;
+  file.close();
+  if (!file) return Error{path, fmt::format("cannot be written: {}", std::strerror(errno))};
+  return std::nullopt;
+}
+
+}  // namespace continua

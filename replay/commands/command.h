@@ -1,0 +1,34 @@
+// What every subcommand has in common. A new one is a file with `add_…_command` and a row in main.cpp.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "core/result.h"
+
+namespace CLI {
+class App;
+}
+
+namespace continua {
+
+/// What a command ends the program with.
+enum ExitStatus : int {
+  exit_done = 0,        ///< it is done; the answer is yes
+  exit_no = 1,          ///< it is done; the answer is no
+  exit_impossible = 2,  ///< it could not be done
+};
+
+/// Set by the subcommand that the arguments chose; called once they are read. Returns an ExitStatus.
+using Run = std::function<int()>;
+
+/// Adds a subcommand with its options and help to `program`.
+using AddCommand = void (*)(CLI::App& program, Run& run);
+
+/// "continua: where: sentence" on standard error, on one line.
+void report(const Error& error);
+
+/// Writes a whole file. "-" is standard output.
+Outcome write_file(const std::string& path, const std::string& content);
+
+}  // namespace continua

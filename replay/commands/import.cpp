@@ -1,0 +1,101 @@
+#include "replay/commands/import.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <map>
+
+#include "replay/session_import.h"
+
+namespace continua {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t notes_shown = 20;
+
+struct Counts {
+  std::size_t traces = 0, events = 0, inputs = 0, observed = 0, notes = 0;
+};
+
+void count(const Trace& trace, Counts& counts) {
+  ++counts.traces;
+  counts.events += trace.events.size();
+  counts.notes += trace.notes.size();
+  for (const auto& event : trace.events) {
+    counts.inputs += std::holds_alternative<InputEvent>(event.what);
+    counts.observed += std::holds_alternative<Observed>(event.what);
+  }
+}
+
+void print_notes(const Trace& trace) {
+  for (std::size_t i = 0; i < std::min(trace.notes.size(), notes_shown); ++i)
+    fmt::print(stderr, "{}\n", text(trace, trace.notes[i]));
+  if (trace.notes.size() > notes_shown)
+    fmt::print(stderr, "{}: {} more notes\n", trace.name, trace.notes.size() - notes_shown);
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code problem;
+  return fs::equivalent(a, b, problem) && !problem;
+}
+
+// Which file each log becomes; an error if two would be the same or a log would be overwritten.
+Result<std::vector<std::string>> outputs_of(const ImportOptions& options) {
+  const bool folder = options.logs.size() > 1 || fs::is_directory(options.output) || options.output.ends_with('/');
+  std::error_code problem;
+  if (folder) fs::create_directories(options.output, problem);
+  if (problem || (folder && !fs::is_directory(options.output)))
+    return Error{options.output, "is no folder and cannot become one; several logs need a folder"};
+  std::vector<std::string> outputs;
+  std::map<std::string, std::string> log_of;
+  for (const auto& log : options.logs) {
+    const auto output = folder ? (fs::path(options.output) / fs::path(log).stem()).string() + ".jsonl" : options.output;
+    if (same_file(log, output)) return Error{log, "is also the output; expected another file"};
+    const auto [other, fresh] = log_of.emplace(output, log);
+    if (!fresh) return Error{log, fmt::format("would be written to {}, as would {}", output, other->second)};
+    outputs.push_back(output);
+  }
+  return outputs;
+}
+
+}  // namespace
+
+int run_import(const ImportOptions& options) {
+  const auto outputs = outputs_of(options);
+  if (!outputs) return report(outputs.error()), exit_impossible;
+  Counts counts;
+  int status = exit_done;
+  for (std::size_t i = 0; i < options.logs.size(); ++i) {
+    const auto trace = import_session(options.logs[i]);
+    if (!trace) {
+      report(trace.error());
+      status = exit_impossible;
+      continue;
+    }
+    print_notes(*trace);
+    if (const auto problem = write_file(outputs.value()[i], write_trace(*trace))) {
+      report(*problem);
+      status = exit_impossible;
+      continue;
+    }
+    count(*trace, counts);
+  }
+  if (counts.traces > 0)
+    fmt::print(options.output == "-" ? stderr : stdout,
+               "imported {} log{}: {} events ({} inputs, {} observed), {} note{}\n", counts.traces,
+               counts.traces == 1 ? "" : "s", counts.events, counts.inputs, counts.observed, counts.notes,
+               counts.notes == 1 ? "" : "s");
+  return status;
+}
+
+void add_import_command(CLI::App& program, Run& run) {
+  auto* command = program.add_subcommand("import", "Turn VoxSim session logs into traces");
+  auto options = std::make_shared<ImportOptions>();
+  command->add_option("FILE", options->logs, "session logs (.txt)")->required();
+  command->add_option("-o,--output", options->output, "the trace, '-', or a folder; a folder for several logs")
+      ->required();
+  command->footer("Example: continua import logs/*.txt -o traces/pilot");
+  command->callback([options, &run] { run = [options] { return run_import(*options); }; });
+}
+
+}  // namespace continua

@@ -1,0 +1,22 @@
+// continua import: session logs of VoxSim to traces.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "replay/commands/command.h"
+
+namespace continua {
+
+struct ImportOptions {
+  std::vector<std::string> logs;
+  std::string output;  ///< a trace, "-", or a folder; with several logs always a folder
+};
+
+/// Notes go to standard error, one line in total to standard output (to standard error if the trace goes there).
+/// Logs that cannot be imported are reported and passed over.
+int run_import(const ImportOptions& options);
+
+void add_import_command(CLI::App& program, Run& run);
+
+}  // namespace continua

@@ -1,0 +1,102 @@
+#include "replay/commands/validate.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <array>
+
+#include "core/located_json.h"
+#include "replay/run_index.h"
+#include "replay/session_import.h"
+#include "replay/trace_file.h"
+
+namespace continua {
+namespace {
+
+// The first line that is not blank, as JSON; null if it is none.
+Json first_line(std::string_view text) {
+  text = without_byte_order_mark(text);
+  const auto from = text.find_first_not_of(" \t\r\n");
+  if (from == std::string_view::npos) return {};
+  const auto json = parse_json_line(text.substr(from, text.find('\n', from) - from), "", 1);
+  return json && json->is_object() ? *json : Json();
+}
+
+bool begins_with_kind(std::string_view text, const char* kind) {
+  const Json json = first_line(text);
+  const auto found = json.find("kind");
+  return found != json.end() && *found == kind;
+}
+
+FileCheck check_trace(std::string_view text, const std::string& path) {
+  const auto reading = read_whole_trace(text, path);
+  FileCheck check{reading.problems, {}, fmt::format("trace, {} events", reading.trace.events.size())};
+  for (const auto& note : reading.trace.notes) check.notes.push_back(continua::text(reading.trace, note));
+  return check;
+}
+
+FileCheck check_run(std::string_view, const std::string& path) {
+  const auto run = RunIndex::open(path);
+  if (!run) return {{run.error()}, {}, ""};
+  FileCheck check{{}, {}, fmt::format("run log, {} records", run->size())};
+  if (!run->trouble().empty()) check.notes.push_back(path + ": " + run->trouble());
+  return check;
+}
+
+FileCheck check_session(std::string_view text, const std::string& path) {
+  const auto trace = import_session_text(text, path);
+  if (!trace) return {{trace.error()}, {}, ""};
+  FileCheck check{{}, {}, fmt::format("session log, {} rows", trace->events.size())};
+  for (const auto& note : trace->notes) check.notes.push_back(continua::text(*trace, note));
+  return check;
+}
+
+struct FileKind {
+  bool (*recognises)(std::string_view text);
+  FileCheck (*check)(std::string_view text, const std::string& path);
+};
+
+// The first that recognises a file checks it.
+constexpr std::array file_kinds = {
+    FileKind{[](std::string_view text) { return begins_with_kind(text, "trace"); }, check_trace},
+    FileKind{[](std::string_view text) { return begins_with_kind(text, "run"); }, check_run},
+    FileKind{looks_like_session, check_session},
+};
+
+int validate(const std::string& path) {
+  const auto text = read_file(path);
+  if (!text) return report(text.error()), exit_impossible;
+  const auto check = check_file(*text, path);
+  for (const auto& problem : check.problems) fmt::print(stderr, "{}\n", problem.text());
+  for (const auto& note : check.notes) fmt::print(stderr, "{} (note)\n", note);
+  if (!check.problems.empty()) return exit_no;
+  fmt::print("{}: {}\n", path, check.summary);
+  return exit_done;
+}
+
+}  // namespace
+
+FileCheck check_file(std::string_view text, const std::string& path) {
+  for (const auto& kind : file_kinds)
+    if (kind.recognises(text)) return kind.check(text, path);
+  // Most of the project's files are traces or logs: what their reader says is the best there is to say.
+  auto check = check_trace(text, path);
+  check.problems.resize(1);
+  check.problems.front().sentence = "none of the project's files: " + check.problems.front().sentence;
+  return check;
+}
+
+int run_validate(const ValidateOptions& options) {
+  int status = exit_done;
+  for (const auto& file : options.files) status = std::max(status, validate(file));
+  return status;
+}
+
+void add_validate_command(CLI::App& program, Run& run) {
+  auto* command = program.add_subcommand("validate", "Check traces, run logs and session logs");
+  auto options = std::make_shared<ValidateOptions>();
+  command->add_option("FILE", options->files, "files of any kind")->required();
+  command->footer("Example: continua validate traces/corner/*.jsonl");
+  command->callback([options, &run] { run = [options] { return run_validate(*options); }; });
+}
+
+}  // namespace continua

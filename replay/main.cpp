@@ -1,0 +1,69 @@
+// The program `continua`: reads its arguments and calls the command they name.
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "core/located_json.h"
+#include "replay/commands/command.h"
+#include "replay/commands/import.h"
+#include "replay/commands/validate.h"
+#include "replay/version.h"
+
+namespace continua {
+namespace {
+
+constexpr std::array<AddCommand, 2> commands = {
+    add_import_command,
+    add_validate_command,
+};
+
+// What is wrong with the arguments, in one sentence.
+std::string sentence_of(const CLI::App& program, const CLI::ParseError& problem, const char* first_argument) {
+  std::vector<std::string> names;
+  for (const auto* command : program.get_subcommands({})) names.push_back(command->get_name());
+  const bool unknown_command = first_argument && first_argument[0] != '-' && !names.empty() &&
+                               std::find(names.begin(), names.end(), first_argument) == names.end();
+  if (unknown_command)
+    return fmt::format("there is no command {}{}; expected one of {}", in_quotes(first_argument),
+                       did_you_mean(first_argument, names), fmt::join(names, ", "));
+  const auto chosen = program.get_subcommands();
+  const auto help = chosen.empty() ? "continua --help" : "continua " + chosen.front()->get_name() + " --help";
+  return fmt::format("{} (see {})", problem.what(), help);
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App program("Replays recorded conversations between a human and an avatar, and tells what it understood.",
+                   "continua");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", version_text());
+  program.footer(
+      "Exit status: 0 done, 1 the answer is no, 2 it could not be done.\n"
+      "'continua COMMAND --help' describes a command.");
+  Run run;
+  for (const auto add : commands) add(program, run);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // --help, --version
+    return program.exit(asked);
+  } catch (const CLI::ParseError& problem) {
+    report({"", sentence_of(program, problem, argc > 1 ? argv[1] : nullptr)});
+    return exit_impossible;
+  }
+  return run();
+}
+
+}  // namespace
+}  // namespace continua
+
+int main(int argc, char** argv) {
+  try {
+    return continua::run_program(argc, argv);
+  } catch (const std::exception& problem) {  // out of memory, a file system that fails in mid-walk
+    continua::report({"", problem.what()});
+    return continua::exit_impossible;
+  }
+}

@@ -1,0 +1,111 @@
+// A trace: what happened between the human and the avatar, as recorded. traces/FORMAT.md describes the file.
+//
+// Reading is strict where a guess could change what a replay means (types, order, ranges) and tolerant where the
+// world is: unknown fields and kinds are kept, a last line that a crash cut short is dropped with a note, a byte
+// order mark and \r\n are accepted.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/located_json.h"
+#include "core/result.h"
+#include "core/sim_time.h"
+#include "perception/input_event.h"
+#include "world/perspective.h"
+
+namespace continua {
+
+/// Where a body starts, in W, instead of where the scene puts it. What is absent is the scene's.
+struct ObjectStart {
+  bool removed = false;  ///< taken off the table
+  std::optional<Vec3> position_W;
+  std::optional<double> yaw_rad;  ///< rotation about z
+};
+
+struct TraceHeader {
+  std::string scene;    ///< a name or a path; empty when the trace does not say
+  std::string machine;  ///< a name or a path; empty when the trace does not say
+  std::uint64_t seed = 0;
+  Perspective perspective = Perspective::human;              ///< whose left, right, front and behind the words mean
+  std::string source;                                        ///< the file it was imported from; empty if none
+  std::vector<std::pair<std::string, ObjectStart>> objects;  ///< in the file's order
+  Json json;                                                 ///< the line as read
+};
+
+/// What another agent did at this point; never an input.
+struct Observed {
+  std::string channel;  ///< "speech", "gesture" or "action"
+  std::string content;
+};
+
+/// What must hold at this point of a replay; absent fields are not checked. Where the file has JSON's null, the
+/// text is "null": nothing is indicated, said, held or done.
+struct Expectation {
+  std::optional<std::string> state, says, indicated, act, holding;
+  std::optional<std::vector<std::string>> referents;
+  std::optional<std::int64_t> stack_depth;
+};
+
+/// Lets the clock run on to its time; the last event.
+struct End {};
+
+/// A kind of event that this version does not know: kept for writing, otherwise to be passed over.
+struct UnknownKind {};
+
+struct TraceEvent {
+  std::size_t line = 0;  ///< in the trace, counting from 1; 0 when it was not read from one
+  SimTime t;
+  std::optional<std::size_t> row;  ///< line of the log that it was imported from
+  std::variant<InputEvent, Observed, Expectation, End, UnknownKind> what;
+  Json json;  ///< the line as read, or null
+};
+
+/// Something worth knowing that did not keep the file from being used.
+struct Note {
+  std::size_t line = 0;
+  std::string sentence;
+};
+
+struct Trace {
+  std::string name;    ///< the file's path as given
+  std::string digest;  ///< of the file's bytes
+  TraceHeader header;
+  std::vector<TraceEvent> events;  ///< in order of t
+  std::vector<Note> notes;
+};
+
+/// Everything that could be read, and everything that is wrong. Without problems the trace is whole.
+struct TraceReading {
+  Trace trace;
+  std::vector<Error> problems;
+};
+
+/// Reads the text of a trace called `name` to its end, whatever is wrong with it.
+TraceReading read_whole_trace(std::string_view text, const std::string& name);
+
+/// The trace, or the first thing that is wrong with it, placed at "file:line".
+Result<Trace> read_trace_text(std::string_view text, const std::string& name);
+Result<Trace> read_trace(const std::string& path);
+
+/// One event that arrives on its own (a live session), as on line `line` of `name`. It has the checks of a trace
+/// but for its order.
+Result<TraceEvent> read_event(const Json& json, const std::string& name, std::size_t line);
+
+/// The lines of a trace file, without their newline. Fields that a kind does not have are taken from `json`, so that
+/// what was read is written again. Keys have a fixed order.
+std::string write_header(const TraceHeader& header);
+std::string write_event(const TraceEvent& event);
+std::string write_trace(const Trace& trace);
+
+std::string text(Perspective perspective);
+
+/// "file:line: sentence".
+std::string text(const Trace& trace, const Note& note);
+
+}  // namespace continua
