@@ -3,6 +3,7 @@
 // command with its place filled in and its theme still open.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <map>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "term/term.h"
+#include "term/term_text.h"
 
 namespace continua {
 
@@ -24,7 +26,8 @@ struct Application {
 class Evaluation;
 
 /// What a name computes. Arguments are values, `arity` many. A rule that cannot say (an argument still contains
-/// bound variables, see Evaluation) is not called. Null in gives null out unless `takes_null`.
+/// bound variables) is not called. Null in gives null out unless `takes_null`. What it gives must be a value.
+/// Since `term` goes with every type, arguments may be of another kind than the name's type says; see rules.h.
 struct Rule {
   std::size_t arity = 0;
   std::function<Term(std::span<const Term> arguments, Evaluation& evaluation)> compute;
@@ -33,9 +36,8 @@ struct Rule {
 
 using Rules = std::map<std::string, Rule, std::less<>>;
 
-/// The rules of the language's own names: and, or, not, comparisons, arithmetic, if; and of lists and terms:
-/// size head last nth tail append reverse prefixes suffixes map filter some every sort_by contains zip …,
-/// open fill program argument mentions text place (documented in term/FUNCTIONS.md).
+/// The rules of the language's own names: operators, `if`, and functions of lists, terms, texts, places and numbers,
+/// documented in term/FUNCTIONS.md.
 const Rules& term_rules();
 /// Their types, core_signature() included.
 const Signature& term_signature();
@@ -49,20 +51,50 @@ class Evaluation {
   Evaluation(std::vector<const Rules*> rules, Lookup lookup) : rules_(std::move(rules)), lookup_(std::move(lookup)) {}
 
   /// The value of a closed term. Values found by lookup are evaluated where they are not values yet.
-  /// Ends after a bounded number of steps (then null), whatever the term.
+  /// Ends after a bounded number of steps, whatever the term; then the value is null and `exhausted` is set.
   Term value(const Term& term);
   /// Applies a function value to a value.
   Term apply(const Term& function, const Term& argument);
+
+  /// For rules: allows `steps` more of work, or sets `exhausted`; the rule then gives null.
+  bool spend(std::size_t steps);
+  /// For rules: a decision would have been another one had a length or number been different by `distance`.
+  void note_margin(double distance) { margin = std::min(margin, distance); }
+  /// For rules: two numbers were compared. Between whole numbers (counts) nothing is near.
+  void note_compared(double a, double b);
 
   /// Applications made by `fill`, in order.
   std::vector<Application> applications;
   /// The smallest distance of two numbers that were compared and are no whole numbers: how near a decision was.
   double margin = std::numeric_limits<double>::infinity();
+  /// A value was given up, because it took too many steps, went too deep or grew too large.
+  bool exhausted = false;
 
  private:
+  enum class Step { done, again };
+  // A head applied to arguments, on the way to its value. The first `ready` arguments are values already.
+  struct Redex {
+    Term head;
+    std::vector<Term> arguments;
+    std::size_t ready = 0;
+  };
+
+  Term evaluated(const Term& term);
+  Term evaluated_list(const Term& term);
+  Term reduced(Redex redex);
+  Step reduce_constant(Redex& redex);
+  Step reduce_choice(Redex& redex);
+  Step reduce_rule(Redex& redex, const Rule& rule);
+  Step keep(Redex& redex);
+  void make_ready(Redex& redex, std::size_t count);
+  const Rule* rule(const std::string& name) const;
+  Term bounded(Term term);
+  void give_up();
+
   std::vector<const Rules*> rules_;
   Lookup lookup_;
   std::size_t steps_ = 0;
+  int depth_ = 0;
 };
 
 }  // namespace continua

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,8 +28,8 @@ struct Place {
 class Term {
  public:
   enum class Kind {
-    null,      ///< nothing; of every type
-    truth,     ///< true, false
+    null,   ///< nothing; of every type
+    truth,  ///< true, false
     number,
     text,      ///< 'a quoted text'
     place,     ///< <x, y, z>, or box(<x,y,z>, <x,y,z>)
@@ -43,15 +44,17 @@ class Term {
   Term();
   static Term null() { return Term(); }
   static Term truth(bool value);
+  /// A number that is not finite is null; -0 is 0.
   static Term number(double value);
   static Term text(std::string value);
+  /// The corners of a region may come in any order. A place with a coordinate that is not finite is null.
   static Term place(Place value);
   static Term point(double x_m, double y_m, double z_m);
   static Term constant(std::string name, Type type);
   static Term bound(int index, Type type);
   /// `hint` is the name to print for the variable; it does not take part in equality.
   static Term lambda(std::string hint, Type variable, Term body);
-  /// REQUIRES that function's type is a function (or term) from a type consistent with argument's.
+  /// Total: applying what is no function gives a term of type `term`, whose value is null.
   static Term apply(Term function, Term argument);
   static Term list(std::vector<Term> elements, Type element);
 
@@ -61,27 +64,36 @@ class Term {
   /// True only for the term `true`: null and everything else count as not true.
   bool is_true() const;
 
-  bool truth_value() const;                     ///< REQUIRES truth
-  double number_value() const;                  ///< REQUIRES number
-  const std::string& text_value() const;        ///< REQUIRES text
-  const Place& place_value() const;             ///< REQUIRES place
-  const std::string& name() const;              ///< REQUIRES constant, or lambda (its hint)
-  int index() const;                            ///< REQUIRES bound
-  const Term& body() const;                     ///< REQUIRES lambda
-  const Type& variable_type() const;            ///< REQUIRES lambda
-  const Term& function() const;                 ///< REQUIRES apply
-  const Term& argument() const;                 ///< REQUIRES apply
-  const std::vector<Term>& elements() const;    ///< REQUIRES list
+  bool truth_value() const;                   ///< REQUIRES truth
+  double number_value() const;                ///< REQUIRES number
+  const std::string& text_value() const;      ///< REQUIRES text
+  const Place& place_value() const;           ///< REQUIRES place
+  const std::string& name() const;            ///< REQUIRES constant, or lambda (its hint)
+  int index() const;                          ///< REQUIRES bound
+  const Term& body() const;                   ///< REQUIRES lambda
+  const Type& variable_type() const;          ///< REQUIRES lambda
+  const Term& function() const;               ///< REQUIRES apply
+  const Term& argument() const;               ///< REQUIRES apply
+  const std::vector<Term>& elements() const;  ///< REQUIRES list
 
   /// f(a, b) as (f, [a, b]); any other term as (itself, []).
   struct Spine;
   Spine spine() const;
 
-  /// Structural equality, which is alpha-equivalence. Types of equal constants are equal by construction.
+  /// Structural equality, which is alpha-equivalence. Types take no part in it: `head` of a list of objects and
+  /// `head` of a list of numbers are the same name.
   bool operator==(const Term& other) const;
+  /// The very same node; then also equal, and found out at once.
+  bool same_node(const Term& other) const { return node_ == other.node_; }
 
   /// No bound variable reaches outside of it.
-  bool closed() const;
+  bool closed() const { return reach() == 0; }
+  /// Number of enclosing lambdas its bound variables need: 0 when closed.
+  int reach() const;
+  /// Height and (saturating) number of nodes of the written-out tree, a text counting by its length. What builds
+  /// terms in a loop must bound both: shared structure makes it easy to build a small thing that prints endlessly.
+  std::size_t depth() const;
+  std::size_t size() const;
 
  private:
   struct Node;

@@ -3,7 +3,7 @@
 // (a stack slot that holds commands of various shapes). Semantics §2.
 #pragma once
 
-#include <compare>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -24,12 +24,12 @@ class Type {
   /// A type variable of a polymorphic constant, such as a in `head : a* -> a`.
   static Type variable(int index);
 
-  static const Type& entity();    ///< e
-  static const Type& location();  ///< loc
-  static const Type& truth();     ///< t
-  static const Type& number();    ///< num
-  static const Type& text_type(); ///< text
-  static const Type& term();      ///< term, consistent with every type
+  static const Type& entity();     ///< e
+  static const Type& location();   ///< loc
+  static const Type& truth();      ///< t
+  static const Type& number();     ///< num
+  static const Type& text_type();  ///< text
+  static const Type& term();       ///< term, consistent with every type
 
   Kind kind() const;
   const std::string& name() const;  ///< REQUIRES base
@@ -38,18 +38,25 @@ class Type {
   const Type& to() const;           ///< REQUIRES function
   int index() const;                ///< REQUIRES variable
 
+  /// True when a type variable occurs in it.
+  bool polymorphic() const;
+
   bool operator==(const Type& other) const;
 
   /// "e -> (loc -> t)*"; arrows associate to the right, `*` binds tightest; variables print as 'a, 'b, ….
   std::string text() const;
   /// Reads what text() writes. `entity` and `location` are other names of e and loc. An unknown name is an
-  /// error; `extra` are base types beyond the built-in ones.
-  static Result<Type> parse(std::string_view text, const std::vector<std::string>& extra = {});
+  /// error; `extra` are base types beyond the built-in ones. Errors name the column, the first being `first_column`.
+  static Result<Type> parse(std::string_view text, const std::vector<std::string>& extra = {},
+                            std::size_t first_column = 1);
 
  private:
   struct Node;
   explicit Type(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
   std::shared_ptr<const Node> node_;
 };
+
+/// May a value of the one type stand where the other is expected? `term` and type variables go with everything.
+bool consistent(const Type& a, const Type& b);
 
 }  // namespace continua

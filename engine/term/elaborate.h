@@ -1,0 +1,13 @@
+// From what a text says to a term: names are found, types inferred.
+#pragma once
+
+#include "core/result.h"
+#include "term/syntax.h"
+#include "term/term_text.h"
+
+namespace continua {
+
+/// `expected` may be null: any type will do. Names of core_signature() are known too, after those of `names`.
+Result<Term> elaborate(Syntax syntax, const Signature& names, const Type* expected);
+
+}  // namespace continua

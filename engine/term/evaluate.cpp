@@ -1,0 +1,211 @@
+#include "term/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace continua {
+namespace {
+
+constexpr std::size_t most_steps = 200000;
+constexpr int deepest_evaluation = 1000;
+constexpr std::size_t deepest_value = 1000;
+constexpr std::size_t largest_value = 50000;
+
+// Appends the arguments of `term`, an application, in front of those there are; returns its head.
+const Term& unwound(const Term& term, std::vector<Term>& arguments) {
+  std::size_t count = 0;
+  const Term* head = &term;
+  for (; head->kind() == Term::Kind::apply; head = &head->function()) ++count;
+  arguments.insert(arguments.begin(), count, Term());
+  const Term* at = &term;
+  for (; at->kind() == Term::Kind::apply; at = &at->function()) arguments[--count] = at->argument();
+  return *head;
+}
+
+void drop(std::vector<Term>& arguments, std::size_t& ready, std::size_t count) {
+  arguments.erase(arguments.begin(), arguments.begin() + static_cast<std::ptrdiff_t>(count));
+  ready -= std::min(ready, count);
+}
+
+}  // namespace
+
+Term Evaluation::value(const Term& term) {
+  if (depth_ > 0) return evaluated(term);
+  steps_ = 0;
+  Term result = evaluated(term);
+  return steps_ > most_steps ? Term::null() : result;
+}
+
+Term Evaluation::apply(const Term& function, const Term& argument) {
+  const bool outermost = depth_ == 0;
+  if (outermost) steps_ = 0;
+  Redex redex;
+  redex.arguments.reserve(3);
+  redex.head = function.kind() == Term::Kind::apply ? unwound(function, redex.arguments) : function;
+  redex.arguments.push_back(argument);
+  redex.ready = redex.arguments.size();  // function and argument are values, so their parts are
+  ++depth_;
+  Term result = depth_ > deepest_evaluation ? (give_up(), Term::null()) : reduced(std::move(redex));
+  --depth_;
+  return outermost && steps_ > most_steps ? Term::null() : result;
+}
+
+bool Evaluation::spend(std::size_t steps) {
+  steps_ += std::min(steps, most_steps + 1);
+  if (steps_ > most_steps) exhausted = true;
+  return steps_ <= most_steps;
+}
+
+void Evaluation::note_compared(double a, double b) {
+  if (a != std::nearbyint(a) || b != std::nearbyint(b)) note_margin(std::abs(a - b));
+}
+
+void Evaluation::give_up() { spend(most_steps + 1); }
+
+Term Evaluation::bounded(Term term) {
+  if (term.depth() <= deepest_value && term.size() <= largest_value) return term;
+  give_up();
+  return Term::null();
+}
+
+const Rule* Evaluation::rule(const std::string& name) const {
+  for (const Rules* rules : rules_) {
+    const auto found = rules->find(name);
+    if (found != rules->end()) return &found->second;
+  }
+  return nullptr;
+}
+
+Term Evaluation::evaluated(const Term& term) {
+  switch (term.kind()) {
+    case Term::Kind::null:
+    case Term::Kind::truth:
+    case Term::Kind::number:
+    case Term::Kind::text:
+    case Term::Kind::place:
+    case Term::Kind::bound:
+      return term;
+    default:
+      break;
+  }
+  if (!spend(1)) return Term::null();
+  if (depth_ >= deepest_evaluation) {
+    give_up();
+    return Term::null();
+  }
+  ++depth_;
+  Term result;
+  if (term.kind() == Term::Kind::list) {
+    result = evaluated_list(term);
+  } else if (term.kind() == Term::Kind::lambda) {
+    Term body = evaluated(term.body());
+    result = body.same_node(term.body()) ? term : Term::lambda(term.name(), term.variable_type(), std::move(body));
+  } else {
+    Redex redex;
+    redex.head = term.kind() == Term::Kind::apply ? unwound(term, redex.arguments) : term;
+    result = reduced(std::move(redex));
+  }
+  --depth_;
+  return bounded(std::move(result));
+}
+
+Term Evaluation::evaluated_list(const Term& term) {
+  const auto& elements = term.elements();
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    Term first_changed = evaluated(elements[i]);
+    if (first_changed.same_node(elements[i])) continue;
+    std::vector<Term> values(elements.begin(), elements.begin() + static_cast<std::ptrdiff_t>(i));
+    values.reserve(elements.size());
+    values.push_back(std::move(first_changed));
+    for (++i; i < elements.size(); ++i) values.push_back(evaluated(elements[i]));
+    return Term::list(std::move(values), term.type().element());
+  }
+  return term;
+}
+
+Term Evaluation::reduced(Redex redex) {
+  for (;;) {
+    if (!spend(1)) return Term::null();
+    switch (redex.head.kind()) {
+      case Term::Kind::apply:
+        redex.head = Term(unwound(redex.head, redex.arguments));
+        redex.ready = 0;
+        break;
+      case Term::Kind::lambda:
+        if (redex.arguments.empty()) return evaluated(redex.head);
+        make_ready(redex, 1);
+        redex.head = bounded(instantiate(redex.head.body(), redex.arguments[0]));
+        drop(redex.arguments, redex.ready, 1);
+        break;
+      case Term::Kind::constant:
+        if (reduce_constant(redex) == Step::done) return std::move(redex.head);
+        break;
+      case Term::Kind::bound:
+        keep(redex);
+        return std::move(redex.head);
+      default:  // applied, what is no function gives null
+        return redex.arguments.empty() ? evaluated(redex.head) : Term::null();
+    }
+  }
+}
+
+void Evaluation::make_ready(Redex& redex, std::size_t count) {
+  for (; redex.ready < count; ++redex.ready) redex.arguments[redex.ready] = evaluated(redex.arguments[redex.ready]);
+}
+
+// The head computes nothing: it stays, applied to the values of its arguments.
+Evaluation::Step Evaluation::keep(Redex& redex) {
+  make_ready(redex, redex.arguments.size());
+  for (auto& argument : redex.arguments) redex.head = Term::apply(std::move(redex.head), std::move(argument));
+  redex.arguments.clear();
+  return Step::done;
+}
+
+Evaluation::Step Evaluation::reduce_constant(Redex& redex) {
+  const auto& name = redex.head.name();
+  if (name == "if" || name == "and" || name == "or") return reduce_choice(redex);
+  if (const Rule* found = rule(name)) return reduce_rule(redex, *found);
+  const Term* held = lookup_ ? lookup_(name) : nullptr;
+  if (!held) return keep(redex);
+  redex.head = Term(*held);
+  return Step::again;
+}
+
+// `if`, `and` and `or` evaluate only what they need, but everything while they wait for a bound variable.
+Evaluation::Step Evaluation::reduce_choice(Redex& redex) {
+  auto& arguments = redex.arguments;
+  const bool is_if = redex.head.name() == "if", is_and = redex.head.name() == "and";
+  const std::size_t arity = is_if ? 3 : 2;
+  if (arguments.size() < arity) return keep(redex);
+  make_ready(redex, 1);
+  if (!arguments[0].closed()) return keep(redex);
+  const bool first = arguments[0].is_true();
+  if (is_if) {
+    redex.head = Term(arguments[first ? 1 : 2]);
+  } else if (first != is_and) {
+    redex.head = Term::truth(!is_and);
+  } else {
+    make_ready(redex, 2);
+    if (!arguments[1].closed()) return keep(redex);
+    redex.head = Term::truth(arguments[1].is_true());
+  }
+  drop(arguments, redex.ready, arity);
+  return Step::again;
+}
+
+Evaluation::Step Evaluation::reduce_rule(Redex& redex, const Rule& rule) {
+  auto& arguments = redex.arguments;
+  if (arguments.size() < rule.arity) return keep(redex);
+  make_ready(redex, rule.arity);
+  const std::span<const Term> given(arguments.data(), rule.arity);
+  if (!std::all_of(given.begin(), given.end(), [](const Term& each) { return each.closed(); })) return keep(redex);
+  const bool null_given =
+      !rule.takes_null && std::any_of(given.begin(), given.end(), [](const Term& each) { return each.is_null(); });
+  redex.head = null_given ? Term::null() : bounded(rule.compute(given, *this));
+  if (arguments.size() == rule.arity) return Step::done;
+  drop(arguments, redex.ready, rule.arity);
+  return Step::again;
+}
+
+}  // namespace continua

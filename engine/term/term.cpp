@@ -1,0 +1,239 @@
+#include "term/term.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <variant>
+
+#include "term/unify.h"
+
+namespace continua {
+namespace {
+
+constexpr std::size_t largest_size = std::size_t{1} << 32;
+
+std::size_t saturated(std::size_t size) { return std::min(size, largest_size); }
+
+struct Binder {
+  std::string hint;
+  Type variable;
+  Term body;
+};
+struct Pair {
+  Term function, argument;
+};
+
+}  // namespace
+
+// The null term has no node at all, so that making one costs nothing.
+struct Term::Node {
+  Kind kind;
+  Type type;
+  std::variant<bool, double, std::string, Place, int, Binder, Pair, std::vector<Term>> held;
+  int reach = 0;
+  std::size_t depth = 1;
+  std::size_t size = 1;
+};
+
+Term::Term() = default;
+
+Term Term::truth(bool value) {
+  static const Term yes(std::make_shared<const Node>(Node{Kind::truth, Type::truth(), true}));
+  static const Term no(std::make_shared<const Node>(Node{Kind::truth, Type::truth(), false}));
+  return value ? yes : no;
+}
+
+Term Term::number(double value) {
+  if (!std::isfinite(value)) return Term();
+  return Term(std::make_shared<const Node>(Node{Kind::number, Type::number(), value + 0.0}));
+}
+
+Term Term::text(std::string value) {
+  const auto size = 1 + value.size() / 16;
+  return Term(std::make_shared<const Node>(Node{Kind::text, Type::text_type(), std::move(value), 0, 1, size}));
+}
+
+Term Term::place(Place value) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    value.min[i] += 0.0;
+    if (!value.region) value.max[i] = value.min[i];
+    value.max[i] += 0.0;
+    if (!std::isfinite(value.min[i]) || !std::isfinite(value.max[i])) return Term();
+    if (value.max[i] < value.min[i]) std::swap(value.min[i], value.max[i]);
+  }
+  return Term(std::make_shared<const Node>(Node{Kind::place, Type::location(), value}));
+}
+
+Term Term::point(double x_m, double y_m, double z_m) { return place({{x_m, y_m, z_m}, {x_m, y_m, z_m}, false}); }
+
+Term Term::constant(std::string name, Type type) {
+  return Term(std::make_shared<const Node>(Node{Kind::constant, std::move(type), std::move(name)}));
+}
+
+Term Term::bound(int index, Type type) {
+  require(index >= 0, "a bound variable has an index from 0");
+  return Term(std::make_shared<const Node>(Node{Kind::bound, std::move(type), index, index + 1}));
+}
+
+Term Term::lambda(std::string hint, Type variable, Term body) {
+  auto type = Type::function(variable, body.type());
+  const auto reach = std::max(0, body.reach() - 1);
+  const auto depth = body.depth() + 1, size = saturated(body.size() + 1);
+  Binder binder{std::move(hint), std::move(variable), std::move(body)};
+  return Term(std::make_shared<const Node>(Node{Kind::lambda, std::move(type), std::move(binder), reach, depth, size}));
+}
+
+Term Term::apply(Term function, Term argument) {
+  const auto reach = std::max(function.reach(), argument.reach());
+  const auto depth = std::max(function.depth(), argument.depth()) + 1;
+  const auto size = saturated(function.size() + argument.size() + 1);
+  auto type = result_type(function.type(), argument.type());
+  Pair application{std::move(function), std::move(argument)};
+  return Term(
+      std::make_shared<const Node>(Node{Kind::apply, std::move(type), std::move(application), reach, depth, size}));
+}
+
+Term Term::list(std::vector<Term> elements, Type element) {
+  int reach = 0;
+  std::size_t depth = 0, size = 1;
+  for (const auto& each : elements) {
+    reach = std::max(reach, each.reach());
+    depth = std::max(depth, each.depth());
+    size = saturated(size + each.size());
+  }
+  return Term(std::make_shared<const Node>(
+      Node{Kind::list, Type::list(std::move(element)), std::move(elements), reach, depth + 1, size}));
+}
+
+Term::Kind Term::kind() const { return node_ ? node_->kind : Kind::null; }
+const Type& Term::type() const { return node_ ? node_->type : Type::term(); }
+bool Term::is_true() const { return kind() == Kind::truth && std::get<bool>(node_->held); }
+int Term::reach() const { return node_ ? node_->reach : 0; }
+std::size_t Term::depth() const { return node_ ? node_->depth : 1; }
+std::size_t Term::size() const { return node_ ? node_->size : 1; }
+
+bool Term::truth_value() const {
+  require(kind() == Kind::truth, "truth_value() of a term that is no truth value");
+  return std::get<bool>(node_->held);
+}
+double Term::number_value() const {
+  require(kind() == Kind::number, "number_value() of a term that is no number");
+  return std::get<double>(node_->held);
+}
+const std::string& Term::text_value() const {
+  require(kind() == Kind::text, "text_value() of a term that is no text");
+  return std::get<std::string>(node_->held);
+}
+const Place& Term::place_value() const {
+  require(kind() == Kind::place, "place_value() of a term that is no place");
+  return std::get<Place>(node_->held);
+}
+const std::string& Term::name() const {
+  if (kind() == Kind::lambda) return std::get<Binder>(node_->held).hint;
+  require(kind() == Kind::constant, "name() of a term that is neither constant nor lambda");
+  return std::get<std::string>(node_->held);
+}
+int Term::index() const {
+  require(kind() == Kind::bound, "index() of a term that is no bound variable");
+  return std::get<int>(node_->held);
+}
+const Term& Term::body() const {
+  require(kind() == Kind::lambda, "body() of a term that is no lambda");
+  return std::get<Binder>(node_->held).body;
+}
+const Type& Term::variable_type() const {
+  require(kind() == Kind::lambda, "variable_type() of a term that is no lambda");
+  return std::get<Binder>(node_->held).variable;
+}
+const Term& Term::function() const {
+  require(kind() == Kind::apply, "function() of a term that is no application");
+  return std::get<Pair>(node_->held).function;
+}
+const Term& Term::argument() const {
+  require(kind() == Kind::apply, "argument() of a term that is no application");
+  return std::get<Pair>(node_->held).argument;
+}
+const std::vector<Term>& Term::elements() const {
+  require(kind() == Kind::list, "elements() of a term that is no list");
+  return std::get<std::vector<Term>>(node_->held);
+}
+
+Term::Spine Term::spine() const {
+  Spine spine;
+  const Term* head = this;
+  for (; head->kind() == Kind::apply; head = &head->function()) spine.arguments.push_back(head->argument());
+  std::reverse(spine.arguments.begin(), spine.arguments.end());
+  spine.head = *head;
+  return spine;
+}
+
+bool Term::operator==(const Term& other) const {
+  if (node_ == other.node_) return true;
+  if (kind() != other.kind() || size() != other.size() || reach() != other.reach()) return false;
+  switch (kind()) {
+    case Kind::null:
+      return true;
+    case Kind::lambda:
+      return body() == other.body();
+    case Kind::apply:
+      return argument() == other.argument() && function() == other.function();
+    case Kind::list:
+      return elements() == other.elements();
+    case Kind::truth:
+      return truth_value() == other.truth_value();
+    case Kind::number:
+      return number_value() == other.number_value();
+    case Kind::text:
+      return text_value() == other.text_value();
+    case Kind::place:
+      return place_value() == other.place_value();
+    case Kind::constant:
+      return name() == other.name();
+    case Kind::bound:
+      return index() == other.index();
+  }
+  return false;
+}
+
+namespace {
+
+// Rebuilds `term`, found below `depth` binders of where the walk began, with `leaf(variable, depth)` in place of
+// each variable that reaches out of them. Parts without such a variable are shared, not rebuilt.
+template <class Leaf>
+Term replaced(const Term& term, int depth, const Leaf& leaf) {
+  if (term.reach() <= depth) return term;
+  switch (term.kind()) {
+    case Term::Kind::bound:
+      return leaf(term, depth);
+    case Term::Kind::lambda:
+      return Term::lambda(term.name(), term.variable_type(), replaced(term.body(), depth + 1, leaf));
+    case Term::Kind::apply:
+      return Term::apply(replaced(term.function(), depth, leaf), replaced(term.argument(), depth, leaf));
+    case Term::Kind::list: {
+      std::vector<Term> elements;
+      elements.reserve(term.elements().size());
+      for (const auto& each : term.elements()) elements.push_back(replaced(each, depth, leaf));
+      return Term::list(std::move(elements), term.type().element());
+    }
+    default:
+      return term;
+  }
+}
+
+Term raised(const Term& term, int by) {
+  if (by == 0) return term;
+  return replaced(term, 0,
+                  [by](const Term& variable, int) { return Term::bound(variable.index() + by, variable.type()); });
+}
+
+}  // namespace
+
+Term instantiate(const Term& body, const Term& argument) {
+  return replaced(body, 0, [&](const Term& variable, int depth) {
+    if (variable.index() == depth) return raised(argument, depth);
+    return Term::bound(variable.index() - 1, variable.type());
+  });
+}
+
+}  // namespace continua

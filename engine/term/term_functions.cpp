@@ -1,0 +1,142 @@
+// The rules of terms (a command that lacks an argument is a term of type function) and of texts.
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <utility>
+
+#include "term/rules.h"
+#include "term/term_text.h"
+
+namespace continua {
+namespace {
+
+using Arguments = std::span<const Term>;
+
+// What stands below a term's lambdas.
+const Term& below_lambdas(const Term& term) {
+  const Term* at = &term;
+  while (at->kind() == Term::Kind::lambda) at = &at->body();
+  return *at;
+}
+
+// A lambda, or a name that is a function: it waits for an argument.
+bool is_open(const Term& term) {
+  return term.kind() == Term::Kind::lambda || term.type().kind() == Type::Kind::function;
+}
+
+bool takes(const Term& function, const Term& argument) {
+  return argument.is_null() || consistent(function.type().from(), argument.type());
+}
+
+Term fill(Arguments a, Evaluation& evaluation) {
+  if (!is_open(a[0])) return a[0];
+  if (!takes(a[0], a[1])) return Term::null();
+  Term result = evaluation.apply(a[0], a[1]);
+  evaluation.applications.push_back({a[0], a[1], result, ""});
+  return result;
+}
+
+Term program(Arguments a, Evaluation&) {
+  const Term* head = &below_lambdas(a[0]);
+  while (head->kind() == Term::Kind::apply) head = &head->function();
+  return head->kind() == Term::Kind::constant ? Term::text(head->name()) : Term::null();
+}
+
+Term argument(Arguments a, Evaluation&) {
+  const auto arguments = below_lambdas(a[0]).spine().arguments;
+  const double index = a[1].number_value();
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    if (static_cast<double>(i) == index) return arguments[i].closed() ? arguments[i] : Term::null();
+  return Term::null();
+}
+
+std::string characters(const Term& term) { return term.kind() == Term::Kind::text ? term.text_value() : print(term); }
+
+Term mentions(Arguments a, Evaluation&) {
+  return Term::truth(characters(a[0]).find(a[1].text_value()) != std::string::npos);
+}
+
+const Term* first_place(const Term& term) {
+  switch (term.kind()) {
+    case Term::Kind::place:
+      return &term;
+    case Term::Kind::lambda:
+      return first_place(term.body());
+    case Term::Kind::apply: {
+      const Term* found = first_place(term.function());
+      return found ? found : first_place(term.argument());
+    }
+    case Term::Kind::list:
+      for (const auto& each : term.elements())
+        if (const Term* found = first_place(each)) return found;
+      return nullptr;
+    default:
+      return nullptr;
+  }
+}
+
+Term place(Arguments a, Evaluation&) {
+  const Term* found = first_place(a[0]);
+  return found ? *found : Term::null();
+}
+
+Term words(Arguments a, Evaluation& evaluation) {
+  const std::string& text = a[0].text_value();
+  std::vector<Term> found;
+  if (!evaluation.spend(text.size() / 16)) return Term::null();
+  for (std::size_t from = 0;;) {
+    from = text.find_first_not_of(' ', from);
+    if (from == std::string::npos) break;
+    const auto to = std::min(text.find(' ', from), text.size());
+    found.push_back(Term::text(text.substr(from, to - from)));
+    from = to;
+  }
+  return Term::list(std::move(found), Type::text_type());
+}
+
+Term join(Arguments a, Evaluation& evaluation) {
+  const std::string& between = a[1].text_value();
+  std::string joined;
+  for (const auto& each : a[0].elements()) {
+    if (each.kind() != Term::Kind::text) return Term::null();
+    if (!evaluation.spend((each.text_value().size() + between.size()) / 16)) return Term::null();
+    if (&each != &a[0].elements().front()) joined += between;
+    joined += each.text_value();
+  }
+  return Term::text(std::move(joined));
+}
+
+// Of the letters a to z; others stay, so that it is the same under every locale.
+Term lower(Arguments a, Evaluation&) {
+  std::string text = a[0].text_value();
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return Term::text(std::move(text));
+}
+
+}  // namespace
+
+void add_term_functions(Rules& rules, Signature& signature) {
+  const auto open = [](Arguments a, Evaluation&) { return Term::truth(is_open(a[0])); };
+  const auto text = [](Arguments a, Evaluation&) { return Term::text(characters(a[0])); };
+  const auto starts_with = [](Arguments a, Evaluation&) {
+    return Term::truth(a[0].text_value().starts_with(a[1].text_value()));
+  };
+  add_functions(
+      {
+          {"open", "term -> t", open},
+          {"fill", "term -> term -> term", fill},
+          {"program", "term -> text", program},
+          {"argument", "term -> num -> term", argument},
+          {"mentions", "term -> text -> t", mentions},
+          {"text", "term -> text", text},
+          {"place", "term -> loc", place},
+          {"words", "text -> text*", words},
+          {"starts_with", "text -> text -> t", starts_with},
+          {"join", "text* -> text -> text", join},
+          {"lower", "text -> text", lower},
+      },
+      rules, signature);
+}
+
+}  // namespace continua

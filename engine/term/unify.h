@@ -1,0 +1,39 @@
+// Unification of types with `term` as the dynamic type: it goes with everything and tells nothing about it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "term/type.h"
+
+namespace continua {
+
+/// The unknown types of one term and what is known of them. Bounded: past a number of steps no types unify.
+class Unifier {
+ public:
+  /// An unknown type.
+  Type fresh();
+  /// `type` with an unknown type for each of its variables.
+  Type instance(const Type& type);
+
+  /// Makes the two types one, where that can be. False leaves what was learnt until then.
+  bool unify(const Type& a, const Type& b);
+
+  /// `type`, or what is known of it when it is an unknown; its parts are not looked at.
+  Type known(const Type& type) const;
+  /// `type` with all that is known; what is still unknown is `term`.
+  Type resolved(const Type& type);
+  /// The type as a message to a person says it: "num", "a list", "a function from e to t", "anything".
+  std::string described(const Type& type);
+
+ private:
+  bool occurs(int variable, const Type& type);
+
+  std::vector<std::optional<Type>> known_;
+  std::size_t steps_ = 0;
+};
+
+/// Type of a function of type `function` applied to something of type `argument`; `term` when it is no function.
+Type result_type(const Type& function, const Type& argument);
+
+}  // namespace continua
