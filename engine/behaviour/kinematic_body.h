@@ -1,0 +1,32 @@
+// The body without physics: every act succeeds at once. With it the engine runs, and is tested, without a simulator.
+#pragma once
+
+#include "behaviour/avatar_command.h"
+
+namespace continua {
+
+/// Acts are done at the instant of the `advance` after their command, in order; objects stand where acts leave them.
+/// What stands on an object moves along with it. An act about something that is not in the world is `unreachable`, one
+/// that cannot mean anything (an object onto itself, a lift of nothing) is `blocked`; the world is then as before.
+class KinematicBody : public Body {
+ public:
+  explicit KinematicBody(WorldSnapshot world) : world_(std::move(world)) {}
+
+  void command(const AvatarCommand& command) override { waiting_.push_back(command); }
+  WorldReport advance(SimTime t) override;
+  WorldSnapshot snapshot() const override { return world_; }
+  bool at_rest() const override { return waiting_.empty(); }
+
+ private:
+  /// Does the act and says how it went, but for its id and time.
+  ActReport act(const AvatarCommand& command);
+  /// Shifts an object and all that stands on it.
+  void shift(const std::string& object, const Vec3& by_W);
+  /// Lets go of what is held, which falls straight down.
+  void release();
+
+  WorldSnapshot world_;
+  std::vector<AvatarCommand> waiting_;
+};
+
+}  // namespace continua

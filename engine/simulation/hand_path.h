@@ -1,0 +1,45 @@
+// Motions of the hand: a path through poses, its corners rounded, as a smooth motion of the arm's hinges.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "simulation/arm_ik.h"
+
+namespace continua {
+
+/// How fast a motion may be.
+struct Pace {
+  double hand_m_per_s = 1.1;   ///< peak speed of the hand along its path
+  double hinge_rad_per_s = 3;  ///< peak speed of any hinge
+  double hinge_rad_per_s2 = 25;
+};
+
+/// Where the hinges shall be, and how fast they shall turn.
+struct HingeTarget {
+  ArmVector q = ArmVector::Zero();
+  ArmVector qdot = ArmVector::Zero();
+};
+
+/// A motion from rest to rest, with a minimum-jerk profile along its path.
+class HandPath {
+ public:
+  /// Through `X_WT` in order, beginning at hinges `from`. Nothing if some pose on the way cannot be reached.
+  static std::optional<HandPath> plan(const Arm& arm, const ArmVector& from, const std::vector<Pose>& X_WT,
+                                      const Pace& pace = {});
+
+  /// Stays at `q`.
+  static HandPath stay(const ArmVector& q);
+
+  double duration_s() const { return duration_s_; }
+  const ArmVector& end() const { return knots_.back(); }
+
+  /// `t_s` is clamped to [0, duration_s].
+  HingeTarget at(double t_s) const;
+
+ private:
+  std::vector<ArmVector> knots_;  // at equal steps along the path
+  double duration_s_ = 0;
+};
+
+}  // namespace continua

@@ -1,0 +1,93 @@
+#include "simulation/mujoco_model.h"
+
+#include <array>
+#include <csetjmp>
+#include <cstring>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/result.h"
+
+namespace continua {
+
+namespace {
+
+// While a text is compiled, MuJoCo's fatal errors jump back here instead of ending the program.
+thread_local std::jmp_buf* way_back = nullptr;
+thread_local std::array<char, 500> fatal_error;
+
+void on_error(const char* message) {
+  if (!way_back) require(false, message);
+  fmt::format_to_n(fatal_error.data(), fatal_error.size() - 1, "{}", message);
+  std::longjmp(*way_back, 1);
+}
+
+// Warnings of the compiler are of no consequence for a scene that compiles; those of a step are counted in mjData.
+void on_warning(const char*) {}
+
+void put_file(mjVFS& files, const char* name, const std::string& content) {
+#if mjVERSION_HEADER >= 320
+  mj_addBufferVFS(&files, name, content.data(), static_cast<int>(content.size()));
+#else
+  mj_makeEmptyFileVFS(&files, name, static_cast<int>(content.size()));
+  std::memcpy(files.filedata[mj_findFileVFS(&files, name)], content.data(), content.size());
+#endif
+}
+
+/// `text` whose first element after the root says where assets are; on the root's line, so that no line number changes.
+std::string with_asset_directory(const std::string& text, const std::string& directory) {
+  const std::size_t root = text.find("<mujoco");
+  const std::size_t end = root == std::string::npos ? root : text.find('>', root);
+  if (end == std::string::npos || text[end - 1] == '/') return text;
+  const auto setting = fmt::format("<compiler meshdir=\"{0}\" texturedir=\"{0}\"/>", directory);
+  return text.substr(0, end + 1) + setting + text.substr(end + 1);
+}
+
+/// MuJoCo writes places as "line 12", "line = 12" or "Line number=12"; its sentence may take several lines.
+CompileError read_message(std::string message) {
+  CompileError error;
+  for (const char* word : {"line ", "Line number", "line="}) {
+    std::size_t at = message.rfind(word);
+    if (at == std::string::npos) continue;
+    at = message.find_first_of("0123456789", at);
+    if (at != std::string::npos) error.line = std::atoi(message.c_str() + at);
+    if (error.line > 0) break;
+  }
+  for (char& letter : message) letter = letter == '\n' || letter == '\r' ? ' ' : letter;
+  while (!message.empty() && message.back() == ' ') message.pop_back();
+  error.sentence = "MuJoCo does not take this scene: " + message;
+  return error;
+}
+
+}  // namespace
+
+std::variant<ModelOwner, CompileError> compile_mjcf(const std::string& text, const std::string& asset_directory) {
+  constexpr const char* name = "scene.xml";
+  mju_user_error = on_error;
+  mju_user_warning = on_warning;
+
+  const auto files = std::make_unique<mjVFS>();  // megabytes in early releases: not for the stack
+  mj_defaultVFS(files.get());
+  put_file(*files, name, with_asset_directory(text, asset_directory));
+
+  std::array<char, 1000> message{};
+  fatal_error[0] = 0;
+  mjModel* volatile model = nullptr;
+  std::jmp_buf here;
+  way_back = &here;
+  if (setjmp(here) == 0) model = mj_loadXML(name, files.get(), message.data(), static_cast<int>(message.size()));
+  way_back = nullptr;
+  mj_deleteVFS(files.get());
+
+  if (fatal_error[0]) return read_message(fatal_error.data());
+  if (!model) return read_message(message.data());
+  return ModelOwner(model);
+}
+
+std::string name_of(const mjModel& model, mjtObj type, int id) {
+  const char* name = mj_id2name(&model, type, id);
+  return name ? name : fmt::format("#{}", id);
+}
+
+}  // namespace continua

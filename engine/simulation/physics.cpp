@@ -1,0 +1,267 @@
+#include "simulation/physics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "simulation/mujoco_model.h"
+
+namespace continua {
+
+namespace {
+
+Vec3 vec(const mjtNum* v) { return {v[0], v[1], v[2]}; }
+Eigen::Quaterniond quat(const mjtNum* q) { return {q[0], q[1], q[2], q[3]}; }
+
+/// Where the avatar's elements are in the model.
+struct AvatarIds {
+  int hand = -1, weld = -1;
+  std::array<int, arm_joint_count> dof{}, qpos{}, servo{};
+  std::array<int, 2> pad{}, finger_servo{};      // left, right
+  std::array<double, arm_joint_count> lead_s{};  // servo damping / stiffness: how far ahead a moving target is put
+};
+
+/// Reads the chain of hinges from the world to the site `grip`.
+Result<std::pair<Arm, AvatarIds>> find_avatar(const mjModel& model, const std::string& path) {
+  const auto missing = [&](const std::string& what) {
+    return Error{path, fmt::format("the scene's avatar has no {}", what)};
+  };
+  Arm arm;
+  AvatarIds ids;
+  const int grip = id_of(model, mjOBJ_SITE, "grip");
+  if (grip < 0) return missing("site 'grip'");
+  ids.hand = model.site_bodyid[grip];
+  ids.weld = id_of(model, mjOBJ_EQUALITY, "grip");
+  if (ids.weld < 0 || model.eq_type[ids.weld] != mjEQ_WELD || model.eq_obj1id[ids.weld] != ids.hand)
+    return missing("weld 'grip' whose body1 is the body of site 'grip'");
+
+  std::vector<int> bodies;  // from the world outward
+  for (int body = ids.hand; body > 0; body = model.body_parentid[body]) bodies.insert(bodies.begin(), body);
+  int found = 0;
+  Pose X_PB;
+  for (const int body : bodies) {
+    const Pose X{vec(model.body_pos + 3 * body), quat(model.body_quat + 4 * body)};
+    X_PB = {X_PB.p_WB + X_PB.R_WB * X.p_WB, X_PB.R_WB * X.R_WB};
+    if (model.body_jntnum[body] == 0) continue;
+    const int joint = model.body_jntadr[body];
+    const std::string name = fmt::format("arm_{}", found + 1);
+    if (model.body_jntnum[body] > 1 || model.jnt_type[joint] != mjJNT_HINGE || found == arm_joint_count ||
+        name_of(model, mjOBJ_JOINT, joint) != name || !model.jnt_limited[joint] ||
+        vec(model.jnt_pos + 3 * joint).norm() > 0)
+      return missing(fmt::format("limited hinge '{}' in its place: one per body, at the body's origin", name));
+    const int servo = id_of(model, mjOBJ_ACTUATOR, name);
+    if (servo < 0) return missing(fmt::format("actuator '{}'", name));
+    arm.joints[found] = {X_PB, vec(model.jnt_axis + 3 * joint), model.jnt_range[2 * joint],
+                         model.jnt_range[2 * joint + 1]};
+    ids.dof[found] = model.jnt_dofadr[joint];
+    ids.qpos[found] = model.jnt_qposadr[joint];
+    ids.servo[found] = servo;
+    ids.lead_s[found] = model.actuator_biasprm[mjNBIAS * servo + 2] / model.actuator_biasprm[mjNBIAS * servo + 1];
+    X_PB = {};
+    ++found;
+  }
+  if (found < arm_joint_count) return missing(fmt::format("hinge 'arm_{}'", found + 1));
+  arm.X_LT = {X_PB.p_WB + X_PB.R_WB * vec(model.site_pos + 3 * grip), X_PB.R_WB * quat(model.site_quat + 4 * grip)};
+
+  constexpr std::array sides = {"left", "right"};
+  for (int side = 0; side < 2; ++side) {
+    ids.pad[side] = id_of(model, mjOBJ_GEOM, fmt::format("pad_{}", sides[side]));
+    ids.finger_servo[side] = id_of(model, mjOBJ_ACTUATOR, fmt::format("finger_{}", sides[side]));
+    if (ids.pad[side] < 0) return missing(fmt::format("geom 'pad_{}'", sides[side]));
+    if (ids.finger_servo[side] < 0) return missing(fmt::format("actuator 'finger_{}'", sides[side]));
+  }
+  return std::pair(arm, ids);
+}
+
+}  // namespace
+
+struct Physics::State {
+  ModelOwner model;  // a copy: the weld is switched in it
+  DataOwner data;
+  std::vector<SceneObject> objects;
+  Box table;
+  Arm arm;
+  AvatarIds ids;
+  int grip = -1;  // the object the weld may hold
+
+  bool welded() const {
+#if mjVERSION_HEADER >= 300
+    return data->eq_active[ids.weld];
+#else
+    return model->eq_active[ids.weld];
+#endif
+  }
+
+  void set_welded(bool active) {
+#if mjVERSION_HEADER >= 300
+    data->eq_active[ids.weld] = active;
+#else
+    model->eq_active[ids.weld] = active;
+#endif
+  }
+
+  /// Points the weld at the object, where it is now in the hand's frame.
+  void weld_to(int body) {
+    mj_kinematics(model.get(), data.get());
+    const Eigen::Quaterniond R_WH = quat(data->xquat + 4 * ids.hand), R_WO = quat(data->xquat + 4 * body);
+    const Vec3 p_HO = R_WH.conjugate() * (vec(data->xpos + 3 * body) - vec(data->xpos + 3 * ids.hand));
+    const Eigen::Quaterniond R_HO = R_WH.conjugate() * R_WO;
+    model->eq_obj2id[ids.weld] = body;
+    mjtNum* relative = model->eq_data + mjNEQDATA * ids.weld;  // anchor in object, p_HO, R_HO, scale of torque
+    std::fill(relative, relative + 3, 0);
+    std::copy(p_HO.data(), p_HO.data() + 3, relative + 3);
+    relative[6] = R_HO.w();
+    std::copy(R_HO.vec().data(), R_HO.vec().data() + 3, relative + 7);
+    set_welded(true);
+  }
+
+  bool touches(int geom, int body) const {
+    for (int i = 0; i < data->ncon; ++i) {
+      const mjContact& contact = data->contact[i];
+      const bool first = contact.geom1 == geom && model->geom_bodyid[contact.geom2] == body;
+      const bool second = contact.geom2 == geom && model->geom_bodyid[contact.geom1] == body;
+      if ((first || second) && contact.dist <= 0) return true;
+    }
+    return false;
+  }
+
+  bool of_hand(int body) const {
+    return body == ids.hand || body == model->geom_bodyid[ids.pad[0]] || body == model->geom_bodyid[ids.pad[1]];
+  }
+
+  /// The weld holds while both pads touch.
+  void update_weld() {
+    const int body = grip < 0 ? -1 : objects[grip].body;
+    const bool may_hold = body >= 0 && touches(ids.pad[0], body) && touches(ids.pad[1], body);
+    if (welded() && (!may_hold || model->eq_obj2id[ids.weld] != body)) set_welded(false);
+    if (may_hold && !welded()) weld_to(body);
+  }
+};
+
+Physics::Physics(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Physics::~Physics() = default;
+
+Result<std::unique_ptr<Physics>> Physics::create(const Scene& scene) {
+  auto avatar = find_avatar(scene.model(), scene.path());
+  if (!avatar) return avatar.error();
+  auto state = std::make_unique<State>();
+  state->model = ModelOwner(mj_copyModel(nullptr, &scene.model()));
+  state->data = DataOwner(mj_makeData(state->model.get()));
+  state->objects = scene.objects();
+  state->table = scene.table();
+  std::tie(state->arm, state->ids) = *avatar;
+  std::copy(scene.initial_qpos().begin(), scene.initial_qpos().end(), state->data->qpos);
+  mj_forward(state->model.get(), state->data.get());
+  std::unique_ptr<Physics> physics(new Physics(std::move(state)));
+  physics->state_->arm.home = physics->hinges();
+  return physics;
+}
+
+double Physics::timestep_s() const { return state_->model->opt.timestep; }
+const Arm& Physics::arm() const { return state_->arm; }
+const std::vector<SceneObject>& Physics::objects() const { return state_->objects; }
+
+void Physics::step(const AvatarTarget& target) {
+  State& s = *state_;
+  const mjModel* model = s.model.get();
+  mjData* data = s.data.get();
+  for (int i = 0; i < arm_joint_count; ++i) {
+    // Leading the target by what the servo's damping takes away, and carrying the arm's own weight, leaves little
+    // error.
+    data->ctrl[s.ids.servo[i]] = target.hinges.q[i] + s.ids.lead_s[i] * target.hinges.qdot[i];
+    data->qfrc_applied[s.ids.dof[i]] = data->qfrc_bias[s.ids.dof[i]];
+  }
+  for (const int servo : s.ids.finger_servo) data->ctrl[servo] = target.opening_m;
+  s.update_weld();
+  mj_step(model, data);
+  // MuJoCo starts a diverged simulation anew by itself, which would be a teleport.
+  require(data->warning[mjWARN_BADQPOS].number + data->warning[mjWARN_BADQVEL].number +
+                  data->warning[mjWARN_BADQACC].number ==
+              0,
+          "the simulation diverged");
+}
+
+void Physics::set_grip(int object) {
+  state_->grip = object;
+  if (object < 0) state_->set_welded(false);
+}
+
+int Physics::held() const {
+  if (!state_->welded()) return -1;
+  const int body = state_->model->eq_obj2id[state_->ids.weld];
+  for (std::size_t i = 0; i < state_->objects.size(); ++i) {
+    if (state_->objects[i].body == body) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+bool Physics::pad_touches(bool left, int object) const {
+  return state_->touches(state_->ids.pad[left ? 0 : 1], state_->objects[object].body);
+}
+
+double Physics::outside_force(int object) const {
+  const State& s = *state_;
+  const int held_object = held();
+  const int held_body = held_object < 0 ? -1 : s.objects[held_object].body;
+  const auto inside = [&](int body) { return object < 0 ? s.of_hand(body) : body == s.objects[object].body; };
+  const auto outside = [&](int body) { return !s.of_hand(body) && body != held_body && !inside(body); };
+  double largest = 0;
+  for (int i = 0; i < s.data->ncon; ++i) {
+    const int body1 = s.model->geom_bodyid[s.data->contact[i].geom1];
+    const int body2 = s.model->geom_bodyid[s.data->contact[i].geom2];
+    if (!(inside(body1) && outside(body2)) && !(inside(body2) && outside(body1))) continue;
+    std::array<mjtNum, 6> force{};
+    mj_contactForce(s.model.get(), s.data.get(), i, force.data());
+    largest = std::max(largest, force[0]);
+  }
+  return largest;
+}
+
+ArmVector Physics::hinges() const {
+  ArmVector q;
+  for (int i = 0; i < arm_joint_count; ++i) q[i] = state_->data->qpos[state_->ids.qpos[i]];
+  return q;
+}
+
+Pose Physics::object_pose(int object) const {
+  const mjtNum* q =
+      state_->data->qpos + state_->model->jnt_qposadr[state_->model->body_jntadr[state_->objects[object].body]];
+  return {vec(q), quat(q + 3)};
+}
+
+std::vector<std::pair<std::string, Pose>> Physics::poses() const {
+  const State& s = *state_;
+  mj_kinematics(s.model.get(), s.data.get());  // the last step moved things after it had computed where they are
+  std::vector<std::pair<std::string, Pose>> poses;
+  for (int body = 1; body < s.model->nbody; ++body) {
+    if (s.model->body_weldid[body] == 0) continue;
+    poses.push_back(
+        {name_of(*s.model, mjOBJ_BODY, body), {vec(s.data->xpos + 3 * body), quat(s.data->xquat + 4 * body)}});
+  }
+  return poses;
+}
+
+bool Physics::slower_than(double m_per_s, double rad_per_s) const {
+  const State& s = *state_;
+  for (int joint = 0; joint < s.model->njnt; ++joint) {
+    const mjtNum* v = s.data->qvel + s.model->jnt_dofadr[joint];
+    const bool free = s.model->jnt_type[joint] == mjJNT_FREE, slide = s.model->jnt_type[joint] == mjJNT_SLIDE;
+    if (free && (vec(v).norm() > m_per_s || vec(v + 3).norm() > rad_per_s)) return false;
+    if (!free && std::abs(v[0]) > (slide ? m_per_s : rad_per_s)) return false;
+  }
+  return true;
+}
+
+WorldSnapshot Physics::snapshot(SimTime t) const {
+  WorldSnapshot world;
+  world.t = t;
+  world.table = state_->table;
+  for (std::size_t i = 0; i < state_->objects.size(); ++i)
+    world.objects.push_back(observed(state_->objects[i], object_pose(static_cast<int>(i))));
+  const int object = held();
+  if (object >= 0) world.held = state_->objects[object].name;
+  return world;
+}
+
+}  // namespace continua

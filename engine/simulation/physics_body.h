@@ -1,0 +1,46 @@
+// The avatar's body in MuJoCo: commands become motions, and the world goes on by fixed steps while something moves.
+#pragma once
+
+#include <deque>
+#include <memory>
+
+#include "behaviour/avatar_command.h"
+#include "simulation/avatar.h"
+#include "simulation/physics.h"
+#include "simulation/scene.h"
+
+namespace continua {
+
+/// One act at a time, others wait in order, but for two things a person does not queue: a look or signal is done at
+/// once, and a reach or point takes the place of one that is under way (which is then reported done, with the reason
+/// that it was superseded). Physics is stepped only while an act is under way or something moves; otherwise time jumps
+/// and a RestSpan tells so. Spans of successive `advance`s adjoin. The same commands at the same times give the same
+/// poses, bit for bit.
+class PhysicsBody : public Body {
+ public:
+  /// Errors: the scene's avatar is incomplete.
+  static Result<std::unique_ptr<PhysicsBody>> create(const Scene& scene);
+
+  void command(const AvatarCommand& command) override;
+  WorldReport advance(SimTime t) override;
+  WorldSnapshot snapshot() const override;
+  bool at_rest() const override;
+
+ private:
+  explicit PhysicsBody(std::unique_ptr<Physics> physics);
+
+  void begin_acts(WorldReport& report);
+  void finish_act(WorldReport& report, SimTime t);
+  void sample(WorldReport& report);
+
+  std::unique_ptr<Physics> physics_;
+  Avatar avatar_;
+  SimTime step_, now_, told_until_;  // now_ lags told_until_ by less than a step while things move
+  std::deque<AvatarCommand> waiting_;
+  int act_id_ = 0;       // of the act under way
+  int still_steps_ = 0;  // for how long nothing has moved
+  std::optional<SimTime> last_sample_;
+  std::map<std::string, Pose> last_poses_;
+};
+
+}  // namespace continua

@@ -1,0 +1,228 @@
+#include "simulation/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "simulation/geom_bounds.h"
+#include "simulation/mujoco_model.h"
+#include "simulation/scene_source.h"
+
+namespace continua {
+
+namespace {
+
+constexpr const char* table_geom = "table_top";
+
+/// A compiled source, or what is wrong with it and where.
+Result<std::shared_ptr<const mjModel>> compile(const SceneSource& source) {
+  const auto directory = std::filesystem::absolute(source.path()).parent_path().string();
+  auto compiled = compile_mjcf(source.text(), directory);
+  if (const auto* error = std::get_if<CompileError>(&compiled))
+    return Error{source.where(error->line), error->sentence};
+  return std::shared_ptr<const mjModel>(std::get<ModelOwner>(std::move(compiled)));
+}
+
+/// "type=block color=red" as pairs. A word without '=' is an attribute that is simply so.
+std::map<std::string, std::string> attributes_of(const mjModel& model, const std::string& object) {
+  std::map<std::string, std::string> attributes;
+  const int text = id_of(model, mjOBJ_TEXT, object);
+  if (text < 0) return attributes;
+  std::istringstream words(model.text_data + model.text_adr[text]);
+  for (std::string word; words >> word;) {
+    const std::size_t equals = word.find('=');
+    attributes[word.substr(0, equals)] = equals == std::string::npos ? "true" : word.substr(equals + 1);
+  }
+  return attributes;
+}
+
+bool is_object(const mjModel& model, int body) {
+  return model.body_jntnum[body] == 1 && model.jnt_type[model.body_jntadr[body]] == mjJNT_FREE;
+}
+
+Result<std::vector<SceneObject>> objects_of(const mjModel& model, const std::string& path) {
+  std::vector<SceneObject> objects;
+  for (int body = 1; body < model.nbody; ++body) {
+    if (!is_object(model, body)) continue;
+    if (!mj_id2name(&model, mjOBJ_BODY, body)) return Error{path, "a body with a free joint has no name"};
+    const std::string name = name_of(model, mjOBJ_BODY, body);
+    const Box bounds = body_bounds_B(model, body);
+    if (bounds.center().norm() > position_grid_m) {
+      const Vec3 c = bounds.center();
+      return Error{path,
+                   fmt::format("object '{}': the bounding box of its geoms is centred at ({:.4f}, {:.4f}, {:.4f}) of "
+                               "its frame, expected at the origin",
+                               name, c.x(), c.y(), c.z())};
+    }
+    objects.push_back({name, body, attributes_of(model, name), (bounds.max - bounds.min) / 2});
+  }
+  return objects;
+}
+
+Result<Box> table_of(const mjModel& model, const std::string& path) {
+  const int geom = id_of(model, mjOBJ_GEOM, table_geom);
+  if (geom < 0) return Error{path, fmt::format("the scene has no geom named '{}'", table_geom)};
+  const int body = model.geom_bodyid[geom];
+  const Vec3 half(model.geom_size[3 * geom], model.geom_size[3 * geom + 1], model.geom_size[3 * geom + 2]);
+  const mjtNum* p = model.geom_pos + 3 * geom;
+  const Vec3 center = Vec3(p[0], p[1], p[2]) +
+                      Vec3(model.body_pos[3 * body], model.body_pos[3 * body + 1], model.body_pos[3 * body + 2]);
+  if (model.geom_type[geom] != mjGEOM_BOX || model.body_weldid[body] != 0 || std::abs(center.z() + half.z()) > 1e-6)
+    return Error{path, fmt::format("geom '{}': expected a box that does not move, its top face at z = 0", table_geom)};
+  return Box{on_grid(Vec3(center.x() - half.x(), center.y() - half.y(), 0)),
+             on_grid(Vec3(center.x() + half.x(), center.y() + half.y(), 0))};
+}
+
+/// Sets an object where an override wants it. Orientation stays what the scene gives unless yaw is given.
+void place(const mjModel& model, const SceneObject& object, const ObjectOverride& wanted, std::vector<double>& qpos) {
+  double* q = qpos.data() + model.jnt_qposadr[model.body_jntadr[object.body]];
+  if (wanted.x_m) q[0] = *wanted.x_m;
+  if (wanted.y_m) q[1] = *wanted.y_m;
+  if (wanted.x_m || wanted.y_m) q[2] = object.half_extents_m.z();
+  if (wanted.z_m) q[2] = *wanted.z_m;
+  if (!wanted.yaw) return;
+  q[3] = std::cos(*wanted.yaw / 2);
+  q[4] = q[5] = 0;
+  q[6] = std::sin(*wanted.yaw / 2);
+}
+
+/// Puts the arm where the scene's numbers `arm_home` say, if it has an arm.
+void place_arm(const mjModel& model, std::vector<double>& qpos) {
+  const int home = id_of(model, mjOBJ_NUMERIC, "arm_home");
+  for (int i = 0; home >= 0 && i < model.numeric_size[home]; ++i) {
+    const int joint = id_of(model, mjOBJ_JOINT, fmt::format("arm_{}", i + 1));
+    if (joint >= 0) qpos[model.jnt_qposadr[joint]] = model.numeric_data[model.numeric_adr[home] + i];
+  }
+}
+
+Pose pose_of(const double* q) { return {{q[0], q[1], q[2]}, Eigen::Quaterniond(q[3], q[4], q[5], q[6])}; }
+
+double rounded(double value) { return std::round(value * 1e5) / 1e5 + 0.0; }
+
+template <class T>
+Json rounded_list(const T* values, int count) {
+  Json list = Json::array();
+  for (int i = 0; i < count; ++i) list.push_back(rounded(static_cast<double>(values[i])));
+  return list;
+}
+
+const char* type_text(int geom_type) {
+  switch (geom_type) {
+    case mjGEOM_PLANE:
+      return "plane";
+    case mjGEOM_SPHERE:
+      return "sphere";
+    case mjGEOM_CAPSULE:
+      return "capsule";
+    case mjGEOM_ELLIPSOID:
+      return "ellipsoid";
+    case mjGEOM_CYLINDER:
+      return "cylinder";
+    case mjGEOM_BOX:
+      return "box";
+    case mjGEOM_MESH:
+      return "mesh";
+    default:
+      return "other";
+  }
+}
+
+}  // namespace
+
+Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverride>& overrides) {
+  auto source = SceneSource::read(path);
+  if (!source) return source.error();
+  auto model = compile(*source);
+  if (!model) return model.error();
+  auto objects = objects_of(**model, path);
+  if (!objects) return objects.error();
+
+  // Names are checked against the whole scene, before any object is taken out of it.
+  std::vector<std::string> names;
+  for (const auto& object : *objects) names.push_back(object.name);
+  bool some_removed = false;
+  for (const auto& wanted : overrides) {
+    if (std::find(names.begin(), names.end(), wanted.object) == names.end())
+      return Error{path,
+                   fmt::format("the scene has no object '{}'{}", wanted.object, did_you_mean(wanted.object, names))};
+    if (!wanted.removed) continue;
+    source = source->without_body(wanted.object);
+    some_removed = true;
+  }
+  if (some_removed) {
+    model = compile(*source);
+    if (!model) return model.error();
+    objects = objects_of(**model, path);
+    if (!objects) return objects.error();
+  }
+
+  auto table = table_of(**model, path);
+  if (!table) return table.error();
+
+  Scene scene;
+  scene.model_ = *model;
+  scene.objects_ = *objects;
+  scene.table_ = *table;
+  scene.path_ = path;
+  scene.text_ = source->text();
+  scene.initial_qpos_.assign((*model)->qpos0, (*model)->qpos0 + (*model)->nq);
+  place_arm(**model, scene.initial_qpos_);
+  for (const auto& wanted : overrides) {
+    for (const auto& object : scene.objects_) {
+      if (object.name == wanted.object) place(**model, object, wanted, scene.initial_qpos_);
+    }
+  }
+  return scene;
+}
+
+ObjectState observed(const SceneObject& object, const Pose& pose) {
+  ObjectState state{object.name, object.attributes, object.half_extents_m, on_grid(pose.p_WB), 0};
+  const Eigen::Matrix3d R_WB = pose.R_WB.toRotationMatrix();
+  // An x axis that points up or down has no heading: y tells it then.
+  const bool x_is_level = std::abs(R_WB(2, 0)) < 0.7;
+  state.yaw = x_is_level ? std::atan2(R_WB(1, 0), R_WB(0, 0)) : std::atan2(-R_WB(0, 1), R_WB(1, 1));
+  if (R_WB(2, 2) < 0.98) {
+    const Eigen::Matrix3d R_YW = Eigen::AngleAxisd(-state.yaw, Vec3::UnitZ()).toRotationMatrix();
+    state.half_extents_m = on_grid(Vec3((R_YW * R_WB).cwiseAbs() * object.half_extents_m));
+  }
+  return state;
+}
+
+WorldSnapshot Scene::initial_snapshot() const {
+  WorldSnapshot world;
+  world.table = table_;
+  for (const auto& object : objects_)
+    world.objects.push_back(
+        observed(object, pose_of(initial_qpos_.data() + model_->jnt_qposadr[model_->body_jntadr[object.body]])));
+  return world;
+}
+
+Json Scene::description() const {
+  Json geoms = Json::array();
+  for (int geom = 0; geom < model_->ngeom; ++geom) {
+    const int material = model_->geom_matid[geom];
+    geoms.push_back(
+        {{"body", name_of(*model_, mjOBJ_BODY, model_->geom_bodyid[geom])},
+         {"type", type_text(model_->geom_type[geom])},
+         {"size", rounded_list(model_->geom_size + 3 * geom, 3)},
+         {"rgba", rounded_list(material < 0 ? model_->geom_rgba + 4 * geom : model_->mat_rgba + 4 * material, 4)},
+         {"pos", rounded_list(model_->geom_pos + 3 * geom, 3)},
+         {"quat", rounded_list(model_->geom_quat + 4 * geom, 4)}});
+  }
+
+  const DataOwner data(mj_makeData(model_.get()));
+  std::copy(initial_qpos_.begin(), initial_qpos_.end(), data->qpos);
+  mj_kinematics(model_.get(), data.get());
+  Json bodies = Json::object();
+  for (int body = 0; body < model_->nbody; ++body) {
+    Json pose = rounded_list(data->xpos + 3 * body, 3);
+    for (int i = 0; i < 4; ++i) pose.push_back(rounded(data->xquat[4 * body + i]));
+    bodies[name_of(*model_, mjOBJ_BODY, body)] = std::move(pose);
+  }
+  return {{"geoms", std::move(geoms)}, {"bodies", std::move(bodies)}};
+}
+
+}  // namespace continua

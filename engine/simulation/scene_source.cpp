@@ -1,0 +1,144 @@
+#include "simulation/scene_source.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/located_json.h"
+
+namespace continua {
+
+namespace {
+
+constexpr auto npos = std::string_view::npos;
+
+/// A tag of an XML text: text[begin, end) from '<' to '>'.
+struct Tag {
+  std::size_t begin = 0, end = 0;
+  std::string_view name;  // "/body" for a closing tag
+  bool self_closing = false;
+};
+
+/// The next tag at or after `from`; comments, declarations and processing instructions are passed over.
+std::optional<Tag> next_tag(std::string_view text, std::size_t from) {
+  while (true) {
+    const std::size_t begin = text.find('<', from);
+    if (begin == npos) return std::nullopt;
+    const bool comment = text.substr(begin).starts_with("<!--");
+    std::size_t end = comment ? text.find("-->", begin + 4) : begin + 1;
+    // A '>' within quotes does not end a tag.
+    for (char quote = 0; !comment && end < text.size() && (quote || text[end] != '>'); ++end) {
+      if (quote ? text[end] == quote : (text[end] == '"' || text[end] == '\'')) quote = quote ? char{0} : text[end];
+    }
+    if (end == npos || end >= text.size()) return std::nullopt;
+    end += comment ? 3 : 1;
+    from = end;
+    if (comment || text[begin + 1] == '!' || text[begin + 1] == '?') continue;
+    const std::size_t name_end = text.find_first_of(" \t\r\n/>", begin + 2);
+    return Tag{begin, end, text.substr(begin + 1, name_end - begin - 1), text[end - 2] == '/'};
+  }
+}
+
+/// The value of an attribute of a tag, if it has it.
+std::optional<std::string> attribute(std::string_view tag, std::string_view name) {
+  for (std::size_t at = tag.find(name); at != npos; at = tag.find(name, at + 1)) {
+    if (std::string_view(" \t\r\n").find(tag[at - 1]) == npos) continue;
+    std::size_t open = tag.find_first_not_of(" \t\r\n", at + name.size());
+    if (open == npos || tag[open] != '=') continue;
+    open = tag.find_first_not_of(" \t\r\n", open + 1);
+    if (open == npos || (tag[open] != '"' && tag[open] != '\'')) continue;
+    const std::size_t close = tag.find(tag[open], open + 1);
+    if (close != npos) return std::string(tag.substr(open + 1, close - open - 1));
+  }
+  return std::nullopt;
+}
+
+int line_of(std::string_view text, std::size_t at) {
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+}  // namespace
+
+Result<SceneSource> SceneSource::read(const std::string& path) {
+  SceneSource source;
+  source.path_ = path;
+  std::vector<std::string> open_files;
+  if (auto wrong = source.expand(path, open_files)) return *wrong;
+  return source;
+}
+
+// The scene's own file keeps its root element, an included one gives only what is within it.
+Outcome SceneSource::expand(const std::string& file, std::vector<std::string>& open_files) {
+  auto read = read_file(file);
+  if (!read) return read.error();
+  const std::string_view text = *read;
+  const auto root = next_tag(text, 0);
+  if (!root || root->name.substr(0, 6) != "mujoco")
+    return Error{file + ":1", "expected an MJCF file, whose outermost element is <mujoco>"};
+  open_files.push_back(file);
+
+  const bool included = open_files.size() > 1;
+  const std::size_t close = text.rfind("</mujoco");
+  std::size_t from = included ? root->end : 0;
+  const std::size_t end = !included ? text.size() : close == npos || close < from ? from : close;
+
+  const auto copy = [&](std::size_t begin, std::size_t stop) {
+    int line = line_of(text, begin);
+    for (const char letter : text.substr(begin, stop - begin)) {
+      if (lines_.empty() || text_.back() == '\n') lines_.push_back({file, line});
+      text_ += letter;
+      line += letter == '\n';
+    }
+  };
+
+  for (auto tag = next_tag(text, root->end); tag && tag->begin < end; tag = next_tag(text, tag->end)) {
+    if (tag->name != "include") continue;
+    const std::string here = fmt::format("{}:{}", file, line_of(text, tag->begin));
+    const auto name = attribute(text.substr(tag->begin, tag->end - tag->begin), "file");
+    if (!name || !tag->self_closing) return Error{here, "expected <include file=\"…\"/>"};
+    const auto path = (std::filesystem::path(file).parent_path() / *name).lexically_normal().string();
+    if (std::find(open_files.begin(), open_files.end(), path) != open_files.end())
+      return Error{here, fmt::format("'{}' includes itself", *name)};
+    copy(from, tag->begin);
+    if (auto wrong = expand(path, open_files)) {
+      if (wrong->where == path) return Error{here, fmt::format("cannot include '{}': {}", *name, wrong->sentence)};
+      return wrong;
+    }
+    from = tag->end;
+  }
+  copy(from, end);
+  open_files.pop_back();
+  return std::nullopt;
+}
+
+std::string SceneSource::where(int line) const {
+  if (line < 1 || static_cast<std::size_t>(line) > lines_.size()) return path_;
+  const Line& origin = lines_[static_cast<std::size_t>(line) - 1];
+  return fmt::format("{}:{}", origin.file, origin.number);
+}
+
+SceneSource SceneSource::without_body(std::string_view name) const {
+  SceneSource rest = *this;
+  std::optional<std::size_t> begin;
+  int depth = 0;
+  for (auto tag = next_tag(text_, 0); tag; tag = next_tag(text_, tag->end)) {
+    if (tag->name == "body") {
+      const auto found = attribute(std::string_view(text_).substr(tag->begin, tag->end - tag->begin), "name");
+      if (!begin && found && *found == name) begin = tag->begin;
+      if (begin && !tag->self_closing) ++depth;
+    } else if (begin && tag->name == "/body") {
+      --depth;
+    }
+    if (!begin || depth > 0) continue;
+    // Blanks in its place, newlines kept, so that lines keep their numbers.
+    for (std::size_t i = *begin; i < tag->end; ++i) {
+      if (rest.text_[i] != '\n') rest.text_[i] = ' ';
+    }
+    break;
+  }
+  return rest;
+}
+
+}  // namespace continua

@@ -1,0 +1,41 @@
+// A scene's MJCF as one text: what it includes is put in its place, so that a run log can carry the whole scene, and
+// each line remembers the file it came from, so that an error names that file and not the expansion.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+
+namespace continua {
+
+class SceneSource {
+ public:
+  /// Reads `path` and everything it includes; a file named by `<include file="…"/>` is sought beside the file that
+  /// names it. Errors: a file missing, empty or not MJCF, an inclusion of itself.
+  static Result<SceneSource> read(const std::string& path);
+
+  const std::string& path() const { return path_; }
+  /// One complete MJCF document.
+  const std::string& text() const { return text_; }
+
+  /// "file:line" of a line of text(), counted from 1; the scene's own path when there is no such line.
+  std::string where(int line) const;
+
+  /// The same scene without the body of that name and all within it. Lines keep their numbers.
+  SceneSource without_body(std::string_view name) const;
+
+ private:
+  struct Line {
+    std::string file;
+    int number = 0;
+  };
+
+  Outcome expand(const std::string& file, std::vector<std::string>& open_files);
+
+  std::string path_, text_;
+  std::vector<Line> lines_;  // of text_
+};
+
+}  // namespace continua
