@@ -1,0 +1,183 @@
+#include "replay/inspector_api.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "replay/line_scan.h"
+#include "replay/run_lanes.h"
+#include "replay/run_views.h"
+
+namespace continua {
+namespace {
+
+constexpr std::size_t most_records = 5000;  // in one answer
+constexpr auto json_type = "application/json";
+
+int hex_value(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+std::string decoded(std::string_view text, bool plus_is_space) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '%' && i + 2 < text.size() && hex_value(text[i + 1]) >= 0 && hex_value(text[i + 2]) >= 0) {
+      out += static_cast<char>(hex_value(text[i + 1]) * 16 + hex_value(text[i + 2]));
+      i += 2;
+    } else {
+      out += plus_is_space && text[i] == '+' ? ' ' : text[i];
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> split(std::string_view text, char at) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const auto end = std::min(text.find(at, from), text.size());
+    if (end > from) parts.emplace_back(text.substr(from, end - from));
+    from = end + 1;
+  }
+  return parts;
+}
+
+ApiResponse answer(const Json& body) { return {200, json_type, compact(body)}; }
+ApiResponse answer(const Result<Json>& body) {
+  return body ? answer(*body) : api_error(500, body.error().text());
+}
+
+// A number of the query, `otherwise` when it is not given, or the sentence that it is none.
+template <class Number>
+Result<Number> number(const Query& query, const char* name, Number otherwise) {
+  const auto found = query.find(name);
+  if (found == query.end()) return otherwise;
+  if (const auto value = number_in<Number>(found->second)) return *value;
+  return Error{"", fmt::format("{}={} is not a number", name, found->second)};
+}
+
+Result<std::size_t> record_number(const Query& query, const RunIndex& run) {
+  if (!query.count("n")) return Error{"", "n is missing: the number of a record"};
+  auto n = number<std::size_t>(query, "n", 0);
+  if (n && *n >= run.size()) return Error{"", fmt::format("n={}: the run has records 0 to {}", *n, run.size() - 1)};
+  return n;
+}
+
+Result<RecordFilter> record_filter(const Query& query) {
+  RecordFilter filter;
+  if (const auto kinds = query.find("kind"); kinds != query.end()) filter.kinds = split(kinds->second, ',');
+  for (const auto& [name, into] : {std::pair{"from", &filter.from_s}, {"to", &filter.to_s}}) {
+    if (!query.count(name)) continue;
+    const auto seconds = number<double>(query, name, 0);
+    if (!seconds) return seconds.error();
+    *into = *seconds;
+  }
+  const auto after = number<std::size_t>(query, "after", 0), limit = number<std::size_t>(query, "limit", filter.limit);
+  if (!after) return after.error();
+  if (!limit) return limit.error();
+  filter.after = *after;
+  filter.limit = std::min(*limit, most_records);
+  return filter;
+}
+
+}  // namespace
+
+ApiResponse api_error(int status, const std::string& message) {
+  return {status, json_type, compact(Json{{"error", {{"message", message}}}})};
+}
+
+Target split_target(std::string_view target) {
+  Target split_up;
+  const auto question = target.find('?');
+  split_up.path = decoded(target.substr(0, question), false);
+  if (question == std::string_view::npos) return split_up;
+  for (const auto& part : split(target.substr(question + 1), '&')) {
+    const auto equals = std::min(part.find('='), part.size());
+    const auto value = equals < part.size() ? std::string_view(part).substr(equals + 1) : std::string_view();
+    split_up.query.emplace(decoded(part.substr(0, equals), true), decoded(value, true));
+  }
+  return split_up;
+}
+
+ApiResponse InspectorApi::get(std::string_view target) {
+  const auto [path, query] = split_target(target);
+  const auto parts = split(path, '/');
+  if (parts.size() >= 2 && parts[0] == "api") {
+    if (parts[1] == "runs" && parts.size() == 2) return runs();
+    if (parts[1] == "runs" && parts.size() <= 4) return run(parts[2], parts.size() == 4 ? parts[3] : "", query);
+    if (parts[1] == "diff" || parts[1] == "live" || parts[1] == "sessions")
+      return api_error(501, fmt::format("/api/{} is not served by this version", parts[1]));
+  }
+  return api_error(404, fmt::format("there is nothing at {}", path));
+}
+
+Result<Json> InspectorApi::listing(const RunFile& file) {
+  std::error_code problem;
+  const auto bytes = std::filesystem::file_size(file.path, problem);
+  const auto written = std::filesystem::last_write_time(file.path, problem);
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = listed_.find(file.path);
+    if (known != listed_.end() && known->second.bytes == bytes && known->second.written == written)
+      return known->second.listing;
+  }
+  const auto run = library_.open(file.id);
+  if (!run) return run.error();
+  if (!*run) return Error{file.path, "has gone"};
+  auto listed = run_listing(**run);
+  if (!listed) return listed;
+  const std::lock_guard lock(mutex_);
+  listed_.insert_or_assign(file.path, Listed{bytes, written, *listed});
+  return listed;
+}
+
+ApiResponse InspectorApi::runs() {
+  Json all = Json::array();
+  for (const auto& file : library_.runs()) {
+    Json line{{"id", file.id}, {"name", file.name}};
+    const auto listed = listing(file);
+    if (listed) line.update(*listed);
+    else line["error"] = Json{{"message", listed.error().text()}};
+    all.push_back(std::move(line));
+  }
+  return answer(Json{{"runs", std::move(all)}});
+}
+
+ApiResponse InspectorApi::run(const std::string& id, const std::string& view, const Query& query) {
+  const auto opened = library_.open(id);
+  if (!opened) return api_error(422, opened.error().text());
+  if (!*opened) return api_error(404, fmt::format("there is no run '{}'", id));
+  const RunIndex& log = **opened;
+
+  if (view == "records") {
+    const auto filter = record_filter(query);
+    return filter ? answer(run_records(log, *filter)) : api_error(400, filter.error().sentence);
+  }
+  if (view == "stack" || view == "derivation") {
+    const auto n = record_number(query, log);
+    if (!n) return api_error(400, n.error().sentence);
+    return answer(view == "stack" ? run_stack(log, *n) : run_derivation(log, *n));
+  }
+  if (view == "frame") return api_error(501, "pictures are not served by this version; use `continua render`");
+  if (view != "" && view != "graph" && view != "lanes") return api_error(404, fmt::format("a run has no '{}'", view));
+
+  // These depend on the log alone: worked out once.
+  const auto key = id + "/" + view;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = kept_.find(key);
+    if (known != kept_.end() && known->second.run.lock() == *opened) return {200, json_type, known->second.body};
+  }
+  auto worked_out = view == "graph" ? run_graph(log) : view == "lanes" ? run_lanes(log) : run_summary(log);
+  if (!worked_out) return api_error(500, worked_out.error().text());
+  if (view == "") (*worked_out)["id"] = id;
+  const auto response = answer(*worked_out);
+  const std::lock_guard lock(mutex_);
+  std::erase_if(kept_, [](const auto& kept) { return kept.second.run.expired(); });
+  kept_.insert_or_assign(key, Kept{*opened, response.body});
+  return response;
+}
+
+}  // namespace continua

@@ -1,0 +1,64 @@
+// The inspector's addresses as a function: a request's path and query in, status and JSON out. Knows no server.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "replay/run_index.h"
+#include "replay/run_library.h"
+
+namespace continua {
+
+struct ApiResponse {
+  int status = 200;
+  std::string content_type = "application/json";
+  std::string body;
+};
+
+/// Query parameters by name, already decoded. The first of a name counts.
+using Query = std::map<std::string, std::string>;
+
+/// A request's target split at '?' and percent-decoded.
+struct Target {
+  std::string path;
+  Query query;
+};
+Target split_target(std::string_view target);
+
+/// Answers GET requests below /api. Safe to use from several threads.
+class InspectorApi {
+ public:
+  explicit InspectorApi(std::vector<std::string> paths) : library_(std::move(paths)) {}
+
+  /// `target` as it stands in the request line: "/api/runs/ID/stack?n=137". Errors are {"error": {"message": …}}.
+  ApiResponse get(std::string_view target);
+
+ private:
+  ApiResponse runs();
+  ApiResponse run(const std::string& id, const std::string& view, const Query& query);
+  Result<Json> listing(const RunFile& file);
+
+  RunLibrary library_;
+  std::mutex mutex_;
+  // What was worked out from an index stays true as long as that index lives.
+  struct Kept {
+    std::weak_ptr<const RunIndex> run;
+    std::string body;
+  };
+  std::map<std::string, Kept> kept_;  // "ID/view" -> body
+  struct Listed {
+    std::uintmax_t bytes;
+    std::filesystem::file_time_type written;
+    Json listing;
+  };
+  std::map<std::string, Listed> listed_;  // path -> its line on the start page
+};
+
+/// {"error": {"message": …}}
+ApiResponse api_error(int status, const std::string& message);
+
+}  // namespace continua

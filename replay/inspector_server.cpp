@@ -1,0 +1,196 @@
+#include "replay/inspector_server.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include "replay/inspector_api.h"
+#include "web/assets.h"
+
+namespace continua {
+namespace {
+
+constexpr std::size_t largest_body = std::size_t{1} << 20;
+constexpr std::size_t smallest_packed = 1024;  // shorter answers are not worth compressing
+
+// Nothing but what this server gives out may be loaded, run, framed or sent to.
+constexpr auto policy =
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+// zlib with a gzip header: 15 bits of window and 16 to ask for it.
+constexpr int gzip_window = 15 + 16;
+
+std::string packed(const std::string& text) {
+  z_stream stream{};
+  if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, gzip_window, 8, Z_DEFAULT_STRATEGY) != Z_OK) return {};
+  std::string out(deflateBound(&stream, text.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  const bool done = deflate(&stream, Z_FINISH) == Z_STREAM_END;
+  out.resize(done ? stream.total_out : 0);
+  deflateEnd(&stream);
+  return out;
+}
+
+std::string unpacked(std::string_view gzip) {
+  z_stream stream{};
+  if (inflateInit2(&stream, gzip_window) != Z_OK) return {};
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(gzip.data()));
+  stream.avail_in = static_cast<uInt>(gzip.size());
+  std::string out;
+  std::array<char, 1 << 14> block;
+  int state = Z_OK;
+  while (state == Z_OK) {
+    stream.next_out = reinterpret_cast<Bytef*>(block.data());
+    stream.avail_out = static_cast<uInt>(block.size());
+    state = inflate(&stream, Z_NO_FLUSH);
+    out.append(block.data(), block.size() - stream.avail_out);
+  }
+  inflateEnd(&stream);
+  return out;
+}
+
+bool takes_gzip(const httplib::Request& request) {
+  return request.get_header_value("Accept-Encoding").find("gzip") != std::string::npos;
+}
+
+// Through a content provider, because the library would compress a plain body once more.
+void send(httplib::Response& response, std::shared_ptr<const std::string> body, const std::string& type) {
+  if (body->empty()) return response.set_content("", type);
+  response.set_content_provider(body->size(), type, [body](std::size_t from, std::size_t size, httplib::DataSink& sink) {
+    return sink.write(body->data() + from, std::min(size, body->size() - from)), true;
+  });
+}
+
+void send_answer(const httplib::Request& request, httplib::Response& response, ApiResponse answer) {
+  response.status = answer.status;
+  response.set_header("Cache-Control", "no-store");
+  response.set_header("Vary", "Accept-Encoding");
+  if (answer.body.size() >= smallest_packed && takes_gzip(request)) {
+    response.set_header("Content-Encoding", "gzip");
+    answer.body = packed(answer.body);
+  }
+  send(response, std::make_shared<const std::string>(std::move(answer.body)), answer.content_type);
+}
+
+void send_asset(const httplib::Request& request, httplib::Response& response, const WebAsset& asset) {
+  response.set_header("ETag", std::string(asset.etag));
+  response.set_header("Cache-Control", "no-cache");
+  response.set_header("Vary", "Accept-Encoding");
+  if (request.get_header_value("If-None-Match").find(asset.etag) != std::string::npos) {
+    response.status = 304;
+    return;
+  }
+  const bool gzip = takes_gzip(request);
+  if (gzip) response.set_header("Content-Encoding", "gzip");
+  send(response, std::make_shared<const std::string>(gzip ? std::string(asset.gzip) : unpacked(asset.gzip)),
+       std::string(asset.mime));
+}
+
+const WebAsset* find_asset(std::string_view path) {
+  for (const auto& asset : web_assets())
+    if (asset.path == path) return &asset;
+  return nullptr;
+}
+
+// "[::1]:8080" -> "[::1]", "localhost:8080" -> "localhost"
+std::string host_without_port(const std::string& host) {
+  const auto colon = host.rfind(':');
+  const auto bracket = host.rfind(']');
+  const bool has_port = colon != std::string::npos && (bracket == std::string::npos || colon > bracket);
+  return has_port ? host.substr(0, colon) : host;
+}
+
+bool is_number_address(const std::string& host) {
+  return !host.empty() && (host.front() == '[' || std::all_of(host.begin(), host.end(), [](unsigned char c) {
+                             return std::isdigit(c) || c == '.';
+                           }));
+}
+
+}  // namespace
+
+class InspectorServer::Impl {
+ public:
+  explicit Impl(std::vector<std::string> paths) : api_(std::move(paths)) {
+    server_.set_payload_max_length(largest_body);
+    server_.set_keep_alive_timeout(2);
+    server_.set_default_headers({{"Content-Security-Policy", policy},
+                                 {"X-Content-Type-Options", "nosniff"},
+                                 {"Referrer-Policy", "no-referrer"},
+                                 {"Cross-Origin-Opener-Policy", "same-origin"},
+                                 {"Cross-Origin-Resource-Policy", "same-origin"}});
+    server_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+      const auto refused = refusal(request);
+      if (refused.empty()) return httplib::Server::HandlerResponse::Unhandled;
+      send_answer(request, response, api_error(403, refused));
+      return httplib::Server::HandlerResponse::Handled;
+    });
+    server_.Get("/api/.*", [this](const httplib::Request& request, httplib::Response& response) {
+      send_answer(request, response, api_.get(request.target));
+    });
+    server_.Get("/.*", [](const httplib::Request& request, httplib::Response& response) {
+      // The page shows every run; which one is its own affair.
+      const bool page = request.path == "/" || request.path.starts_with("/r/");
+      if (const auto* asset = find_asset(page ? "/index.html" : request.path)) send_asset(request, response, *asset);
+      else send_answer(request, response, api_error(404, fmt::format("there is nothing at {}", request.path)));
+    });
+    const auto nothing_to_write = [](const httplib::Request& request, httplib::Response& response) {
+      const bool live = request.path.starts_with("/api/sessions");
+      send_answer(request, response, live ? api_error(501, "live sessions are not served by this version")
+                                          : api_error(405, "this address can only be read"));
+    };
+    server_.Post(".*", nothing_to_write);
+    server_.Put(".*", nothing_to_write);
+    server_.Delete(".*", nothing_to_write);
+    server_.set_error_handler([](const httplib::Request& request, httplib::Response& response) {
+      if (response.body.empty() && !response.content_provider_)
+        send_answer(request, response, api_error(response.status, "the request could not be answered"));
+    });
+  }
+
+  Result<int> listen(const std::string& address, int port) {
+    address_ = address;
+    const int bound = port == 0 ? server_.bind_to_any_port(address) : server_.bind_to_port(address, port) ? port : -1;
+    if (bound <= 0) return Error{fmt::format("{}:{}", address, port), "cannot be listened on: in use, or not an address of this machine"};
+    return bound;
+  }
+
+  void run() { server_.listen_after_bind(); }
+  void stop() { server_.stop(); }
+
+ private:
+  // Why a request is not answered; empty when it is. A page elsewhere may reach this port through its visitor's
+  // browser: by its own name made to point here (the host is then that name), or openly (the origin is then its own).
+  std::string refusal(const httplib::Request& request) const {
+    const auto host = request.get_header_value("Host");
+    const auto name = host_without_port(host);
+    const bool everywhere = address_ == "0.0.0.0" || address_ == "::";
+    const bool ours = name == "localhost" || name == "127.0.0.1" || name == "[::1]" || name == address_ ||
+                      name == "[" + address_ + "]" || (everywhere && is_number_address(name));
+    if (!ours) return fmt::format("requests for the host '{}' are not answered", host);
+    const auto origin = request.get_header_value("Origin");
+    if (request.has_header("Origin") && origin != "http://" + host)
+      return fmt::format("requests from '{}' are not answered", origin);
+    return {};
+  }
+
+  InspectorApi api_;
+  httplib::Server server_;
+  std::string address_;
+};
+
+InspectorServer::InspectorServer(std::vector<std::string> paths) : impl_(std::make_unique<Impl>(std::move(paths))) {}
+InspectorServer::~InspectorServer() = default;
+Result<int> InspectorServer::listen(const std::string& address, int port) { return impl_->listen(address, port); }
+void InspectorServer::run() { impl_->run(); }
+void InspectorServer::stop() { impl_->stop(); }
+
+}  // namespace continua

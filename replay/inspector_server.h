@@ -1,0 +1,32 @@
+// The inspector over HTTP: the page built into the program, and the API. Bound to this machine unless told otherwise.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+
+namespace continua {
+
+class InspectorServer {
+ public:
+  /// Serves these run files and the *.run.jsonl below these folders.
+  explicit InspectorServer(std::vector<std::string> paths);
+  ~InspectorServer();
+
+  /// Binds to `address` and `port`; 0 takes a free one. Gives the port. From then on connections queue until run().
+  Result<int> listen(const std::string& address = "127.0.0.1", int port = 0);
+
+  /// Answers requests until stop(). REQUIRES listen() was ok.
+  void run();
+
+  /// May be called from any thread.
+  void stop();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace continua

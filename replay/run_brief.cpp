@@ -1,0 +1,103 @@
+#include "replay/run_brief.h"
+
+#include <array>
+#include <functional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace continua {
+namespace {
+
+std::string joined(std::initializer_list<std::string> parts, std::string_view between = " ") {
+  std::string out;
+  for (const auto& part : parts) {
+    if (part.empty()) continue;
+    if (!out.empty()) out += between;
+    out += part;
+  }
+  return out;
+}
+
+const Json& member(const Json& object, const char* key) {
+  static const Json nothing;
+  if (!object.is_object()) return nothing;
+  const auto found = object.find(key);
+  return found == object.end() ? nothing : *found;
+}
+
+// "push{region: R, options: []}" of an operation with its one key.
+std::string operation_text(const Json& operation) {
+  if (operation.is_string()) return operation.get<std::string>();
+  if (!operation.is_object() || operation.empty()) return {};
+  return operation.begin().key();
+}
+
+std::string input_text(const Json& record) {
+  const auto& event = member(record, "event");
+  const auto kind = text_of(event, "kind");
+  if (kind == "speech") return fmt::format("“{}”", text_of(event, "text"));
+  if (kind == "gesture")
+    return joined({text_of(event, "hand"), text_of(event, "name"), text_of(event, "direction"), text_of(event, "phase")});
+  if (kind == "pointing") return joined({"pointing", text_of(event, "hand"), text_of(event, "target")});
+  if (kind == "observed") return joined({"observed", text_of(event, "channel"), text_of(event, "content")});
+  return compact(event);
+}
+
+std::string slots_text(const Json& slots) {
+  if (!slots.is_object()) return {};
+  std::string out;
+  for (const auto& [name, value] : slots.items())
+    out += (out.empty() ? "" : ", ") + name + " " + (value.is_string() ? value.get<std::string>() : compact(value));
+  return out;
+}
+
+std::string expect_text(const Json& record) {
+  const bool met = member(record, "met").is_boolean() && member(record, "met").get<bool>();
+  return met ? "met " + text_of(record, "expected")
+             : fmt::format("not met: expected {}, found {}", text_of(record, "expected"), text_of(record, "found"));
+}
+
+struct Teller {
+  const char* kind;
+  std::string (*tell)(const Json&);
+};
+
+const std::array tellers{
+    Teller{"run", [](const Json& r) { return joined({text_of(member(r, "trace"), "name"), "on", text_of(member(r, "machine"), "name")}); }},
+    Teller{"input", input_text},
+    Teller{"belief", [](const Json& r) { return fmt::format("{} {} (was {})", text_of(r, "concept"), text_of(r, "value"), text_of(r, "was")); }},
+    Teller{"memory", [](const Json& r) { return fmt::format("{} := {}", text_of(r, "register"), text_of(r, "value")); }},
+    Teller{"transition", [](const Json& r) { return fmt::format("{} → {}", text_of(r, "from"), text_of(r, "to")); }},
+    Teller{"symbol", [](const Json& r) { return joined({fmt::format("#{}", text_of(r, "id")), slots_text(member(r, "slots"))}); }},
+    Teller{"rewrite", [](const Json& r) { return joined({text_of(r, "state"), operation_text(member(r, "operation"))}); }},
+    Teller{"application", [](const Json& r) { return fmt::format("{} @ {} = {}", text_of(r, "function"), text_of(r, "argument"), text_of(r, "result")); }},
+    Teller{"utterance", [](const Json& r) { return fmt::format("“{}”", text_of(r, "text")); }},
+    Teller{"gesture", [](const Json& r) { return text_of(r, "gesture"); }},
+    Teller{"act", [](const Json& r) { return joined({text_of(r, "status"), text_of(r, "program")}); }},
+    Teller{"pose", [](const Json& r) { return fmt::format("{} bodies", member(r, "bodies").size()); }},
+    Teller{"rest", [](const Json& r) { return fmt::format("{} – {} s", text_of(r, "from"), text_of(r, "to")); }},
+    Teller{"refusal", [](const Json& r) { return joined({text_of(r, "input"), "in", text_of(r, "state") + ":", text_of(r, "reason")}); }},
+    Teller{"problem", [](const Json& r) { return fmt::format("line {}: {}", text_of(r, "line"), text_of(r, "message")); }},
+    Teller{"expect", expect_text},
+    Teller{"end", [](const Json&) { return std::string("end of the log"); }},
+};
+
+}  // namespace
+
+std::string text_of(const Json& object, const char* key) {
+  const auto& value = member(object, key);
+  if (value.is_null()) return {};
+  return value.is_string() ? value.get<std::string>() : compact(value);
+}
+
+std::string brief(const Json& record) {
+  const auto kind = text_of(record, "kind");
+  for (const auto& teller : tellers)
+    if (kind == teller.kind) return teller.tell(record);
+  Json rest = record;
+  for (const char* key : {"kind", "n", "t", "cause"}) rest.erase(key);
+  return compact(rest);
+}
+
+}  // namespace continua

@@ -1,0 +1,203 @@
+#include "replay/run_index.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "replay/line_scan.h"
+
+namespace continua {
+
+// A file that stays open, so that a log replaced meanwhile goes on being the one that was indexed.
+class RunIndex::LogFile {
+ public:
+  explicit LogFile(const std::string& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+  ~LogFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  LogFile(const LogFile&) = delete;
+  LogFile& operator=(const LogFile&) = delete;
+
+  bool readable() const {
+    struct stat status{};
+    return descriptor_ >= 0 && ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+  }
+
+  // Bytes read, fewer than asked for at the end of the file; -1 on failure. Leaves no position behind.
+  ssize_t read(std::uint64_t offset, char* into, std::size_t size) const {
+    std::size_t done = 0;
+    while (done < size) {
+      const auto got = ::pread(descriptor_, into + done, size - done, static_cast<off_t>(offset + done));
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) return -1;
+      if (got == 0) break;
+      done += static_cast<std::size_t>(got);
+    }
+    return static_cast<ssize_t>(done);
+  }
+
+ private:
+  int descriptor_;
+};
+
+Result<RunIndex> RunIndex::open(const std::string& path) {
+  RunIndex index;
+  index.path_ = path;
+  const auto file = std::make_shared<const LogFile>(path);
+  if (!file->readable()) return Error{path, "cannot be read; expected a run log"};
+  index.file_ = file;
+
+  constexpr std::size_t block = std::size_t{1} << 20;
+  std::string held;               // what has been read and not yet used
+  std::uint64_t held_offset = 0;  // where it begins in the file
+  std::size_t searched = 0;       // no line's end before this place
+  for (;;) {
+    const auto kept = held.size();
+    held.resize(kept + block);
+    const auto got = file->read(held_offset + kept, held.data() + kept, block);
+    if (got < 0) return Error{path, fmt::format("cannot be read: {}", std::strerror(errno))};
+    held.resize(kept + static_cast<std::size_t>(got));
+    std::size_t from = 0;
+    for (auto end = held.find('\n', searched); end != std::string::npos; end = held.find('\n', from)) {
+      const std::string_view line(held.data() + from, end - from);
+      if (auto problem = index.add_line(line, held_offset + from)) return *problem;
+      from = end + 1;
+    }
+    held.erase(0, from);
+    held_offset += from;
+    searched = held.size();
+    if (static_cast<std::size_t>(got) < block) break;
+  }
+  index.bytes_ = held_offset + held.size();
+  if (index.bytes_ == 0) return Error{path, "the file is empty; expected a run log"};
+  // What is left has no line's end: the writer was stopped in the middle of it, unless it is whole all the same.
+  if (!held.empty() && (!Json::accept(held) || index.add_line(held, held_offset))) {
+    if (index.entries_.empty())
+      return Error{path + ":1", "not a run log: the first line is not a whole record of kind 'run'"};
+    index.trouble_ = fmt::format("Line {} is cut short; the log is shown up to record {}.", index.entries_.size() + 1,
+                                 index.entries_.size() - 1);
+  } else if (!index.complete()) {
+    index.trouble_ = fmt::format("The log has no end record: the run was cut short after record {}.", index.size() - 1);
+  }
+  index.entries_.shrink_to_fit();
+  return index;
+}
+
+std::uint32_t RunIndex::kind_number(std::string_view kind) {
+  const auto found = std::find(kinds_.begin(), kinds_.end(), kind);
+  if (found != kinds_.end()) return static_cast<std::uint32_t>(found - kinds_.begin());
+  kinds_.emplace_back(kind);
+  return static_cast<std::uint32_t>(kinds_.size() - 1);
+}
+
+Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
+  const auto n = entries_.size();
+  RecordEntry entry;
+  entry.offset = offset;
+  entry.length = static_cast<std::uint32_t>(line.size());
+  std::string_view kind;
+  std::optional<std::size_t> number;
+  std::optional<double> t, version;
+  std::optional<std::int64_t> id, below, top;
+  bool has_stack = false;
+  const bool whole = scan_members(line, [&](std::string_view key, std::string_view value) {
+    if (key == "kind" && value.size() > 2 && value.front() == '"') kind = value.substr(1, value.size() - 2);
+    else if (key == "n") number = number_in<std::size_t>(value);
+    else if (key == "t") t = number_in<double>(value);
+    else if (key == "version") version = number_in<double>(value);
+    else if (key == "cause") entry.cause = number_in<std::int64_t>(value).value_or(-1);
+    else if (key == "id") id = number_in<std::int64_t>(value);
+    else if (key == "below") below = number_in<std::int64_t>(value);
+    else if (key == "stack") { has_stack = true; top = number_in<std::int64_t>(value); }
+  });
+  if (n == 0 && (!whole || kind != "run"))
+    return Error{where(0), "not a run log: the first line is not a whole record of kind 'run'"};
+  if (n == 0 && version.value_or(0) != 1)
+    return Error{where(0), "a run log of another version; this program reads version 1"};
+  if (!whole) return Error{where(n), "not a JSON object on one line; expected a record"};
+  if (kind.empty()) return Error{where(n), "a record without 'kind'"};
+  if (number != n)
+    return Error{where(n), number ? fmt::format("record number {} where {} was expected: lines are missing or out of "
+                                                "order", *number, n)
+                                  : std::string("a record without its number 'n'")};
+  if (!t) return Error{where(n), "a record without its time 't' in seconds"};
+  entry.kind = kind_number(kind);
+  entry.t = SimTime::from_seconds(*t);
+  if (entry.cause >= static_cast<std::int64_t>(n)) entry.cause = -1;
+  entries_.push_back(entry);
+  // A symbol lies above an older one: a chain can only lead down, whatever the file says.
+  if (kind == "symbol" && id) symbols_.try_emplace(*id, SymbolPlace{n, below && symbols_.count(*below) ? *below : -1});
+  if (has_stack) marks_.push_back({n, top.value_or(-1)});
+  return std::nullopt;
+}
+
+std::optional<std::size_t> RunIndex::cause(std::size_t n) const {
+  if (entries_[n].cause < 0) return std::nullopt;
+  return static_cast<std::size_t>(entries_[n].cause);
+}
+
+std::vector<std::size_t> RunIndex::of_kind(std::string_view kind) const {
+  std::vector<std::size_t> found;
+  const auto place = std::find(kinds_.begin(), kinds_.end(), kind);
+  if (place == kinds_.end()) return found;
+  const auto number = static_cast<std::uint32_t>(place - kinds_.begin());
+  for (std::size_t n = 0; n < entries_.size(); ++n)
+    if (entries_[n].kind == number) found.push_back(n);
+  return found;
+}
+
+Result<std::string> RunIndex::line(std::size_t n) const {
+  const auto& entry = entries_[n];
+  std::string text(entry.length, '\0');
+  if (file_->read(entry.offset, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+    return Error{where(n), "cannot be read any more: the file has changed since it was opened"};
+  return text;
+}
+
+Result<Json> RunIndex::record(std::size_t n) const {
+  auto text = line(n);
+  if (!text) return text.error();
+  auto parsed = Json::parse(*text, nullptr, false);
+  if (parsed.is_discarded() || !parsed.is_object()) return Error{where(n), "not valid JSON; expected a record"};
+  return parsed;
+}
+
+bool RunIndex::complete() const { return !entries_.empty() && kind(entries_.size() - 1) == "end"; }
+
+std::optional<std::size_t> RunIndex::mark_at(std::size_t n) const {
+  const auto after = std::upper_bound(marks_.begin(), marks_.end(), n,
+                                      [](std::size_t number, const StackMark& mark) { return number < mark.n; });
+  if (after == marks_.begin()) return std::nullopt;
+  return static_cast<std::size_t>(after - marks_.begin()) - 1;
+}
+
+std::vector<std::int64_t> RunIndex::stack_ids(std::int64_t top) const {
+  std::vector<std::int64_t> ids;
+  for (auto found = symbols_.find(top); found != symbols_.end(); found = symbols_.find(found->second.below))
+    ids.push_back(found->first);
+  return ids;
+}
+
+Result<Json> RunIndex::snapshot(std::int64_t top) const {
+  Json stack = Json::array();
+  for (const auto id : stack_ids(top)) {
+    const auto& place = symbols_.at(id);
+    auto symbol = record(place.n);
+    if (!symbol) return symbol.error();
+    Json slots = symbol->value("slots", Json::object());
+    stack.push_back(Json{{"id", id},
+                         {"below", place.below < 0 ? Json() : Json(place.below)},
+                         {"made", place.n},
+                         {"slots", std::move(slots)}});
+  }
+  return stack;
+}
+
+std::string RunIndex::where(std::size_t n) const { return fmt::format("{}:{}", path_, n + 1); }
+
+}  // namespace continua

@@ -1,0 +1,104 @@
+// Opens a run log (RUNLOG.md) without turning it into a tree: one pass over the lines keeps where each record
+// lies and the few numbers that every view needs. Records are parsed when somebody asks for one.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "core/located_json.h"
+#include "core/result.h"
+#include "core/sim_time.h"
+
+namespace continua {
+
+/// One line of the log. Its running number `n` is its place in the index.
+struct RecordEntry {
+  std::uint64_t offset = 0;  ///< of its first byte
+  std::uint32_t length = 0;  ///< in bytes, without the line's end
+  std::uint32_t kind = 0;    ///< place in RunIndex::kinds()
+  std::int64_t cause = -1;   ///< n of the record that brought it about, or -1
+  SimTime t{};
+};
+
+/// A record after which the stack's top is known.
+struct StackMark {
+  std::size_t n = 0;
+  std::int64_t top = -1;  ///< id of the top symbol, or -1 for an empty stack
+};
+
+/// Where a stack symbol was written, and the one below it (-1 for none).
+struct SymbolPlace {
+  std::size_t n = 0;
+  std::int64_t below = -1;
+};
+
+/// A run log held open. Values are read from the file on demand; reading from several threads is safe.
+/// Costs about 40 bytes of memory a record.
+class RunIndex {
+ public:
+  /// Scans the whole file. A last line cut short is left out (see `trouble`); a file that is missing, empty or not
+  /// a run log is an error, as is a broken line before the last.
+  static Result<RunIndex> open(const std::string& path);
+
+  const std::string& path() const { return path_; }
+  std::uint64_t bytes() const { return bytes_; }
+
+  std::size_t size() const { return entries_.size(); }
+  const RecordEntry& entry(std::size_t n) const { return entries_[n]; }
+  const std::vector<std::string>& kinds() const { return kinds_; }
+  const std::string& kind(std::size_t n) const { return kinds_[entries_[n].kind]; }
+  std::optional<std::size_t> cause(std::size_t n) const;
+
+  /// Running numbers of all records of a kind, in order.
+  std::vector<std::size_t> of_kind(std::string_view kind) const;
+
+  /// The line as written. REQUIRES n < size().
+  Result<std::string> line(std::size_t n) const;
+
+  /// The record parsed. REQUIRES n < size().
+  Result<Json> record(std::size_t n) const;
+
+  /// Whether the log ends with its `end` record.
+  bool complete() const;
+
+  /// What is wrong with the end of the log, as a sentence; empty when nothing is.
+  const std::string& trouble() const { return trouble_; }
+
+  const std::vector<StackMark>& stack_marks() const { return marks_; }
+
+  /// The last stack known at record n: a place in stack_marks(), or nothing before the first.
+  std::optional<std::size_t> mark_at(std::size_t n) const;
+
+  const std::unordered_map<std::int64_t, SymbolPlace>& symbols() const { return symbols_; }
+
+  /// Ids of the symbols from `top` down. A chain that names an unknown id ends there.
+  std::vector<std::int64_t> stack_ids(std::int64_t top) const;
+
+  /// The symbols from `top` down as written: {id, below, slots}, each with `made`, the n of its record.
+  Result<Json> snapshot(std::int64_t top) const;
+
+  /// "file:line" of record n.
+  std::string where(std::size_t n) const;
+
+ private:
+  class LogFile;
+  RunIndex() = default;
+  Outcome add_line(std::string_view line, std::uint64_t offset);
+  std::uint32_t kind_number(std::string_view kind);
+
+  std::string path_;
+  std::shared_ptr<const LogFile> file_;
+  std::uint64_t bytes_ = 0;
+  std::vector<RecordEntry> entries_;
+  std::vector<std::string> kinds_;
+  std::vector<StackMark> marks_;
+  std::unordered_map<std::int64_t, SymbolPlace> symbols_;
+  std::string trouble_;
+};
+
+}  // namespace continua

@@ -1,0 +1,251 @@
+#include "replay/run_views.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "replay/run_brief.h"
+
+namespace continua {
+namespace {
+
+std::string name_of(const Json& header, const char* part) {
+  const auto found = header.find(part);
+  if (found == header.end()) return {};
+  return found->is_string() ? found->get<std::string>() : text_of(*found, "name");
+}
+
+// The distinct act numbers: an act has a record for each of its states.
+std::size_t count_acts(const RunIndex& run) {
+  std::set<std::string> acts;
+  for (const auto n : run.of_kind("act"))
+    if (const auto act = run.record(n)) acts.insert(text_of(*act, "act"));
+  return acts.size();
+}
+
+std::optional<std::size_t> first_record(const RunIndex& run, std::string_view kind, auto holds) {
+  for (const auto n : run.of_kind(kind)) {
+    const auto record = run.record(n);
+    if (record && holds(*record)) return n;
+  }
+  return std::nullopt;
+}
+
+bool is_unmet(const Json& expect) { return expect.contains("met") && expect["met"] == false; }
+bool is_question(const Json& utterance) {
+  const auto text = text_of(utterance, "text");
+  return !text.empty() && text.back() == '?';
+}
+
+// What a reader wants to see first: a failed expectation, else where the avatar first had to ask, else first spoke.
+std::size_t first_of_interest(const RunIndex& run) {
+  if (const auto n = first_record(run, "expect", is_unmet)) return *n;
+  if (const auto n = first_record(run, "utterance", is_question)) return *n;
+  for (const char* kind : {"utterance", "act", "refusal", "transition"})
+    if (const auto all = run.of_kind(kind); !all.empty()) return all.front();
+  return std::min<std::size_t>(1, run.size() - 1);
+}
+
+Json brief_json(const RunIndex& run, std::size_t n, const Json& record) {
+  return Json{{"n", n}, {"t", run.entry(n).t.seconds()}, {"kind", run.kind(n)}, {"brief", brief(record)}};
+}
+
+}  // namespace
+
+Result<Json> run_listing(const RunIndex& run) {
+  const auto header = run.record(0);
+  if (!header) return header.error();
+  std::size_t met = 0;
+  const auto expects = run.of_kind("expect");
+  for (const auto n : expects)
+    if (const auto record = run.record(n); record && !is_unmet(*record)) ++met;
+  Json counts = Json::object();
+  for (const auto& kind : run.kinds()) counts[kind] = run.of_kind(kind).size();
+  return Json{{"trace", name_of(*header, "trace")},
+              {"duration", run.entry(run.size() - 1).t.seconds()},
+              {"records", run.size()},
+              {"utterances", run.of_kind("utterance").size()},
+              {"acts", count_acts(run)},
+              {"refusals", run.of_kind("refusal").size()},
+              {"problems", run.of_kind("problem").size()},
+              {"expected", expects.size()},
+              {"met", met},
+              {"counts", std::move(counts)},
+              {"machine", name_of(*header, "machine")},
+              {"scene", name_of(*header, "scene")},
+              {"bytes", run.bytes()},
+              {"complete", run.complete()},
+              {"trouble", run.trouble()}};
+}
+
+Result<Json> run_summary(const RunIndex& run) {
+  auto header = run.record(0);
+  if (!header) return header.error();
+  auto summary = run_listing(run);
+  if (!summary) return summary.error();
+  // The texts that the page does not need at once: the scene's XML, the machine's file, and the graph, which has
+  // its own address.
+  for (const auto& [part, key] : {std::pair{"scene", "mjcf"}, {"machine", "document"}})
+    if (header->contains(part) && (*header)[part].is_object()) (*header)[part].erase(key);
+  header->erase("graph");
+  (*summary)["first"] = first_of_interest(run);
+  (*summary)["header"] = *std::move(header);
+  return summary;
+}
+
+Result<Json> run_records(const RunIndex& run, const RecordFilter& filter) {
+  Json records = Json::array();
+  Json next;
+  for (std::size_t n = filter.after; n < run.size(); ++n) {
+    const auto t = run.entry(n).t.seconds();
+    if (filter.from_s && t < *filter.from_s) continue;
+    if (filter.to_s && t > *filter.to_s) continue;
+    if (!filter.kinds.empty() && std::find(filter.kinds.begin(), filter.kinds.end(), run.kind(n)) == filter.kinds.end())
+      continue;
+    if (records.size() == filter.limit) {
+      next = n;
+      break;
+    }
+    auto record = run.record(n);
+    if (!record) return record.error();
+    records.push_back(*std::move(record));
+  }
+  return Json{{"records", std::move(records)}, {"next", std::move(next)}};
+}
+
+Result<Json> run_graph(const RunIndex& run) {
+  const auto header = run.record(0);
+  if (!header) return header.error();
+  Json graph = header->value("graph", Json::object());
+  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> taken;
+  std::map<std::string, std::size_t> entered;
+  for (const auto n : run.of_kind("transition")) {
+    const auto record = run.record(n);
+    if (!record) return record.error();
+    ++taken[{text_of(*record, "id"), text_of(*record, "from"), text_of(*record, "to")}];
+    ++entered[text_of(*record, "to")];
+  }
+  for (const char* part : {"states", "edges"})
+    if (!graph.contains(part) || !graph[part].is_array()) graph[part] = Json::array();
+  for (auto& state : graph["states"])
+    if (state.is_object()) state["visits"] = entered[text_of(state, "id")];
+  for (auto& edge : graph["edges"])
+    if (edge.is_object()) edge["visits"] = taken[{text_of(edge, "id"), text_of(edge, "from"), text_of(edge, "to")}];
+  return graph;
+}
+
+namespace {
+
+// {slot: {was, now}} of the slots in which two symbols differ; null where one has none.
+Json slots_changed(const Json& was, const Json& now) {
+  Json changed = Json::object();
+  const auto note = [&](const std::string& slot) {
+    const auto before = was.value(slot, Json()), after = now.value(slot, Json());
+    if (before != after) changed[slot] = Json{{"was", before}, {"now", after}};
+  };
+  for (const auto& [slot, value] : now.items()) note(slot);
+  for (const auto& [slot, value] : was.items())
+    if (!now.contains(slot)) note(slot);
+  return changed;
+}
+
+}  // namespace
+
+Result<Json> run_stack(const RunIndex& run, std::size_t n) {
+  const auto mark = run.mark_at(n);
+  if (!mark)
+    return Json{{"n", n}, {"at", nullptr}, {"depth", 0}, {"symbols", Json::array()}, {"removed", Json::array()}};
+  const auto& marks = run.stack_marks();
+  auto now = run.snapshot(marks[*mark].top);
+  if (!now) return now.error();
+  auto before = *mark > 0 ? run.snapshot(marks[*mark - 1].top) : Result<Json>(Json::array());
+  if (!before) return before.error();
+
+  // Stacks share their tails, so what is equal is equal from the bottom up.
+  std::size_t same = 0;
+  while (same < now->size() && same < before->size() &&
+         (*now)[now->size() - 1 - same]["id"] == (*before)[before->size() - 1 - same]["id"])
+    ++same;
+  const auto added = now->size() - same, removed = before->size() - same;
+  for (std::size_t i = 0; i < now->size(); ++i) {
+    auto& symbol = (*now)[i];
+    const auto height = added - 1 - i;  // above the shared tail, for the symbols that are new
+    if (i >= added) {
+      symbol["change"] = "same";
+    } else if (height < removed) {
+      symbol["change"] = "changed";
+      symbol["slots_changed"] = slots_changed((*before)[removed - 1 - height]["slots"], symbol["slots"]);
+    } else {
+      // A pushed symbol inherits from the one it is laid on: what differs from that is what the push set.
+      symbol["change"] = "added";
+      symbol["slots_changed"] =
+          slots_changed(i + 1 < now->size() ? (*now)[i + 1]["slots"] : Json::object(), symbol["slots"]);
+    }
+  }
+  Json gone = Json::array();
+  for (std::size_t i = 0; i + added < removed; ++i) gone.push_back((*before)[i]);
+  return Json{{"n", n}, {"at", marks[*mark].n}, {"depth", now->size()}, {"symbols", *std::move(now)},
+              {"removed", std::move(gone)}};
+}
+
+Result<Json> run_derivation(const RunIndex& run, std::size_t n) {
+  // Upwards through `cause` and, from an application, through `because`; and across to the applications that the
+  // records met on the way brought about, and to those whose result became part of one already met.
+  std::map<std::size_t, Json> applications, inputs;
+  std::set<std::size_t> met;
+  std::vector<std::size_t> open{n};
+  Json chain = Json::array();
+  for (std::optional<std::size_t> at = n; at; at = run.cause(*at)) {
+    const auto record = run.record(*at);
+    if (!record) return record.error();
+    chain.push_back(brief_json(run, *at, *record));
+  }
+  const auto all = run.of_kind("application");
+  std::multimap<std::size_t, std::size_t> brought_about;  // cause -> application
+  for (const auto application : all)
+    if (const auto cause = run.cause(application); cause && application <= n) brought_about.emplace(*cause, application);
+  std::map<std::string, std::vector<std::size_t>> made;  // result -> applications
+  const auto last = std::upper_bound(all.begin(), all.end(), n);
+  for (auto at = all.begin(); at != last; ++at)
+    if (const auto record = run.record(*at)) made[text_of(*record, "result")].push_back(*at);
+
+  while (!open.empty()) {
+    const auto at = open.back();
+    open.pop_back();
+    if (!met.insert(at).second) continue;
+    if (const auto cause = run.cause(at)) open.push_back(*cause);
+    const auto [from, to] = brought_about.equal_range(at);
+    for (auto found = from; found != to; ++found) open.push_back(found->second);
+    if (run.kind(at) != "application" && run.kind(at) != "input") continue;
+    auto record = run.record(at);
+    if (!record) return record.error();
+    if (run.kind(at) == "input") {
+      inputs.emplace(at, *std::move(record));
+      continue;
+    }
+    if (const auto because = record->find("because"); because != record->end() && because->is_array())
+      for (const auto& input : *because)
+        if (input.is_number_unsigned() && input.get<std::size_t>() < at) inputs.emplace(input.get<std::size_t>(), Json());
+    for (const char* part : {"function", "argument"})
+      if (const auto found = made.find(text_of(*record, part)); found != made.end()) {
+        const auto older = std::lower_bound(found->second.begin(), found->second.end(), at);
+        if (older != found->second.begin()) open.push_back(*std::prev(older));
+      }
+    applications.emplace(at, *std::move(record));
+  }
+  Json told_applications = Json::array(), told_inputs = Json::array();
+  for (auto& [number, record] : applications) told_applications.push_back(std::move(record));
+  for (auto& [number, record] : inputs) {
+    if (record.is_null()) {
+      auto read = run.record(number);
+      if (!read) return read.error();
+      record = *std::move(read);
+    }
+    told_inputs.push_back(brief_json(run, number, record));
+  }
+  return Json{{"n", n}, {"chain", std::move(chain)}, {"applications", std::move(told_applications)},
+              {"inputs", std::move(told_inputs)}};
+}
+
+}  // namespace continua

@@ -1,0 +1,43 @@
+// What the inspector's panels show, worked out from a run's index. Pure: a log in, JSON out.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/located_json.h"
+#include "core/result.h"
+#include "replay/run_index.h"
+
+namespace continua {
+
+/// Which records are asked for. Times in seconds, both ends included.
+struct RecordFilter {
+  std::vector<std::string> kinds;  ///< empty: all
+  std::optional<double> from_s, to_s;
+  std::size_t after = 0;  ///< first n that may be given
+  std::size_t limit = 500;
+};
+
+/// A line of the start page: {duration, records, utterances, acts, refusals, machine, scene, complete, …}.
+Result<Json> run_listing(const RunIndex& run);
+
+/// The header without its long texts, the listing's numbers, and `first`: the record to open the page at.
+Result<Json> run_summary(const RunIndex& run);
+
+/// {records: […], next: n to go on `after`, or null}.
+Result<Json> run_records(const RunIndex& run, const RecordFilter& filter);
+
+/// The machine's graph with `visits` of each state and edge.
+Result<Json> run_graph(const RunIndex& run);
+
+/// The stack as it stood at record n, top first, and what its last change did. `change` of a symbol is `added`,
+/// `changed` (it took a removed one's place on the same tail) or `same`; `slots_changed` gives {slot: {was, now}}.
+Result<Json> run_stack(const RunIndex& run, std::size_t n);
+
+/// Why record n: its `chain` of causes, the `applications` behind it with the sub-terms they were built from,
+/// and the `inputs` that contributed. REQUIRES n < run.size().
+Result<Json> run_derivation(const RunIndex& run, std::size_t n);
+
+}  // namespace continua
