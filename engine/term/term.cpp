@@ -71,6 +71,8 @@ Term Term::constant(std::string name, Type type) {
   return Term(std::make_shared<const Node>(Node{Kind::constant, std::move(type), std::move(name)}));
 }
 
+Term Term::entity(std::string name) { return constant(std::move(name), Type::entity()); }
+
 Term Term::bound(int index, Type type) {
   require(index >= 0, "a bound variable has an index from 0");
   return Term(std::make_shared<const Node>(Node{Kind::bound, std::move(type), index, index + 1}));

@@ -51,6 +51,8 @@ class Term {
   static Term place(Place value);
   static Term point(double x_m, double y_m, double z_m);
   static Term constant(std::string name, Type type);
+  /// The constant of type e that stands for an object of the world.
+  static Term entity(std::string name);
   static Term bound(int index, Type type);
   /// `hint` is the name to print for the variable; it does not take part in equality.
   static Term lambda(std::string hint, Type variable, Term body);

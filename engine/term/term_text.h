@@ -6,9 +6,12 @@
 //   <0.1, -0.2, 0>             point, metres in W;  box(<..>, <..>) of two literal points is a region literal
 //   'text'                     text; \' and \\ inside
 //   null true false 12.5 -3
+//   (+)  (not)                 an operator as a name
+//   `red block`                a name of any characters; \` and \\ inside. No variable is meant by it
 //   not a   a and b   a or b   = != < <= > >=   + - * /   -x      in the usual order of binding
 //
-// An operator is sugar for a constant of that name applied: `a + b` is '+'(a, b), -x is 'negate'(x).
+// An operator is sugar for a constant of that name applied: `a + b` is (+)(a, b), -x is negate(x). A point whose
+// coordinates are not all written out is sugar too: <1, y, 0> is xyz(1, y, 0).
 #pragma once
 
 #include <map>
@@ -24,7 +27,8 @@ namespace continua {
 /// The types of the names a term may use; type variables in them make the name polymorphic.
 using Signature = std::map<std::string, Type, std::less<>>;
 
-/// Names of the language itself, their operators included: and or not = != < <= > >= + - * / negate if.
+/// Names that the notation itself needs: and or not = != < <= > >= + - * / negate if xyz box.
+/// They are known to every term that is read, whatever `names` it is read with.
 const Signature& core_signature();
 
 /// Reads a term and infers its type (unification; `term` is consistent with every type), which must be consistent

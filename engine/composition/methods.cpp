@@ -1,0 +1,162 @@
+#include "composition/methods.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "term/rules.h"
+
+namespace continua {
+namespace {
+
+using Arguments = std::span<const Term>;
+
+constexpr int most_draws = 1000;
+
+Point point_of(const Vec3& p_W) { return {p_W.x(), p_W.y(), p_W.z()}; }
+Term point(const Vec3& p_W) { return Term::point(p_W.x(), p_W.y(), p_W.z()); }
+Term region(const Box& box_W) { return Term::place({point_of(box_W.min), point_of(box_W.max), true}); }
+
+Box box_of(const Place& place) {
+  return {{place.min[0], place.min[1], place.min[2]}, {place.max[0], place.max[1], place.max[2]}};
+}
+
+// How far two boxes reach into each other along each axis; below 0 it is the gap between them.
+Vec3 depth_of(const Box& a, const Box& b) { return a.max.cwiseMin(b.max) - a.min.cwiseMax(b.min); }
+
+// By how much `other` rests on more than `share` of the top of `box`, in metres; it does where this is above 0.
+double resting(const Box& other, const Box& box, double share) {
+  const double gap = other.min.z() - box.max.z();
+  const double touching = touching_m - std::abs(gap);
+  const Vec3 depth = depth_of(other, box);
+  const double narrow = std::min(depth.x(), depth.y());
+  if (narrow <= 0 || share <= 0) return std::min(touching, narrow);
+  const Vec3 size = box.max - box.min;
+  const double top = size.x() * size.y();
+  return std::min(touching, (depth.x() * depth.y() - share * top) / std::sqrt(top));
+}
+
+// Does a box that stands on the table meet an object other than those allowed?
+bool is_free(const Box& box, const WorldSnapshot& world, const std::vector<const ObjectState*>& allowed,
+             Evaluation& evaluation) {
+  bool free = true;
+  for (const auto& other : world.objects) {
+    if (std::find(allowed.begin(), allowed.end(), &other) != allowed.end()) continue;
+    const double overlap = depth_of(box, other.bounds_W()).minCoeff() - touching_m;
+    evaluation.note_margin(std::abs(overlap));
+    free = free && overlap <= 0;
+  }
+  return free;
+}
+
+Box standing_at(double x, double y, const ObjectState& object, const WorldSnapshot& world) {
+  const Box bounds = object.bounds_W();
+  const Vec3 size = bounds.max - bounds.min;
+  const double floor = world.table.max.z();
+  return {{x - size.x() / 2, y - size.y() / 2, floor}, {x + size.x() / 2, y + size.y() / 2, floor + size.z()}};
+}
+
+}  // namespace
+
+Methods::Methods() { add_rules(); }
+
+const Signature& Methods::signature() {
+  static const Signature signature = Methods().add_rules();
+  return signature;
+}
+
+const ObjectState* Methods::object(const Term& entity) const {
+  return world_ && entity.kind() == Term::Kind::constant ? world_->find(entity.name()) : nullptr;
+}
+
+Term Methods::scene() const {
+  if (!world_) return Term::null();
+  std::vector<Term> objects;
+  for (const auto& each : world_->objects) objects.push_back(Term::entity(each.name));
+  return Term::list(std::move(objects), Type::entity());
+}
+
+Term Methods::closest(const Term& entity, const Term& place) const {
+  const auto* found = object(entity);
+  if (!found) return Term::null();
+  const Box bounds = found->bounds_W();
+  const Vec3 p_W = box_of(place.place_value()).center();
+  return point(p_W.cwiseMax(bounds.min).cwiseMin(bounds.max));
+}
+
+Term Methods::clear(const Term& entity, double share, Evaluation& evaluation) const {
+  const auto* found = object(entity);
+  if (!found) return Term::null();
+  const Box bounds = found->bounds_W();
+  bool clear = true;
+  for (const auto& other : world_->objects) {
+    if (&other == found) continue;
+    const double by = resting(other.bounds_W(), bounds, share);
+    evaluation.note_margin(std::abs(by));
+    clear = clear && by <= 0;
+  }
+  return Term::truth(clear);
+}
+
+Term Methods::fits(const Term& entity, const Term& place, const Term& except, Evaluation& evaluation) const {
+  const auto* found = object(entity);
+  if (!found) return Term::null();
+  std::vector<const ObjectState*> allowed = {found};
+  for (const auto& each : except.elements()) allowed.push_back(object(each));
+  const Vec3 p_W = box_of(place.place_value()).center();
+  return Term::truth(is_free(standing_at(p_W.x(), p_W.y(), *found, *world_), *world_, allowed, evaluation));
+}
+
+Term Methods::free_place(const Term& entity, const Term& place, Evaluation& evaluation) const {
+  const auto* found = object(entity);
+  if (!found || !random_) return Term::null();
+  const Box region_W = box_of(place.place_value());
+  const Vec3 size = region_W.max - region_W.min;
+  for (int draw = 0; draw < most_draws && evaluation.spend(1); ++draw) {
+    const double x = region_W.min.x() + random_->uniform() * size.x();
+    const double y = region_W.min.y() + random_->uniform() * size.y();
+    if (is_free(standing_at(x, y, *found, *world_), *world_, {found}, evaluation))
+      return Term::point(x, y, region_W.center().z());
+  }
+  return Term::null();
+}
+
+Signature Methods::add_rules() {
+  // A function of one object that is in the world.
+  const auto of_object = [this](auto compute) {
+    return [this, compute](Arguments a, Evaluation&) {
+      const auto* found = object(a[0]);
+      return found ? compute(*found, a) : Term::null();
+    };
+  };
+  const auto attribute = [](const ObjectState& object, Arguments a) {
+    const auto found = object.attributes.find(a[1].text_value());
+    return found == object.attributes.end() ? Term::null() : Term::text(found->second);
+  };
+  const auto held = [this](Arguments, Evaluation&) {
+    return world_ && world_->find(world_->held) ? Term::entity(world_->held) : Term::null();
+  };
+  rules_.clear();
+  Signature signature;
+  add_functions(
+      {
+          {"scene", "e*", [this](Arguments, Evaluation&) { return scene(); }},
+          {"table", "loc", [this](Arguments, Evaluation&) { return world_ ? region(world_->table) : Term::null(); }},
+          {"held", "e", held},
+          {"position", "e -> loc", of_object([](const ObjectState& o, Arguments) { return point(o.p_WO); })},
+          {"bounds", "e -> loc", of_object([](const ObjectState& o, Arguments) { return region(o.bounds_W()); })},
+          {"attribute", "e -> text -> text", of_object(attribute)},
+          {"volume", "e -> num",
+           of_object([](const ObjectState& o, Arguments) { return Term::number(8 * o.half_extents_m.prod()); })},
+          {"closest", "e -> loc -> loc", [this](Arguments a, Evaluation&) { return closest(a[0], a[1]); }},
+          {"clear", "e -> num -> t",
+           [this](Arguments a, Evaluation& e) { return clear(a[0], a[1].number_value(), e); }},
+          {"fits", "e -> loc -> e* -> t", [this](Arguments a, Evaluation& e) { return fits(a[0], a[1], a[2], e); }},
+          {"free_place", "e -> loc -> loc", [this](Arguments a, Evaluation& e) { return free_place(a[0], a[1], e); }},
+      },
+      rules_, signature);
+  return signature;
+}
+
+}  // namespace continua

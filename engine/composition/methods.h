@@ -1,0 +1,44 @@
+// Facts of the world as functions of the term language: with those of term/FUNCTIONS.md the only C++ names a machine
+// may call. Documented in METHODS.md. Objects are constants of type e, by name; a name that is not in the world
+// gives null.
+#pragma once
+
+#include "core/random.h"
+#include "term/evaluate.h"
+#include "world/world_snapshot.h"
+
+namespace continua {
+
+/// Tolerance of touching: lengths below it are no gap and no overlap. 1.2 mm.
+inline constexpr double touching_m = 1.2e-3;
+
+class Methods {
+ public:
+  Methods();
+  Methods(const Methods&) = delete;  // its rules know where it is
+  Methods& operator=(const Methods&) = delete;
+
+  /// What the rules speak of from now on; both must outlive their use. Before that, all is null.
+  void see(const WorldSnapshot* world, Random* random) {
+    world_ = world;
+    random_ = random;
+  }
+
+  const Rules& rules() const { return rules_; }
+  static const Signature& signature();
+
+ private:
+  const ObjectState* object(const Term& entity) const;
+  Term scene() const;
+  Term closest(const Term& entity, const Term& place) const;
+  Term clear(const Term& entity, double share, Evaluation& evaluation) const;
+  Term fits(const Term& entity, const Term& place, const Term& except, Evaluation& evaluation) const;
+  Term free_place(const Term& entity, const Term& region, Evaluation& evaluation) const;
+  Signature add_rules();
+
+  Rules rules_;
+  const WorldSnapshot* world_ = nullptr;
+  Random* random_ = nullptr;
+};
+
+}  // namespace continua
