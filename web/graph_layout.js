@@ -1,0 +1,161 @@
+// Places the state graph: parallel edges merged, layers by dagre where it was built in, else by a simple one of ours.
+import {dagre} from './vendor.js';
+
+const letter_px = 6.5, line_px = 13;
+
+/** "ComposeObjectAndAction" in lines of at most about ten letters. */
+export function labelLines(id) {
+  const words = id.split(/(?<=[a-z0-9])(?=[A-Z])|[\s_-]+/);
+  const lines = [];
+  for (const word of words) {
+    if (lines.length && (lines.at(-1) + word).length <= 10) lines[lines.length - 1] += word;
+    else lines.push(word);
+  }
+  return lines;
+}
+
+/**
+ * @typedef {{id: string, lines: string[], x: number, y: number, w: number, h: number, visits: number,
+ *            accepting: boolean}} Node
+ * @typedef {{from: string, to: string, visits: number, rows: object[], points: {x: number, y: number}[]}} Edge
+ */
+
+/** Nodes and merged edges of what is to be shown, not yet placed. `taken_only` leaves out what the run never used. */
+export function mergedGraph(graph, taken_only) {
+  const edges = new Map();
+  for (const row of graph.edges) {
+    if (taken_only && !row.visits) continue;
+    const key = JSON.stringify([row.from, row.to]);
+    if (!edges.has(key)) edges.set(key, {from: row.from, to: row.to, visits: 0, rows: [], points: []});
+    const edge = edges.get(key);
+    edge.visits += row.visits;
+    edge.rows.push(row);
+  }
+  const used = new Set([graph.start]);
+  for (const edge of edges.values()) used.add(edge.from).add(edge.to);
+  const nodes = graph.states.filter((state) => !taken_only || used.has(state.id)).map((state) => {
+    const lines = labelLines(state.id);
+    return {
+      id: state.id, lines, visits: state.visits, accepting: state.accepting, x: 0, y: 0,
+      w: Math.max(44, Math.max(...lines.map((line) => line.length)) * letter_px + 10),
+      h: lines.length * line_px + 11,
+    };
+  });
+  const known = new Set(nodes.map((node) => node.id));
+  return {nodes, edges: [...edges.values()].filter((edge) => known.has(edge.from) && known.has(edge.to))};
+}
+
+/** Places nodes and edges for a panel of this shape. @returns {{nodes: Node[], edges: Edge[], width, height}} */
+export function layOut(merged, aspect) {
+  const across = place(structuredClone(merged), 'LR');
+  const down = place(structuredClone(merged), 'TB');
+  const fit = ({width, height}) => Math.min(aspect / width, 1 / height);
+  return fit(across) >= fit(down) ? across : down;
+}
+
+function place({nodes, edges}, direction) {
+  const loops = edges.filter((edge) => edge.from === edge.to);
+  const others = edges.filter((edge) => edge.from !== edge.to);
+  (dagre ? placeByDagre : placeByRank)(nodes, others, direction);
+  const at = new Map(nodes.map((node) => [node.id, node]));
+  for (const edge of others) clip(edge, at);
+  for (const loop of loops) {
+    const {x, y, w, h} = at.get(loop.from);
+    const top = y - h / 2, right = x + w / 2;
+    loop.points = [{x: right - 20, y: top}, {x: right - 22, y: top - 17}, {x: right - 4, y: top - 17}, {x: right - 6, y: top}];
+  }
+  return framed(nodes, edges);
+}
+
+function placeByDagre(nodes, edges, direction) {
+  const graph = new dagre.graphlib.Graph();
+  graph.setGraph({rankdir: direction, nodesep: 14, ranksep: direction === 'LR' ? 24 : 20, edgesep: 8});
+  graph.setDefaultEdgeLabel(() => ({}));
+  for (const node of nodes) graph.setNode(node.id, {width: node.w, height: node.h});
+  for (const edge of edges) graph.setEdge(edge.from, edge.to, {weight: 1 + Math.round(Math.log2(1 + edge.visits))});
+  dagre.layout(graph);
+  for (const node of nodes) ({x: node.x, y: node.y} = graph.node(node.id));
+  for (const edge of edges) edge.points = graph.edge(edge.from, edge.to).points.map(({x, y}) => ({x, y}));
+}
+
+// Layers by distance from the first node; within a layer, in order of the neighbours' places in the one before.
+function placeByRank(nodes, edges, direction) {
+  const rank = new Map(nodes.length ? [[nodes[0].id, 0]] : []);
+  const open = [...rank.keys()];
+  const visit = () => {
+    while (open.length) {
+      const id = open.shift();
+      for (const edge of edges)
+        if (edge.from === id && !rank.has(edge.to)) {
+          rank.set(edge.to, rank.get(id) + 1);
+          open.push(edge.to);
+        }
+    }
+  };
+  visit();
+  for (const node of nodes)
+    if (!rank.has(node.id)) {
+      rank.set(node.id, 0);
+      open.push(node.id);
+      visit();
+    }
+  const layers = [];
+  for (const node of nodes) (layers[rank.get(node.id)] ??= []).push(node);
+  const order = new Map();
+  let along = 0;
+  for (const layer of layers.filter(Boolean)) {
+    const pull = (node) => {
+      const places = edges.filter((e) => e.to === node.id && order.has(e.from)).map((e) => order.get(e.from));
+      return places.length ? places.reduce((a, b) => a + b) / places.length : 0;
+    };
+    layer.sort((a, b) => pull(a) - pull(b));
+    const thick = Math.max(...layer.map((node) => (direction === 'LR' ? node.w : node.h)));
+    const breadth = (node) => (direction === 'LR' ? node.h : node.w) + 18;
+    let across = -layer.reduce((sum, node) => sum + breadth(node), 0) / 2;
+    for (const node of layer) {
+      const middle = across + breadth(node) / 2;
+      [node.x, node.y] = direction === 'LR' ? [along + thick / 2, middle] : [middle, along + thick / 2];
+      order.set(node.id, middle);
+      across += breadth(node);
+    }
+    along += thick + 46;
+  }
+  const at = new Map(nodes.map((node) => [node.id, node]));
+  for (const edge of edges) {
+    const a = at.get(edge.from), b = at.get(edge.to);
+    const bend = {x: (a.x + b.x) / 2 + (b.y - a.y) * 0.12, y: (a.y + b.y) / 2 - (b.x - a.x) * 0.12};
+    edge.points = [{x: a.x, y: a.y}, bend, {x: b.x, y: b.y}];
+  }
+}
+
+// Ends an edge at the borders of its nodes.
+function clip(edge, at) {
+  const points = edge.points;
+  points[0] = border(at.get(edge.from), points[1]);
+  points[points.length - 1] = border(at.get(edge.to), points[points.length - 2]);
+}
+
+function border(node, toward) {
+  const dx = toward.x - node.x, dy = toward.y - node.y;
+  if (!dx && !dy) return {x: node.x, y: node.y};
+  const scale = Math.min(dx ? node.w / 2 / Math.abs(dx) : Infinity, dy ? node.h / 2 / Math.abs(dy) : Infinity);
+  return {x: node.x + dx * scale, y: node.y + dy * scale};
+}
+
+// Moves everything into a frame that begins at 0,0.
+function framed(nodes, edges) {
+  const margin = 14;
+  let left = Infinity, top = Infinity, right = -Infinity, bottom = -Infinity;
+  const reach = (x, y) => {
+    left = Math.min(left, x); right = Math.max(right, x);
+    top = Math.min(top, y); bottom = Math.max(bottom, y);
+  };
+  for (const {x, y, w, h} of nodes) { reach(x - w / 2, y - h / 2 - 12); reach(x + w / 2, y + h / 2); }
+  for (const {points} of edges) for (const {x, y} of points) reach(x, y);
+  if (!nodes.length) reach(0, 0);
+  for (const item of [...nodes, ...edges.flatMap((edge) => edge.points)]) {
+    item.x += margin - left;
+    item.y += margin - top;
+  }
+  return {nodes, edges, width: right - left + 2 * margin, height: bottom - top + 2 * margin};
+}

@@ -1,0 +1,109 @@
+// The record at the cursor in full, why it came about, and what came of it.
+import {h, panel, shown, text, seconds} from '../dom.js';
+
+const line = (name, ...value) => h('div', {class: 'field'}, h('dt', {}, name), h('dd', {}, ...value));
+
+function objectText(value) {
+  if (value === null || typeof value !== 'object' || Array.isArray(value)) return text(value);
+  return Object.entries(value).map(([key, inner]) => `${key} ${objectText(inner)}`).join(', ');
+}
+
+function operationText(operation) {
+  if (typeof operation !== 'object' || operation === null) return text(operation);
+  return Object.entries(operation).map(([name, value]) =>
+    value === null || value === true || value === '' ? name : `${name} ${objectText(value)}`).join(', ');
+}
+
+function transitionFields(record) {
+  const candidates = record.candidates ?? [];
+  const fields = [
+    line('move', `${record.from} → ${record.to}`),
+    line('input', record.input === null ? 'ε' : text(record.input)),
+    line('operation', operationText(record.operation)),
+    line('chosen', h('b', {}, record.id), ` of ${candidates.length}`, record.draw !== null && record.draw !== undefined ? `, draw ${record.draw}` : ''),
+  ];
+  if (record.gate) fields.push(line('gate', `${record.gate.state}: ${shown(record.gate.condition)} `, h('b', {class: record.gate.passed ? 'yes' : 'no'}, record.gate.passed ? 'passed' : 'not passed')));
+  if (record.margin !== null && record.margin !== undefined) fields.push(line('margin', text(record.margin)));
+  return [h('dl', {}, fields),
+    candidates.length > 0 && h('details', {open: candidates.length > 1}, h('summary', {}, `${candidates.length} applicable`),
+      h('ul', {class: 'candidates'}, candidates.map((one) =>
+        h('li', {class: one.id === record.id ? 'chosen' : null}, h('b', {}, one.id), ` weight ${one.weight}`,
+          one.id === record.id && h('span', {class: 'yes'}, ' taken'))))),
+    refusals(record.refused)];
+}
+
+const refusals = (refused, open = false) => refused?.length > 0 &&
+  h('details', {open, 'data-testid': 'refused'}, h('summary', {}, `${refused.length} refused`),
+    h('ul', {class: 'candidates'}, refused.map((one) => h('li', {}, h('b', {}, one.id), ' ', shown(one.reason)))));
+
+function refusalFields(record) {
+  return [h('dl', {}, line('state', record.state), line('input', text(record.input)), line('reason', shown(record.reason))),
+          refusals(record.refused, true)];
+}
+
+function applicationFields(record) {
+  const types = record.types ?? {};
+  const part = (name) => line(name, h('span', {class: 'term'}, shown(record[name])), types[name] && h('span', {class: 'type'}, ` : ${types[name]}`));
+  return h('dl', {}, part('function'), part('argument'), part('result'), record.rule && line('raised by', record.rule));
+}
+
+// Whatever the log says, field by field: what every kind that has no view of its own gets.
+function plainFields(record) {
+  const fields = [];
+  for (const [key, value] of Object.entries(record)) {
+    if (['kind', 'n', 't', 'cause', 'because'].includes(key)) continue;
+    if (key === 'refused' || value === undefined) continue;
+    const long = JSON.stringify(value).length > 2000;
+    fields.push(line(key, long ? `(${JSON.stringify(value).length} letters)` : objectText(value)));
+  }
+  return [h('dl', {}, fields), refusals(record.refused)];
+}
+
+// The sentence above says all there is.
+const nothingMore = () => null;
+
+const views = {transition: transitionFields, application: applicationFields, refusal: refusalFields, utterance: nothingMore, gesture: nothingMore};
+
+export function mountDetails(app) {
+  const {data} = app;
+  const body = h('div', {class: 'record', tabindex: 0, role: 'region', 'aria-label': 'The record in full'});
+  const title = h('span', {class: 'muted'});
+  let asked = -1;
+
+  const to = (n, words) => h('button', {type: 'button', class: 'link to', onclick: () => app.jump(n), title: `#${n}`}, words);
+  const reference = (n) => h('li', {class: `kind-${data.kind(n)}`}, h('span', {class: 'n'}, `#${n}`), ' ',
+    to(n, h('span', {}, h('b', {}, data.kind(n)), ` ${shown(data.label(n))}`)));
+
+  const show = (record, derivation) => {
+    const chain = derivation.chain.slice(1), effects = data.effects(record.n);
+    const applications = derivation.applications.filter((one) => one.n !== record.n);
+    body.replaceChildren(...[
+      h('p', {class: 'sentence'}, h('b', {}, record.kind), ` ${shown(data.label(record.n))}`),
+      (views[record.kind] ?? plainFields)(record),
+      h('h3', {}, 'Why'),
+      chain.length
+        ? h('ol', {class: 'chain', 'data-testid': 'why'}, chain.map((one) => reference(one.n)))
+        : h('p', {class: 'muted'}, 'Nothing else in the log brought this about.'),
+      derivation.inputs.length > 1 && [h('h3', {}, 'Who contributed'), h('ol', {class: 'chain'}, derivation.inputs.map((one) => reference(one.n)))],
+      applications.length > 0 && [h('h3', {}, 'Built from'),
+        h('ol', {class: 'applications', 'data-testid': 'derivation'}, applications.map((one) => h('li', {}, to(one.n, `#${one.n}`), applicationFields(one))))],
+      effects.length > 0 && [h('h3', {}, 'What came of it'), h('ol', {class: 'chain'}, effects.map(reference))],
+    ].flat(Infinity).filter(Boolean));
+    body.scrollTop = 0;
+  };
+
+  return {
+    element: panel('details', 'Record', title, body),
+    async render({n}) {
+      if (asked === n) return;
+      asked = n;
+      title.textContent = `#${n} at ${seconds(data.t[n])}`;
+      try {
+        const [record, derivation] = await Promise.all([app.client.record(n), app.client.derivation(n)]);
+        if (asked === n) show(record, derivation);
+      } catch (problem) {
+        if (asked === n) body.replaceChildren(h('p', {class: 'trouble'}, problem.message));
+      }
+    },
+  };
+}

@@ -1,0 +1,188 @@
+// The automaton: its states and transitions, how often each was used, and where it stands.
+import {h, s, panel, shown, counted} from '../dom.js';
+import {mergedGraph, layOut} from '../graph_layout.js';
+
+const head_px = 6;
+
+const path = (points) => {
+  if (points.length < 3) return `M${points.map(({x, y}) => `${x} ${y}`).join('L')}`;
+  // Through the middles of the inner stretches, bending at the points between.
+  let d = `M${points[0].x} ${points[0].y}`;
+  for (let i = 1; i < points.length - 1; ++i) {
+    const last = i === points.length - 2;
+    const end = last ? points[i + 1] : {x: (points[i].x + points[i + 1].x) / 2, y: (points[i].y + points[i + 1].y) / 2};
+    d += `Q${points[i].x} ${points[i].y} ${end.x} ${end.y}`;
+  }
+  return d;
+};
+
+const loopPath = ([a, b, c, d]) => `M${a.x} ${a.y}C${b.x} ${b.y} ${c.x} ${c.y} ${d.x} ${d.y}`;
+
+/** The place at this part of the way along. Less than half, so that the counts of an edge and its reverse keep apart. */
+function along(points, part) {
+  const lengths = points.slice(1).map((point, i) => Math.hypot(point.x - points[i].x, point.y - points[i].y));
+  let left = lengths.reduce((sum, length) => sum + length, 0) * part;
+  for (let i = 0; i < lengths.length; left -= lengths[i++]) {
+    if (left > lengths[i]) continue;
+    const share = lengths[i] ? left / lengths[i] : 0;
+    return {x: points[i].x + (points[i + 1].x - points[i].x) * share, y: points[i].y + (points[i + 1].y - points[i].y) * share};
+  }
+  return points.at(-1);
+}
+
+function arrowHead(points) {
+  const end = points.at(-1), before = points.at(-2);
+  const angle = Math.atan2(end.y - before.y, end.x - before.x);
+  const at = (turn) => `${end.x - head_px * Math.cos(angle + turn)} ${end.y - head_px * Math.sin(angle + turn)}`;
+  return `M${end.x} ${end.y}L${at(0.42)}L${at(-0.42)}Z`;
+}
+
+const rowText = (row) => `${row.id}: ${row.input ?? 'ε'}${row.condition ? `, ${shown(row.condition)}` : ''} / ${shown(row.operation)}` +
+  (row.visits ? `, ${counted(row.visits, 'time')}` : ', never taken');
+
+export function mountGraph(app) {
+  const {data} = app;
+  const view = s('g', {});
+  const svg = s('svg', {role: 'group', 'aria-label': 'State graph', 'data-testid': 'graph'}, view);
+  const only = h('input', {type: 'checkbox', checked: true, 'data-testid': 'taken-only', onchange: () => build()});
+  const larger = h('button', {type: 'button', 'aria-pressed': 'false', title: 'Larger or smaller (G)', onclick: () => enlarge()}, 'Enlarge');
+  const element = panel('graph', 'State graph', [
+    h('span', {class: 'muted', 'data-testid': 'graph-count'}),
+    h('label', {}, only, 'taken only'),
+    h('button', {type: 'button', title: 'Fit into the panel (F)', onclick: () => fit()}, 'Fit'), larger], h('div', {class: 'canvas'}, svg));
+  const host = element.querySelector('.canvas');
+  let placed = null, nodes = new Map(), edges = new Map(), lit = [], shown_n = 0;
+  let view_x = 0, view_y = 0, scale = 1, fitted = true;
+
+  const transform = () => view.setAttribute('transform', `translate(${view_x} ${view_y}) scale(${scale})`);
+  const fit = () => {
+    if (!placed || !host.clientWidth) return;
+    scale = Math.min(host.clientWidth / placed.width, host.clientHeight / placed.height, 1.6);
+    view_x = (host.clientWidth - placed.width * scale) / 2;
+    view_y = (host.clientHeight - placed.height * scale) / 2;
+    fitted = true;
+    transform();
+  };
+  const enlarge = () => {
+    const on = element.classList.toggle('enlarged');
+    larger.setAttribute('aria-pressed', String(on));
+    larger.textContent = on ? 'Reduce' : 'Enlarge';
+    build();
+  };
+
+  // The next time after the cursor that the automaton entered this state, from the start again after the last.
+  const nextVisit = (id) => {
+    const {n, to} = data.steps;
+    const from = data.step(app.model.selection.n) + 1;
+    for (let i = 0; i < n.length; ++i) {
+      const place = (from + i) % n.length;
+      if (to[place] === id) return n[place];
+    }
+    return null;
+  };
+
+  const drawEdge = (edge) => {
+    const loop = edge.from === edge.to;
+    const points = edge.points;
+    const middle = loop ? {x: points[2].x + 4, y: points[1].y + 6} : along(points, 0.4);
+    const width = edge.visits ? 1.2 + Math.min(3, Math.log10(edge.visits) * 1.1) : 0.8;
+    const group = s('g', {class: `edge ${edge.visits ? 'taken' : 'never'}`, role: 'img',
+        'aria-label': `${edge.from} to ${edge.to}, ${counted(edge.visits, 'time')}`},
+      s('title', {}, `${edge.from} → ${edge.to}\n${edge.rows.map(rowText).join('\n')}`),
+      s('path', {class: 'hit', d: loop ? loopPath(points) : path(points)}),
+      s('path', {class: 'stroke', d: loop ? loopPath(points) : path(points), 'stroke-width': width}),
+      s('path', {class: 'head', d: arrowHead(points)}),
+      edge.visits > 0 && s('text', {class: 'count', x: middle.x, y: middle.y + 3, 'text-anchor': loop ? 'start' : 'middle'}, edge.visits));
+    return group;
+  };
+
+  const drawNode = (node) => {
+    const begins = node.id === data.graph.start;
+    const jump = () => { const n = nextVisit(node.id); if (n !== null) app.jump(n); };
+    const top = node.y - (node.lines.length - 1) * 6.5 + 4;
+    return s('g', {class: `node ${node.visits || begins ? 'taken' : 'never'}`, role: node.visits ? 'button' : 'img', tabindex: node.visits ? 0 : null, 'data-state': node.id,
+        'aria-label': `State ${node.id}, entered ${counted(node.visits, 'time')}${node.visits ? '; go to the next' : ''}`,
+        onclick: jump, onkeydown: (event) => { if (event.key === 'Enter' || event.key === ' ') { event.preventDefault(); event.stopPropagation(); jump(); } }},
+      s('title', {}, `${node.id}: entered ${counted(node.visits, 'time')}`),
+      node.accepting && s('rect', {class: 'outer', x: node.x - node.w / 2 - 3, y: node.y - node.h / 2 - 3, width: node.w + 6, height: node.h + 6, rx: 10}),
+      s('rect', {class: 'box', x: node.x - node.w / 2, y: node.y - node.h / 2, width: node.w, height: node.h, rx: 8}),
+      node.lines.map((line, i) => s('text', {x: node.x, y: top + i * 13, 'text-anchor': 'middle'}, line)),
+      begins && s('path', {class: 'begin', d: `M${node.x - node.w / 2 - 9} ${node.y - 5}l8 5l-8 5z`}));
+  };
+
+  const build = () => {
+    const merged = mergedGraph(data.graph, only.checked);
+    placed = layOut(merged, Math.max(0.2, host.clientWidth / Math.max(1, host.clientHeight)));
+    edges = new Map(placed.edges.map((edge) => [JSON.stringify([edge.from, edge.to]), drawEdge(edge)]));
+    nodes = new Map(placed.nodes.map((node) => [node.id, drawNode(node)]));
+    const by_use = placed.edges.toSorted((a, b) => a.visits - b.visits);
+    view.replaceChildren(...by_use.map((edge) => edges.get(JSON.stringify([edge.from, edge.to]))), ...nodes.values());
+    element.querySelector('[data-testid=graph-count]').textContent =
+      `${placed.nodes.length} of ${counted(data.graph.states.length, 'state')}, ${data.graph.edges.filter((e) => e.visits).length} of ${counted(data.graph.edges.length, 'transition')} taken`;
+    lit = [];
+    fit();
+    light(shown_n);
+  };
+
+  const light = (n) => {
+    shown_n = n;
+    for (const group of lit) group.classList.remove('current', 'last');
+    lit = [];
+    const step = data.step(n);
+    const node = nodes.get(data.state(n));
+    if (node) { node.classList.add('current'); lit.push(node); }
+    const edge = step >= 0 && edges.get(JSON.stringify([data.steps.from[step], data.steps.to[step]]));
+    if (edge) { edge.classList.add('last'); edge.parentNode.insertBefore(edge, [...nodes.values()][0]); lit.push(edge); }
+    if (!fitted) follow(data.state(n));
+  };
+
+  // Keeps the current state in sight when the reader has zoomed in.
+  const follow = (id) => {
+    const node = placed.nodes.find((one) => one.id === id);
+    if (!node) return;
+    const x = node.x * scale + view_x, y = node.y * scale + view_y, edge_px = 40;
+    if (x < edge_px || x > host.clientWidth - edge_px) view_x += host.clientWidth / 2 - x;
+    if (y < edge_px || y > host.clientHeight - edge_px) view_y += host.clientHeight / 2 - y;
+    transform();
+  };
+
+  svg.addEventListener('wheel', (event) => {
+    event.preventDefault();
+    const box = svg.getBoundingClientRect(), x = event.clientX - box.left, y = event.clientY - box.top;
+    const next = Math.max(0.2, Math.min(4, scale * Math.exp(-event.deltaY * 0.0015)));
+    view_x = x - (x - view_x) * (next / scale);
+    view_y = y - (y - view_y) * (next / scale);
+    scale = next;
+    fitted = false;
+    transform();
+  }, {passive: false});
+  svg.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    let {clientX: x, clientY: y} = event, far = 0;
+    const move = (moved) => {
+      far += Math.abs(moved.clientX - x) + Math.abs(moved.clientY - y);
+      if (far < 4) return;
+      svg.classList.add('dragged');
+      view_x += moved.clientX - x; view_y += moved.clientY - y;
+      x = moved.clientX; y = moved.clientY;
+      fitted = false;
+      transform();
+    };
+    const done = () => {
+      removeEventListener('pointermove', move);
+      setTimeout(() => svg.classList.remove('dragged'));
+    };
+    addEventListener('pointermove', move);
+    addEventListener('pointerup', done, {once: true});
+  });
+  svg.addEventListener('click', (event) => { if (svg.classList.contains('dragged')) event.stopPropagation(); }, true);
+
+  let size = '';
+  new ResizeObserver(() => {
+    const now = `${host.clientWidth}x${host.clientHeight}`;
+    if (now === size) return;
+    size = now;
+    build();
+  }).observe(host);
+  return {element, fit, enlarge, render: ({n}) => { if (placed) light(n); else shown_n = n; }};
+}

@@ -1,0 +1,63 @@
+// The top line: what run this is, how it went, where the cursor stands, and the buttons.
+import {h, s, counted, grouped, seconds} from '../dom.js';
+
+const icons = {
+  first: 'M3 3h2v10H3zM13 3v10L6 8z', back: 'M11 3v10L4 8z', play: 'M4 2.5v11l9-5.5z', pause: 'M4 3h3v10H4zM9 3h3v10H9z',
+  on: 'M5 3v10l7-5z', last: 'M11 3h2v10h-2zM3 3v10l7-5z', theme: 'M8 2a6 6 0 1 0 0 12a6 6 0 1 0 0-12zM8 3.5v9a4.500 4.500 0 0 0 0-9z',
+};
+const icon = (name) => s('svg', {viewBox: '0 0 16 16', width: 14, height: 14, 'aria-hidden': 'true'}, s('path', {d: icons[name], fill: 'currentColor', 'fill-rule': 'evenodd'}));
+
+const speeds = [0.5, 1, 2, 5, 20];
+
+/** "99 utterances, 13 acts, 0 refusals, 503 s" */
+export function verdict(summary) {
+  const parts = [counted(summary.utterances, 'utterance'), counted(summary.acts, 'act'), counted(summary.refusals, 'refusal'),
+                 `${Math.round(summary.duration)} s`];
+  if (summary.problems) parts.push(counted(summary.problems, 'problem'));
+  if (summary.expected) parts.push(summary.met === summary.expected ? `${summary.met} of ${summary.expected} as expected`
+                                                                    : `${summary.expected - summary.met} of ${summary.expected} not as expected`);
+  return parts.join(', ');
+}
+
+export function mountHeader(host, app) {
+  const {data} = app;
+  const bad = data.summary.met < data.summary.expected;
+  const position = h('output', {class: 'position', 'data-testid': 'position'});
+  const button = (label, sign, action, props) =>
+    h('button', {type: 'button', title: label, 'aria-label': label, onclick: action, ...props}, sign);
+  const play = button('Play (Space)', icon('play'), () => app.play(), {'data-testid': 'play', 'aria-pressed': 'false'});
+  const speed = h('select', {'aria-label': 'Speed', title: 'Speed', onchange: () => { app.speed = Number(speed.value); }},
+    speeds.map((value) => h('option', {value, selected: value === app.speed}, `${value}×`)));
+  const linked = button('Copy a link to this instant (L)', 'Link', async () => {
+    linked.textContent = await app.copyLink() ? 'Copied' : 'Link';
+    setTimeout(() => { linked.textContent = 'Link'; }, 1200);
+  }, {'data-testid': 'link'});
+  host.replaceChildren(
+    h('a', {class: 'brand', href: '/', title: 'All runs', onclick: (event) => { event.preventDefault(); app.openRun(null); }},
+      h('img', {src: '/icon.svg', alt: 'All runs', width: 22, height: 22})),
+    h('div', {class: 'what'},
+      h('h1', {title: data.summary.id}, data.summary.trace || data.summary.id),
+      h('p', {class: bad ? 'verdict bad' : 'verdict', 'data-testid': 'verdict'}, `${bad ? '✘' : '✔'} ${verdict(data.summary)}`,
+        data.summary.trouble && h('span', {class: 'badge warn', title: data.summary.trouble, 'data-testid': 'trouble'}, 'cut short'))),
+    h('p', {class: 'with'}, `${data.summary.machine} · ${data.summary.scene}`),
+    position,
+    h('div', {class: 'transport', role: 'group', 'aria-label': 'Move through the run'},
+      button('First (Home)', icon('first'), () => app.jump(0)),
+      button('Back (←)', icon('back'), () => app.stepBy(-1), {'data-testid': 'back'}),
+      play,
+      button('On (→)', icon('on'), () => app.stepBy(1), {'data-testid': 'on'}),
+      button('Last (End)', icon('last'), () => app.jump(data.size - 1)),
+      speed),
+    h('div', {class: 'transport'},
+      linked,
+      button('Light or dark (T)', icon('theme'), () => app.toggleTheme(), {'data-testid': 'theme'}),
+      button('Keys (?)', '?', () => app.help(), {'data-testid': 'help'})));
+  return {
+    render({n}) {
+      position.replaceChildren(h('b', {}, seconds(data.t[n])), ` #${grouped(n)} of ${grouped(data.size - 1)}`,
+        h('span', {class: 'state'}, data.state(n) ?? ''));
+      play.replaceChildren(icon(app.playing ? 'pause' : 'play'));
+      play.setAttribute('aria-pressed', String(app.playing));
+    },
+  };
+}
