@@ -9,16 +9,18 @@
 
 #include "core/located_json.h"
 #include "replay/commands/command.h"
+#include "replay/commands/export.h"
 #include "replay/commands/import.h"
+#include "replay/commands/replay.h"
+#include "replay/commands/serve.h"
 #include "replay/commands/validate.h"
 #include "replay/version.h"
 
 namespace continua {
 namespace {
 
-constexpr std::array<AddCommand, 2> commands = {
-    add_import_command,
-    add_validate_command,
+constexpr std::array commands = {
+    add_replay_command, add_serve_command, add_export_command, add_import_command, add_validate_command,
 };
 
 // What is wrong with the arguments, in one sentence.

@@ -3,9 +3,17 @@
 
 #include <string>
 
+#include "core/located_json.h"
+
 namespace continua {
 
 /// The program's version and those of the libraries a run depends on, one a line, without a newline at the end.
 std::string version_text();
+
+/// The program's own version.
+std::string program_version();
+
+/// What physics may depend on: a run's poses are comparable byte for byte only under the same fingerprint (RUNLOG.md).
+Json fingerprint();
 
 }  // namespace continua

@@ -15,6 +15,10 @@ void report(const Error& error) {
   fmt::print(stderr, "continua: {}\n", line);
 }
 
+std::string counted(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 Outcome write_file(const std::string& path, const std::string& content) {
   if (path == "-") {
     const bool written = std::fwrite(content.data(), 1, content.size(), stdout) == content.size();

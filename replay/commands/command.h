@@ -28,6 +28,9 @@ using AddCommand = void (*)(CLI::App& program, Run& run);
 /// "continua: where: sentence" on standard error, on one line.
 void report(const Error& error);
 
+/// "1 event", "2 events".
+std::string counted(std::size_t count, const std::string& noun);
+
 /// Writes a whole file. "-" is standard output.
 Outcome write_file(const std::string& path, const std::string& content);
 

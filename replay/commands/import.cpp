@@ -81,10 +81,9 @@ int run_import(const ImportOptions& options) {
     count(*trace, counts);
   }
   if (counts.traces > 0)
-    fmt::print(options.output == "-" ? stderr : stdout,
-               "imported {} log{}: {} events ({} inputs, {} observed), {} note{}\n", counts.traces,
-               counts.traces == 1 ? "" : "s", counts.events, counts.inputs, counts.observed, counts.notes,
-               counts.notes == 1 ? "" : "s");
+    fmt::print(options.output == "-" ? stderr : stdout, "imported {}: {} ({}, {} observed), {}\n",
+               counted(counts.traces, "log"), counted(counts.events, "event"), counted(counts.inputs, "input"),
+               counts.observed, counted(counts.notes, "note"));
   return status;
 }
 

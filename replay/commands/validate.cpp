@@ -29,7 +29,7 @@ bool begins_with_kind(std::string_view text, const char* kind) {
 
 FileCheck check_trace(std::string_view text, const std::string& path) {
   const auto reading = read_whole_trace(text, path);
-  FileCheck check{reading.problems, {}, fmt::format("trace, {} events", reading.trace.events.size())};
+  FileCheck check{reading.problems, {}, "trace, " + counted(reading.trace.events.size(), "event")};
   for (const auto& note : reading.trace.notes) check.notes.push_back(continua::text(reading.trace, note));
   return check;
 }
@@ -37,7 +37,7 @@ FileCheck check_trace(std::string_view text, const std::string& path) {
 FileCheck check_run(std::string_view, const std::string& path) {
   const auto run = RunIndex::open(path);
   if (!run) return {{run.error()}, {}, ""};
-  FileCheck check{{}, {}, fmt::format("run log, {} records", run->size())};
+  FileCheck check{{}, {}, "run log, " + counted(run->size(), "record")};
   if (!run->trouble().empty()) check.notes.push_back(path + ": " + run->trouble());
   return check;
 }
@@ -45,7 +45,7 @@ FileCheck check_run(std::string_view, const std::string& path) {
 FileCheck check_session(std::string_view text, const std::string& path) {
   const auto trace = import_session_text(text, path);
   if (!trace) return {{trace.error()}, {}, ""};
-  FileCheck check{{}, {}, fmt::format("session log, {} rows", trace->events.size())};
+  FileCheck check{{}, {}, "session log, " + counted(trace->events.size(), "row")};
   for (const auto& note : trace->notes) check.notes.push_back(continua::text(*trace, note));
   return check;
 }

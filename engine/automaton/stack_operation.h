@@ -1,0 +1,26 @@
+// What the operations do to a stack: pure functions of values (semantics §1, Operations).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "automaton/machine.h"
+
+namespace continua {
+
+struct OperationResult {
+  Stack stack;
+  std::vector<Stack> made;  ///< the stack after each symbol that was pushed, in order
+  int next_symbol = 0;
+  std::string trouble;      ///< a sentence, when the operation could not be done as written
+};
+
+/// `contents` are the values of operation.contents, nullopt for the JSON null; lists of values for …_each.
+OperationResult apply_operation(const Operation& operation, const std::vector<std::optional<Cell>>& contents,
+                                const Machine& machine, const Configuration& before);
+
+/// The symbol at the bottom of every stack: each slot empty.
+Symbol bottom_symbol(const Machine& machine);
+
+}  // namespace continua

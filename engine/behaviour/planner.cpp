@@ -1,0 +1,103 @@
+#include "behaviour/planner.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "term/term_text.h"
+
+namespace continua {
+namespace {
+
+// How far a lifted object rises: clear of what stands beside it, low enough for the arm everywhere on the table.
+constexpr double lift_height_m = 0.1;
+
+// The body's programs and what they take: a thing, a place, or either.
+enum class Takes { thing, thing_and_goal, thing_or_place, last_is_thing_or_place };
+struct Program {
+  std::string_view name;
+  Capability what;
+  Takes takes;
+};
+constexpr std::array programs = {
+    Program{"grasp", Capability::grasp, Takes::thing},
+    Program{"lift", Capability::lift, Takes::thing},
+    Program{"ungrasp", Capability::ungrasp, Takes::thing},
+    Program{"put", Capability::put, Takes::thing_and_goal},
+    Program{"slide", Capability::slide, Takes::thing_and_goal},
+    Program{"reach", Capability::reach, Takes::thing_or_place},
+    Program{"look_at", Capability::look, Takes::thing_or_place},
+    Program{"point", Capability::point, Takes::last_is_thing_or_place},
+};
+
+struct Side {
+  std::string_view name;
+  Goal::Relation avatars, humans;
+};
+constexpr std::array sides = {
+    Side{"on", Goal::Relation::on, Goal::Relation::on},
+    Side{"left", Goal::Relation::left_of, Goal::Relation::right_of},
+    Side{"right", Goal::Relation::right_of, Goal::Relation::left_of},
+    Side{"in_front", Goal::Relation::in_front_of, Goal::Relation::behind},
+    Side{"behind", Goal::Relation::behind, Goal::Relation::in_front_of},
+};
+
+bool is_thing(const Term& term) { return term.kind() == Term::Kind::constant && term.type() == Type::entity(); }
+
+// The first place in a term: itself, or inside it.
+std::optional<Vec3> place_in(const Term& term) {
+  if (term.kind() == Term::Kind::place) {
+    const auto& place = term.place_value();
+    return Vec3((place.min[0] + place.max[0]) / 2, (place.min[1] + place.max[1]) / 2, (place.min[2] + place.max[2]) / 2);
+  }
+  for (const auto& argument : term.spine().arguments)
+    if (const auto found = place_in(argument)) return found;
+  return std::nullopt;
+}
+
+std::optional<Goal> goal_of(const Term& term, Perspective perspective) {
+  const auto [head, arguments] = term.spine();
+  if (head.kind() == Term::Kind::constant && arguments.size() == 1 && is_thing(arguments[0]))
+    for (const auto& side : sides)
+      if (side.name == head.name())
+        return Goal{perspective == Perspective::avatar ? side.avatars : side.humans, arguments[0].name(), Vec3::Zero()};
+  if (const auto place = place_in(term)) return Goal{Goal::Relation::at, "", *place};
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective) {
+  AvatarCommand command;
+  const auto [head, arguments] = program.spine();
+  const auto known = head.kind() != Term::Kind::constant
+                         ? programs.end()
+                         : std::find_if(programs.begin(), programs.end(), [&](const auto& one) { return one.name == head.name(); });
+  if (known == programs.end()) {
+    if (!gesture) return Error{"", fmt::format("{} is no program that the body can perform", print(program))};
+    command.name = program.kind() == Term::Kind::text ? program.text_value() : print(program);
+    return command;
+  }
+  command.what = known->what;
+  const auto wrong = [&] { return Error{"", fmt::format("{} lacks an object or a place", print(program))}; };
+  const std::size_t count = known->takes == Takes::thing_and_goal || known->takes == Takes::last_is_thing_or_place ? 2 : 1;
+  if (arguments.size() != count) return wrong();
+  if (known->takes == Takes::thing || known->takes == Takes::thing_and_goal) {
+    if (!is_thing(arguments[0])) return wrong();
+    command.object = arguments[0].name();
+    if (known->what == Capability::lift) command.height_m = lift_height_m;
+  } else if (is_thing(arguments.back())) {
+    command.object = arguments.back().name();
+    return command;
+  }
+  if (known->takes != Takes::thing) {
+    const auto goal = goal_of(arguments.back(), perspective);
+    if (!goal) return wrong();
+    command.goal = *goal;
+  }
+  return command;
+}
+
+}  // namespace continua

@@ -1,0 +1,15 @@
+// From a term that names a program (`put(x, on(y))`, `reach(x)`) to what the body is told.
+#pragma once
+
+#include "behaviour/avatar_command.h"
+#include "core/result.h"
+#include "term/term.h"
+#include "world/perspective.h"
+
+namespace continua {
+
+/// The command for a closed program or gesture; `perspective` is whose sides its place terms mean. A term that is no program of the body's is a signal of that name when
+/// `gesture`, otherwise an error whose sentence says what is wrong with it.
+Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective);
+
+}  // namespace continua

@@ -1,0 +1,174 @@
+#include "replay/commands/replay.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <thread>
+
+namespace continua {
+namespace fs = std::filesystem;
+namespace {
+
+// "x.trace.jsonl" and "x.jsonl" give "x.run.jsonl".
+std::string run_name(const std::string& trace) {
+  auto name = fs::path(trace).filename().string();
+  for (const std::string ending : {".trace.jsonl", ".jsonl"})
+    if (name.ends_with(ending)) {
+      name.resize(name.size() - ending.size());
+      break;
+    }
+  return name + ".run.jsonl";
+}
+
+Result<std::vector<std::string>> outputs_of(const ReplayCommandOptions& options) {
+  const auto& output = options.output;
+  const bool folder = output.empty() || options.traces.size() > 1 || output.ends_with('/') || fs::is_directory(output);
+  if (output == "-" && options.traces.size() > 1) return Error{"-", "takes one run log; expected a folder for several traces"};
+  std::error_code problem;
+  if (folder && !output.empty()) fs::create_directories(output, problem);
+  if (problem || (folder && !output.empty() && !fs::is_directory(output)))
+    return Error{output, "is no folder and cannot become one; several traces need a folder"};
+  std::vector<std::string> outputs;
+  std::map<std::string, std::string> trace_of;
+  for (const auto& trace : options.traces) {
+    const auto path = folder ? (fs::path(output) / run_name(trace)).string() : output;
+    const auto [other, fresh] = trace_of.emplace(path, trace);
+    if (!fresh) return Error{trace, fmt::format("would be written to {}, as would {}", path, other->second)};
+    if (fs::exists(path) && fs::exists(trace) && fs::equivalent(path, trace)) return Error{trace, "is also the output; expected another file"};
+    outputs.push_back(path);
+  }
+  return outputs;
+}
+
+std::string line_of(const std::string& trace, const ReplaySummary& summary, const std::string& output) {
+  const auto optional = [](int count, const char* what) { return count ? fmt::format(", {} {}", count, what) : std::string(); };
+  return fmt::format("{}: {:.1f} s, {} inputs, {} utterances, {} of {} acts done, {} inputs refused{}{} -> {}", fs::path(trace).filename().string(),
+                     summary.end.seconds(), summary.inputs, summary.utterances, summary.acts_done, summary.acts, summary.refusals,
+                     summary.expectations ? fmt::format(", {} of {} expectations met", summary.expectations_met, summary.expectations) : "",
+                     optional(summary.problems, "problems"), output);
+}
+
+// Several replays at once, and what they tell of themselves; lines come out in the order of the traces.
+class Batch {
+ public:
+  Batch(const ReplayCommandOptions& options, std::vector<std::string> outputs)
+      : options_(options), outputs_(std::move(outputs)), lines_(options.traces.size()), done_(options.traces.size(), 0.0) {}
+
+  int run() {
+    std::vector<std::thread> threads;
+    const auto count = std::min<std::size_t>(static_cast<std::size_t>(std::max(1, options_.jobs)), options_.traces.size());
+    for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
+    work();
+    for (auto& thread : threads) thread.join();
+    return status_;
+  }
+
+ private:
+  void work() {
+    for (std::size_t i = next_++; i < options_.traces.size(); i = next_++) one(i);
+  }
+
+  void one(std::size_t index) {
+    const auto& trace = options_.traces[index];
+    auto options = options_.replay;
+    if (isatty(STDERR_FILENO)) options.progress = [this, index](double done) { show_progress(index, done); };
+    const auto& output = outputs_[index];
+    // The log is made beside its place and moved there when it is whole enough to have begun.
+    Result<ReplaySummary> summary = Error{};
+    if (output == "-") {
+      summary = replay(trace, options, std::cout);
+    } else {
+      std::ofstream file(output, std::ios::binary);
+      if (!file) return finish(index, Error{output, "cannot be written; expected a writable file"}, output);
+      summary = replay(trace, options, file);
+      file.close();
+      std::error_code ignored;
+      if (!summary) fs::remove(output, ignored);
+      else if (!file) summary = Error{output, "could not be written to its end"};
+    }
+    finish(index, summary, output);
+  }
+
+  void finish(std::size_t index, const Result<ReplaySummary>& summary, const std::string& output) {
+    const std::lock_guard lock(mutex_);
+    done_[index] = 1;
+    if (!summary) {
+      clear_progress();
+      report(summary.error());
+      status_ = exit_impossible;
+      lines_[index] = "";
+    } else {
+      lines_[index] = line_of(options_.traces[index], *summary, output);
+      if (summary->expectations_met < summary->expectations && status_ == exit_done) status_ = exit_no;
+    }
+    clear_progress();
+    for (; printed_ < lines_.size() && lines_[printed_]; ++printed_)
+      if (!lines_[printed_]->empty()) fmt::print(output == "-" ? stderr : stdout, "{}\n", *lines_[printed_]);
+    std::fflush(stdout);
+  }
+
+  void show_progress(std::size_t index, double done) {
+    const std::lock_guard lock(mutex_);
+    done_[index] = done;
+    double total = 0;
+    for (const double one : done_) total += one;
+    const int percent = static_cast<int>(100 * total / static_cast<double>(done_.size()));
+    if (percent == shown_percent_) return;
+    shown_percent_ = percent;
+    fmt::print(stderr, "\r[{:<40}] {:3} %", std::string(static_cast<std::size_t>(percent * 2 / 5), '='), percent);
+    std::fflush(stderr);
+  }
+
+  void clear_progress() {
+    if (shown_percent_ >= 0) fmt::print(stderr, "\r{:60}\r", "");
+    shown_percent_ = -1;
+  }
+
+  const ReplayCommandOptions& options_;
+  std::vector<std::string> outputs_;
+  std::mutex mutex_;
+  std::vector<std::optional<std::string>> lines_;
+  std::vector<double> done_;
+  std::size_t printed_ = 0;
+  std::atomic<std::size_t> next_ = 0;
+  int shown_percent_ = -1;
+  int status_ = exit_done;
+};
+
+}  // namespace
+
+int run_replay(const ReplayCommandOptions& options) {
+  auto outputs = outputs_of(options);
+  if (!outputs) return report(outputs.error()), exit_impossible;
+  return Batch(options, std::move(*outputs)).run();
+}
+
+void add_replay_command(CLI::App& program, Run& run) {
+  auto* command = program.add_subcommand("replay", "Run traces through the engine and write their run logs");
+  auto options = std::make_shared<ReplayCommandOptions>();
+  command->add_option("TRACE", options->traces, "traces (.jsonl)")->required();
+  command->add_option("-o,--output", options->output, "a run log, a folder, or '-'; otherwise NAME.run.jsonl here");
+  command->add_option("--seed", options->replay.seed, "for draws; otherwise the trace's");
+  auto choice = std::make_shared<std::string>();
+  command->add_option("--choice", *choice, "which of several applicable transitions fires: likeliest, sample or unique; otherwise the machine's")
+      ->check(CLI::IsMember({"likeliest", "sample", "unique"}));
+  command->add_option("--scene", options->replay.scene, "a name or an MJCF file; otherwise the trace's");
+  command->add_option("--machine", options->replay.machine, "a name or a machine file; otherwise the trace's");
+  command->add_option("--knowledge", options->replay.knowledge, "folder of machines, lexicon, voxemes; otherwise the program's");
+  command->add_flag_callback("--no-physics", [options] { options->replay.physics = false; }, "the kinematic world, in which acts succeed at once");
+  command->add_option("-j,--jobs", options->jobs, "how many traces at a time")->check(CLI::Range(1, 256));
+  command->footer("Example: continua replay traces/pilot/*.jsonl -o runs -j 2");
+  command->callback([options, choice, &run] {
+    options->replay.choice = parse_choice(*choice);
+    run = [options] { return run_replay(*options); };
+  });
+}
+
+}  // namespace continua

@@ -1,0 +1,24 @@
+// continua replay: runs traces through the engine and writes their run logs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "replay/commands/command.h"
+#include "replay/session.h"
+
+namespace continua {
+
+struct ReplayCommandOptions {
+  std::vector<std::string> traces;
+  std::string output;  ///< a run log or a folder; empty: NAME.run.jsonl in the current folder; "-": standard output
+  int jobs = 1;
+  ReplayOptions replay;
+};
+
+/// One line for each trace on standard output. exit_no if an expectation of a trace was not met.
+int run_replay(const ReplayCommandOptions& options);
+
+void add_replay_command(CLI::App& program, Run& run);
+
+}  // namespace continua

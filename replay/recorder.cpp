@@ -1,0 +1,226 @@
+#include "replay/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace continua {
+namespace {
+
+double rounded(double value, double steps_per_unit) { return std::round(value * steps_per_unit) / steps_per_unit + 0.0; }
+
+// Metres to a hundredth of a millimetre, quaternions to a millionth.
+Json json_of(const Pose& pose) {
+  Json numbers = Json::array();
+  for (int i = 0; i < 3; ++i) numbers.push_back(rounded(pose.p_WB[i], 1e5));
+  for (const double q : {pose.R_WB.w(), pose.R_WB.x(), pose.R_WB.y(), pose.R_WB.z()}) numbers.push_back(rounded(q, 1e6));
+  return numbers;
+}
+
+Json optional_text(const std::optional<std::string>& text) { return text ? Json(*text) : Json(nullptr); }
+
+bool is_empty(const Term& term) { return term.is_null() || (term.kind() == Term::Kind::list && term.elements().empty()); }
+
+std::string operation_label(const Operation& operation) {
+  const auto source = Json::parse(operation.source);
+  return source.begin().key();
+}
+
+}  // namespace
+
+Json graph_of(const Machine& machine) {
+  Json states = Json::array(), edges = Json::array();
+  for (const auto& state : machine.states) states.push_back({{"id", state.name}, {"accepting", state.accepting}});
+  for (const auto& transition : machine.transitions)
+    for (const auto from : transition.from)
+      edges.push_back({{"id", transition.id},
+                       {"from", machine.states[from].name},
+                       {"to", machine.states[transition.to].name},
+                       {"input", transition.on ? transition.on_text : "ε"},
+                       {"condition", transition.when ? Json(print(*transition.when)) : Json(nullptr)},
+                       {"operation", operation_label(transition.operation)}});
+  return {{"states", std::move(states)}, {"start", machine.states[machine.start].name}, {"edges", std::move(edges)}};
+}
+
+void Recorder::input(const TraceEvent& event, const std::string& symbol) {
+  now_ = event.t;
+  cause_ = std::nullopt;
+  Json fields{{"line", event.line}, {"event", event.json}, {"symbol", symbol}};
+  fields["event"].erase("t");
+  latest_input_ = write("input", fields);
+  cause_ = latest_input_;
+}
+
+void Recorder::observed(const TraceEvent& event, const Observed& observed) {
+  now_ = event.t;
+  cause_ = std::nullopt;
+  write("observed", {{"line", event.line}, {"channel", observed.channel}, {"content", observed.content}});
+}
+
+void Recorder::engine(const std::vector<EngineEvent>& events, SimTime t) {
+  now_ = t;
+  for (const auto& event : events) std::visit([this](const auto& what) { one(what); }, event);
+}
+
+void Recorder::one(const Perceived& perceived) { input_record_[perceived.serial] = latest_input_; }
+
+void Recorder::one(const BeliefChange& change) {
+  write("belief", {{"concept", change.name}, {"value", change.value}, {"was", change.was}});
+}
+
+void Recorder::one(const StepEvent& step) {
+  std::visit([this](const auto& what) { one(what); }, step);
+}
+
+void Recorder::one(const Fired& fired) {
+  const auto& transition = machine_.transitions[fired.transition];
+  Json candidates = Json::array();
+  for (const auto& candidate : fired.candidates)
+    candidates.push_back({{"id", machine_.transitions[candidate.transition].id}, {"weight", candidate.weight}});
+  Json gate;
+  if (fired.gate)
+    gate = {{"state", machine_.states[fired.gate->state].name}, {"condition", fired.gate->condition}, {"passed", fired.gate->passed}};
+  cause_ = write("transition", {{"id", transition.id},
+                                {"from", machine_.states[fired.from].name},
+                                {"to", machine_.states[fired.to].name},
+                                {"input", optional_text(fired.input)},
+                                {"operation", Json::parse(fired.operation->source)},
+                                {"weight", transition.weight},
+                                {"probability", fired.probability},
+                                {"draw", fired.draw ? Json(*fired.draw) : Json(nullptr)},
+                                {"candidates", std::move(candidates)},
+                                {"refused", refusals(fired.refused)},
+                                {"gate", std::move(gate)},
+                                {"stack", fired.stack},
+                                {"depth", fired.depth},
+                                {"margin", std::isfinite(fired.margin) ? Json(fired.margin) : Json(nullptr)}});
+}
+
+void Recorder::one(const MadeSymbol& made) {
+  Json slots = Json::object();
+  for (std::size_t i = 0; i < made.symbol.size(); ++i)
+    if (!is_empty(made.symbol[i].value)) slots[machine_.slots[i].name] = print(made.symbol[i].value);
+  write("symbol", {{"id", made.id}, {"below", made.below ? Json(*made.below) : Json(nullptr)}, {"slots", std::move(slots)}});
+}
+
+void Recorder::one(const Rewrote& rewrote) {
+  write("rewrite", {{"state", machine_.states[rewrote.state].name},
+                    {"operation", Json::parse(rewrote.operation->source)},
+                    {"stack", rewrote.stack},
+                    {"depth", rewrote.depth}});
+}
+
+void Recorder::one(const Applied& applied) {
+  const auto& [function, argument, result, rule] = applied.application;
+  write("application", {{"function", print(function)},
+                        {"argument", print(argument)},
+                        {"result", print(result)},
+                        {"types", {{"function", function.type().text()}, {"argument", argument.type().text()}, {"result", result.type().text()}}},
+                        {"rule", rule.empty() ? Json(nullptr) : Json(rule)},
+                        {"because", inputs(applied.because)}});
+}
+
+void Recorder::one(const Said& said) {
+  last_utterance_ = said.text;
+  write("utterance", {{"text", said.text}, {"because", inputs(said.because)}});
+}
+
+void Recorder::one(const Gestured& gestured) {
+  const int n = write("gesture", {{"gesture", print(gestured.term)}, {"because", inputs(gestured.because)}});
+  pending_ = {0, n, print(gestured.term), true, ActReport::Status::started};
+}
+
+void Recorder::one(const Acted& acted) {
+  last_act_ = print(acted.term);
+  const int number = ++act_count_;
+  const int n = write("act", {{"act", number}, {"program", last_act_}, {"status", "asked"}, {"because", inputs(acted.because)}});
+  pending_ = {number, n, last_act_, false, ActReport::Status::started};
+}
+
+void Recorder::one(const Commanded& commanded) { acts_[commanded.command.id] = pending_; }
+
+void Recorder::one(const Unplanned& unplanned) {
+  log_.write("act", now_, {{"act", pending_.number}, {"program", pending_.program}, {"status", "blocked"}, {"result", {{"reason", unplanned.reason}}}},
+             pending_.record);
+}
+
+void Recorder::one(const Remembered& remembered) {
+  write("memory", {{"register", machine_.memory[remembered.index].name}, {"value", print(remembered.value)}});
+}
+
+void Recorder::one(const RefusedInput& refused) {
+  write("refusal", {{"state", machine_.states[refused.state].name},
+                    {"input", refused.input},
+                    {"reason", refused.reason},
+                    {"refused", refusals(refused.refused)}});
+}
+
+void Recorder::one(const Trouble& trouble) { write("problem", {{"line", nullptr}, {"message", trouble.message}}); }
+
+void Recorder::world(const WorldReport& report) {
+  struct Line {
+    SimTime t;
+    int rank;  // at one instant: poses, acts, rests
+    std::size_t index;
+  };
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < report.poses.size(); ++i) lines.push_back({report.poses[i].t, 0, i});
+  for (std::size_t i = 0; i < report.acts.size(); ++i) lines.push_back({report.acts[i].t, 1, i});
+  for (std::size_t i = 0; i < report.rests.size(); ++i) lines.push_back({report.rests[i].to, 2, i});
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const Line& a, const Line& b) { return std::tie(a.t, a.rank) < std::tie(b.t, b.rank); });
+  for (const auto& line : lines) {
+    if (line.rank == 1) {
+      this->report(report.acts[line.index]);
+    } else if (line.rank == 2) {
+      const auto& rest = report.rests[line.index];
+      log_.write("rest", rest.to, {{"from", rest.from.seconds()}, {"to", rest.to.seconds()}});
+    } else {
+      Json bodies = Json::object();
+      for (const auto& [name, pose] : report.poses[line.index].bodies) bodies[name] = json_of(pose);
+      log_.write("pose", line.t, {{"bodies", std::move(bodies)}});
+    }
+  }
+}
+
+void Recorder::report(const ActReport& report) {
+  const auto found = acts_.find(report.id);
+  if (found == acts_.end()) return;
+  auto& act = found->second;
+  act.status = report.status;
+  if (act.gesture) return;
+  Json fields{{"act", act.number}, {"program", act.program}, {"status", text(report.status)}};
+  if (report.status != ActReport::Status::started) {
+    fields["result"] = {{"position_error_m", rounded(report.position_error_m, 1e5)}};
+    if (!report.reason.empty()) fields["result"]["reason"] = report.reason;
+  }
+  log_.write("act", report.t, fields, act.record);
+}
+
+void Recorder::expectation(const TraceEvent& event, bool met, const Json& found) {
+  now_ = event.t;
+  Json expected = event.json;
+  expected.erase("t");
+  expected.erase("kind");
+  cause_ = std::nullopt;
+  write("expect", {{"line", event.line}, {"met", met}, {"expected", std::move(expected)}, {"found", found}});
+}
+
+void Recorder::problem(std::size_t line, const std::string& message, SimTime t) {
+  log_.write("problem", t, {{"line", line}, {"message", message}});
+}
+
+Json Recorder::refusals(const std::vector<Refused>& refused) const {
+  Json list = Json::array();
+  for (const auto& one : refused) list.push_back({{"id", machine_.transitions[one.transition].id}, {"reason", one.reason}});
+  return list;
+}
+
+Json Recorder::inputs(const std::vector<int>& because) const {
+  Json list = Json::array();
+  for (const int serial : because)
+    if (const auto record = input_record_.find(serial); record != input_record_.end()) list.push_back(record->second);
+  return list;
+}
+
+}  // namespace continua

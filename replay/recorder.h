@@ -1,0 +1,76 @@
+// Turns what the engine and the world did into lines of the run log, with the number of what caused each.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pipeline/pipeline.h"
+#include "replay/run_log.h"
+#include "replay/trace_file.h"
+
+namespace continua {
+
+/// The machine's states and transitions as the header carries them (RUNLOG.md, `graph`).
+Json graph_of(const Machine& machine);
+
+class Recorder {
+ public:
+  /// Both must outlive the recorder.
+  Recorder(RunLog& log, const Machine& machine) : log_(log), machine_(machine) {}
+
+  void input(const TraceEvent& event, const std::string& symbol);
+  void observed(const TraceEvent& event, const Observed& observed);
+  void engine(const std::vector<EngineEvent>& events, SimTime t);
+  /// Acts, poses and rests in order of their times.
+  void world(const WorldReport& report);
+  void expectation(const TraceEvent& event, bool met, const Json& found);
+  void problem(std::size_t line, const std::string& message, SimTime t);
+
+  /// Program and record of an act that was asked for.
+  struct Act {
+    int number = 0;
+    int record = 0;
+    std::string program;
+    bool gesture = false;
+    ActReport::Status status = ActReport::Status::started;
+  };
+  const std::map<int, Act>& acts() const { return acts_; }
+  const std::string& last_utterance() const { return last_utterance_; }
+  const std::string& last_act() const { return last_act_; }
+
+ private:
+  void one(const Perceived& perceived);
+  void one(const BeliefChange& change);
+  void one(const StepEvent& step);
+  void one(const Commanded& commanded);
+  void one(const Unplanned& unplanned);
+  void one(const Fired& fired);
+  void one(const MadeSymbol& made);
+  void one(const Rewrote& rewrote);
+  void one(const Applied& applied);
+  void one(const Said& said);
+  void one(const Gestured& gestured);
+  void one(const Acted& acted);
+  void one(const Remembered& remembered);
+  void one(const RefusedInput& refused);
+  void one(const Trouble& trouble);
+
+  void report(const ActReport& act);
+  Json refusals(const std::vector<Refused>& refused) const;
+  Json inputs(const std::vector<int>& because) const;
+  int write(std::string_view kind, const Json& fields) { return log_.write(kind, now_, fields, cause_); }
+
+  RunLog& log_;
+  const Machine& machine_;
+  SimTime now_;
+  std::optional<int> cause_;      ///< number of the record that brought about the next one
+  std::map<int, int> input_record_;  ///< serial of an input → number of its record
+  int latest_input_ = 0;
+  int act_count_ = 0;
+  Act pending_;                   ///< the act or gesture whose command comes next
+  std::map<int, Act> acts_;       ///< by command
+  std::string last_utterance_, last_act_;
+};
+
+}  // namespace continua

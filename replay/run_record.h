@@ -1,0 +1,26 @@
+// The records of a run log that describe what a run was made of: its first line (RUNLOG.md, `run`).
+#pragma once
+
+#include <string>
+
+#include "core/located_json.h"
+
+namespace continua {
+
+/// What the header of a run log says. Digests are of the files' bytes.
+struct RunHeader {
+  std::string continua_version;
+  std::string trace_name, trace_digest;
+  std::uint64_t seed = 0;
+  std::string choice, world, perspective;
+  Json fingerprint;
+  std::string machine_name, machine_digest;
+  Json machine_document, graph;
+  std::string scene_name, scene_digest, scene_mjcf;
+  Json scene_description;  ///< {"geoms", "bodies"}
+};
+
+/// The fields of the `run` record.
+Json run_fields(const RunHeader& header);
+
+}  // namespace continua

@@ -1,0 +1,205 @@
+#include "replay/session.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "automaton/machine_loader.h"
+#include "behaviour/kinematic_body.h"
+#include "core/digest.h"
+#include "pipeline/pipeline.h"
+#include "replay/data_paths.h"
+#include "replay/expectation.h"
+#include "replay/recorder.h"
+#include "replay/run_record.h"
+#include "replay/trace_file.h"
+#include "replay/version.h"
+#include "simulation/physics_body.h"
+#include "simulation/scene.h"
+
+namespace continua {
+namespace {
+
+// After the last event the world may go on until it rests, but not longer.
+constexpr double longest_tail_s = 30;
+
+struct Loaded {
+  Trace trace;
+  std::shared_ptr<const Machine> machine;
+  Scene scene;
+  std::unique_ptr<Body> body;
+};
+
+std::vector<ObjectOverride> overrides_of(const TraceHeader& header) {
+  std::vector<ObjectOverride> overrides;
+  for (const auto& [name, start] : header.objects) {
+    ObjectOverride one;
+    one.object = name;
+    one.removed = start.removed;
+    if (start.position_W) std::tie(one.x_m, one.y_m, one.z_m) = std::tuple(start.position_W->x(), start.position_W->y(), start.position_W->z());
+    one.yaw = start.yaw_rad;
+    overrides.push_back(std::move(one));
+  }
+  return overrides;
+}
+
+Result<Loaded> load(const std::string& trace_path, const ReplayOptions& options) {
+  auto trace = read_trace(trace_path);
+  if (!trace) return trace.error();
+  const auto data = find_data_paths(options.knowledge);
+  if (!data) return data.error();
+  const auto folder = std::filesystem::path(trace_path).parent_path();
+  const auto header_line = trace_path + ":1";
+
+  const auto& scene_name = options.scene.empty() ? trace->header.scene : options.scene;
+  if (scene_name.empty()) return Error{header_line, "no scene; expected \"scene\" in the trace's header, or --scene"};
+  const auto scene_path = resolve_scene(scene_name, *data, folder, options.scene.empty() ? header_line : "--scene");
+  if (!scene_path) return scene_path.error();
+  auto scene = load_scene(*scene_path, overrides_of(trace->header));
+  if (!scene) return scene.error();
+
+  const auto& machine_name = options.machine.empty() ? trace->header.machine : options.machine;
+  if (machine_name.empty()) return Error{header_line, "no machine; expected \"machine\" in the trace's header, or --machine"};
+  const auto machine_path = resolve_machine(machine_name, *data, folder, options.machine.empty() ? header_line : "--machine");
+  if (!machine_path) return machine_path.error();
+  auto machine = load_machine(*machine_path, Methods::signature());
+  if (!machine) return machine.error();
+
+  std::unique_ptr<Body> body;
+  if (options.physics) {
+    auto physics = PhysicsBody::create(*scene);
+    if (!physics) return physics.error();
+    body = std::move(*physics);
+  } else {
+    body = std::make_unique<KinematicBody>(scene->initial_snapshot());
+  }
+  return Loaded{std::move(*trace), std::make_shared<const Machine>(std::move(*machine)), std::move(*scene), std::move(body)};
+}
+
+// The loop over a trace's events, with all that it carries along.
+class Session {
+ public:
+  Session(const Loaded& loaded, const ReplayOptions& options, std::ostream& out)
+      : loaded_(loaded), options_(options), choice_(options.choice.value_or(loaded.machine->choice)),
+        perspective_(perspective()), seed_(options.seed.value_or(loaded.trace.header.seed)), log_(out),
+        recorder_(log_, *loaded.machine), pipeline_(loaded.machine, choice_, perspective_),
+        state_{{}, Beliefs(loaded.machine->beliefs), Random(seed_), "", 0, 0}, body_(*loaded.body) {}
+
+  ReplaySummary run() {
+    write_header();
+    take(pipeline_.begin(seed_, body_.snapshot()), SimTime{});
+    const auto& events = loaded_.trace.events;
+    for (const auto& note : loaded_.trace.notes) recorder_.problem(note.line, note.sentence, SimTime{});
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      now_ = std::max(now_, events[i].t);
+      recorder_.world(body_.advance(now_));
+      std::visit([&](const auto& what) { take(events[i], what); }, events[i].what);
+      if (options_.progress && i % 64 == 0) options_.progress(static_cast<double>(i) / static_cast<double>(events.size()));
+    }
+    settle();
+    return finish();
+  }
+
+ private:
+  Perspective perspective() const {
+    const auto& machines = loaded_.machine->perspective;
+    if (machines.empty()) return loaded_.trace.header.perspective;
+    return machines == "avatar" ? Perspective::avatar : Perspective::human;
+  }
+
+  void write_header() {
+    RunHeader header;
+    header.continua_version = program_version();
+    header.trace_name = std::filesystem::path(loaded_.trace.name).filename().string();
+    header.trace_digest = loaded_.trace.digest;
+    header.seed = seed_;
+    header.choice = text(choice_);
+    header.world = options_.physics ? "physics" : "kinematic";
+    header.perspective = text(perspective_);
+    header.fingerprint = fingerprint();
+    header.machine_name = loaded_.machine->name;
+    header.machine_digest = digest(loaded_.machine->document);
+    header.machine_document = Json::parse(loaded_.machine->document);
+    header.graph = graph_of(*loaded_.machine);
+    header.scene_name = std::filesystem::path(loaded_.scene.path()).stem().string();
+    header.scene_digest = digest(loaded_.scene.text());
+    header.scene_mjcf = loaded_.scene.text();
+    header.scene_description = loaded_.scene.description();
+    log_.write("run", SimTime{}, run_fields(header));
+  }
+
+  void take(const TraceEvent& event, const InputEvent& input) {
+    ++summary_.inputs;
+    said_since_input_.clear();
+    recorder_.input(event, symbol_of(input));
+    take(pipeline_.tick(state_, input, body_.snapshot()), now_);
+  }
+  void take(const TraceEvent& event, const Observed& observed) { recorder_.observed(event, observed); }
+  void take(const TraceEvent& event, const Expectation& expectation) {
+    const auto checked = check(expectation, {pipeline_.machine(), state_.configuration, body_.snapshot(), said_since_input_, recorder_.last_act()});
+    recorder_.expectation(event, checked.met, checked.found);
+    ++summary_.expectations;
+    summary_.expectations_met += checked.met;
+  }
+  void take(const TraceEvent&, const End&) {}
+  void take(const TraceEvent&, const UnknownKind&) {}
+
+  void take(Tick tick, SimTime t) {
+    recorder_.engine(tick.events, t);
+    for (const auto& event : tick.events) {
+      if (const auto* commanded = std::get_if<Commanded>(&event)) body_.command(commanded->command);
+      if (const auto* step = std::get_if<StepEvent>(&event))
+        if (const auto* said = std::get_if<Said>(step)) said_since_input_.push_back(said->text);
+    }
+    state_ = std::move(tick.after);
+    recorder_.world(body_.advance(t));  // what is done at once is done before the next event
+  }
+
+  // Acts that are under way when the trace ends are still finished.
+  void settle() {
+    const SimTime last = now_ + SimTime::from_seconds(longest_tail_s);
+    while (!body_.at_rest() && now_ < last) {
+      now_ = now_ + SimTime::from_seconds(0.1);
+      recorder_.world(body_.advance(now_));
+    }
+  }
+
+  ReplaySummary finish() {
+    const auto& counts = log_.counts();
+    const auto count = [&](const char* kind) { return counts.contains(kind) ? counts.at(kind) : 0; };
+    summary_.utterances = count("utterance");
+    summary_.refusals = count("refusal");
+    summary_.problems = count("problem");
+    for (const auto& [id, act] : recorder_.acts()) {
+      summary_.acts += !act.gesture;
+      summary_.acts_done += !act.gesture && act.status == ActReport::Status::done;
+    }
+    summary_.end = now_;
+    log_.finish(now_);
+    return summary_;
+  }
+
+  const Loaded& loaded_;
+  const ReplayOptions& options_;
+  Choice choice_;
+  Perspective perspective_;
+  std::uint64_t seed_;
+  RunLog log_;
+  Recorder recorder_;
+  Pipeline pipeline_;
+  EngineState state_;
+  Body& body_;
+  SimTime now_;
+  std::vector<std::string> said_since_input_;
+  ReplaySummary summary_;
+};
+
+}  // namespace
+
+Result<ReplaySummary> replay(const std::string& trace_path, const ReplayOptions& options, std::ostream& log) {
+  auto loaded = load(trace_path, options);
+  if (!loaded) return loaded.error();
+  return Session(*loaded, options, log).run();
+}
+
+}  // namespace continua

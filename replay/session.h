@@ -1,0 +1,36 @@
+// A replay: the only loop there is. Events of a trace go to the engine and time to the world; what both did goes to the log.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <ostream>
+#include <string>
+
+#include "automaton/machine.h"
+#include "core/result.h"
+#include "core/sim_time.h"
+
+namespace continua {
+
+struct ReplayOptions {
+  std::optional<std::uint64_t> seed;  ///< else the trace's
+  std::optional<Choice> choice;       ///< else the machine's
+  std::string scene, machine;         ///< names or paths; empty: the trace's
+  std::string knowledge;              ///< folder; empty: the program's own
+  bool physics = true;                ///< else the kinematic world
+  std::function<void(double done)> progress;  ///< called now and then with the part of the trace that is done
+};
+
+/// What a person wants to know of a run at a glance.
+struct ReplaySummary {
+  SimTime end;
+  int inputs = 0, refusals = 0, utterances = 0, acts = 0, acts_done = 0;
+  int expectations = 0, expectations_met = 0;
+  int problems = 0;
+};
+
+/// Replays the trace and writes its run log. Errors: the trace, its scene or its machine cannot be used; nothing is
+/// written then.
+Result<ReplaySummary> replay(const std::string& trace_path, const ReplayOptions& options, std::ostream& log);
+
+}  // namespace continua

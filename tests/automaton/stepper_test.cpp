@@ -1,0 +1,200 @@
+#include "automaton/stepper.h"
+
+#include "machines.h"
+
+using namespace continua;
+
+namespace {
+
+// The disambiguation loop of the paper's figure: one state, whatever the number of options.
+const std::string disambiguation = R"json({
+  "machine": 1, "name": "disambiguation", "start": "InterpDeixis", "accept": ["Confirmed"],
+  "slots": { "options": "num*", "held": { "type": "num", "persists": true } },
+  "transitions": [
+    { "id": "offer",   "from": "InterpDeixis", "on": "point", "to": "DisambTarget", "push_each": { "options": "reverse(suffixes([1, 2, 3]))" } },
+    { "id": "hold",    "from": "InterpDeixis", "on": "hold",  "to": "InterpDeixis", "push": { "held": "7" } },
+    { "id": "next",    "from": "DisambTarget", "on": "no",  "when": "size(options) > 1", "to": "DisambTarget", "pop": 1 },
+    { "id": "give_up", "from": "DisambTarget", "on": "no",  "when": "size(options) = 1", "to": "InterpDeixis", "flush": {} },
+    { "id": "drop",    "from": "DisambTarget", "on": "drop", "to": "InterpDeixis", "flush": { "held": null } },
+    { "id": "agree",   "from": "DisambTarget", "on": "yes", "to": "Confirmed", "do": [ { "act": "head(options)" }, { "say": "Option {head(options)}." } ] } ] })json";
+
+}  // namespace
+
+TEST_CASE("one state disambiguates between any number of options") {
+  Player player(disambiguation);
+  player.feed("point");
+  CHECK(player.state() == "DisambTarget");
+  CHECK(player.depth() == 4);
+  CHECK(player.slot("options") == "[1, 2, 3]");
+  player.feed("no");
+  CHECK(player.fired() == "next");
+  CHECK(player.slot("options") == "[2, 3]");
+  player.feed("no, no");
+  CHECK(player.fired() == "give_up");
+  CHECK(player.state() == "InterpDeixis");
+  CHECK(player.slot("options") == "[]");
+}
+
+TEST_CASE("yes acts on the option and says so") {
+  Player player(disambiguation);
+  player.feed("point, no, yes");
+  REQUIRE(player.all<Acted>().size() == 1);
+  CHECK(print(player.all<Acted>()[0].term) == "2");
+  CHECK(player.all<Said>()[0].text == "Option 2.");
+}
+
+TEST_CASE("a refused transition tells the first part of its condition that failed, and the value it saw") {
+  Player player(disambiguation);
+  player.feed("point, no");
+  const auto fired = player.all<Fired>().at(0);
+  REQUIRE(fired.refused.size() == 1);
+  CHECK(fired.refused[0].reason == "not size(options) = 1: size(options) is 3");
+}
+
+TEST_CASE("an input that nothing takes is refused and changes nothing") {
+  Player player(disambiguation);
+  player.feed("point");
+  const auto before = player.configuration();
+  player.feed("maybe");
+  REQUIRE(player.all<RefusedInput>().size() == 1);
+  CHECK(player.all<RefusedInput>()[0].reason == "no transition from DisambTarget takes 'maybe'");
+  CHECK(before.same_as(player.configuration()));
+}
+
+TEST_CASE("flush keeps what persists, unless it is cleared too") {
+  CHECK(Player(disambiguation).feed("hold, point, no, no, no").slot("held") == "7");
+  CHECK(Player(disambiguation).feed("hold, point, drop").slot("held") == "null");
+  CHECK(Player(disambiguation).feed("hold, point, drop").depth() == 1);
+}
+
+TEST_CASE("several applicable transitions: likeliest takes the heaviest, ties by file order; unique refuses; sample draws") {
+  const std::string two = R"({"machine":1,"name":"m","start":"A","transitions":[
+    {"id":"light","from":"A","on":"x","to":"B","weight":1},
+    {"id":"heavy","from":"A","on":"x","to":"C","weight":3},
+    {"id":"equal","from":"A","on":"x","to":"D","weight":3}]})";
+  CHECK(Player(two).feed("x").fired() == "heavy");
+  Player unique(two, Choice::unique);
+  unique.feed("x");
+  CHECK(unique.state() == "A");
+  CHECK(unique.all<RefusedInput>().at(0).reason == "more than one transition applies: light, heavy, equal");
+  int light = 0;
+  for (std::uint64_t seed = 0; seed < 700; ++seed) {
+    Player sample(two, Choice::sample, seed);
+    light += sample.feed("x").fired() == "light";
+    REQUIRE(sample.all<Fired>().at(0).draw.has_value());
+  }
+  CHECK(light > 60);   // a seventh of 700 is 100
+  CHECK(light < 140);
+}
+
+TEST_CASE("pop_until goes back to the previous entry of a state, and is flush where it was never entered") {
+  const std::string text = R"({"machine":1,"name":"m","start":"S","slots":{"n":"num"},"transitions":[
+    {"id":"a","from":"*","on":"a","to":"A","push":{"n":"1"}},
+    {"id":"b","from":"*","on":"b","to":"B","push":{"n":"2"}},
+    {"id":"back","from":"*","on":"back","to":"C","pop_until":"A"}]})";
+  Player known(text);
+  known.feed("a, b, b, back");
+  CHECK(known.depth() == 2);
+  CHECK(known.slot("n") == "1");
+  Player never(text);
+  never.feed("b, b, back");
+  CHECK(never.depth() == 1);
+  CHECK(never.slot("n") == "null");
+}
+
+TEST_CASE("the bottom symbol stays, however often it is popped") {
+  Player player(R"({"machine":1,"name":"m","start":"A","slots":{"n":"num"},"transitions":[{"id":"p","from":"A","on":"x","to":"A","pop":3}]})");
+  CHECK(player.feed("x, x").depth() == 1);
+}
+
+TEST_CASE("a rewrite replaces the top, then ε-transitions are tried; an empty list exposes what is below") {
+  const std::string text = R"json({"machine":1,"name":"m","start":"A","epsilon":"after_rewrite","slots":{"n":"num","m":"num"},
+    "states":{"B":{"enter":[{"rewrite":{"n":"n + 1"}},{"say":"never said"}]},"E":{"enter":[{"rewrite_each":{"n":"[]"}}]}},
+    "transitions":[
+    {"id":"b","from":"A","on":"b","to":"B","push":{"n":"1","m":"5"}},
+    {"id":"on","from":"B","on":null,"when":"n = 2","to":"C"},
+    {"id":"e","from":"A","on":"e","to":"E","push":{"n":"9"}},
+    {"id":"not_yet","from":"A","on":null,"to":"C"}]})json";
+  Player player(text);
+  CHECK(player.state() == "A");  // no rewrite, no ε-transition
+  player.feed("b");
+  CHECK(player.fired() == "b on");
+  CHECK(player.slot("n") == "2");
+  CHECK(player.slot("m") == "5");
+  CHECK(player.depth() == 2);
+  CHECK(player.all<Said>().empty());
+  Player empty(text);
+  CHECK(empty.feed("e").depth() == 1);
+  CHECK(empty.slot("n") == "null");
+}
+
+TEST_CASE("where the machine says so, a slot that a rewrite leaves null shows the symbol below, unless it was cleared") {
+  const auto text = [](const char* rewrite) {
+    return std::string(R"({"machine":1,"name":"m","start":"A","rewrite_below":true,"epsilon":"after_rewrite","slots":{"n":"num","m":"num"},"transitions":[
+      {"id":"a","from":"A","on":"a","to":"A","push":{"n":"1","m":"2"}},
+      {"id":"b","from":"A","on":"b","to":"A","push":{"n":null,"m":null}},
+      {"id":"c","from":"A","on":"c","to":"A","rewrite":)") + rewrite + "}]}";
+  };
+  CHECK(Player(text(R"({"m":"3"})")).feed("a, b, c").slot("n") == "1");
+  CHECK(Player(text(R"({"m":"3","n":null})")).feed("a, b, c").slot("n") == "null");
+  CHECK(Player(text(R"json({"m":"head([])"})json")).feed("a, b, c").slot("m") == "2");
+}
+
+TEST_CASE("a gate that does not hold leads elsewhere, with its own operation") {
+  Player player(R"json({"machine":1,"name":"m","start":"A","slots":{"n":"num"},
+    "beliefs":{"concepts":{"p":{"word":"pointing"}},"evidence":[{"inputs":["p"],"concepts":["p"],"levels":[0.5,1]}],"overheard":0.8},
+    "states":{"B":{"gate":{"when":"certainty(input) > 0.5","else":"Ask","push":{"n":"4"}},"enter":[{"say":"in B"}]},"Ask":{"enter":[{"say":"Are you pointing?"}]}},
+    "transitions":[{"id":"b","from":"A","on":"p","to":"B","push":{"n":"1"},"do":[{"act":"1"}]},{"id":"again","from":"Ask","on":"p","to":"B"}]})json");
+  player.beliefs().raise("p");
+  player.feed("p");
+  CHECK(player.state() == "Ask");
+  CHECK(player.slot("n") == "4");
+  CHECK(player.all<Acted>().empty());
+  CHECK_FALSE(player.all<Fired>().at(0).gate->passed);
+  player.beliefs().overhear("Are you Pointing?");
+  player.feed("p");
+  CHECK(player.state() == "B");
+}
+
+TEST_CASE("an ε-cycle that changes nothing is told with its path; one that grows ends") {
+  Player still(R"({"machine":1,"name":"m","start":"S","transitions":[{"id":"in","from":"S","on":"x","to":"A"},{"id":"ab","from":"A","on":null,"to":"B"},{"id":"ba","from":"B","on":null,"to":"A"}]})");
+  still.feed("x");
+  REQUIRE(still.all<Trouble>().size() == 1);
+  CHECK(still.all<Trouble>()[0].message == "an ε-cycle that changes nothing: ab, ba");
+  Player growing(R"({"machine":1,"name":"m","start":"S","slots":{"n":"num"},"transitions":[{"id":"in","from":"S","on":"x","to":"A"},{"id":"grow","from":"A","on":null,"to":"A","push":{}}]})");
+  growing.feed("x");
+  CHECK(growing.all<Trouble>().size() == 1);
+}
+
+TEST_CASE("a continuation that is filled later is a record that names the inputs it came from") {
+  Player player(R"json({"machine":1,"name":"m","start":"A","programs":{"put":"num -> num -> t"},"slots":{"action":"term","goal":"num"},"transitions":[
+    {"id":"open","from":"A","on":"put","to":"A","push":{"action":"\\x. put(x, 3)"}},
+    {"id":"other","from":"A","on":"other","to":"A"},
+    {"id":"fill","from":"A","on":"this","to":"B","push":{"action":"fill(action, x(target))"}}]})json");
+  player.feed("put, other, this");
+  const auto applied = player.all<Applied>();
+  REQUIRE(applied.size() == 1);
+  CHECK(print(applied[0].application.function) == "\\x. put(x, 3)");
+  CHECK(print(applied[0].application.result) == "put(3, 3)");
+  CHECK(applied[0].because == std::vector<int>{1, 3});
+  CHECK(player.slot("action") == "put(3, 3)");
+}
+
+TEST_CASE("registers are remembered beside the stack, all at once") {
+  Player player(R"({"machine":1,"name":"m","start":"A","memory":{"a":{"type":"num","initial":"1"},"b":{"type":"num"}},
+    "transitions":[{"id":"s","from":"A","on":"x","to":"A","do":[{"remember":{"a":"a + 1","b":"a"}}]}]})");
+  player.feed("x, x");
+  CHECK(print(player.configuration().memory[0].value) == "3");
+  CHECK(print(player.configuration().memory[1].value) == "2");
+}
+
+TEST_CASE("wordings put a term into words by its shape") {
+  Player player(R"json({"machine":1,"name":"m","start":"A","programs":{"put":"num -> num -> t","on":"num -> num"},"slots":{"a":"t"},
+    "wordings":[{"of":"\\x. put(x, x)","say":"put {x} on itself"},{"of":"\\x y. put(x, on(y))","when":"x > 1","say":"put {x} on {y}"}],
+    "states":{"A":{"enter":[{"say":"Should I {wording(a)}?"}]}},
+    "transitions":[{"id":"1","from":"A","on":"one","to":"A","push":{"a":"put(2, on(3))"}},{"id":"2","from":"A","on":"two","to":"A","push":{"a":"put(2, 2)"}},
+      {"id":"3","from":"A","on":"three","to":"A","push":{"a":"put(1, on(3))"}}]})json");
+  CHECK(player.feed("one").all<Said>().at(0).text == "Should I put 2 on 3?");
+  CHECK(player.feed("two").all<Said>().at(0).text == "Should I put 2 on itself?");
+  CHECK(player.feed("three").all<Said>().empty());
+}

@@ -1,0 +1,61 @@
+#include "behaviour/planner.h"
+
+#include "support/catch.h"
+#include "term/term_text.h"
+
+using namespace continua;
+
+namespace {
+
+const Signature& names() {
+  static const Signature all = [] {
+    Signature names = core_signature();
+    const auto type = [](const char* text) { return *Type::parse(text); };
+    for (const char* object : {"block1", "block2"}) names.emplace(object, Type::entity());
+    for (const char* program : {"grasp", "ungrasp", "lift", "shine"}) names.emplace(program, type("e -> t"));
+    for (const char* program : {"put", "slide"}) names.emplace(program, type("e -> loc -> t"));
+    for (const char* side : {"on", "left", "in_front"}) names.emplace(side, type("e -> loc"));
+    names.emplace("reach", type("term -> t"));
+    names.emplace("look_at", type("term -> t"));
+    names.emplace("point", type("e -> loc -> t"));
+    names.emplace("rHand", Type::entity());
+    names.emplace("near", type("text -> loc -> loc"));
+    return names;
+  }();
+  return all;
+}
+
+std::string planned(const std::string& text, bool gesture = false, Perspective perspective = Perspective::avatar) {
+  const auto term = parse_term(text, names());
+  if (!term) return term.error().text();
+  const auto command = plan(*term, gesture, perspective);
+  if (!command) return command.error().sentence;
+  const auto& goal = command->goal;
+  return continua::text(command->what) + " [" + command->object + "] " + continua::text(goal.relation) + " [" + goal.landmark + "] " +
+         print(Term::point(goal.p_WG.x(), goal.p_WG.y(), goal.p_WG.z())) + (command->name.empty() ? "" : " '" + command->name + "'");
+}
+
+}  // namespace
+
+TEST_CASE("programs become commands of the body") {
+  CHECK(planned("grasp(block1)") == "grasp [block1] at [] <0, 0, 0>");
+  CHECK(planned("put(block1, on(block2))") == "put [block1] on [block2] <0, 0, 0>");
+  CHECK(planned("put(block1, <0.1, 0.2, 0>)") == "put [block1] at [] <0.1, 0.2, 0>");
+  CHECK(planned("put(block1, near('x', <0.1, 0.2, 0>))") == "put [block1] at [] <0.1, 0.2, 0>");
+  CHECK(planned("reach(block1)", true) == "reach [block1] at [] <0, 0, 0>");
+  CHECK(planned("reach(<0.1, 0, 0>)", true) == "reach [] at [] <0.1, 0, 0>");
+  CHECK(planned("point(rHand, <0.1, 0, 0>)", true) == "point [] at [] <0.1, 0, 0>");
+}
+
+TEST_CASE("sides are the speaker's whose perspective it is") {
+  CHECK(planned("slide(block1, left(block2))") == "slide [block1] left [block2] <0, 0, 0>");
+  CHECK(planned("slide(block1, left(block2))", false, Perspective::human) == "slide [block1] right [block2] <0, 0, 0>");
+  CHECK(planned("put(block1, in_front(block2))", false, Perspective::human) == "put [block1] behind [block2] <0, 0, 0>");
+}
+
+TEST_CASE("a gesture without a motion of its own is a signal; an act without a program is an error") {
+  CHECK(planned("shine(block1)", true) == "signal [] at [] <0, 0, 0> 'shine(block1)'");
+  CHECK(planned("'HEAD_NOD'", true) == "signal [] at [] <0, 0, 0> 'HEAD_NOD'");
+  CHECK(planned("shine(block1)") == "shine(block1) is no program that the body can perform");
+  CHECK(planned("\\x. grasp(x)") == "\\x. grasp(x) is no program that the body can perform");
+}

@@ -1,0 +1,113 @@
+#include "pipeline/pipeline.h"
+
+#include "automaton/machine_loader.h"
+#include "support/catch.h"
+
+using namespace continua;
+
+namespace {
+
+const char* machine_text = R"json({
+  "machine": 1, "name": "m", "start": "Wait", "choice": "unique", "minimum_confidence": 0.5, "repeat_utterances": false,
+  "programs": { "grasp": "e -> t", "reach": "e -> t", "fly": "e -> t" },
+  "slots": { "indicated": "e" },
+  "inputs": { "POINT": ["gesture right point start"] },
+  "beliefs": { "concepts": { "point": {}, "this": { "word": "this" } },
+    "evidence": [ { "inputs": ["POINT"], "concepts": ["point"], "levels": [0.5, 1] } ],
+    "answers": [ { "inputs": ["speech no"], "about": "'gesture right point start'", "set": 0 } ], "overheard": 0.5 },
+  "define": { "nearest": "head(sort_by(scene, \\x. distance(position(x), target)))" },
+  "states": { "Asked": { "enter": [ { "say": "This?" }, { "gesture": "reach(indicated)" } ] } },
+  "transitions": [
+    { "id": "point", "from": ["Wait", "Asked"], "on": "POINT", "to": "Asked", "push": { "indicated": "nearest" } },
+    { "id": "yes", "from": "Asked", "on": "speech yes", "to": "Wait", "do": [ { "act": "grasp(indicated)" } ] },
+    { "id": "fly", "from": "Asked", "on": "speech fly", "to": "Wait", "do": [ { "act": "fly(indicated)" } ] } ] })json";
+
+WorldSnapshot world() {
+  WorldSnapshot snapshot;
+  for (const double x : {0.1, 0.3}) {
+    ObjectState object;
+    object.name = x < 0.2 ? "near_one" : "far_one";
+    object.half_extents_m = Vec3(0.03, 0.03, 0.03);
+    object.p_WO = Vec3(x, 0, 0.03);
+    snapshot.objects.push_back(object);
+  }
+  return snapshot;
+}
+
+// Plays events and gives what happened as words.
+struct Play {
+  Play() {
+    auto loaded = parse_machine(machine_text, "m.json", Methods::signature());
+    if (!loaded) FAIL(loaded.error().text());
+    pipeline.emplace(std::make_shared<const Machine>(std::move(*loaded)), Choice::unique, Perspective::avatar);
+    state.emplace(pipeline->begin(1, snapshot).after);
+  }
+
+  std::string point(double x, double confidence = 1) {
+    InputEvent event;
+    event.modality = Modality::gesture;
+    event.name = "point";
+    event.hand = "right";
+    event.phase = "start";
+    event.target_W = Vec3(x, 0, 0);
+    event.confidence = confidence;
+    return take(event);
+  }
+  std::string say(const std::string& words) {
+    InputEvent event;
+    event.text = words;
+    return take(event);
+  }
+
+  std::string take(const InputEvent& event) {
+    Tick tick = pipeline->tick(*state, event, snapshot);
+    std::string happened;
+    const auto add = [&](const std::string& what) { happened += (happened.empty() ? "" : "; ") + what; };
+    for (const auto& one : tick.events) {
+      if (const auto* change = std::get_if<BeliefChange>(&one)) add("belief " + change->name);
+      if (const auto* commanded = std::get_if<Commanded>(&one)) add(text(commanded->command.what) + " " + commanded->command.object);
+      if (const auto* unplanned = std::get_if<Unplanned>(&one)) add(unplanned->reason);
+      if (const auto* step = std::get_if<StepEvent>(&one)) {
+        if (const auto* said = std::get_if<Said>(step)) add("\"" + said->text + "\"");
+        if (const auto* refused = std::get_if<RefusedInput>(step)) add(refused->reason);
+      }
+    }
+    state = std::move(tick.after);
+    return happened;
+  }
+
+  WorldSnapshot snapshot = world();
+  std::optional<Pipeline> pipeline;
+  std::optional<EngineState> state;
+};
+
+}  // namespace
+
+TEST_CASE("a tick goes from what the human did to what the avatar says and does") {
+  Play play;
+  CHECK(play.point(0.28) == "belief point; \"This?\"; belief this; reach far_one");
+  CHECK(play.say("Yes!") == "grasp far_one");
+}
+
+TEST_CASE("an utterance equal to the last is not said again where the machine says so") {
+  Play play;
+  play.point(0.28);
+  CHECK(play.point(0.12) == "belief point; reach near_one");
+}
+
+TEST_CASE("an answer lowers the belief in what was asked about") {
+  Play play;
+  play.point(0.28);
+  CHECK(play.say("no") == "belief point; no transition from Asked takes 'speech no'");
+}
+
+TEST_CASE("an input of too little confidence is refused, and the beliefs stay") {
+  Play play;
+  CHECK(play.point(0.28, 0.3) == "confidence 0.3 is below the machine's minimum of 0.5");
+}
+
+TEST_CASE("an act that the body does not know is told, not fatal") {
+  Play play;
+  play.point(0.28);
+  CHECK(play.say("fly") == "fly(far_one) is no program that the body can perform");
+}
