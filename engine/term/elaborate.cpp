@@ -16,11 +16,8 @@ class Elaborator {
   explicit Elaborator(const Signature& names) : names_(names) {}
 
   Result<Term> run(Syntax& syntax, const Type* expected) {
-    auto type = infer(syntax);
-    if (!type) return type.error();
-    if (expected && !unifier_.unify(*type, unifier_.instance(*expected)))
-      return error(syntax, fmt::format("found {}, expected {}", unifier_.described(*type), expected->text()));
-    return built(syntax);
+    auto term = typed(syntax, expected);
+    return unifier_.gave_up() ? error(syntax, "the types of this term grow too large to be followed") : term;
   }
 
  private:
@@ -29,16 +26,27 @@ class Elaborator {
     Type type;
   };
 
-  Result<Type> infer(Syntax& syntax) {
+  Result<Term> typed(Syntax& syntax, const Type* expected) {
+    const Type wanted = expected ? unifier_.instance(*expected) : unifier_.fresh();
+    auto type = infer(syntax, wanted);
+    if (!type) return type.error();
+    if (!unifier_.unify(*type, wanted))
+      return error(syntax, fmt::format("found {}, expected {}", unifier_.described(*type), unifier_.described(wanted)));
+    return built(syntax);
+  }
+
+  // The type of a term that stands where `wanted` is expected. What is wanted only helps to find the type: that it is
+  // met is for the caller to see.
+  Result<Type> infer(Syntax& syntax, const Type& wanted) {
     switch (syntax.kind) {
       case Syntax::Kind::literal:
         return syntax.literal.is_null() ? unifier_.fresh() : syntax.literal.type();
       case Syntax::Kind::name:
         return infer_name(syntax);
       case Syntax::Kind::lambda:
-        return infer_lambda(syntax);
+        return infer_lambda(syntax, unifier_.known(wanted));
       case Syntax::Kind::list:
-        return infer_list(syntax);
+        return infer_list(syntax, unifier_.known(wanted));
       case Syntax::Kind::apply:
         return infer_apply(syntax);
     }
@@ -61,20 +69,27 @@ class Elaborator {
     return error(syntax, fmt::format("unknown name '{}'{}", syntax.name, did_you_mean(syntax.name, known_names())));
   }
 
-  Result<Type> infer_lambda(Syntax& syntax) {
-    syntax.type = syntax.annotation ? unifier_.instance(*syntax.annotation) : unifier_.fresh();
+  Result<Type> infer_lambda(Syntax& syntax, const Type& wanted) {
+    const bool function = wanted.kind() == Type::Kind::function;
+    if (syntax.annotation)
+      syntax.type = unifier_.instance(*syntax.annotation);
+    else
+      syntax.type = function ? wanted.from() : unifier_.fresh();
     scope_.push_back({syntax.name, *syntax.type});
-    auto body = infer(syntax.parts[0]);
+    auto body = infer(syntax.parts[0], function ? wanted.to() : unifier_.fresh());
     scope_.pop_back();
     if (!body) return body;
     return Type::function(*syntax.type, *body);
   }
 
-  Result<Type> infer_list(Syntax& syntax) {
-    const Type element = unifier_.fresh();
+  // The elements have one type, unless a list of `term` is wanted.
+  Result<Type> infer_list(Syntax& syntax, const Type& wanted) {
+    const bool of_terms = wanted.kind() == Type::Kind::list && unifier_.known(wanted.element()) == Type::term();
+    const Type element = of_terms ? Type::term() : unifier_.fresh();
+    const Type wanted_element = wanted.kind() == Type::Kind::list ? wanted.element() : element;
     syntax.type = element;
     for (auto& part : syntax.parts) {
-      auto type = infer(part);
+      auto type = infer(part, wanted_element);
       if (!type) return type;
       if (!unifier_.unify(element, *type))
         return error(part, fmt::format("the elements of a list have one type: found {} after {}",
@@ -84,13 +99,13 @@ class Elaborator {
   }
 
   Result<Type> infer_apply(Syntax& syntax) {
-    auto type = infer(syntax.parts[0]);
+    auto type = infer(syntax.parts[0], unifier_.fresh());
     if (!type) return type;
     for (std::size_t i = 1; i < syntax.parts.size(); ++i) {
       auto& part = syntax.parts[i];
-      auto argument = infer(part);
-      if (!argument) return argument;
       const Type function = unifier_.known(*type);
+      auto argument = infer(part, function.kind() == Type::Kind::function ? Type(function.from()) : unifier_.fresh());
+      if (!argument) return argument;
       if (function.kind() == Type::Kind::variable) {
         const Type result = unifier_.fresh();
         if (!unifier_.unify(function, Type::function(*argument, result)))

@@ -190,12 +190,13 @@ class Parser {
   // \x y. body, \x: type. body
   Result<Syntax> lambda() {
     std::vector<Syntax> binders;
+    const auto begin = token_.begin;
     if (auto problem = advance()) return *problem;
     while (token_.kind == Token::Kind::name && !token_.quoted) {
       if (is_keyword(token_.text)) return found("the name of a variable");
       Syntax binder;
       binder.kind = Syntax::Kind::lambda;
-      binder.begin = token_.begin;
+      binder.begin = binders.empty() ? begin : token_.begin;
       binder.name = token_.text;
       binders.push_back(std::move(binder));
       if (auto problem = advance()) return *problem;

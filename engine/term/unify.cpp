@@ -31,6 +31,8 @@ Type renewed(const Type& type, std::map<int, Type>& renewals, Unifier& unifier) 
 
 }  // namespace
 
+bool Unifier::gave_up() const { return steps_ > most_steps; }
+
 Type Unifier::fresh() {
   known_.emplace_back();
   return Type::variable(static_cast<int>(known_.size()) - 1);

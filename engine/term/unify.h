@@ -8,7 +8,8 @@
 
 namespace continua {
 
-/// The unknown types of one term and what is known of them. Bounded: past a number of steps no types unify.
+/// The unknown types of one term and what is known of them. Bounded: past a number of steps it gives up, no types
+/// unify any more and all is `term`.
 class Unifier {
  public:
   /// An unknown type.
@@ -25,6 +26,8 @@ class Unifier {
   Type resolved(const Type& type);
   /// The type as a message to a person says it: "num", "a list", "a function from e to t", "anything".
   std::string described(const Type& type);
+
+  bool gave_up() const;
 
  private:
   bool occurs(int variable, const Type& type);

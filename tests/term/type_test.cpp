@@ -1,0 +1,69 @@
+#include "term/type.h"
+
+#include "support/catch.h"
+#include "term/unify.h"
+
+namespace continua {
+namespace {
+
+std::string read_type(std::string_view text) {
+  const auto type = Type::parse(text, {"gesture"});
+  return type ? type->text() : type.error().text();
+}
+
+Type type(std::string_view text) { return Type::parse(text).value(); }
+
+}  // namespace
+
+TEST_CASE("types are read and printed") {
+  CHECK(read_type("e") == "e");
+  CHECK(read_type(" entity->location ") == "e -> loc");
+  CHECK(read_type("e -> (loc -> t)") == "e -> loc -> t");
+  CHECK(read_type("(e -> loc) -> t") == "(e -> loc) -> t");
+  CHECK(read_type("(e->loc)* -> num**") == "(e -> loc)* -> num**");
+  CHECK(read_type("'a* -> ('a -> 'b3) -> 'b3") == "'a* -> ('a -> 'b3) -> 'b3");
+  CHECK(read_type("gesture*") == "gesture*");
+}
+
+TEST_CASE("what is no type is said where it stands") {
+  CHECK(read_type("") == "column 1: the type ends here, expected a type");
+  CHECK(read_type("e ->") == "column 5: the type ends here, expected a type");
+  CHECK(read_type("(e -> loc") == "column 10: the type ends here, expected ')'");
+  CHECK(read_type("e loc") == "column 3: found 'l', expected the end of the type");
+  CHECK(read_type("e -> locatoin") == "column 6: unknown type 'locatoin' (did you mean 'location'?)");
+  CHECK(read_type("'1") == "column 2: found '1', expected a letter: a type variable is 'a, 'b, …");
+  CHECK(read_type(std::string(1000, '(')) == "column 66: the type is nested deeper than 64");
+  CHECK(read_type("e" + std::string(1000, '*')) == "column 68: the type is nested deeper than 64");
+}
+
+TEST_CASE("the dynamic type goes with everything") {
+  CHECK(consistent(type("term"), type("e -> t")));
+  CHECK(consistent(type("e -> term"), type("e -> loc*")));
+  CHECK(consistent(type("term*"), type("loc*")));
+  CHECK_FALSE(consistent(type("term*"), type("loc")));
+  CHECK_FALSE(consistent(type("e -> t"), type("loc -> t")));
+}
+
+TEST_CASE("unification learns what it can and nothing from the dynamic type") {
+  Unifier unifier;
+  const Type head = unifier.instance(type("'a* -> 'a"));
+  CHECK(unifier.unify(head.from(), type("loc*")));
+  CHECK(unifier.resolved(head.to()) == type("loc"));
+
+  const Type other = unifier.instance(type("'a* -> 'a"));
+  CHECK(unifier.unify(other.from(), type("term")));
+  CHECK(unifier.resolved(other) == type("term* -> term"));
+  CHECK(unifier.unify(other.to(), type("num")));
+
+  const Type unknown = unifier.fresh();
+  CHECK_FALSE(unifier.unify(unknown, Type::list(unknown)));
+  CHECK_FALSE(unifier.unify(type("e -> t"), type("loc -> t")));
+}
+
+TEST_CASE("applying a polymorphic function gives the type its argument decides") {
+  CHECK(result_type(type("'a* -> 'a"), type("loc*")) == type("loc"));
+  CHECK(result_type(type("'a -> 'b -> 'a"), type("e")) == type("term -> e"));
+  CHECK(result_type(type("term"), type("e")) == type("term"));
+}
+
+}  // namespace continua
