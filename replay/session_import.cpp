@@ -186,11 +186,9 @@ Result<Trace> import_session_text(std::string_view text, const std::string& name
   SessionReader reader(trace);
   for_each_line(text, [&](std::string_view line, std::size_t number, bool ends) { reader.read(line, number, ends); });
   if (trace.events.empty()) {
-    const auto found = text.empty() ? std::string("the file is empty")
-                                    : fmt::format("no row could be used (line {}: {})",
-                                                  trace.notes.empty() ? 1 : trace.notes.front().line,
-                                                  trace.notes.empty() ? "blank" : trace.notes.front().sentence);
-    return Error{name + ":1", fmt::format("{}; {}", found, row_wanted)};
+    if (trace.notes.empty()) return Error{name + ":1", fmt::format("the file is empty; {}", row_wanted)};
+    const auto& [line, sentence] = trace.notes.front();
+    return Error{fmt::format("{}:{}", name, line), "no row can be used; the first is " + sentence};
   }
   trace.digest = digest(write_trace(trace));
   return trace;

@@ -11,7 +11,7 @@ namespace continua {
 /// The largest time, seconds: what SimTime's microseconds hold with room to add.
 inline constexpr double trace_time_limit_s = 1e9;
 
-/// A coordinate that a recogniser may report, metres. Real logs hold pointing samples 20 km away; they mean "not on
+/// A coordinate that a recogniser may report, metres. Real logs hold pointing samples 13 km away; they mean "not on
 /// the table" and are kept.
 inline constexpr double trace_coordinate_limit_m = 1e9;
 

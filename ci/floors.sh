@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# Checks which headers a folder includes: a folder may use those below it, and a third-party library only where it is
+# wrapped. Also that no file outgrows a reader.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+longest=500
+
+# Files (a pattern over their paths) and what they may include of engine/ and replay/ (folders, or patterns of
+# headers). The first pattern that fits a file counts. A folder of engine/ may include itself, a .cpp its own header.
+floors='
+engine/core/*                 -
+engine/term/*                 core
+engine/world/*                core
+engine/voxml/*                core term
+engine/automaton/*            core term
+engine/perception/*           core world
+engine/language/*             core term voxml world perception
+engine/moves/*                core term perception language
+engine/composition/*          core term world voxml moves automaton
+engine/behaviour/*            core term world voxml moves composition
+engine/pipeline/*             core term world voxml automaton perception language moves composition behaviour
+engine/simulation/*           core world behaviour/avatar_command.h
+replay/trace_*                core world perception replay/trace_*
+replay/session_import*        core world perception replay/trace_* replay/session_notation.h
+replay/session_notation*      core world perception
+replay/run_*                  core replay/run_* replay/line_scan.h
+replay/line_scan.h            core
+replay/explain*               core replay/run_*
+replay/exporters/*            core replay/run_* replay/exporters/*
+replay/inspector_api*         core replay/run_* replay/line_scan.h replay/exporters/*
+replay/recorder*              pipeline core term world voxml automaton perception language moves composition behaviour replay/trace_file.h replay/run_*
+'
+
+# Third-party headers and the only files that may include them.
+wrappers='
+nlohmann/*     engine/core/located_json.h
+xxhash.h       engine/core/digest.cpp
+Eigen/*        engine/world/*.h engine/world/*.cpp engine/simulation/*
+pugixml.hpp    engine/voxml/catalogue* engine/automaton/jflap* engine/simulation/scene*
+mujoco/*       engine/simulation/*
+EGL/*          engine/simulation/*
+GL/*           engine/simulation/*
+png.h          engine/simulation/*
+httplib.h      replay/inspector_server.cpp
+zlib.h         replay/inspector_server.cpp
+CLI/*          replay/main.cpp replay/commands/*
+catch2/*       tests/support/*
+rapidcheck*    tests/*
+benchmark/*    tests/bench/*
+'
+
+fail=0
+complain() {
+  echo "$1" >&2
+  fail=1
+}
+
+# Whether $1 fits one of the patterns after it.
+# shellcheck disable=SC2053  # the right-hand side is meant as a pattern
+fits_any() {
+  local text=$1 pattern
+  shift
+  for pattern in "$@"; do [[ $text == $pattern ]] && return 0; done
+  return 1
+}
+
+# Our header $3, included on line $2 of file $1.
+check_ours() {
+  local file=$1 line=$2 header=$3 pattern allowed entry
+  while read -r pattern allowed; do
+    [[ -n $pattern ]] && fits_any "$file" "$pattern" || continue
+    fits_any "engine/$header" "${file%/*}/*" && return
+    [[ "${header%.h}" == "${file%.cpp}" ]] && return
+    for entry in $allowed; do fits_any "$header" "$entry" "$entry/*" && return; done
+    complain "$file:$line: includes \"$header\"; this file may include: ${allowed}"
+    return
+  done <<< "$floors"
+}
+
+# The header $3 in angle brackets, included on line $2 of file $1.
+check_library() {
+  local file=$1 line=$2 header=$3 pattern places
+  while read -r pattern places; do
+    [[ -n $pattern ]] && fits_any "$header" "$pattern" || continue
+    read -ra places <<< "$places"
+    fits_any "$file" "${places[@]}" || complain "$file:$line: includes <$header>, which belongs in: ${places[*]}"
+    return
+  done <<< "$wrappers"
+}
+
+set -f
+while IFS=: read -r file line text; do
+  case "$text" in
+    *\"*) header=${text#*\"} && check_ours "$file" "$line" "${header%%\"*}" ;;
+    *\<*) header=${text#*<} && check_library "$file" "$line" "${header%%>*}" ;;
+  esac
+done < <(grep -rnE --include='*.h' --include='*.cpp' '^[[:space:]]*#[[:space:]]*include' engine replay tests | sort)
+
+while read -r count file; do
+  if ((count > longest)); then complain "$file:$count: is $count lines long; expected at most $longest"; fi
+done < <(find engine replay tests web ci mjcf traces -name node_modules -prune -o -type f \
+  \( -name '*.h' -o -name '*.cpp' -o -name '*.js' -o -name '*.css' -o -name '*.html' -o -name '*.sh' -o -name '*.md' \) \
+  -exec wc -l {} \;)
+
+exit "$fail"

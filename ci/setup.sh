@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Installs what the build needs on Debian 12, as far as it is missing. With --tests also what the tests need.
+set -euo pipefail
+
+packages=(
+  build-essential cmake ninja-build pkg-config git ca-certificates
+  libmujoco-dev libeigen3-dev libegl-dev libegl-mesa0 libgl1-mesa-dri
+  libcpp-httplib-dev nlohmann-json3-dev libpugixml-dev libcli11-dev libfmt-dev libxxhash-dev libpng-dev zlib1g-dev
+  catch2 librapidcheck-dev libbenchmark-dev
+)
+if [[ "${1:-}" == --tests ]]; then packages+=(chromium); fi
+# Another npm than Debian's may be installed; Debian's would remove it.
+if ! command -v npm > /dev/null; then packages+=(nodejs npm); fi
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f='${Status}' "$package" 2> /dev/null || true)
+  if [[ "$status" != "install ok installed" ]]; then missing+=("$package"); fi
+done
+if [[ ${#missing[@]} -eq 0 ]]; then exit 0; fi
+
+as_root=()
+if [[ $(id -u) -ne 0 ]]; then
+  if ! command -v sudo > /dev/null; then
+    echo "ci/setup.sh: missing ${missing[*]}; run as root, or install sudo" >&2
+    exit 2
+  fi
+  as_root=(sudo)
+fi
+apt_get() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -y -o Acquire::Retries=3 "$@"; }
+
+echo "ci/setup.sh: installing ${missing[*]}"
+apt_get update
+apt_get install --no-install-recommends "${missing[@]}" > /dev/null

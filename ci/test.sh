@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# Everything that must hold: format, floors, a build without warnings, all tests.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+ci/setup.sh --tests
+ci/format.sh
+ci/floors.sh
+ci/build.sh
+ctest --preset release

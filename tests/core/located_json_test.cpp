@@ -1,0 +1,123 @@
+#include "core/located_json.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "support/catch.h"
+
+using namespace continua;
+
+namespace {
+
+std::string error_of(std::string_view text) {
+  const auto document = LocatedJson::parse(text, "m.json");
+  return document ? "" : document.error().text();
+}
+
+}  // namespace
+
+TEST_CASE("every value of a document has its line and column") {
+  const auto document = LocatedJson::parse("{\n  \"a\": [1, {\"b/c\": true}],\n  \"d~e\": null }", "m.json");
+  REQUIRE(document);
+  CHECK(document->where("") == "m.json:1:1");
+  CHECK(document->where("/a") == "m.json:2:8");
+  CHECK(document->where("/a/0") == "m.json:2:9");
+  CHECK(document->where("/a/1") == "m.json:2:12");
+  CHECK(document->where("/a/1/b~1c") == "m.json:2:20");
+  CHECK(document->where("/d~0e") == "m.json:3:10");
+}
+
+TEST_CASE("a place that does not exist is that of what encloses it") {
+  const auto document = LocatedJson::parse("\n{\"a\": {\"b\": 1}}", "m.json");
+  REQUIRE(document);
+  CHECK(document->where("/a/b/c/d") == "m.json:2:13");
+  CHECK(document->where("/x") == "m.json:2:1");
+  CHECK(document->where("no pointer") == "m.json:2:1");
+}
+
+TEST_CASE("strings with escapes and empty containers do not confuse the places") {
+  const auto document = LocatedJson::parse(R"({"a\"\\": "}]\\", "e": {}, "f": [ ], "\u00e9": 1.5e3})", "m.json");
+  REQUIRE(document);
+  CHECK(document->where("/a\"\\") == "m.json:1:11");
+  CHECK(document->where("/e") == "m.json:1:24");
+  CHECK(document->where("/f") == "m.json:1:33");
+  CHECK(document->where("/é") == "m.json:1:48");
+}
+
+TEST_CASE("a byte order mark is skipped") {
+  const auto document = LocatedJson::parse("\xEF\xBB\xBF{\"a\": 1}", "m.json");
+  REQUIRE(document);
+  CHECK(document->where("/a") == "m.json:1:7");
+}
+
+TEST_CASE("what is not JSON is an error at its place") {
+  CHECK(error_of("") == "m.json:1:1: the file is empty; expected a JSON document");
+  CHECK(error_of(" \n ") == "m.json:1:1: the file is empty; expected a JSON document");
+  CHECK(error_of("{\"a\": 1,\n  nul}") ==
+        "m.json:2:6: not valid JSON: syntax error while parsing object key - invalid literal; last read: "
+        "'1,<U+000A>  nul}'; expected string literal");
+  CHECK(error_of("[1, 2").substr(0, 28) == "m.json:1:6: not valid JSON: ");
+  CHECK(error_of("{\"a\": NaN}").substr(0, 28) == "m.json:1:7: not valid JSON: ");
+  CHECK(error_of("[1,\n -1e999]") == "m.json:2:2: not valid JSON: number overflow parsing '-1e999'");
+  CHECK(error_of("[\"\xff\"]").substr(0, 28) == "m.json:1:3: not valid JSON: ");
+  CHECK(error_of(std::string("\x00\x01\x02", 3)).substr(0, 28) == "m.json:1:1: not valid JSON: ");
+}
+
+TEST_CASE("an error sentence stays short and on one line, whatever was read") {
+  const auto error = error_of("[\"" + std::string(100'000, 'x') + "\n\"]");
+  CHECK(error.size() < 250);
+  CHECK(error.find('\n') == std::string::npos);
+}
+
+TEST_CASE("deep nesting is refused and does not exhaust the stack") {
+  CHECK(error_of(std::string(100'000, '[')) == "m.json:1:201: nested deeper than 200 levels; expected fewer");
+  std::string objects;
+  for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
+  CHECK(error_of(objects).find("nested deeper than 200 levels") != std::string::npos);
+  CHECK(error_of(std::string(200, '[') + std::string(200, ']')).empty());
+  CHECK(error_of("\"" + std::string(300, '[') + "\\\"" + std::string(300, '[') + "\"").empty());
+}
+
+TEST_CASE("a line of JSON Lines carries its line number") {
+  CHECK(parse_json_line("{\"a\":1}", "t.jsonl", 7)->at("a") == 1);
+  CHECK(parse_json_line("{\"a\":}", "t.jsonl", 7).error().where == "t.jsonl:7:6");
+}
+
+TEST_CASE("compact JSON is one line of valid UTF-8 in the order written") {
+  Json json;
+  json["z"] = "a\nb\xff";
+  json["a"] = 0.1;
+  CHECK(compact(json) == "{\"z\":\"a\\nb\xEF\xBF\xBD\",\"a\":0.1}");
+}
+
+TEST_CASE("read_file tells why it could not") {
+  const auto folder = std::filesystem::temp_directory_path() / "continua_read_file";
+  std::filesystem::create_directories(folder);
+  const auto file = (folder / "empty").string();
+  std::ofstream(file).close();
+  CHECK(read_file(file).value().empty());
+  CHECK(read_file(folder.string()).error().sentence == "is a folder; expected a readable file");
+  CHECK(read_file((folder / "none").string()).error().text() ==
+        (folder / "none").string() + ": there is no such file; expected a readable file");
+  std::ofstream(file) << "a\r\nb";
+  CHECK(read_file(file).value() == "a\r\nb");
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("names nearby are offered, others are not") {
+  const std::vector<std::string> kinds = {"speech", "gesture", "pointing", "end"};
+  CHECK(did_you_mean("speach", kinds) == " (did you mean 'speech'?)");
+  CHECK(did_you_mean("Gesture", kinds) == " (did you mean 'gesture'?)");
+  CHECK(did_you_mean("poniting", kinds) == " (did you mean 'pointing'?)");
+  CHECK(did_you_mean("on", kinds).empty());
+  CHECK(did_you_mean("", kinds).empty());
+  CHECK(did_you_mean("banana", kinds).empty());
+  CHECK(did_you_mean("speech", {}).empty());
+}
+
+TEST_CASE("quoted text is fit for a sentence") {
+  CHECK(in_quotes("plain é") == "'plain é'");
+  CHECK(in_quotes("a\tb\n") == "'a\\x09b\\x0a'");
+  CHECK(in_quotes("\xff\xfe") == "'\\xff\\xfe'");
+  CHECK(in_quotes(std::string(100, 'x')) == "'" + std::string(60, 'x') + "…'");
+}

@@ -1,0 +1,73 @@
+#include "perception/input_event.h"
+
+#include "support/catch.h"
+
+using namespace continua;
+
+namespace {
+
+InputEvent speech(std::string text) {
+  InputEvent event;
+  event.text = std::move(text);
+  return event;
+}
+
+InputEvent pointing(Vec3 from_W, Vec3 direction_W) {
+  InputEvent event;
+  event.modality = Modality::pointing;
+  event.ray = Ray{from_W, direction_W};
+  return event;
+}
+
+}  // namespace
+
+TEST_CASE("speech is known by its words alone") {
+  CHECK(symbol_of(speech("Put it there.")) == "speech put it there");
+  CHECK(symbol_of(speech("  OK,\tgo   on!  ")) == "speech ok go on");
+  CHECK(symbol_of(speech("YES")) == "speech yes");
+  CHECK(symbol_of(speech("don't")) == "speech dont");
+  CHECK(symbol_of(speech("don’t — “stop”…")) == "speech dont stop");
+  CHECK(symbol_of(speech("left-most 2")) == "speech left most 2");
+  CHECK(symbol_of(speech("Größe")) == "speech größe");
+  CHECK(symbol_of(speech("?!")) == "speech");
+}
+
+TEST_CASE("a gesture is known by the parts it has") {
+  InputEvent event;
+  event.modality = Modality::gesture;
+  event.name = "point";
+  CHECK(symbol_of(event) == "gesture point");
+  event.hand = "right";
+  event.phase = "start";
+  CHECK(symbol_of(event) == "gesture right point start");
+  event = {};
+  event.modality = Modality::gesture;
+  event.name = "grab_move";
+  event.direction = "up";
+  event.phase = "start";
+  CHECK(symbol_of(event) == "gesture grab_move up start");
+}
+
+TEST_CASE("pointing is known by its hand") {
+  InputEvent event;
+  event.modality = Modality::pointing;
+  CHECK(symbol_of(event) == "pointing");
+  event.hand = "left";
+  CHECK(symbol_of(event) == "pointing left");
+}
+
+TEST_CASE("the place of an event is its target, else where its ray meets the table") {
+  auto event = pointing({0, -0.5, 0.4}, {0.1, 0.5, -0.2});
+  CHECK(place_of(event)->isApprox(Vec3(0.2, 0.5, 0)));
+  CHECK(place_of(event)->z() == 0);
+  event.target_W = Vec3(0.3, 0.1, 0);
+  CHECK(*place_of(event) == Vec3(0.3, 0.1, 0));
+  CHECK_FALSE(place_of(speech("there")));
+}
+
+TEST_CASE("a ray that does not reach the table has no place") {
+  CHECK_FALSE(place_of(pointing({0, 0, 0.4}, {1, 0, 0})));                     // level
+  CHECK_FALSE(place_of(pointing({0, 0, 0.4}, {0, 0.1, 0.2})));                 // upwards
+  CHECK_FALSE(place_of(pointing({0, 0, 0.4}, {1e300, 0, -1e-9})));             // beyond what a number holds
+  CHECK(*place_of(pointing({0.1, 0.2, 0}, {0, 1, -1})) == Vec3(0.1, 0.2, 0));  // from the table itself
+}

@@ -1,0 +1,90 @@
+#include <filesystem>
+#include <fstream>
+
+#include "core/located_json.h"
+#include "replay/commands/import.h"
+#include "replay/commands/validate.h"
+#include "support/catch.h"
+
+using namespace continua;
+namespace fs = std::filesystem;
+
+namespace {
+
+class Folder {
+ public:
+  Folder() : root_(fs::temp_directory_path() / "continua_commands") {
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+  }
+  ~Folder() { fs::remove_all(root_); }
+
+  std::string at(const std::string& name) const { return (root_ / name).string(); }
+  std::string file(const std::string& name, const std::string& content) const {
+    fs::create_directories((root_ / name).parent_path());
+    std::ofstream(root_ / name, std::ios::binary) << content;
+    return at(name);
+  }
+
+ private:
+  fs::path root_;
+};
+
+const std::string session_log = "1\tHS\tYES\t1\n";
+const std::string trace = "{\"kind\":\"trace\",\"version\":1}\n{\"t\":1,\"kind\":\"end\"}\n";
+
+}  // namespace
+
+TEST_CASE("import writes one trace, or a folder of them") {
+  const Folder folder;
+  const auto a = folder.file("a.txt", session_log), b = folder.file("b.txt", session_log);
+  CHECK(run_import({{a}, folder.at("a.jsonl")}) == exit_done);
+  CHECK(run_validate({{folder.at("a.jsonl")}}) == exit_done);
+  CHECK(run_import({{a, b}, folder.at("deep/out")}) == exit_done);
+  CHECK(read_file(folder.at("deep/out/b.jsonl")).value().find("\"source\":\"b.txt\"") != std::string::npos);
+  CHECK(run_import({{a}, folder.at("deep/out2/")}) == exit_done);
+  CHECK(fs::exists(folder.at("deep/out2/a.jsonl")));
+}
+
+TEST_CASE("import does what it can and reports the rest") {
+  const Folder folder;
+  const auto good = folder.file("good.txt", session_log), empty = folder.file("empty.txt", "");
+  CHECK(run_import({{empty, good, folder.at("none.txt")}, folder.at("out")}) == exit_impossible);
+  CHECK(fs::exists(folder.at("out/good.jsonl")));
+  CHECK_FALSE(fs::exists(folder.at("out/empty.jsonl")));
+}
+
+TEST_CASE("import overwrites nothing that it reads, and writes no file twice") {
+  const Folder folder;
+  const auto a = folder.file("x/a.txt", session_log), other_a = folder.file("y/a.txt", session_log);
+  CHECK(run_import({{a}, a}) == exit_impossible);
+  CHECK(read_file(a).value() == session_log);
+  CHECK(run_import({{a, other_a}, folder.at("out")}) == exit_impossible);
+  CHECK(run_import({{a, other_a}, folder.file("file", "")}) == exit_impossible);
+  CHECK(run_import({{a}, folder.at("no/such/folder/a.jsonl")}) == exit_impossible);
+}
+
+TEST_CASE("validate knows a file by its content") {
+  CHECK(check_file(trace, "x").summary == "trace, 1 event");
+  CHECK(check_file(trace, "x").problems.empty());
+  CHECK(check_file(session_log, "x").summary == "session log, 1 row");
+  CHECK(check_file("\xEF\xBB\xBF\n" + trace, "x").problems.empty());
+  const auto other = check_file("hello\n", "x.txt");
+  REQUIRE(other.problems.size() == 1);
+  CHECK(other.problems[0].text().find("x.txt:1:1: none of the project's files: not valid JSON") == 0);
+}
+
+TEST_CASE("validate finds every problem") {
+  const auto check = check_file(trace + "{\"t\":2}\n{\"t\":3,\"kind\":\"speech\"}\n", "x");
+  REQUIRE(check.problems.size() == 2);
+  CHECK(check.problems[0].text() == "x:3: the event has no 'kind'");
+  CHECK(check.problems[1].text() == "x:4: speech has no 'text' or 'alternatives'");
+}
+
+TEST_CASE("validate ends with 0 for valid, 1 for invalid, 2 for unreadable") {
+  const Folder folder;
+  const auto good = folder.file("good.jsonl", trace), bad = folder.file("bad.jsonl", trace + "{}\n");
+  CHECK(run_validate({{good}}) == exit_done);
+  CHECK(run_validate({{good, bad}}) == exit_no);
+  CHECK(run_validate({{bad, folder.at("none")}}) == exit_impossible);
+}
