@@ -88,7 +88,7 @@ TEST_CASE("several applicable transitions: likeliest takes the heaviest, ties by
 }
 
 TEST_CASE("pop_until goes back to the previous entry of a state, and is flush where it was never entered") {
-  const std::string text = R"({"machine":1,"name":"m","start":"S","slots":{"n":"num"},"transitions":[
+  const std::string text = R"({"machine":1,"name":"m","start":"S","states":{"S":{}},"slots":{"n":"num"},"transitions":[
     {"id":"a","from":"*","on":"a","to":"A","push":{"n":"1"}},
     {"id":"b","from":"*","on":"b","to":"B","push":{"n":"2"}},
     {"id":"back","from":"*","on":"back","to":"C","pop_until":"A"}]})";

@@ -48,8 +48,8 @@ TEST_CASE("programs become commands of the body") {
 }
 
 TEST_CASE("sides are the speaker's whose perspective it is") {
-  CHECK(planned("slide(block1, left(block2))") == "slide [block1] left [block2] <0, 0, 0>");
-  CHECK(planned("slide(block1, left(block2))", false, Perspective::human) == "slide [block1] right [block2] <0, 0, 0>");
+  CHECK(planned("slide(block1, left(block2))") == "slide [block1] left_of [block2] <0, 0, 0>");
+  CHECK(planned("slide(block1, left(block2))", false, Perspective::human) == "slide [block1] right_of [block2] <0, 0, 0>");
   CHECK(planned("put(block1, in_front(block2))", false, Perspective::human) == "put [block1] behind [block2] <0, 0, 0>");
 }
 
