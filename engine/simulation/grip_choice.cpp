@@ -39,12 +39,11 @@ double nearest(double angle, double period, double wanted) {
   return angle + period * std::round((wanted - angle) / period);
 }
 
-/// The hand's yaw at `p_W` when the last hinge is at zero: the arm comes from its base.
+}  // namespace
+
 double natural_yaw(const Vec3& p_W, const Vec3& base_W) {
   return std::atan2(p_W.x() - base_W.x(), base_W.y() - p_W.y());
 }
-
-}  // namespace
 
 double overlap_depth(const Box& a, const Box& b) {
   const Vec3 depth = a.max.cwiseMin(b.max) - a.min.cwiseMax(b.min);

@@ -34,6 +34,9 @@ struct Grip {
 std::optional<Grip> choose_grip(const ObjectState& object, const WorldSnapshot& world, const std::optional<Vec3>& p_WG,
                                 const Vec3& base_W, const HandShape& hand = {});
 
+/// Yaw of the closing direction at `p_W` when the last hinge is at zero and the fingers point down.
+double natural_yaw(const Vec3& p_W, const Vec3& base_W);
+
 /// How deep two boxes overlap, metres; 0 when they do not.
 double overlap_depth(const Box& a, const Box& b);
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "simulation/box_contacts.h"
 #include "simulation/mujoco_model.h"
 
 namespace continua {
@@ -145,6 +146,7 @@ Physics::~Physics() = default;
 Result<std::unique_ptr<Physics>> Physics::create(const Scene& scene) {
   auto avatar = find_avatar(scene.model(), scene.path());
   if (!avatar) return avatar.error();
+  guard_box_contacts();
   auto state = std::make_unique<State>();
   state->model = ModelOwner(mj_copyModel(nullptr, &scene.model()));
   state->data = DataOwner(mj_makeData(state->model.get()));
