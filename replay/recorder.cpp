@@ -170,17 +170,31 @@ void Recorder::world(const WorldReport& report) {
   std::stable_sort(lines.begin(), lines.end(),
                    [](const Line& a, const Line& b) { return std::tie(a.t, a.rank) < std::tie(b.t, b.rank); });
   for (const auto& line : lines) {
-    if (line.rank == 1) {
-      this->report(report.acts[line.index]);
-    } else if (line.rank == 2) {
-      const auto& rest = report.rests[line.index];
-      log_.write("rest", rest.to, {{"from", rest.from.seconds()}, {"to", rest.to.seconds()}});
-    } else {
-      Json bodies = Json::object();
-      for (const auto& [name, pose] : report.poses[line.index].bodies) bodies[name] = json_of(pose);
-      log_.write("pose", line.t, {{"bodies", std::move(bodies)}});
-    }
+    if (line.rank == 0) pose(report.poses[line.index]);
+    else if (line.rank == 1) this->report(report.acts[line.index]);
+    else rest(report.rests[line.index]);
   }
+}
+
+void Recorder::pose(const PoseSample& sample) {
+  finish();
+  Json bodies = Json::object();
+  for (const auto& [name, pose] : sample.bodies) bodies[name] = json_of(pose);
+  log_.write("pose", sample.t, {{"bodies", std::move(bodies)}});
+}
+
+void Recorder::rest(const RestSpan& span) {
+  if (lasting_rest_ && lasting_rest_->to == span.from) {
+    lasting_rest_->to = span.to;
+    return;
+  }
+  finish();
+  lasting_rest_ = span;
+}
+
+void Recorder::finish() {
+  if (lasting_rest_) log_.write("rest", lasting_rest_->to, {{"from", lasting_rest_->from.seconds()}, {"to", lasting_rest_->to.seconds()}});
+  lasting_rest_.reset();
 }
 
 void Recorder::report(const ActReport& report) {

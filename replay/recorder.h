@@ -22,8 +22,10 @@ class Recorder {
   void input(const TraceEvent& event, const std::string& symbol);
   void observed(const TraceEvent& event, const Observed& observed);
   void engine(const std::vector<EngineEvent>& events, SimTime t);
-  /// Acts, poses and rests in order of their times.
+  /// Acts, poses and rests in order of their times. A rest is one record, however many reports it lasts for.
   void world(const WorldReport& report);
+  /// Writes what is still held back: a rest that lasts.
+  void finish();
   void expectation(const TraceEvent& event, bool met, const Json& found);
   void problem(std::size_t line, const std::string& message, SimTime t);
 
@@ -57,6 +59,8 @@ class Recorder {
   void one(const Trouble& trouble);
 
   void report(const ActReport& act);
+  void pose(const PoseSample& sample);
+  void rest(const RestSpan& span);
   Json refusals(const std::vector<Refused>& refused) const;
   Json inputs(const std::vector<int>& because) const;
   int write(std::string_view kind, const Json& fields) { return log_.write(kind, now_, fields, cause_); }
@@ -70,6 +74,7 @@ class Recorder {
   int act_count_ = 0;
   Act pending_;                   ///< the act or gesture whose command comes next
   std::map<int, Act> acts_;       ///< by command
+  std::optional<RestSpan> lasting_rest_;
   std::string last_utterance_, last_act_;
 };
 

@@ -165,6 +165,7 @@ class Session {
   }
 
   ReplaySummary finish() {
+    recorder_.finish();
     const auto& counts = log_.counts();
     const auto count = [&](const char* kind) { return counts.contains(kind) ? counts.at(kind) : 0; };
     summary_.utterances = count("utterance");

@@ -1,0 +1,199 @@
+#include "replay/inspector_api.h"
+
+#include "inspector_log.h"
+#include "support/catch.h"
+
+using namespace continua;
+
+namespace {
+
+// A folder with one whole run, one cut short and one that is no run, and its API.
+struct Served {
+  Served() {
+    const auto text = small_log().text();
+    folder.write("small.run.jsonl", text);
+    folder.write("below/cut one.run.jsonl", text.substr(0, text.size() - 20));
+    folder.write("garbage.run.jsonl", "hello\n");
+    folder.write("notes.txt", "not served");
+  }
+  Json get(const std::string& target, int status = 200) {
+    const auto answer = api.get(target);
+    INFO(target << " gave " << answer.body);
+    CHECK(answer.status == status);
+    CHECK(answer.content_type == "application/json");
+    return Json::parse(answer.body);
+  }
+  std::string message(const std::string& target, int status) {
+    return get(target, status)["error"]["message"].get<std::string>();
+  }
+
+  ScratchFolder folder;
+  InspectorApi api{{folder.path()}};
+};
+
+Json column(const Json& list, const char* key) {
+  Json values = Json::array();
+  for (const auto& one : list) values.push_back(one[key]);
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("the list of runs tells what is in each, and which cannot be read") {
+  Served served;
+  const auto runs = served.get("/api/runs")["runs"];
+  REQUIRE(runs.size() == 3);
+  CHECK(column(runs, "id") == Json{"below.cut_one", "garbage", "small"});
+  const auto& small = runs[2];
+  CHECK(small["duration"] == 10);
+  CHECK(small["utterances"] == 1);
+  CHECK(small["acts"] == 1);
+  CHECK(small["refusals"] == 1);
+  CHECK(small["machine"] == "two");
+  CHECK(small["scene"] == "table");
+  CHECK(small["complete"] == true);
+  CHECK(small["counts"]["transition"] == 3);
+  CHECK(runs[0]["complete"] == false);
+  CHECK_THAT(runs[1]["error"]["message"].get<std::string>(), Contains("garbage.run.jsonl:1: not a run log"));
+}
+
+TEST_CASE("runs that appear, change or go are noticed") {
+  Served served;
+  const auto added = served.folder.write("another.run.jsonl", small_log().text());
+  CHECK(served.get("/api/runs")["runs"].size() == 4);
+  CHECK(served.get("/api/runs/another")["records"] == 22);
+  auto longer = small_log();
+  longer.add("problem", 11, {{"line", 1}, {"message", "more"}});
+  served.folder.write("another.run.jsonl", longer.text());
+  CHECK(served.get("/api/runs/another")["records"] == 23);
+  std::filesystem::remove(added);
+  CHECK_THAT(served.message("/api/runs/another", 404), Contains("no run 'another'"));
+}
+
+TEST_CASE("a run's summary leaves out the long texts and names where to begin") {
+  Served served;
+  const auto summary = served.get("/api/runs/small");
+  CHECK(summary["id"] == "small");
+  CHECK(summary["first"] == 6);
+  CHECK(summary["header"]["trace"]["name"] == "small");
+  CHECK_FALSE(summary["header"]["scene"].contains("mjcf"));
+  CHECK_FALSE(summary["header"]["machine"].contains("document"));
+  CHECK_FALSE(summary["header"].contains("graph"));
+  CHECK_THAT(served.get("/api/runs/below.cut_one")["trouble"].get<std::string>(), Contains("cut short"));
+}
+
+TEST_CASE("records are chosen by kind, time and number") {
+  Served served;
+  CHECK(column(served.get("/api/runs/small/records")["records"], "n").size() == 22);
+  CHECK(column(served.get("/api/runs/small/records?kind=transition,act")["records"], "n") ==
+        Json{5, 8, 13, 14, 15, 16});
+  CHECK(column(served.get("/api/runs/small/records?from=2&to=3.05&kind=input")["records"], "n") == Json{7, 10});
+  const auto page = served.get("/api/runs/small/records?after=3&limit=2");
+  CHECK(column(page["records"], "n") == Json{3, 4});
+  CHECK(page["next"] == 5);
+  CHECK(served.get("/api/runs/small/records?after=21")["next"].is_null());
+  CHECK(served.get("/api/runs/small/records?kind=nothing")["records"].empty());
+}
+
+TEST_CASE("the graph counts what was visited") {
+  Served served;
+  const auto graph = served.get("/api/runs/small/graph");
+  CHECK(graph["start"] == "Wait");
+  CHECK(column(graph["states"], "visits") == Json{1, 2});
+  CHECK(column(graph["edges"], "visits") == Json{1, 1, 1, 0});
+}
+
+TEST_CASE("the stack at a record tells what its last change did") {
+  Served served;
+  const auto pushed = served.get("/api/runs/small/stack?n=6");
+  CHECK(pushed["at"] == 5);
+  CHECK(column(pushed["symbols"], "change") == Json{"added", "added"});
+  CHECK(pushed["symbols"][0]["slots_changed"]["options"]["now"] == "[block2, block3]");
+
+  const auto kept = served.get("/api/runs/small/stack?n=9");
+  CHECK(kept["at"] == 8);
+  CHECK(column(kept["symbols"], "change") == Json{"same", "same"});
+
+  const auto rewritten = served.get("/api/runs/small/stack?n=13");
+  CHECK(column(rewritten["symbols"], "change") == Json{"changed", "same"});
+  CHECK(
+      compact(rewritten["symbols"][0]["slots_changed"]) ==
+      R"j({"action":{"was":"\\b. put(b, on(block1))","now":"put(block2, on(block1))"},"options":{"was":"[block2, block3]","now":null}})j");
+  CHECK(rewritten["removed"].empty());
+
+  CHECK(served.get("/api/runs/small/stack?n=2")["at"].is_null());
+}
+
+TEST_CASE("a pop leaves the removed symbols to be seen") {
+  const ScratchFolder folder;
+  LogBuilder log;
+  log.add("run", 0, {{"version", 1}});
+  for (int id = 1; id <= 3; ++id)
+    log.add("symbol", 0, {{"id", id}, {"below", id > 1 ? Json(id - 1) : Json()}, {"slots", {{"depth", id}}}});
+  log.add("transition", 1, transition_fields("a", "A", "A", 3, 3));
+  log.add("transition", 2, transition_fields("b", "A", "A", 1, 1));
+  InspectorApi api({folder.write("pop.run.jsonl", log.text())});
+  const auto stack = Json::parse(api.get("/api/runs/pop/stack?n=5").body);
+  CHECK(column(stack["symbols"], "id") == Json::array({1}));
+  CHECK(column(stack["symbols"], "change") == Json::array({"same"}));
+  CHECK(column(stack["removed"], "id") == Json{3, 2});
+}
+
+TEST_CASE("a derivation leads back to all that contributed") {
+  Served served;
+  const auto why = served.get("/api/runs/small/derivation?n=16");
+  CHECK(column(why["chain"], "n") == Json{16, 15, 14, 13, 10});
+  CHECK(column(why["applications"], "n") == Json{3, 11});
+  CHECK(column(why["inputs"], "n") == Json{2, 10});
+  CHECK_THAT(why["inputs"][0]["brief"].get<std::string>(), Contains("Put it there."));
+  CHECK(served.get("/api/runs/small/derivation?n=9")["applications"].empty());
+}
+
+TEST_CASE("the lanes hold what the timeline draws") {
+  Served served;
+  const auto lanes = served.get("/api/runs/small/lanes");
+  CHECK(lanes["t"].size() == 22);
+  CHECK(lanes["kinds"][lanes["kind"][6].get<std::size_t>()] == "utterance");
+  CHECK(lanes["label"][6] == "“Which block?”");
+  CHECK(lanes["cause"][5] == 2);
+  CHECK(compact(lanes["speech"]) == R"j([[1.5,2.25,2,"Put it there."]])j");
+  CHECK(compact(lanes["gesture"]) == R"j([[3.0,10.0,10,"point"]])j");
+  CHECK(compact(lanes["pointing"]) == R"j([[2.0,2.0,7,1]])j");
+  CHECK(compact(lanes["act"]) == R"j([[3.0,5.0,14,"put(block2, on(block1))","done"]])j");
+  CHECK(compact(lanes["rest"]) == R"j([[5.5,8.0,17]])j");
+  CHECK(compact(lanes["flags"]) == R"j([[8.0,18,"refusal"]])j");
+  CHECK(lanes["transitions"]["to"] == Json{"AskWhichBlock", "AskWhichBlock", "Wait"});
+  // The sample and the transition it only kept in place are not worth a stop; nor are poses, symbols and rests.
+  CHECK(lanes["interest"] == Json{2, 3, 5, 6, 10, 11, 13, 14, 15, 16, 18, 19, 20});
+}
+
+TEST_CASE("what cannot be answered is said with its status") {
+  Served served;
+  CHECK_THAT(served.message("/api/nothing", 404), Contains("/api/nothing"));
+  CHECK_THAT(served.message("/api/runs/none", 404), Contains("no run 'none'"));
+  CHECK_THAT(served.message("/api/runs/garbage/lanes", 422), Contains("not a run log"));
+  CHECK_THAT(served.message("/api/runs/small/nothing", 404), Contains("nothing"));
+  CHECK_THAT(served.message("/api/runs/small/stack", 400), Contains("n is missing"));
+  CHECK_THAT(served.message("/api/runs/small/stack?n=22", 400), Contains("records 0 to 21"));
+  CHECK_THAT(served.message("/api/runs/small/stack?n=-1", 400), Contains("n=-1"));
+  CHECK_THAT(served.message("/api/runs/small/records?limit=many", 400), Contains("limit=many"));
+  CHECK_THAT(served.message("/api/runs/small/frame?t=1", 501), Contains("not served"));
+  CHECK_THAT(served.message("/api/diff?a=small&b=small", 501), Contains("not served"));
+}
+
+TEST_CASE("no address leads out of the served folders") {
+  Served served;
+  const ScratchFolder outside;
+  outside.write("secret.run.jsonl", small_log().text());
+  for (const std::string& id : {"../" + outside.path() + "/secret", std::string("..%2f..%2fetc%2fpasswd"),
+                                outside.path() + "/secret.run.jsonl"})
+    CHECK(served.api.get("/api/runs/" + id).status == 404);
+}
+
+TEST_CASE("a target is split and decoded") {
+  const auto [path, query] = split_target("/api/runs/a%20b?kind=a%2Cb&text=x+y&flag&kind=second");
+  CHECK(path == "/api/runs/a b");
+  CHECK(query.at("kind") == "a,b");
+  CHECK(query.at("text") == "x y");
+  CHECK(query.at("flag").empty());
+}

@@ -1,0 +1,111 @@
+#include "replay/inspector_server.h"
+
+#include <arpa/inet.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <thread>
+
+#include "inspector_log.h"
+#include "support/catch.h"
+
+using namespace continua;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+// A server with one run, and a client so plain that it may send what a browser would not.
+class Server {
+ public:
+  Server() : server_({folder_.write("small.run.jsonl", small_log().text())}) {
+    const auto port = server_.listen();
+    REQUIRE(port.ok());
+    port_ = *port;
+    thread_ = std::thread([this] { server_.run(); });
+  }
+  ~Server() {
+    server_.stop();
+    thread_.join();
+  }
+
+  std::string ask(const std::string& method, const std::string& target, const std::string& headers) const {
+    const int line = ::socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port_));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    REQUIRE(::connect(line, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
+    const auto request = method + " " + target + " HTTP/1.1\r\nConnection: close\r\n" + headers + "\r\n";
+    REQUIRE(::send(line, request.data(), request.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(request.size()));
+    std::string answer;
+    char block[4096];
+    for (ssize_t got; (got = ::recv(line, block, sizeof block, 0)) > 0;)
+      answer.append(block, static_cast<std::size_t>(got));
+    ::close(line);
+    return answer;
+  }
+  std::string host() const { return "Host: 127.0.0.1:" + std::to_string(port_) + "\r\n"; }
+  std::string get(const std::string& target, const std::string& headers = "") const {
+    return ask("GET", target, host() + headers);
+  }
+
+ private:
+  ScratchFolder folder_;
+  InspectorServer server_;
+  int port_ = 0;
+  std::thread thread_;
+};
+
+std::string header_of(const std::string& answer, const std::string& name) {
+  const auto from = answer.find("\r\n" + name + ": ");
+  if (from == std::string::npos) return {};
+  const auto begin = from + name.size() + 4;
+  return answer.substr(begin, answer.find("\r\n", begin) - begin);
+}
+
+}  // namespace
+
+TEST_CASE("the page and the API are served") {
+  const Server server;
+  const auto page = server.get("/");
+  CHECK_THAT(page, StartsWith("HTTP/1.1 200"));
+  CHECK_THAT(page, Contains("<!doctype html>"));
+  CHECK_THAT(header_of(page, "Content-Security-Policy"), Contains("default-src 'none'"));
+  CHECK(server.get("/r/small?n=3").substr(0, 12) == "HTTP/1.1 200");
+  CHECK_THAT(header_of(server.get("/main.js"), "Content-Type"), StartsWith("text/javascript"));
+  CHECK_THAT(server.get("/api/runs/small"), Contains("\"utterances\":1"));
+  CHECK_THAT(server.get("/../../etc/passwd"), StartsWith("HTTP/1.1 4"));
+  CHECK_THAT(server.get("/nothing.js"), StartsWith("HTTP/1.1 404"));
+}
+
+TEST_CASE("assets are compressed where that is understood, and not sent twice") {
+  const Server server;
+  const auto packed = server.get("/style.css", "Accept-Encoding: gzip\r\n");
+  CHECK(header_of(packed, "Content-Encoding") == "gzip");
+  const auto plain = server.get("/style.css");
+  CHECK(header_of(plain, "Content-Encoding").empty());
+  CHECK(packed.size() < plain.size());
+  const auto etag = header_of(plain, "ETag");
+  REQUIRE_FALSE(etag.empty());
+  CHECK_THAT(server.get("/style.css", "If-None-Match: " + etag + "\r\n"), StartsWith("HTTP/1.1 304"));
+}
+
+TEST_CASE("other hosts, other origins, writing and large bodies are refused") {
+  const Server server;
+  CHECK_THAT(server.ask("GET", "/api/runs", "Host: example.org\r\n"), StartsWith("HTTP/1.1 403"));
+  CHECK_THAT(server.ask("GET", "/api/runs", "Host: localhost:1\r\n"), StartsWith("HTTP/1.1 200"));
+  CHECK_THAT(server.get("/api/runs", "Origin: http://example.org\r\n"), StartsWith("HTTP/1.1 403"));
+  CHECK_THAT(server.get("/api/runs", "Origin: null\r\n"), StartsWith("HTTP/1.1 403"));
+  CHECK_THAT(server.ask("POST", "/api/runs", server.host() + "Content-Length: 0\r\n"), StartsWith("HTTP/1.1 405"));
+  CHECK_THAT(server.ask("POST", "/api/sessions", server.host() + "Content-Length: 0\r\n"), StartsWith("HTTP/1.1 501"));
+  CHECK_THAT(server.ask("POST", "/api/sessions", server.host() + "Content-Length: 99999999\r\n"),
+             StartsWith("HTTP/1.1 413"));
+}
+
+TEST_CASE("a port in use is an error with a sentence") {
+  InspectorServer first({});
+  const auto port = first.listen();
+  REQUIRE(port.ok());
+  InspectorServer second({});
+  CHECK_THAT(InspectorServer({}).listen("203.0.113.1", 0).error().text(), Contains("cannot be listened on"));
+}

@@ -1,0 +1,50 @@
+#include "replay/run_log.h"
+
+#include <sstream>
+
+#include "support/catch.h"
+
+using namespace continua;
+
+namespace {
+
+// The digests that a log of these two records ends with.
+Json end_of(const Json& transition, const Json& pose) {
+  std::ostringstream out;
+  RunLog log(out);
+  log.write("transition", SimTime::from_seconds(1), transition, 7);
+  log.write("pose", SimTime::from_seconds(2), pose);
+  log.finish(SimTime::from_seconds(3));
+  std::istringstream lines(out.str());
+  std::string line;
+  for (int i = 0; i < 3; ++i) std::getline(lines, line);
+  return Json::parse(line);
+}
+
+}  // namespace
+
+TEST_CASE("a log numbers its lines, and its last line counts and digests those before") {
+  std::ostringstream out;
+  RunLog log(out);
+  CHECK(log.write("input", SimTime::from_seconds(1.25), {{"symbol", "x"}}) == 0);
+  CHECK(log.write("utterance", SimTime::from_seconds(1.25), {{"text", "Hello."}}, 0) == 1);
+  const auto before = out.str();
+  CHECK(before ==
+        "{\"kind\":\"input\",\"n\":0,\"t\":1.25,\"symbol\":\"x\"}\n"
+        "{\"kind\":\"utterance\",\"n\":1,\"t\":1.25,\"cause\":0,\"text\":\"Hello.\"}\n");
+  log.finish(SimTime::from_seconds(2));
+  const auto end = Json::parse(out.str().substr(before.size()));
+  CHECK(end["digest"] == digest(before));
+  CHECK(end["counts"] == Json{{"input", 1}, {"utterance", 1}});
+}
+
+TEST_CASE("decisions are digested apart from poses and from margins") {
+  const Json transition{{"id", "a"}, {"margin", 0.1}};
+  const Json pose{{"bodies", {{"block", {1, 2, 3}}}}};
+  const auto same = end_of(transition, pose);
+  const auto other_pose = end_of(transition, {{"bodies", {{"block", {1, 2, 4}}}}});
+  CHECK(other_pose["decisions"] == same["decisions"]);
+  CHECK(other_pose["physics"] != same["physics"]);
+  CHECK(end_of({{"id", "a"}, {"margin", 0.2}}, pose)["decisions"] == same["decisions"]);
+  CHECK(end_of({{"id", "b"}, {"margin", 0.1}}, pose)["decisions"] != same["decisions"]);
+}

@@ -1,0 +1,177 @@
+#include "replay/session.h"
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "core/digest.h"
+#include "core/located_json.h"
+#include "replay/session_import.h"
+#include "replay/trace_file.h"
+#include "support/catch.h"
+
+using namespace continua;
+namespace fs = std::filesystem;
+
+namespace {
+
+const char* machine = R"json({
+  "machine": 1, "name": "fetch", "start": "Wait", "repeat_utterances": false,
+  "programs": { "put": "e -> loc -> t", "reach": "e -> t" },
+  "slots": { "indicated": "e", "action": "term" },
+  "define": { "nearest": "head(sort_by(scene, \\x. distance(position(x), target)))" },
+  "states": { "Asked": { "enter": [ { "say": "The {attribute(indicated, 'color')} one?" }, { "gesture": "reach(indicated)" } ] },
+              "Done": { "enter": [ { "say": "OK." } ] } },
+  "transitions": [
+    { "id": "point", "from": "*", "on": "gesture right point start", "to": "Asked", "push": { "indicated": "nearest", "action": "\\p. put(nearest, p)" } },
+    { "id": "there", "from": "Asked", "on": "pointing right", "to": "Done", "do": [ { "act": "fill(action, target)" } ] } ] })json";
+
+const char* trace = R"json({"kind":"trace","version":1,"scene":"staircase","machine":"fetch.json"}
+{"t":1,"kind":"gesture","name":"point","hand":"right","phase":"start","target":[-0.1,0.05]}
+{"t":1.5,"kind":"expect","state":"Asked"}
+{"t":2,"kind":"pointing","hand":"right","target":[0.05,-0.06]}
+{"t":2,"kind":"expect","says":"OK.","state":"Done"}
+{"t":3,"kind":"speech","text":"what?"}
+)json";
+
+// A folder with a machine and a trace, gone with the test.
+struct Folder {
+  Folder() : path(fs::temp_directory_path() / ("continua_session_" + std::to_string(::getpid()))) {
+    fs::create_directories(path);
+    write("fetch.json", machine);
+    write("talk.jsonl", trace);
+  }
+  ~Folder() { fs::remove_all(path); }
+  void write(const std::string& name, const std::string& content) const { std::ofstream(path / name) << content; }
+  std::string file(const std::string& name) const { return (path / name).string(); }
+  fs::path path;
+};
+
+ReplayOptions kinematic() {
+  ReplayOptions options;
+  options.physics = false;
+  return options;
+}
+
+std::string log_of(const std::string& path, const ReplayOptions& options = kinematic()) {
+  std::ostringstream out;
+  const auto summary = replay(path, options, out);
+  if (!summary) FAIL(summary.error().text());
+  return out.str();
+}
+
+std::vector<Json> records_of(const std::string& log) {
+  std::vector<Json> records;
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);) records.push_back(Json::parse(line));
+  return records;
+}
+
+std::vector<Json> of_kind(const std::vector<Json>& records, const std::string& kind) {
+  std::vector<Json> found;
+  for (const auto& record : records)
+    if (record["kind"] == kind) found.push_back(record);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a replay writes what was heard, decided, said and done, each with its cause") {
+  const Folder folder;
+  const auto log = log_of(folder.file("talk.jsonl"));
+  const auto records = records_of(log);
+  REQUIRE(records.front()["kind"] == "run");
+  REQUIRE(records.back()["kind"] == "end");
+  std::set<int> symbols;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const auto& record = records[i];
+    CHECK(record["n"] == i);
+    if (record.contains("cause")) CHECK(record["cause"] < record["n"]);
+    if (record["kind"] == "symbol") symbols.insert(record["id"].get<int>());
+    if (record.contains("stack")) CHECK(symbols.contains(record["stack"].get<int>()));
+  }
+  CHECK(of_kind(records, "utterance").at(0)["text"] == "The green one?");
+  CHECK(of_kind(records, "utterance").at(1)["text"] == "OK.");
+  const auto applied = of_kind(records, "application").at(0);
+  CHECK(applied["result"] == "put(block4, <0.05, -0.06, 0>)");
+  const auto inputs = of_kind(records, "input");
+  CHECK(applied["because"] == Json{inputs.at(0)["n"], inputs.at(1)["n"]});
+  const auto acts = of_kind(records, "act");
+  CHECK(acts.front()["status"] == "asked");
+  CHECK(acts.back()["status"] == "done");
+  CHECK(of_kind(records, "refusal").size() == 1);
+  CHECK(of_kind(records, "expect").size() == 2);
+  const auto before_end = log.substr(0, log.rfind("{\"kind\":\"end\""));
+  CHECK(records.back()["digest"] == digest(before_end));
+}
+
+TEST_CASE("the same trace gives the same bytes, in either world") {
+  const Folder folder;
+  CHECK(log_of(folder.file("talk.jsonl")) == log_of(folder.file("talk.jsonl")));
+  CHECK(log_of(folder.file("talk.jsonl"), {}) == log_of(folder.file("talk.jsonl"), {}));
+}
+
+TEST_CASE("with physics the object comes to lie where it was put, and the act says how near") {
+  const Folder folder;
+  const auto records = records_of(log_of(folder.file("talk.jsonl"), {}));
+  const auto acts = of_kind(records, "act");
+  REQUIRE(acts.back()["status"] == "done");
+  CHECK(acts.back()["result"]["position_error_m"] < 0.02);
+  CHECK_FALSE(of_kind(records, "pose").empty());
+  CHECK_FALSE(of_kind(records, "rest").empty());
+}
+
+TEST_CASE("an expectation that is not met is counted and logged with what there was") {
+  const Folder folder;
+  folder.write("unmet.jsonl", std::string(trace) + "{\"t\":4,\"kind\":\"expect\",\"state\":\"Asked\",\"holding\":\"null\"}\n");
+  std::ostringstream out;
+  const auto summary = replay(folder.file("unmet.jsonl"), kinematic(), out);
+  REQUIRE(summary.ok());
+  CHECK(summary->expectations == 3);
+  CHECK(summary->expectations_met == 2);
+  CHECK(of_kind(records_of(out.str()), "expect").back()["found"] == Json{{"state", "Done"}, {"holding", "null"}});
+}
+
+TEST_CASE("what cannot be replayed is told in a line that names file, line and expectation") {
+  const Folder folder;
+  const auto error = [&](const std::string& content) {
+    folder.write("broken.jsonl", content);
+    std::ostringstream out;
+    const auto summary = replay(folder.file("broken.jsonl"), kinematic(), out);
+    CHECK(out.str().empty());
+    return summary.ok() ? std::string() : summary.error().text();
+  };
+  CHECK(error("").find("broken.jsonl:1") != std::string::npos);
+  CHECK(error(R"({"kind":"trace","version":1,"scene":"stairs","machine":"fetch.json"})").find("staircase") != std::string::npos);
+  CHECK(error(R"({"kind":"trace","version":1,"scene":"staircase","machine":"fetsh.json"})").find("broken.jsonl:1") != std::string::npos);
+  CHECK(error(R"({"kind":"trace","version":1,"scene":"staircase","machine":"talk.jsonl"})").find("talk.jsonl:2:1: not valid JSON") != std::string::npos);
+}
+
+TEST_CASE("real sessions replay to their last event, the same twice") {
+  const fs::path sessions = fs::path(CONTINUA_SOURCE_DIR) / "../shared/data/pilot2018";
+  if (!fs::exists(sessions)) {
+    WARN("skipped: no recorded sessions at " << sessions);
+    return;
+  }
+  const Folder folder;
+  for (const char* name : {"PilotStudy12-2018-02-08-100753", "PilotStudy3-2018-02-05-144334"}) {
+    CAPTURE(name);
+    const auto imported = import_session((sessions / (std::string(name) + ".txt")).string());
+    REQUIRE(imported.ok());
+    folder.write("real.jsonl", write_trace(*imported));
+    const auto log = log_of(folder.file("real.jsonl"));
+    CHECK(log == log_of(folder.file("real.jsonl")));
+    const auto records = records_of(log);
+    CHECK(of_kind(records, "problem").empty());
+    std::set<std::pair<double, std::string>> said;
+    for (const auto& record : of_kind(records, "utterance")) said.emplace(record["t"].get<double>(), record["text"].get<std::string>());
+    int spoken = 0, reproduced = 0;
+    for (const auto& record : of_kind(records, "observed")) {
+      if (record["channel"] != "speech") continue;
+      ++spoken;
+      reproduced += said.contains({record["t"].get<double>(), record["content"].get<std::string>()});
+    }
+    CHECK(reproduced * 10 >= spoken * 9);
+  }
+}
