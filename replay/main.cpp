@@ -1,7 +1,6 @@
 // The program `continua`: reads its arguments and calls the command they name.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <array>
 #include <exception>
 #include <string>
@@ -23,18 +22,30 @@ constexpr std::array commands = {
     add_replay_command, add_serve_command, add_export_command, add_import_command, add_validate_command,
 };
 
-// What is wrong with the arguments, in one sentence.
-std::string sentence_of(const CLI::App& program, const CLI::ParseError& problem, const char* first_argument) {
+std::vector<std::string> options_of(const CLI::App& command) {
   std::vector<std::string> names;
-  for (const auto* command : program.get_subcommands({})) names.push_back(command->get_name());
-  const bool unknown_command = first_argument && first_argument[0] != '-' && !names.empty() &&
-                               std::find(names.begin(), names.end(), first_argument) == names.end();
-  if (unknown_command)
-    return fmt::format("there is no command {}{}; expected one of {}", in_quotes(first_argument),
-                       did_you_mean(first_argument, names), fmt::join(names, ", "));
+  for (const auto* option : command.get_options())
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// What is wrong with the arguments, in one sentence.
+std::string sentence_of(const CLI::App& program, const CLI::ParseError& problem) {
   const auto chosen = program.get_subcommands();
-  const auto help = chosen.empty() ? "continua --help" : "continua " + chosen.front()->get_name() + " --help";
-  return fmt::format("{} (see {})", problem.what(), help);
+  const CLI::App& command = chosen.empty() ? program : *chosen.front();
+  const auto help = chosen.empty() ? "continua --help" : "continua " + command.get_name() + " --help";
+  const auto not_understood = program.remaining(true);
+  if (not_understood.empty()) return fmt::format("{} (see {})", problem.what(), help);
+
+  const auto& first = not_understood.front();
+  if (first.starts_with('-'))
+    return fmt::format("there is no option {}{} (see {})", in_quotes(first), did_you_mean(first, options_of(command)),
+                       help);
+  if (!chosen.empty()) return fmt::format("found {}; expected no more arguments (see {})", in_quotes(first), help);
+  std::vector<std::string> names;
+  for (const auto* known : program.get_subcommands({})) names.push_back(known->get_name());
+  return fmt::format("there is no command {}{}; expected one of {}", in_quotes(first), did_you_mean(first, names),
+                     fmt::join(names, ", "));
 }
 
 int run_program(int argc, char** argv) {
@@ -52,7 +63,7 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::Success& asked) {  // --help, --version
     return program.exit(asked);
   } catch (const CLI::ParseError& problem) {
-    report({"", sentence_of(program, problem, argc > 1 ? argv[1] : nullptr)});
+    report({"", sentence_of(program, problem)});
     return exit_impossible;
   }
   return run();

@@ -41,6 +41,8 @@ bool same_file(const fs::path& a, const fs::path& b) {
 
 // Which file each log becomes; an error if two would be the same or a log would be overwritten.
 Result<std::vector<std::string>> outputs_of(const ImportOptions& options) {
+  if (options.output == "-" && options.logs.size() > 1)
+    return Error{"-", "takes one trace; expected a folder for several logs"};
   const bool folder = options.logs.size() > 1 || fs::is_directory(options.output) || options.output.ends_with('/');
   std::error_code problem;
   if (folder) fs::create_directories(options.output, problem);
