@@ -23,8 +23,14 @@ export function labelLines(id) {
 /** Nodes and merged edges of what is to be shown, not yet placed. `taken_only` leaves out what the run never used. */
 export function mergedGraph(graph, taken_only) {
   const edges = new Map();
+  // A transition that leaves most states would bury the rest: it is told by a mark on its target, drawn where taken.
+  const sources = new Map();
+  for (const row of graph.edges) sources.set(row.id, (sources.get(row.id) ?? 0) + 1);
+  const from_anywhere = (row) => graph.states.length > 4 && sources.get(row.id) > graph.states.length / 2;
+  const entered_from_anywhere = new Map();
   for (const row of graph.edges) {
-    if (taken_only && !row.visits) continue;
+    if (!row.visits && from_anywhere(row)) entered_from_anywhere.set(row.to, row);
+    if (!row.visits && (taken_only || from_anywhere(row))) continue;
     const key = JSON.stringify([row.from, row.to]);
     if (!edges.has(key)) edges.set(key, {from: row.from, to: row.to, visits: 0, rows: [], points: []});
     const edge = edges.get(key);
@@ -37,6 +43,7 @@ export function mergedGraph(graph, taken_only) {
     const lines = labelLines(state.id);
     return {
       id: state.id, lines, visits: state.visits, accepting: state.accepting, x: 0, y: 0,
+      anywhere: taken_only ? null : entered_from_anywhere.get(state.id) ?? null,
       w: Math.max(44, Math.max(...lines.map((line) => line.length)) * letter_px + 10),
       h: lines.length * line_px + 11,
     };
@@ -150,7 +157,7 @@ function framed(nodes, edges) {
     left = Math.min(left, x); right = Math.max(right, x);
     top = Math.min(top, y); bottom = Math.max(bottom, y);
   };
-  for (const {x, y, w, h} of nodes) { reach(x - w / 2, y - h / 2 - 12); reach(x + w / 2, y + h / 2); }
+  for (const {x, y, w, h, anywhere} of nodes) { reach(x - w / 2, y - h / 2 - (anywhere ? 30 : 12)); reach(x + w / 2, y + h / 2); }
   for (const {points} of edges) for (const {x, y} of points) reach(x, y);
   if (!nodes.length) reach(0, 0);
   for (const item of [...nodes, ...edges.flatMap((edge) => edge.points)]) {

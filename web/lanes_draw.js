@@ -9,7 +9,12 @@ export const gutter_px = 92, axis_px = 17, overview_px = 22, row_px = 15;
  */
 export function laneRows(data) {
   const {lanes} = data;
-  const row = (name, colour, items, kind = 'bar') => ({name, colour, items, kind, starts: items.map((item) => item.from)});
+  const row = (name, colour, items, kind = 'bar') => {
+    items.sort((a, b) => a.from - b.from);
+    // One that goes on while others come and go is drawn as a thin line below them.
+    items.forEach((item, i) => { item.under = kind === 'bar' && i + 1 < items.length && items[i + 1].to < item.to && items[i + 1].from > item.from; });
+    return {name, colour, kind, items, starts: items.map((item) => item.from), under: items.filter((item) => item.under)};
+  };
   const spans = (list) => list.map(([from, to, n, text]) => ({from, to, n, text: brief(text)}));
   const instants = (list) => list.map(([t, n, text]) => ({from: t, to: t, n, text: brief(text)}));
   const acts = lanes.act.map(([from, to, n, program, status]) => ({from, to, n, text: `${brief(program)} ${status}`, bad: status !== 'done'}));
@@ -24,6 +29,7 @@ export function laneRows(data) {
     row('avatar says', 'avatar', instants(lanes.utterance)),
     row('shows', 'avatar', instants(lanes.move)),
     row('acts', 'act', acts),
+    ...(lanes.observed?.length ? [row('as recorded', 'depth', instants(lanes.observed))] : []),
   ];
 }
 
@@ -99,13 +105,16 @@ export function drawLanes(pen, {data, rows, zoom: [from, to], width, colour}) {
 }
 
 function drawItems(pen, row, {from, to, x, top, colour, width}) {
-  // Items overlap little, so few before the window can reach into it.
+  pen.fillStyle = colour(row.colour);
+  for (const item of row.under)
+    if (item.from <= to && item.to >= from) pen.fillRect(x(item.from), top + row_px - 3, x(item.to) - x(item.from), 2);
+  // Other items overlap little, so few before the window can reach into it.
   const first = Math.max(0, lastAtMost(row.starts, from) - 8);
   let painted = -Infinity;
   for (let i = first; i < row.items.length && row.items[i].from <= to; ++i) {
     const item = row.items[i];
-    if (item.to < from) continue;
-    const left = x(item.from), right = Math.max(left + 2, x(item.to));
+    if (item.under ? item.from < from : item.to < from) continue;
+    const left = x(item.from), right = item.under ? left + 2 : Math.max(left + 2, x(item.to));
     if (right < painted + 0.5) continue;  // hidden under the last one
     painted = right;
     const state = row.kind === 'state';
@@ -114,9 +123,9 @@ function drawItems(pen, row, {from, to, x, top, colour, width}) {
     pen.fillRect(left, top + 2, right - left - gap, row_px - 4);
     // The text goes inside, or behind an instant as far as the next one leaves room.
     const next = i + 1 < row.items.length ? x(row.items[i + 1].from) : width;
-    const inside = item.to > item.from && right - left > 24;
+    const inside = item.to > item.from && !item.under && right - left > 24;
     const room = inside ? Math.min(right, width) - Math.max(left, gutter_px) - 6 : next - right - 6;
-    if (room < 18 || item.plain && !inside) continue;
+    if (room < 18 || item.plain) continue;
     const text = cut(pen, item.text, room);
     if (!text) continue;
     pen.fillStyle = inside ? colour(state ? 'text' : 'on-bar') : colour('text');

@@ -17,10 +17,13 @@ export class RunData {
     this.lanes = lanes;
     this.size = lanes.t.length;
     this.t = Float64Array.from(lanes.t);
+    // Some records are written a little after the instant they speak of; searching needs times in order.
+    this.reached = this.t.slice();
+    for (let n = 1; n < this.size; ++n) this.reached[n] = Math.max(this.reached[n], this.reached[n - 1]);
     this.kinds = lanes.kinds;
-    this.duration = this.size ? this.t[this.size - 1] : 0;
+    this.duration = this.size ? this.reached[this.size - 1] : 0;
     this.steps = lanes.transitions;
-    this.segments = stateSegments(this.steps, this.t, graph.start, this.duration);
+    this.segments = stateSegments(this.steps, this.reached, graph.start, this.duration);
   }
 
   kind(n) { return this.kinds[this.lanes.kind[n]]; }
@@ -29,7 +32,7 @@ export class RunData {
   clamp(n) { return Math.max(0, Math.min(this.size - 1, n)); }
 
   /** The last record at time t. */
-  at(t) { return Math.max(0, lastAtMost(this.t, t)); }
+  at(t) { return Math.max(0, lastAtMost(this.reached, t)); }
 
   /** Place in `steps` of the last transition at record n, or -1. */
   step(n) { return lastAtMost(this.steps.n, n); }

@@ -17,15 +17,15 @@ function operationText(operation) {
 function transitionFields(record) {
   const candidates = record.candidates ?? [];
   const fields = [
-    line('move', `${record.from} → ${record.to}`),
     line('input', record.input === null ? 'ε' : text(record.input)),
     line('operation', operationText(record.operation)),
-    line('chosen', h('b', {}, record.id), ` of ${candidates.length}`, record.draw !== null && record.draw !== undefined ? `, draw ${record.draw}` : ''),
+    line('taken', h('b', {}, record.id), candidates.length > 1 ? `, one of ${candidates.length} applicable` : ', the only one applicable',
+      record.draw === null || record.draw === undefined ? '' : `, draw ${record.draw}`),
   ];
   if (record.gate) fields.push(line('gate', `${record.gate.state}: ${shown(record.gate.condition)} `, h('b', {class: record.gate.passed ? 'yes' : 'no'}, record.gate.passed ? 'passed' : 'not passed')));
   if (record.margin !== null && record.margin !== undefined) fields.push(line('margin', text(record.margin)));
   return [h('dl', {}, fields),
-    candidates.length > 0 && h('details', {open: candidates.length > 1}, h('summary', {}, `${candidates.length} applicable`),
+    candidates.length > 1 && h('details', {open: true}, h('summary', {}, `${candidates.length} applicable`),
       h('ul', {class: 'candidates'}, candidates.map((one) =>
         h('li', {class: one.id === record.id ? 'chosen' : null}, h('b', {}, one.id), ` weight ${one.weight}`,
           one.id === record.id && h('span', {class: 'yes'}, ' taken'))))),

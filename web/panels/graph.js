@@ -107,6 +107,9 @@ export function mountGraph(app) {
       node.accepting && s('rect', {class: 'outer', x: node.x - node.w / 2 - 3, y: node.y - node.h / 2 - 3, width: node.w + 6, height: node.h + 6, rx: 10}),
       s('rect', {class: 'box', x: node.x - node.w / 2, y: node.y - node.h / 2, width: node.w, height: node.h, rx: 8}),
       node.lines.map((line, i) => s('text', {x: node.x, y: top + i * 13, 'text-anchor': 'middle'}, line)),
+      node.anywhere && s('g', {class: 'edge never'}, s('title', {}, `from any state\n${rowText(node.anywhere)}`),
+        s('path', {class: 'stroke', d: `M${node.x} ${node.y - node.h / 2 - 20}v14`}), s('path', {class: 'head', d: `M${node.x} ${node.y - node.h / 2 - 2}l-3.5 -6h7z`}),
+        s('text', {class: 'count', x: node.x, y: node.y - node.h / 2 - 23, 'text-anchor': 'middle'}, 'from any state')),
       begins && s('path', {class: 'begin', d: `M${node.x - node.w / 2 - 9} ${node.y - 5}l8 5l-8 5z`}));
   };
 

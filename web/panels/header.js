@@ -3,7 +3,7 @@ import {h, s, counted, grouped, seconds} from '../dom.js';
 
 const icons = {
   first: 'M3 3h2v10H3zM13 3v10L6 8z', back: 'M11 3v10L4 8z', play: 'M4 2.5v11l9-5.5z', pause: 'M4 3h3v10H4zM9 3h3v10H9z',
-  on: 'M5 3v10l7-5z', last: 'M11 3h2v10h-2zM3 3v10l7-5z', theme: 'M8 2a6 6 0 1 0 0 12a6 6 0 1 0 0-12zM8 3.5v9a4.500 4.500 0 0 0 0-9z',
+  on: 'M5 3v10l7-5z', last: 'M11 3h2v10h-2zM3 3v10l7-5z', theme: 'M8 2a6 6 0 1 0 0 12a6 6 0 1 0 0-12zM8 3.5v9a4.5 4.5 0 0 0 0-9z',
 };
 const icon = (name) => s('svg', {viewBox: '0 0 16 16', width: 14, height: 14, 'aria-hidden': 'true'}, s('path', {d: icons[name], fill: 'currentColor', 'fill-rule': 'evenodd'}));
 
@@ -14,8 +14,7 @@ export function verdict(summary) {
   const parts = [counted(summary.utterances, 'utterance'), counted(summary.acts, 'act'), counted(summary.refusals, 'refusal'),
                  `${Math.round(summary.duration)} s`];
   if (summary.problems) parts.push(counted(summary.problems, 'problem'));
-  if (summary.expected) parts.push(summary.met === summary.expected ? `${summary.met} of ${summary.expected} as expected`
-                                                                    : `${summary.expected - summary.met} of ${summary.expected} not as expected`);
+  if (summary.expected) parts.push(`${summary.met} of ${counted(summary.expected, 'expectation')} met`);
   return parts.join(', ');
 }
 

@@ -78,6 +78,7 @@ export function mountLanes(app) {
       const item = row.items[i];
       if (item.to >= t - slack && (!best || item.from > best.from)) best = item;
     }
+    best ??= row.under.find((item) => item.from <= t && item.to >= t);
     return best && {row, item: best};
   };
   const place = (event) => {

@@ -48,7 +48,6 @@ export function mountRecords(app) {
   const paint = () => {
     const first = Math.max(0, Math.floor(scroller.scrollTop / row_px) - 4);
     const last = Math.min(found.length, Math.ceil((scroller.scrollTop + scroller.clientHeight) / row_px) + 4);
-    rows.style.height = `${found.length * row_px}px`;
     const drawn = [];
     for (let place = first; place < last; ++place) drawn.push(row(place));
     rows.replaceChildren(...drawn.length ? drawn : [h('div', {role: 'row', class: 'empty'}, h('span', {role: 'gridcell'}, 'No record matches.'))]);
@@ -64,6 +63,7 @@ export function mountRecords(app) {
         looked.filter = selection.filter;
         found = matching(data, selection.kind, selection.filter);
         scroller.setAttribute('aria-rowcount', found.length);
+        rows.style.height = `${found.length * row_px}px`;
         count.textContent = selection.filter || selection.kind ? `${grouped(found.length)} of ${grouped(data.size)}` : '';
         if (filter.value !== selection.filter) filter.value = selection.filter;
         kind.value = selection.kind;

@@ -37,7 +37,7 @@ export function renderStart(host, runs, open) {
 
 function status(run) {
   if (run.trouble) return h('span', {class: 'badge warn', title: run.trouble}, 'cut short');
-  if (run.met < run.expected) return h('span', {class: 'badge bad'}, `${run.expected - run.met} of ${run.expected} not met`);
-  if (run.expected) return h('span', {class: 'badge good'}, `${run.expected} as expected`);
+  if (run.met < run.expected) return h('span', {class: 'badge bad'}, `${run.expected - run.met} of ${run.expected} expectations not met`);
+  if (run.expected) return h('span', {class: 'badge good'}, 'as expected');
   return h('span', {class: 'badge'}, 'complete');
 }
