@@ -19,6 +19,7 @@ constexpr double squeeze_m = 0.01;  // by which the fingers would close further 
 constexpr double resting_opening_m = 0.02;
 constexpr double set_down_error_m = 0.02;  // beyond it a put has missed
 constexpr double touch_force_N = 2.5;      // of set-down: a block weighs about 1 N
+constexpr double full_turn = 6.283185307179586;
 constexpr Pace gentle{0.12, 1.5, 10};
 constexpr Pace loaded{0.9, 2.5, 18};
 
@@ -35,6 +36,8 @@ double closing_yaw(const Pose& X_WT) {
   const Vec3 y = X_WT.R_WB * Vec3::UnitY();
   return std::atan2(y.y(), y.x());
 }
+
+bool points_down(const Pose& X_WT) { return (X_WT.R_WB * Vec3::UnitX()).z() < -0.99; }
 
 bool is_move(Capability what) { return what == Capability::put || what == Capability::slide; }
 
@@ -113,6 +116,8 @@ bool Avatar::decide_move(const ObjectState& object, const WorldSnapshot& world) 
   if (is_move(command_.what)) goal = goal_position(command_, world);
   if (command_.what == Capability::lift) goal = object.p_WO + Vec3(0, 0, command_.height_m);
   const bool turns = is_move(command_.what);
+  if (turns) set_down_ = choose_set_down(object, *goal, world, 0.9 * set_down_error_m);
+  const Vec3 first_at = set_down_.shove_from_W.value_or(set_down_.p_WO);
   const Arm& arm = physics_.arm();
   const Vec3 base_W = arm.joints[0].X_PJ.p_WB;
 
@@ -128,7 +133,7 @@ bool Avatar::decide_move(const ObjectState& object, const WorldSnapshot& world) 
     grip_.yaw = closing_yaw(tool_pose(arm, physics_.hinges()));
     grip_.p_OT = tool_pose(arm, physics_.hinges()).p_WB - object.p_WO;
   } else {
-    const auto grip = choose_grip(object, world, turns ? goal : std::nullopt, base_W);
+    const auto grip = choose_grip(object, world, turns ? std::optional(first_at) : std::nullopt, base_W);
     if (!grip) return cannot(Status::blocked, fmt::format("{} is too wide for the hand", object.name));
     grip_ = *grip;
     if (!reaches(fingers_down(object.p_WO + grip_.p_OT, grip_.yaw)))
@@ -136,7 +141,7 @@ bool Avatar::decide_move(const ObjectState& object, const WorldSnapshot& world) 
   }
   if (goal) {
     const Vec3 p_OT = Eigen::AngleAxisd(grip_.turn, Vec3::UnitZ()) * grip_.p_OT;
-    if (!reaches(fingers_down(*goal + p_OT, grip_.yaw + grip_.turn)))
+    if (!reaches(fingers_down((turns ? first_at : *goal) + p_OT, grip_.yaw + grip_.turn)))
       return cannot(Status::unreachable, "the arm does not reach the goal");
     p_WG_ = *goal;
   }
@@ -144,8 +149,11 @@ bool Avatar::decide_move(const ObjectState& object, const WorldSnapshot& world) 
   if (!world.held.empty() && !in_hand) phases_ = {Phase::lower, Phase::open, Phase::retreat};
   if (!in_hand) phases_.insert(phases_.end(), {Phase::approach, Phase::close});
   if (command_.what == Capability::lift) phases_.push_back(Phase::raise);
-  if (is_move(command_.what))
-    phases_.insert(phases_.end(), {Phase::carry, Phase::lower, Phase::open, Phase::retreat, Phase::settle});
+  if (turns) {
+    phases_.insert(phases_.end(), {Phase::carry, Phase::lower});
+    if (set_down_.shove_from_W) phases_.push_back(Phase::shove);
+    phases_.insert(phases_.end(), {Phase::open, Phase::retreat, Phase::settle});
+  }
   return true;
 }
 
@@ -171,10 +179,27 @@ std::vector<Pose> Avatar::over(const Pose& X_WT, const WorldSnapshot& world) con
   const double below = std::max(-HandShape{}.finger_tip_m, held ? from.p_WB.z() - held->bounds_W().min.z() : 0.0);
   const double height = top + below + clearance_m;
 
-  std::vector<Pose> poses;
+  // On the way the wrist turns from where it is to where it shall be, and never through its limit: the shortest turn of
+  // the hand in the world may be one that the last hinge cannot make.
+  const Vec3 base_W = physics_.arm().joints[0].X_PJ.p_WB;
+  const auto wrist = [&](const Pose& X) {
+    return std::remainder(closing_yaw(X) - natural_yaw(X.p_WB, base_W), full_turn);
+  };
+  const double from_wrist = wrist(from), to_wrist = wrist(X_WT);
+  const bool turns = points_down(from) && points_down(X_WT) && std::abs(to_wrist - from_wrist) > 1;
   const bool far = (from.p_WB - X_WT.p_WB).head<2>().norm() > 0.01;
-  if (far && from.p_WB.z() < height) poses.push_back({{from.p_WB.x(), from.p_WB.y(), height}, from.R_WB});
-  if (far && X_WT.p_WB.z() < height) poses.push_back({{X_WT.p_WB.x(), X_WT.p_WB.y(), height}, X_WT.R_WB});
+
+  std::vector<Pose> poses;
+  const Vec3 start(from.p_WB.x(), from.p_WB.y(), std::max(height, from.p_WB.z()));
+  const Vec3 end(X_WT.p_WB.x(), X_WT.p_WB.y(), std::max(height, X_WT.p_WB.z()));
+  if ((far || turns) && from.p_WB.z() < height) poses.push_back({start, from.R_WB});
+  if (turns) {
+    for (const double s : {0.25, 0.5, 0.75}) {
+      const Vec3 p = start + s * (end - start);
+      poses.push_back(fingers_down(p, natural_yaw(p, base_W) + from_wrist + s * (to_wrist - from_wrist)));
+    }
+  }
+  if ((far || turns) && X_WT.p_WB.z() < height) poses.push_back({end, X_WT.R_WB});
   poses.push_back(X_WT);
   return poses;
 }
@@ -198,7 +223,7 @@ Pose Avatar::hover_pose(const WorldSnapshot& world) const {
   const double below = held ? now.p_WB.z() - held->bounds_W().min.z() : -HandShape{}.finger_tip_m;
   const Vec3 base_W = physics_.arm().joints[0].X_PJ.p_WB;
   // The fingers close along the object's side that takes the least turning of the wrist.
-  const double natural = std::atan2(p_W.x() - base_W.x(), base_W.y() - p_W.y());
+  const double natural = natural_yaw(p_W, base_W);
   constexpr double quarter = 1.5707963267948966;
   const double yaw = object ? object->yaw + quarter * std::round((natural - object->yaw) / quarter) : natural;
   return fingers_down(p_W + Vec3(0, 0, below + hover_m), yaw);
@@ -274,6 +299,16 @@ bool Avatar::arrived() const {
          (physics_.hinges() - path_.end()).cwiseAbs().maxCoeff() < near_rad;
 }
 
+/// The hand, or what it holds, meets something that it should not.
+bool Avatar::pushes_hard() {
+  constexpr double hard_N = 25;
+  constexpr int firm_steps = 5;
+  const int held = physics_.held();
+  const bool hard = physics_.outside_force(-1) > hard_N || (held >= 0 && physics_.outside_force(held) > hard_N);
+  steps_so_ = hard ? steps_so_ + 1 : 0;
+  return steps_so_ >= firm_steps;
+}
+
 const AvatarTarget& Avatar::update() {
   if (busy_ && phase_ended()) {
     phases_.pop_front();
@@ -302,6 +337,7 @@ void Avatar::begin_phase() {
     return;
   }
   const WorldSnapshot world = physics_.snapshot({});
+  const int held = physics_.held();
   bool possible = true;
   switch (phases_.front()) {
     case Phase::hover:
@@ -314,6 +350,7 @@ void Avatar::begin_phase() {
       break;
     case Phase::close:
       physics_.set_grip(object_);
+      release_opening_m_ = grip_.opening_m;
       wanted_opening_m_ = 0;
       break;
     case Phase::raise:
@@ -321,16 +358,16 @@ void Avatar::begin_phase() {
       break;
     case Phase::carry: {
       constexpr double above_m = 0.01, drag_m = 0.001;
-      along_table_ = command_.what == Capability::slide && way_is_free(world.objects[object_], p_WG_, world);
+      const Vec3 first_at = set_down_.shove_from_W.value_or(set_down_.p_WO);
+      along_table_ = command_.what == Capability::slide && way_is_free(world.objects[object_], first_at, world);
       const Vec3 above(0, 0, along_table_ ? drag_m : above_m);
-      const Pose at_goal = hand_for_object(p_WG_ + above, grip_.yaw + grip_.turn);
+      const Pose at_goal = hand_for_object(first_at + above, grip_.yaw + grip_.turn);
       possible = along_table_ ? go({at_goal}, loaded) : go(over(at_goal, world), loaded);
       break;
     }
     case Phase::lower: {
       // A little further than it should be needed: contact ends the phase.
       constexpr double further_m = 0.003;
-      const int held = physics_.held();
       if (held < 0) break;
       const ObjectState& object = world.objects[held];
       const double down = object.bounds_W().min.z() - height_under(object, world) + further_m;
@@ -339,20 +376,27 @@ void Avatar::begin_phase() {
       possible = go({X_WT}, gentle);
       break;
     }
-    case Phase::open: {
-      const int held = physics_.held();
-      const double half = held < 0 ? 0.03 : physics_.objects()[held].half_extents_m.head<2>().maxCoeff();
-      stop_here();
-      physics_.set_grip(-1);
-      wanted_opening_m_ = std::max(grip_.opening_m, std::min(half + 0.002, HandShape{}.widest_opening_m));
+    case Phase::shove: {
+      Vec3 p_WO = set_down_.p_WO;
+      if (held >= 0) p_WO.z() = physics_.object_pose(held).p_WB.z();
+      possible = held != object_ || go({hand_for_object(p_WO, grip_.yaw + grip_.turn)}, gentle);
       break;
     }
+    case Phase::open:
+      stop_here();
+      physics_.set_grip(-1);
+      wanted_opening_m_ = std::max(release_opening_m_, target_.opening_m);
+      break;
     case Phase::retreat: {
       Pose X_WT = tool_pose(physics_.arm(), target_.hinges.q);
       X_WT.p_WB.z() += 0.09;
       possible = go({X_WT});
       break;
     }
+    case Phase::go_home:
+      path_ = HandPath::between(target_.hinges.q, physics_.arm().home);
+      path_s_ = 0;
+      break;
     case Phase::settle:
       break;
   }
@@ -364,8 +408,14 @@ bool Avatar::phase_ended() {
   const int held = physics_.held();
   switch (phases_.front()) {
     case Phase::hover:
-    case Phase::approach:
     case Phase::retreat:
+    case Phase::go_home:
+      return arrived();
+    case Phase::approach:
+      if (pushes_hard()) {
+        fail(Status::blocked, "something is in the hand's way");
+        return false;
+      }
       return arrived();
     case Phase::close: {
       constexpr int firm_steps = 50;
@@ -383,7 +433,13 @@ bool Avatar::phase_ended() {
         fail(Status::dropped, fmt::format("{} slipped out of the fingers", command_.object));
         return false;
       }
+      if (pushes_hard()) {
+        fail(Status::blocked, fmt::format("something is in {}'s way", command_.object));
+        return false;
+      }
       return arrived();
+    case Phase::shove:
+      return held != object_ || arrived();
     case Phase::lower: {
       constexpr int firm_steps = 3;
       if (held < 0) return true;
@@ -412,13 +468,15 @@ void Avatar::fail(Status status, std::string reason) {
     outcome_.reason = std::move(reason);
   }
   const bool retreating = !phases_.empty() && phases_.front() == Phase::retreat;
-  phases_.clear();
   stop_here();
+  // By the hinges alone the arm gets home from wherever it is: what it could not do before, it can from there.
   if (retreating || is_gesture(command_.what)) {
-    end_act();
-    return;
+    phases_ = {Phase::go_home};
+  } else if (physics_.held() >= 0) {
+    phases_ = {Phase::lower, Phase::open, Phase::retreat, Phase::go_home, Phase::settle};
+  } else {
+    phases_ = {Phase::open, Phase::retreat, Phase::go_home, Phase::settle};
   }
-  phases_ = {Phase::open, Phase::retreat, Phase::settle};
   begin_phase();
 }
 

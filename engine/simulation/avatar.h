@@ -8,6 +8,7 @@
 #include "behaviour/avatar_command.h"
 #include "simulation/grip_choice.h"
 #include "simulation/physics.h"
+#include "simulation/set_down.h"
 
 namespace continua {
 
@@ -30,7 +31,7 @@ class Avatar {
   std::optional<ActReport> take_result();
 
  private:
-  enum class Phase { hover, approach, close, raise, carry, lower, open, retreat, settle };
+  enum class Phase { hover, approach, close, raise, carry, lower, shove, open, retreat, go_home, settle };
 
   bool decide();
   bool decide_move(const ObjectState& object, const WorldSnapshot& world);
@@ -42,6 +43,7 @@ class Avatar {
   bool go(const std::vector<Pose>& X_WT, const Pace& pace = {});
   void stop_here();
   bool arrived() const;
+  bool pushes_hard();
   std::vector<Pose> over(const Pose& X_WT, const WorldSnapshot& world) const;
   Pose hand_for_object(const Vec3& p_WO, double yaw) const;
   Pose hover_pose(const WorldSnapshot& world) const;
@@ -60,6 +62,7 @@ class Avatar {
   int object_ = -1;  // index of the object that is moved
   Grip grip_;
   Vec3 p_WG_ = Vec3::Zero();  // its centre's goal
+  SetDown set_down_;          // how it gets there
   bool along_table_ = false;  // slides rather than is carried
 
   // The phase.
@@ -71,7 +74,7 @@ class Avatar {
   HandPath path_;
   double path_s_ = 0;
   ArmVector leftover_qdot_ = ArmVector::Zero();  // speed of the motion before, which fades out
-  double wanted_opening_m_ = 0.04;
+  double wanted_opening_m_ = 0, release_opening_m_ = 0;
   AvatarTarget target_;
 };
 

@@ -88,6 +88,15 @@ std::optional<HandPath> HandPath::plan(const Arm& arm, const ArmVector& from, co
   return path;
 }
 
+HandPath HandPath::between(const ArmVector& from, const ArmVector& to, const Pace& pace) {
+  HandPath path;
+  path.knots_ = {from, to};
+  const double turn = (to - from).cwiseAbs().maxCoeff();
+  path.duration_s_ =
+      std::max(peak_speed * turn / pace.hinge_rad_per_s, std::sqrt(peak_acceleration * turn / pace.hinge_rad_per_s2));
+  return path;
+}
+
 HandPath HandPath::stay(const ArmVector& q) {
   HandPath path;
   path.knots_.push_back(q);

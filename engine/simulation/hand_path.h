@@ -28,6 +28,9 @@ class HandPath {
   static std::optional<HandPath> plan(const Arm& arm, const ArmVector& from, const std::vector<Pose>& X_WT,
                                       const Pace& pace = {});
 
+  /// Straight from hinges to hinges, wherever the hand goes meanwhile.
+  static HandPath between(const ArmVector& from, const ArmVector& to, const Pace& pace = {});
+
   /// Stays at `q`.
   static HandPath stay(const ArmVector& q);
 
