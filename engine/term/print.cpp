@@ -176,7 +176,9 @@ class Printer {
   }
 
   void apply(const Term& term, int least) {
-    const auto [head, arguments] = term.spine();
+    const Term::Spine spine = term.spine();
+    const auto& head = spine.head;
+    const auto& arguments = spine.arguments;
     if (head.kind() != Term::Kind::constant) return call(head, arguments);
     const auto& name = head.name();
     const Infix* sign = infix(name);
