@@ -6,4 +6,4 @@ ci/setup.sh --tests
 ci/format.sh
 ci/floors.sh
 ci/build.sh
-ctest --preset release
+ctest --preset release --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-2}"

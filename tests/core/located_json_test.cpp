@@ -1,9 +1,7 @@
 #include "core/located_json.h"
 
-#include <filesystem>
-#include <fstream>
-
 #include "support/catch.h"
+#include "support/temporary_folder.h"
 
 using namespace continua;
 
@@ -91,17 +89,12 @@ TEST_CASE("compact JSON is one line of valid UTF-8 in the order written") {
 }
 
 TEST_CASE("read_file tells why it could not") {
-  const auto folder = std::filesystem::temp_directory_path() / "continua_read_file";
-  std::filesystem::create_directories(folder);
-  const auto file = (folder / "empty").string();
-  std::ofstream(file).close();
-  CHECK(read_file(file).value().empty());
-  CHECK(read_file(folder.string()).error().sentence == "is a folder; expected a readable file");
-  CHECK(read_file((folder / "none").string()).error().text() ==
-        (folder / "none").string() + ": there is no such file; expected a readable file");
-  std::ofstream(file) << "a\r\nb";
-  CHECK(read_file(file).value() == "a\r\nb");
-  std::filesystem::remove_all(folder);
+  const TemporaryFolder folder;
+  CHECK(read_file(folder.file("empty", "")).value().empty());
+  CHECK(read_file(folder.file("text", "a\r\nb")).value() == "a\r\nb");
+  CHECK(read_file(folder.path().string()).error().sentence == "is a folder; expected a readable file");
+  CHECK(read_file(folder.at("none")).error().text() ==
+        folder.at("none") + ": there is no such file; expected a readable file");
 }
 
 TEST_CASE("names nearby are offered, others are not") {

@@ -1,34 +1,15 @@
 #include <filesystem>
-#include <fstream>
 
 #include "core/located_json.h"
 #include "replay/commands/import.h"
 #include "replay/commands/validate.h"
 #include "support/catch.h"
+#include "support/temporary_folder.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
 
 namespace {
-
-class Folder {
- public:
-  Folder() : root_(fs::temp_directory_path() / "continua_commands") {
-    fs::remove_all(root_);
-    fs::create_directories(root_);
-  }
-  ~Folder() { fs::remove_all(root_); }
-
-  std::string at(const std::string& name) const { return (root_ / name).string(); }
-  std::string file(const std::string& name, const std::string& content) const {
-    fs::create_directories((root_ / name).parent_path());
-    std::ofstream(root_ / name, std::ios::binary) << content;
-    return at(name);
-  }
-
- private:
-  fs::path root_;
-};
 
 const std::string session_log = "1\tHS\tYES\t1\n";
 const std::string trace = "{\"kind\":\"trace\",\"version\":1}\n{\"t\":1,\"kind\":\"end\"}\n";
@@ -36,7 +17,7 @@ const std::string trace = "{\"kind\":\"trace\",\"version\":1}\n{\"t\":1,\"kind\"
 }  // namespace
 
 TEST_CASE("import writes one trace, or a folder of them") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto a = folder.file("a.txt", session_log), b = folder.file("b.txt", session_log);
   CHECK(run_import({{a}, folder.at("a.jsonl")}) == exit_done);
   CHECK(run_validate({{folder.at("a.jsonl")}}) == exit_done);
@@ -47,7 +28,7 @@ TEST_CASE("import writes one trace, or a folder of them") {
 }
 
 TEST_CASE("import does what it can and reports the rest") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto good = folder.file("good.txt", session_log), empty = folder.file("empty.txt", "");
   CHECK(run_import({{empty, good, folder.at("none.txt")}, folder.at("out")}) == exit_impossible);
   CHECK(fs::exists(folder.at("out/good.jsonl")));
@@ -55,7 +36,7 @@ TEST_CASE("import does what it can and reports the rest") {
 }
 
 TEST_CASE("import overwrites nothing that it reads, and writes no file twice") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto a = folder.file("x/a.txt", session_log), other_a = folder.file("y/a.txt", session_log);
   CHECK(run_import({{a}, a}) == exit_impossible);
   CHECK(read_file(a).value() == session_log);
@@ -82,7 +63,7 @@ TEST_CASE("validate finds every problem") {
 }
 
 TEST_CASE("validate ends with 0 for valid, 1 for invalid, 2 for unreadable") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const auto good = folder.file("good.jsonl", trace), bad = folder.file("bad.jsonl", trace + "{}\n");
   CHECK(run_validate({{good}}) == exit_done);
   CHECK(run_validate({{good, bad}}) == exit_no);

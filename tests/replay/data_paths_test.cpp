@@ -2,9 +2,9 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 #include "support/catch.h"
+#include "support/temporary_folder.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
@@ -14,23 +14,18 @@ namespace {
 // A source tree with two machines and a scene, which CONTINUA_HOME names while this lives.
 class Tree {
  public:
-  Tree() : root_(fs::temp_directory_path() / "continua_tree") {
-    fs::remove_all(root_);
-    for (const char* folder : {"engine/knowledge/machines", "mjcf/scenes", "traces"})
-      fs::create_directories(root_ / folder);
-    for (const char* file : {"engine/knowledge/machines/diana.json", "engine/knowledge/machines/paper.json",
+  Tree() {
+    fs::create_directories(root() / "traces");
+    for (const char* name : {"engine/knowledge/machines/diana.json", "engine/knowledge/machines/paper.json",
                              "mjcf/scenes/table.xml", "traces/own.json", "traces/diana.json"})
-      std::ofstream(root_ / file) << "x";
-    setenv("CONTINUA_HOME", root_.c_str(), 1);
+      folder_.file(name, "x");
+    setenv("CONTINUA_HOME", root().c_str(), 1);
   }
-  ~Tree() {
-    unsetenv("CONTINUA_HOME");
-    fs::remove_all(root_);
-  }
-  const fs::path& root() const { return root_; }
+  ~Tree() { unsetenv("CONTINUA_HOME"); }
+  const fs::path& root() const { return folder_.path(); }
 
  private:
-  fs::path root_;
+  TemporaryFolder folder_;
 };
 
 }  // namespace
