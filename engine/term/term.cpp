@@ -54,11 +54,15 @@ Term Term::text(std::string value) {
   return Term(std::make_shared<const Node>(Node{Kind::text, Type::text_type(), std::move(value), 0, 1, size}));
 }
 
+namespace {
+// Dividing by the number of steps gives the double nearest to the decimal; + 0.0 turns -0 into 0.
+double to_micrometre(double metres) { return std::round(metres * 1e6) / 1e6 + 0.0; }
+}  // namespace
+
 Term Term::place(Place value) {
   for (std::size_t i = 0; i < 3; ++i) {
-    value.min[i] += 0.0;
-    if (!value.region) value.max[i] = value.min[i];
-    value.max[i] += 0.0;
+    value.min[i] = to_micrometre(value.min[i]);
+    value.max[i] = value.region ? to_micrometre(value.max[i]) : value.min[i];
     if (!std::isfinite(value.min[i]) || !std::isfinite(value.max[i])) return Term();
     if (value.max[i] < value.min[i]) std::swap(value.min[i], value.max[i]);
   }

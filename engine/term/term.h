@@ -47,7 +47,8 @@ class Term {
   /// A number that is not finite is null; -0 is 0.
   static Term number(double value);
   static Term text(std::string value);
-  /// The corners of a region may come in any order. A place with a coordinate that is not finite is null.
+  /// Coordinates are rounded to a micrometre, so that the last bits of a sum neither decide nor print. The corners
+  /// of a region may come in any order. A place with a coordinate that is not finite is null.
   static Term place(Place value);
   static Term point(double x_m, double y_m, double z_m);
   static Term constant(std::string name, Type type);
