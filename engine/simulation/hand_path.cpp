@@ -13,7 +13,7 @@ constexpr double peak_acceleration = 5.7735;
 
 constexpr double knot_distance_m = 0.01;
 constexpr double turn_as_m_per_rad = 0.06;  // so that turning on the spot has a length too
-constexpr double corner_radius_m = 0.06;
+constexpr double corner_radius_m = 0.025;   // what comes down beside a stack must not yet be lower than its top before
 
 double length(const Pose& a, const Pose& b) {
   return (b.p_WB - a.p_WB).norm() + turn_as_m_per_rad * a.R_WB.angularDistance(b.R_WB);

@@ -175,8 +175,8 @@ void Physics::step(const AvatarTarget& target) {
     data->qfrc_applied[s.ids.dof[i]] = data->qfrc_bias[s.ids.dof[i]];
   }
   for (const int servo : s.ids.finger_servo) data->ctrl[servo] = target.opening_m;
-  s.update_weld();
   mj_step(model, data);
+  s.update_weld();
   // MuJoCo starts a diverged simulation anew by itself, which would be a teleport.
   require(data->warning[mjWARN_BADQPOS].number + data->warning[mjWARN_BADQVEL].number +
                   data->warning[mjWARN_BADQACC].number ==

@@ -1,0 +1,250 @@
+#include "simulation/physics_body.h"
+
+#include <algorithm>
+
+#include "core/random.h"
+#include "support/catch.h"
+
+using namespace continua;
+using Status = ActReport::Status;
+
+namespace {
+
+const Scene& staircase() {
+  static const Scene scene = load_scene(CONTINUA_SOURCE_DIR "/mjcf/scenes/staircase.xml").value();
+  return scene;
+}
+
+/// A body, the time it is at, and everything it ever told.
+struct Stage {
+  std::unique_ptr<PhysicsBody> body;
+  SimTime now;
+  WorldReport told;
+
+  explicit Stage(const std::vector<ObjectOverride>& overrides = {}) {
+    const Scene scene = overrides.empty() ? staircase() : load_scene(staircase().path(), overrides).value();
+    body = PhysicsBody::create(scene).value();
+  }
+
+  void advance(double seconds) {
+    now = now + SimTime::from_seconds(seconds);
+    WorldReport report = body->advance(now);
+    const auto append = [](auto& to, auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(told.acts, report.acts);
+    append(told.poses, report.poses);
+    append(told.rests, report.rests);
+  }
+
+  /// Lets the world go on until it is at rest; how the last act went.
+  ActReport rest() {
+    for (int i = 0; i < 600 && (i == 0 || !body->at_rest()); ++i) advance(0.05);
+    REQUIRE(body->at_rest());
+    return told.acts.empty() ? ActReport{} : told.acts.back();
+  }
+
+  ActReport act(AvatarCommand command) {
+    static int id = 0;
+    command.id = ++id;
+    body->command(command);
+    return rest();
+  }
+
+  ObjectState object(const std::string& name) const { return *body->snapshot().find(name); }
+
+  /// Fastest motion of an object between two pose samples.
+  double fastest() const {
+    std::map<std::string, std::pair<SimTime, Vec3>> last;
+    double fastest = 0;
+    for (const auto& object : staircase().initial_snapshot().objects) last[object.name] = {SimTime{}, object.p_WO};
+    for (const auto& sample : told.poses) {
+      for (const auto& [name, pose] : sample.bodies) {
+        if (!last.count(name)) continue;
+        auto& [t, p] = last[name];
+        const double seconds = std::max(1 / 30.0, std::min((sample.t - t).seconds(), 1 / 29.0));
+        fastest = std::max(fastest, (pose.p_WB - p).norm() / seconds);
+        last[name] = {sample.t, pose.p_WB};
+      }
+    }
+    return fastest;
+  }
+};
+
+AvatarCommand command(Capability what, const std::string& object) {
+  AvatarCommand command;
+  command.what = what;
+  command.object = object;
+  return command;
+}
+
+AvatarCommand put_at(const std::string& object, double x, double y) {
+  AvatarCommand put = command(Capability::put, object);
+  put.goal.p_WG = {x, y, 0};
+  return put;
+}
+
+AvatarCommand put_by(const std::string& object, Goal::Relation relation, const std::string& landmark,
+                     Capability what = Capability::put) {
+  AvatarCommand put = command(what, object);
+  put.goal.relation = relation;
+  put.goal.landmark = landmark;
+  return put;
+}
+
+}  // namespace
+
+TEST_CASE("each block can be put somewhere, within two centimetres in nine of ten cases and never fast") {
+  Random random(42);
+  Stage stage;
+  int puts = 0, good = 0;
+  for (const auto& block : staircase().objects()) {
+    for (int n = 0; n < 2; ++n) {
+      const double x = -0.45 + 0.9 * random.uniform(), y = -0.1 + 0.2 * random.uniform();
+      const ActReport end = stage.act(put_at(block.name, x, y));
+      ++puts;
+      const double off_m = (stage.object(block.name).p_WO - Vec3(x, y, 0)).head<2>().norm();
+      good += off_m <= 0.02;
+      if (end.status == Status::done) CHECK(off_m == Approx(end.position_error_m).margin(1e-3));
+    }
+  }
+  CHECK(good * 10 >= puts * 9);
+  CHECK(stage.fastest() < 3);
+}
+
+TEST_CASE("blocks can be stacked, and set beside each other") {
+  Stage stage;
+  CHECK(stage.act(put_by("block4", Goal::Relation::on, "block1")).status == Status::done);
+  CHECK(stage.act(put_by("block7", Goal::Relation::on, "block4")).status == Status::done);
+  CHECK(stage.object("block4").p_WO.z() == Approx(0.09).margin(1e-3));
+  CHECK(stage.object("block7").p_WO.z() == Approx(0.15).margin(1e-3));
+  CHECK((stage.object("block7").p_WO - stage.object("block1").p_WO).head<2>().norm() < 0.01);
+
+  CHECK(stage.act(put_by("block6", Goal::Relation::left_of, "block1", Capability::slide)).status == Status::done);
+  const Vec3 apart = stage.object("block6").p_WO - stage.object("block1").p_WO;
+  CHECK(apart.x() == Approx(0.06).margin(0.005));
+  CHECK(apart.y() == Approx(0).margin(0.005));
+}
+
+TEST_CASE("a block put where another stands comes to its goal all the same") {
+  Stage stage;
+  const Vec3 p = stage.object("block1").p_WO;
+  for (const double off_m : {0.01, 0.035, 0.055}) {
+    const ActReport end = stage.act(put_at("block4", p.x() + off_m, p.y()));
+    CHECK(end.status == Status::done);
+    CHECK(end.position_error_m <= 0.02);
+    stage.act(put_at("block4", -0.2, 0));
+  }
+}
+
+TEST_CASE("grasp holds, lift raises, ungrasp sets down") {
+  Stage stage;
+  const Vec3 before = stage.object("block3").p_WO;
+  CHECK(stage.act(command(Capability::grasp, "block3")).status == Status::done);
+  CHECK(stage.body->snapshot().held == "block3");
+  CHECK((stage.object("block3").p_WO - before).norm() < 2e-3);
+  AvatarCommand lift = command(Capability::lift, "block3");
+  lift.height_m = 0.1;
+  CHECK(stage.act(lift).status == Status::done);
+  CHECK(stage.object("block3").p_WO.z() == Approx(0.13).margin(2e-3));
+  CHECK(stage.body->snapshot().held == "block3");
+  CHECK(stage.act(command(Capability::ungrasp, "")).status == Status::done);
+  CHECK(stage.body->snapshot().held.empty());
+  CHECK(stage.object("block3").p_WO.z() == Approx(0.03).margin(1e-3));
+}
+
+TEST_CASE("grasping another object lets go of the one in the hand") {
+  Stage stage;
+  stage.act(command(Capability::grasp, "block3"));
+  CHECK(stage.act(command(Capability::grasp, "block4")).status == Status::done);
+  CHECK(stage.body->snapshot().held == "block4");
+}
+
+TEST_CASE("what cannot be done is told, and the avatar can go on") {
+  Stage stage({ObjectOverride{"block6", 0.3, -1.2, -0.2664, {}, false}});
+  CHECK(stage.act(command(Capability::reach, "block6")).status == Status::unreachable);
+  CHECK(stage.act(put_at("block6", 0, 0)).status == Status::unreachable);
+  CHECK(stage.act(put_at("block4", 3, 0)).status == Status::unreachable);
+  CHECK(stage.act(put_by("block4", Goal::Relation::on, "block4")).status == Status::blocked);
+  CHECK(stage.act(command(Capability::grasp, "nothing")).status == Status::unreachable);
+  const ActReport end = stage.act(command(Capability::lift, ""));
+  CHECK(end.status == Status::blocked);
+  CHECK_FALSE(end.reason.empty());
+  CHECK(stage.act(put_at("block4", 0.1, -0.05)).status == Status::done);
+}
+
+TEST_CASE("a newer reach takes the place of an older one; acts wait; looks do not") {
+  Stage stage;
+  stage.body->command(command(Capability::reach, "block3"));
+  stage.advance(0.2);
+  stage.body->command(command(Capability::point, "block5"));
+  stage.advance(0.2);
+  REQUIRE(stage.told.acts.size() == 3);
+  CHECK(stage.told.acts[1].status == Status::done);
+  CHECK_FALSE(stage.told.acts[1].reason.empty());
+  stage.body->command(command(Capability::lift, "block5"));
+  stage.body->command(command(Capability::look, "block1"));
+  stage.advance(0.01);
+  REQUIRE(stage.told.acts.size() == 5);
+  CHECK(stage.told.acts[4].status == Status::done);
+  stage.rest();
+  CHECK(stage.told.acts.size() == 8);
+}
+
+TEST_CASE("the same commands at the same times give the same poses, bit for bit") {
+  Stage a, b;
+  for (Stage* stage : {&a, &b}) {
+    stage->body->command(put_at("block4", 0.1, 0.03));
+    stage->advance(1.3);
+    stage->body->command(put_by("block1", Goal::Relation::on, "block4"));
+    for (int i = 0; i < 30; ++i) stage->advance(i % 2 ? 0.0377 : 0.1);
+  }
+  REQUIRE(a.told.poses.size() == b.told.poses.size());
+  bool same = true;
+  for (std::size_t i = 0; i < a.told.poses.size(); ++i) {
+    same = same && a.told.poses[i].t == b.told.poses[i].t &&
+           a.told.poses[i].bodies.size() == b.told.poses[i].bodies.size();
+    for (const auto& [name, pose] : a.told.poses[i].bodies) {
+      const Pose& other = b.told.poses[i].bodies.at(name);
+      same = same && pose.p_WB == other.p_WB && pose.R_WB.coeffs() == other.R_WB.coeffs();
+    }
+  }
+  CHECK(same);
+}
+
+TEST_CASE("the world rests when nothing moves, and time jumps") {
+  Stage stage;
+  stage.act(put_at("block4", 0.1, 0.03));
+  const auto poses = stage.told.poses.size();
+  stage.advance(3600);
+  CHECK(stage.told.poses.size() == poses);
+  REQUIRE_FALSE(stage.told.rests.empty());
+  CHECK(stage.told.rests.back().to == stage.now);
+  CHECK((stage.told.rests.back().to - stage.told.rests.back().from).seconds() > 3599);
+  for (std::size_t i = 1; i < poses; ++i) CHECK((stage.told.poses[i].t - stage.told.poses[i - 1].t).us >= 33333);
+  CHECK(stage.act(put_at("block4", -0.1, 0.03)).status == Status::done);
+}
+
+TEST_CASE("the weld holds only while both pads touch") {
+  auto physics = Physics::create(staircase()).value();
+  Avatar avatar(*physics);
+  AvatarCommand lift = command(Capability::lift, "block1");
+  lift.height_m = 0.1;
+  avatar.begin(lift);
+  int held_steps = 0;
+  while (avatar.busy()) {
+    physics->step(avatar.update());
+    if (physics->held() < 0) continue;
+    ++held_steps;
+    CHECK(physics->held() == 0);
+    CHECK((physics->pad_touches(true, 0) && physics->pad_touches(false, 0)));
+  }
+  REQUIRE(held_steps > 100);
+
+  // One finger is enough to lose it, whatever the hand wants.
+  AvatarTarget open = avatar.update();
+  open.opening_m = 0.05;
+  for (int i = 0; i < 100; ++i) {
+    physics->step(open);
+    if (physics->held() >= 0) CHECK((physics->pad_touches(true, 0) && physics->pad_touches(false, 0)));
+  }
+  CHECK(physics->held() == -1);
+}

@@ -1,0 +1,136 @@
+#include <filesystem>
+#include <fstream>
+
+#include "simulation/scene.h"
+#include "support/catch.h"
+
+using namespace continua;
+
+namespace {
+
+const std::string staircase = CONTINUA_SOURCE_DIR "/mjcf/scenes/staircase.xml";
+
+/// A scene file with that text, in a directory of its own.
+std::string written(const std::string& name, const std::string& text) {
+  const auto directory = std::filesystem::temp_directory_path() / "continua_test_scene";
+  std::filesystem::create_directories(directory);
+  const auto path = directory / name;
+  std::ofstream(path, std::ios::binary) << text;
+  return path.string();
+}
+
+std::string error_of(const std::string& name, const std::string& text) {
+  const auto scene = load_scene(written(name, text));
+  REQUIRE_FALSE(scene.ok());
+  return scene.error().text();
+}
+
+const std::string a_table = "<geom name='table_top' type='box' size='1 1 0.1' pos='0 0 -0.1'/>\n";
+
+}  // namespace
+
+TEST_CASE("the staircase has its blocks in order, at rest on the table") {
+  const auto scene = load_scene(staircase);
+  REQUIRE(scene.ok());
+  const WorldSnapshot world = scene->initial_snapshot();
+  std::vector<std::string> colors;
+  for (const auto& object : world.objects) {
+    colors.push_back(object.attributes.at("color"));
+    CHECK(object.attributes.at("type") == "block");
+    CHECK(object.half_extents_m.isApprox(Vec3::Constant(0.03), 1e-9));
+    CHECK(object.p_WO.z() == Approx(0.03));
+  }
+  CHECK(colors == std::vector<std::string>{"yellow", "black", "green", "orange", "red", "purple"});
+  CHECK(world.find("block3")->p_WO.isApprox(Vec3(0.3132, 0.0796, 0.03), 1e-9));
+  CHECK(world.table.min.x() == Approx(-0.4952));
+  CHECK(world.table.max.x() == Approx(0.4964));
+  CHECK(world.table.max.y() == Approx(0.1168));
+  CHECK(world.table.max.z() == 0);
+}
+
+TEST_CASE("overrides place and remove objects") {
+  ObjectOverride moved{"block4", 0.1, -0.05, {}, 0.5, false};
+  ObjectOverride high{"block5", {}, {}, 0.2, {}, false};
+  ObjectOverride gone{"block1", {}, {}, {}, {}, true};
+  const auto scene = load_scene(staircase, {moved, high, gone});
+  REQUIRE(scene.ok());
+  const WorldSnapshot world = scene->initial_snapshot();
+  CHECK(world.objects.size() == 5);
+  CHECK(world.find("block1") == nullptr);
+  CHECK(world.find("block4")->p_WO.isApprox(Vec3(0.1, -0.05, 0.03), 1e-9));
+  CHECK(world.find("block4")->yaw == Approx(0.5));
+  CHECK(world.find("block5")->p_WO.z() == Approx(0.2));
+  CHECK(scene->description()["bodies"].contains("block1") == false);
+  CHECK(scene->text().find("name=\"block1\" pos") == std::string::npos);
+}
+
+TEST_CASE("an override of an unknown object names the nearest") {
+  const auto scene = load_scene(staircase, {ObjectOverride{"blok4", {}, {}, {}, {}, true}});
+  REQUIRE_FALSE(scene.ok());
+  CHECK(scene.error().text().find("'blok4'") != std::string::npos);
+  CHECK(scene.error().text().find("did you mean 'block") != std::string::npos);
+}
+
+TEST_CASE("the description has every geom and body of the scene") {
+  const auto scene = load_scene(staircase);
+  REQUIRE(scene.ok());
+  const Json description = scene->description();
+  int blocks = 0;
+  for (const auto& geom : description["geoms"]) {
+    CHECK(description["bodies"].contains(geom["body"].get<std::string>()));
+    blocks += geom["body"].get<std::string>().starts_with("block");
+  }
+  CHECK(blocks == 6);
+  CHECK(description["bodies"]["block6"] == Json::array({-0.144, 0.0656, 0.03, 1, 0, 0, 0}));
+}
+
+TEST_CASE("the text of a scene has its inclusions in place, and loads again to the same") {
+  const auto scene = load_scene(staircase);
+  REQUIRE(scene.ok());
+  CHECK(scene->text().find("<include") == std::string::npos);
+  const auto again = load_scene(written("again.xml", scene->text()));
+  REQUIRE(again.ok());
+  CHECK(again->description() == scene->description());
+  CHECK(again->text() == scene->text());
+}
+
+TEST_CASE("bad scenes are errors with a place and a sentence") {
+  CHECK(load_scene("/nowhere/scene.xml").error().text().find("/nowhere/scene.xml") != std::string::npos);
+  CHECK(error_of("empty.xml", "").find("empty.xml") != std::string::npos);
+  CHECK(error_of("garbage.xml", "\x01\x02 not xml <<<").find("garbage.xml") != std::string::npos);
+  CHECK(error_of("other.xml", "<html/>").find("expected an MJCF file") != std::string::npos);
+  CHECK(error_of("unclosed.xml", "<mujoco>\n<worldbody>\n").find("unclosed.xml") != std::string::npos);
+  CHECK(error_of("no_table.xml", "<mujoco><worldbody/></mujoco>").find("table_top") != std::string::npos);
+  CHECK(error_of("unknown.xml", "<mujoco>\n<worldbody>\n<geom sise='1'/>\n</worldbody>\n</mujoco>")
+            .find("unknown.xml:3: ") != std::string::npos);
+  CHECK(error_of("mass.xml", "<mujoco>\n<worldbody>\n" + a_table +
+                                 "<body name='x'>\n<freejoint/>\n</body>\n</worldbody>\n</mujoco>")
+            .find("mass.xml") != std::string::npos);
+  CHECK(error_of("loop.xml", "<mujoco>\n<include file='loop.xml'/>\n</mujoco>")
+            .find("loop.xml:2: 'loop.xml' includes itself") != std::string::npos);
+  CHECK(error_of("lost.xml", "<mujoco>\n\n<include file='lost_part.xml'/>\n</mujoco>")
+            .find("lost.xml:3: cannot include") != std::string::npos);
+  CHECK(error_of("off.xml",
+                 "<mujoco><worldbody>" + a_table +
+                     "<body name='cup'><freejoint/><geom size='0.1' pos='0 0 0.1'/></body></worldbody></mujoco>")
+            .find("object 'cup'") != std::string::npos);
+}
+
+TEST_CASE("an error in an included file names that file and its line") {
+  written("part.xml", "<mujoco>\n<worldbody>\n\n<geom kolor='1'/>\n</worldbody>\n</mujoco>");
+  const std::string text = error_of("whole.xml",
+                                    "<mujoco>\n<!-- <include file='nothing.xml'/> -->\n<include file='part.xml'/>\n"
+                                    "</mujoco>");
+  CHECK(text.find("part.xml:4: ") != std::string::npos);
+}
+
+TEST_CASE("a tipped object is seen as it lies") {
+  const SceneObject knife{"knife", 1, {}, Vec3(0.1, 0.02, 0.01)};
+  const auto turn = [](double angle, const Vec3& axis) { return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis)); };
+  CHECK(observed(knife, {Vec3(0.12344, 0, 0), turn(0.3, Vec3::UnitZ())}).yaw == Approx(0.3));
+  CHECK(observed(knife, {Vec3(0.12344, 0, 0), turn(0.3, Vec3::UnitZ())}).p_WO.x() == 0.1234);
+  const ObjectState standing = observed(knife, {Vec3::Zero(), turn(1.5707963267948966, Vec3::UnitY())});
+  CHECK(standing.half_extents_m.isApprox(Vec3(0.01, 0.02, 0.1), 1e-3));
+  const ObjectState on_its_side = observed(knife, {Vec3::Zero(), turn(1.5707963267948966, Vec3::UnitX())});
+  CHECK(on_its_side.half_extents_m.isApprox(Vec3(0.1, 0.01, 0.02), 1e-3));
+}
