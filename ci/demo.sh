@@ -2,7 +2,7 @@
 # Builds, replays a recorded interaction and serves it in the inspector; --no-serve stops after the replay.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-trace=traces/paper/put_the_knife_in_the_blue_cup.jsonl
+trace=traces/building_blocks.trace.jsonl
 
 serve=true
 for argument in "$@"; do
@@ -19,6 +19,6 @@ ci/setup.sh
 ci/build.sh continua
 runs=build/demo
 mkdir -p "$runs"
-run="$runs/$(basename "$trace" .jsonl).run.jsonl"
+run="$runs/$(basename "$trace" .trace.jsonl).run.jsonl"
 build/continua replay "$trace" -o "$run"
 if [[ "$serve" == true ]]; then exec build/continua serve "$runs"; fi

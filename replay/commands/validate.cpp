@@ -95,7 +95,7 @@ void add_validate_command(CLI::App& program, Run& run) {
   auto* command = program.add_subcommand("validate", "Check traces, run logs and session logs");
   auto options = std::make_shared<ValidateOptions>();
   command->add_option("FILE", options->files, "files of any kind")->required();
-  command->footer("Example: continua validate traces/corner/*.jsonl");
+  command->footer("Example: continua validate traces/corner/*.trace.jsonl");
   command->callback([options, &run] { run = [options] { return run_validate(*options); }; });
 }
 

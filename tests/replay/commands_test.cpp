@@ -22,17 +22,17 @@ TEST_CASE("import writes one trace, or a folder of them") {
   CHECK(run_import({{a}, folder.at("a.jsonl")}) == exit_done);
   CHECK(run_validate({{folder.at("a.jsonl")}}) == exit_done);
   CHECK(run_import({{a, b}, folder.at("deep/out")}) == exit_done);
-  CHECK(read_file(folder.at("deep/out/b.jsonl")).value().find("\"source\":\"b.txt\"") != std::string::npos);
+  CHECK(read_file(folder.at("deep/out/b.trace.jsonl")).value().find("\"source\":\"b.txt\"") != std::string::npos);
   CHECK(run_import({{a}, folder.at("deep/out2/")}) == exit_done);
-  CHECK(fs::exists(folder.at("deep/out2/a.jsonl")));
+  CHECK(fs::exists(folder.at("deep/out2/a.trace.jsonl")));
 }
 
 TEST_CASE("import does what it can and reports the rest") {
   const TemporaryFolder folder;
   const auto good = folder.file("good.txt", session_log), empty = folder.file("empty.txt", "");
   CHECK(run_import({{empty, good, folder.at("none.txt")}, folder.at("out")}) == exit_impossible);
-  CHECK(fs::exists(folder.at("out/good.jsonl")));
-  CHECK_FALSE(fs::exists(folder.at("out/empty.jsonl")));
+  CHECK(fs::exists(folder.at("out/good.trace.jsonl")));
+  CHECK_FALSE(fs::exists(folder.at("out/empty.trace.jsonl")));
 }
 
 TEST_CASE("import overwrites nothing that it reads, and writes no file twice") {

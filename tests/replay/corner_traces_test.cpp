@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Trace corner(const std::string& name) {
-  auto trace = read_trace((fs::path(CONTINUA_SOURCE_DIR) / "traces/corner" / (name + ".jsonl")).string());
+  auto trace = read_trace((fs::path(CONTINUA_SOURCE_DIR) / "traces/corner" / (name + ".trace.jsonl")).string());
   INFO((trace ? "" : trace.error().text()));
   REQUIRE(trace);
   return std::move(trace).value();
