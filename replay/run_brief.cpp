@@ -38,7 +38,8 @@ std::string input_text(const Json& record) {
   const auto kind = text_of(event, "kind");
   if (kind == "speech") return fmt::format("“{}”", text_of(event, "text"));
   if (kind == "gesture")
-    return joined({text_of(event, "hand"), text_of(event, "name"), text_of(event, "direction"), text_of(event, "phase")});
+    return joined(
+        {text_of(event, "hand"), text_of(event, "name"), text_of(event, "direction"), text_of(event, "phase")});
   if (kind == "pointing") return joined({"pointing", text_of(event, "hand"), text_of(event, "target")});
   if (kind == "observed") return joined({"observed", text_of(event, "channel"), text_of(event, "content")});
   return compact(event);
@@ -54,8 +55,8 @@ std::string slots_text(const Json& slots) {
 
 std::string expect_text(const Json& record) {
   const bool met = member(record, "met").is_boolean() && member(record, "met").get<bool>();
-  return met ? "met " + text_of(record, "expected")
-             : fmt::format("not met: expected {}, found {}", text_of(record, "expected"), text_of(record, "found"));
+  const auto expected = slots_text(member(record, "expected")), found = slots_text(member(record, "found"));
+  return met ? "met: " + expected : fmt::format("not met: expected {}; found {}", expected, found);
 }
 
 struct Teller {
@@ -64,21 +65,48 @@ struct Teller {
 };
 
 const std::array tellers{
-    Teller{"run", [](const Json& r) { return joined({text_of(member(r, "trace"), "name"), "on", text_of(member(r, "machine"), "name")}); }},
+    Teller{"run",
+           [](const Json& r) {
+             return joined({text_of(member(r, "trace"), "name"), "on", text_of(member(r, "machine"), "name")});
+           }},
     Teller{"input", input_text},
-    Teller{"belief", [](const Json& r) { return fmt::format("{} {} (was {})", text_of(r, "concept"), text_of(r, "value"), text_of(r, "was")); }},
-    Teller{"memory", [](const Json& r) { return fmt::format("{} := {}", text_of(r, "register"), text_of(r, "value")); }},
+    Teller{"observed",
+           [](const Json& r) {
+             return joined({text_of(r, "channel"), text_of(r, "content")});
+           }},
+    Teller{"belief",
+           [](const Json& r) {
+             return fmt::format("{} {} (was {})", text_of(r, "concept"), text_of(r, "value"), text_of(r, "was"));
+           }},
+    Teller{"memory",
+           [](const Json& r) { return fmt::format("{} := {}", text_of(r, "register"), text_of(r, "value")); }},
     Teller{"transition", [](const Json& r) { return fmt::format("{} → {}", text_of(r, "from"), text_of(r, "to")); }},
-    Teller{"symbol", [](const Json& r) { return joined({fmt::format("#{}", text_of(r, "id")), slots_text(member(r, "slots"))}); }},
-    Teller{"rewrite", [](const Json& r) { return joined({text_of(r, "state"), operation_text(member(r, "operation"))}); }},
-    Teller{"application", [](const Json& r) { return fmt::format("{} @ {} = {}", text_of(r, "function"), text_of(r, "argument"), text_of(r, "result")); }},
+    Teller{"symbol",
+           [](const Json& r) {
+             return joined({fmt::format("#{}", text_of(r, "id")), slots_text(member(r, "slots"))});
+           }},
+    Teller{"rewrite",
+           [](const Json& r) {
+             return joined({text_of(r, "state"), operation_text(member(r, "operation"))});
+           }},
+    Teller{"application",
+           [](const Json& r) {
+             return fmt::format("{} @ {} = {}", text_of(r, "function"), text_of(r, "argument"), text_of(r, "result"));
+           }},
     Teller{"utterance", [](const Json& r) { return fmt::format("“{}”", text_of(r, "text")); }},
     Teller{"gesture", [](const Json& r) { return text_of(r, "gesture"); }},
-    Teller{"act", [](const Json& r) { return joined({text_of(r, "status"), text_of(r, "program")}); }},
+    Teller{"act",
+           [](const Json& r) {
+             return joined({text_of(r, "status"), text_of(r, "program")});
+           }},
     Teller{"pose", [](const Json& r) { return fmt::format("{} bodies", member(r, "bodies").size()); }},
     Teller{"rest", [](const Json& r) { return fmt::format("{} – {} s", text_of(r, "from"), text_of(r, "to")); }},
-    Teller{"refusal", [](const Json& r) { return joined({text_of(r, "input"), "in", text_of(r, "state") + ":", text_of(r, "reason")}); }},
-    Teller{"problem", [](const Json& r) { return fmt::format("line {}: {}", text_of(r, "line"), text_of(r, "message")); }},
+    Teller{"refusal",
+           [](const Json& r) {
+             return joined({text_of(r, "input"), "in", text_of(r, "state") + ":", text_of(r, "reason")});
+           }},
+    Teller{"problem",
+           [](const Json& r) { return fmt::format("line {}: {}", text_of(r, "line"), text_of(r, "message")); }},
     Teller{"expect", expect_text},
     Teller{"end", [](const Json&) { return std::string("end of the log"); }},
 };

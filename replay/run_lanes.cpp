@@ -37,14 +37,21 @@ class LaneBuilder {
     }
     const auto record = run_.record(n);
     if (!record) return record.error();
-    if (kind == "input") add_input(n, *record);
-    else if (kind == "transition" || kind == "rewrite") add_step(n, kind, *record);
+    if (kind == "input")
+      add_input(n, *record);
+    else if (kind == "transition" || kind == "rewrite")
+      add_step(n, kind, *record);
     else if (kind == "utterance" || kind == "gesture")
-      lanes_[kind == "gesture" ? "move" : kind].push_back({seconds(n), n, text_of(*record, kind == "gesture" ? "gesture" : "text")});
-    else if (kind == "act") add_act(n, *record);
+      lanes_[kind == "gesture" ? "move" : kind].push_back(
+          {seconds(n), n, text_of(*record, kind == "gesture" ? "gesture" : "text")});
+    else if (kind == "act")
+      add_act(n, *record);
+    else if (kind == "observed")
+      lanes_["observed"].push_back({seconds(n), n, text_of(*record, "content")});
     else if (kind == "rest")
       lanes_["rest"].push_back({number_of(*record, "from", seconds(n)), number_of(*record, "to", seconds(n)), n});
-    else if (kind == "refusal" || kind == "problem" || (kind == "expect" && record->value("met", Json()) == false))
+    else if ((kind == "refusal" && !pointing_[n]) || kind == "problem" ||
+             (kind == "expect" && record->value("met", Json()) == false))
       lanes_["flags"].push_back({seconds(n), n, kind});
     label_.push_back(pointing_[n] && kind == "input" ? "" : brief(*record));
     if (worth_stopping_at(n, kind)) interest_.push_back(n);
@@ -54,10 +61,14 @@ class LaneBuilder {
   Json finish() {
     for (const auto& [name, open] : open_gestures_) lanes_["gesture"][open][1] = seconds(run_.size() - 1);
     for (const auto& [act, open] : open_acts_) lanes_["act"][open][1] = seconds(run_.size() - 1);
-    Json lanes{{"kinds", run_.kinds()},          {"t", std::move(t_)},
-               {"kind", std::move(kind_)},       {"cause", std::move(cause_)},
-               {"label", std::move(label_)},     {"interest", std::move(interest_)},
-               {"transitions", std::move(steps_)}, {"depth", std::move(depth_)}};
+    Json lanes{{"kinds", run_.kinds()},
+               {"t", std::move(t_)},
+               {"kind", std::move(kind_)},
+               {"cause", std::move(cause_)},
+               {"label", std::move(label_)},
+               {"interest", std::move(interest_)},
+               {"transitions", std::move(steps_)},
+               {"depth", std::move(depth_)}};
     for (auto& [name, lane] : lanes_.items()) lanes[name] = std::move(lane);
     return lanes;
   }
@@ -104,8 +115,8 @@ class LaneBuilder {
   }
 
   void add_step(std::size_t n, const std::string& kind, const Json& record) {
-    const auto stack = record.contains("stack") && record["stack"].is_number_integer()
-                           ? record["stack"].get<std::int64_t>() : -1;
+    const auto stack =
+        record.contains("stack") && record["stack"].is_number_integer() ? record["stack"].get<std::int64_t>() : -1;
     changed_stack_ = stack != stack_;
     stack_ = stack;
     const auto depth = static_cast<int>(number_of(record, "depth", static_cast<double>(run_.stack_ids(stack).size())));
@@ -127,16 +138,18 @@ class LaneBuilder {
       lane[known->second][1] = seconds(n);
       lane[known->second][4] = status;
     }
-    if (status == "asked" || status == "started") open_acts_[act] = known_acts_[act];
-    else open_acts_.erase(act);
+    if (status == "asked" || status == "started")
+      open_acts_[act] = known_acts_[act];
+    else
+      open_acts_.erase(act);
   }
 
-  // Neither the stream of samples nor what it moves without changing the stack.
+  // Neither the stream of samples nor its refusals nor what it moves without changing the stack.
   bool worth_stopping_at(std::size_t n, const std::string& kind) const {
-    static const std::set<std::string> never{"run", "symbol", "rest", "end", "memory", "belief"};
+    static const std::set<std::string> never{"run", "symbol", "rest", "end", "memory", "belief", "observed"};
     if (never.count(kind)) return false;
     if (!pointing_[n]) return true;
-    if (kind == "input") return false;
+    if (kind == "input" || kind == "refusal") return false;
     return (kind != "transition" && kind != "rewrite") || changed_stack_;
   }
 
@@ -144,8 +157,8 @@ class LaneBuilder {
   std::vector<bool> pointing_;  // the record is a pointing sample or was brought about by one
   Json t_ = list(), kind_ = list(), cause_ = list(), label_ = list(), interest_ = list(), depth_ = list();
   Json steps_{{"n", list()}, {"id", list()}, {"from", list()}, {"to", list()}, {"input", list()}, {"depth", list()}};
-  Json lanes_{{"speech", list()}, {"gesture", list()}, {"pointing", list()}, {"utterance", list()}, {"move", list()},
-              {"act", list()},    {"rest", list()},    {"flags", list()}};
+  Json lanes_{{"speech", list()}, {"gesture", list()},  {"pointing", list()}, {"utterance", list()}, {"move", list()},
+              {"act", list()},    {"observed", list()}, {"rest", list()},     {"flags", list()}};
   std::map<std::string, std::size_t> open_gestures_, open_acts_, known_acts_;  // places in their lanes
   std::int64_t stack_ = -1;
   bool changed_stack_ = false;

@@ -32,6 +32,12 @@ std::optional<std::size_t> first_record(const RunIndex& run, std::string_view ki
   return std::nullopt;
 }
 
+bool is_pointing_sample(const RunIndex& run, std::size_t n) {
+  if (run.kind(n) != "input") return false;
+  const auto record = run.record(n);
+  return record && text_of(record->value("event", Json::object()), "kind") == "pointing";
+}
+
 bool is_unmet(const Json& expect) { return expect.contains("met") && expect["met"] == false; }
 bool is_question(const Json& utterance) {
   const auto text = text_of(utterance, "text");
@@ -60,6 +66,10 @@ Result<Json> run_listing(const RunIndex& run) {
   const auto expects = run.of_kind("expect");
   for (const auto n : expects)
     if (const auto record = run.record(n); record && !is_unmet(*record)) ++met;
+  std::size_t refused_samples = 0;
+  const auto refusals = run.of_kind("refusal");
+  for (const auto n : refusals)
+    if (const auto cause = run.cause(n); cause && is_pointing_sample(run, *cause)) ++refused_samples;
   Json counts = Json::object();
   for (const auto& kind : run.kinds()) counts[kind] = run.of_kind(kind).size();
   return Json{{"trace", name_of(*header, "trace")},
@@ -67,7 +77,8 @@ Result<Json> run_listing(const RunIndex& run) {
               {"records", run.size()},
               {"utterances", run.of_kind("utterance").size()},
               {"acts", count_acts(run)},
-              {"refusals", run.of_kind("refusal").size()},
+              {"refusals", refusals.size()},
+              {"refused_samples", refused_samples},
               {"problems", run.of_kind("problem").size()},
               {"expected", expects.size()},
               {"met", met},
@@ -130,8 +141,23 @@ Result<Json> run_graph(const RunIndex& run) {
     if (!graph.contains(part) || !graph[part].is_array()) graph[part] = Json::array();
   for (auto& state : graph["states"])
     if (state.is_object()) state["visits"] = entered[text_of(state, "id")];
-  for (auto& edge : graph["edges"])
-    if (edge.is_object()) edge["visits"] = taken[{text_of(edge, "id"), text_of(edge, "from"), text_of(edge, "to")}];
+  for (auto& edge : graph["edges"]) {
+    if (!edge.is_object()) continue;
+    auto found = taken.extract({text_of(edge, "id"), text_of(edge, "from"), text_of(edge, "to")});
+    edge["visits"] = found ? found.mapped() : std::size_t{0};
+  }
+  // What is left ended elsewhere than its transition leads: a gate turned it away.
+  for (const auto& [key, visits] : taken) {
+    const auto& [id, from, to] = key;
+    Json diverted{{"id", id},         {"from", from},         {"to", to},
+                  {"input", nullptr}, {"condition", nullptr}, {"operation", ""}};
+    for (const auto& edge : graph["edges"])
+      if (edge.is_object() && text_of(edge, "id") == id && text_of(edge, "from") == from)
+        for (const char* part : {"input", "condition", "operation"}) diverted[part] = edge.value(part, Json());
+    diverted["diverted"] = true;
+    diverted["visits"] = visits;
+    graph["edges"].push_back(std::move(diverted));
+  }
   return graph;
 }
 
@@ -185,12 +211,15 @@ Result<Json> run_stack(const RunIndex& run, std::size_t n) {
   }
   Json gone = Json::array();
   for (std::size_t i = 0; i + added < removed; ++i) gone.push_back((*before)[i]);
-  return Json{{"n", n}, {"at", marks[*mark].n}, {"depth", now->size()}, {"symbols", *std::move(now)},
+  return Json{{"n", n},
+              {"at", marks[*mark].n},
+              {"depth", now->size()},
+              {"symbols", *std::move(now)},
               {"removed", std::move(gone)}};
 }
 
 Result<Json> run_derivation(const RunIndex& run, std::size_t n) {
-  // Upwards through `cause` and, from an application, through `because`; and across to the applications that the
+  // Upwards through `cause` and `because`; and across to the applications that the
   // records met on the way brought about, and to those whose result became part of one already met.
   std::map<std::size_t, Json> applications, inputs;
   std::set<std::size_t> met;
@@ -204,7 +233,8 @@ Result<Json> run_derivation(const RunIndex& run, std::size_t n) {
   const auto all = run.of_kind("application");
   std::multimap<std::size_t, std::size_t> brought_about;  // cause -> application
   for (const auto application : all)
-    if (const auto cause = run.cause(application); cause && application <= n) brought_about.emplace(*cause, application);
+    if (const auto cause = run.cause(application); cause && application <= n)
+      brought_about.emplace(*cause, application);
   std::map<std::string, std::vector<std::size_t>> made;  // result -> applications
   const auto last = std::upper_bound(all.begin(), all.end(), n);
   for (auto at = all.begin(); at != last; ++at)
@@ -217,16 +247,14 @@ Result<Json> run_derivation(const RunIndex& run, std::size_t n) {
     if (const auto cause = run.cause(at)) open.push_back(*cause);
     const auto [from, to] = brought_about.equal_range(at);
     for (auto found = from; found != to; ++found) open.push_back(found->second);
-    if (run.kind(at) != "application" && run.kind(at) != "input") continue;
     auto record = run.record(at);
     if (!record) return record.error();
-    if (run.kind(at) == "input") {
-      inputs.emplace(at, *std::move(record));
-      continue;
-    }
     if (const auto because = record->find("because"); because != record->end() && because->is_array())
       for (const auto& input : *because)
-        if (input.is_number_unsigned() && input.get<std::size_t>() < at) inputs.emplace(input.get<std::size_t>(), Json());
+        if (input.is_number_unsigned() && input.get<std::size_t>() < at)
+          inputs.emplace(input.get<std::size_t>(), Json());
+    if (run.kind(at) == "input") inputs[at] = *std::move(record);
+    if (run.kind(at) != "application") continue;
     for (const char* part : {"function", "argument"})
       if (const auto found = made.find(text_of(*record, part)); found != made.end()) {
         const auto older = std::lower_bound(found->second.begin(), found->second.end(), at);
@@ -244,7 +272,9 @@ Result<Json> run_derivation(const RunIndex& run, std::size_t n) {
     }
     told_inputs.push_back(brief_json(run, number, record));
   }
-  return Json{{"n", n}, {"chain", std::move(chain)}, {"applications", std::move(told_applications)},
+  return Json{{"n", n},
+              {"chain", std::move(chain)},
+              {"applications", std::move(told_applications)},
               {"inputs", std::move(told_inputs)}};
 }
 

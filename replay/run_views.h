@@ -21,6 +21,7 @@ struct RecordFilter {
 };
 
 /// A line of the start page: {duration, records, utterances, acts, refusals, machine, scene, complete, …}.
+/// `refused_samples` are the refusals of pointing samples, which come by the hundred while nobody waits for them.
 Result<Json> run_listing(const RunIndex& run);
 
 /// The header without its long texts, the listing's numbers, and `first`: the record to open the page at.
@@ -29,7 +30,8 @@ Result<Json> run_summary(const RunIndex& run);
 /// {records: […], next: n to go on `after`, or null}.
 Result<Json> run_records(const RunIndex& run, const RecordFilter& filter);
 
-/// The machine's graph with `visits` of each state and edge.
+/// The machine's graph with `visits` of each state and edge. Where a gate turned a transition away, an edge is added
+/// that says `diverted`.
 Result<Json> run_graph(const RunIndex& run);
 
 /// The stack as it stood at record n, top first, and what its last change did. `change` of a symbol is `added`,

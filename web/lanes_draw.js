@@ -94,7 +94,9 @@ export function drawLanes(pen, {data, rows, zoom: [from, to], width, colour}) {
   for (const [t] of data.lanes.flags) {
     if (t < from || t > to) continue;
     pen.fillStyle = colour('bad');
+    pen.globalAlpha = 0.35;
     pen.fillRect(x(t) - 0.5, axis_px, 1, bottom - axis_px);
+    pen.globalAlpha = 1;
     pen.beginPath();
     pen.moveTo(x(t) - 4, axis_px - 6);
     pen.lineTo(x(t) + 4, axis_px - 6);

@@ -52,7 +52,8 @@ class App {
   build(id, data) {
     this.data = data;
     this.client = new RecordClient(id);
-    document.title = `${data.summary.trace || id} – Continua`;
+    this.title = (data.summary.trace || id).replace(/(\.trace)?\.jsonl$/, '');
+    document.title = `${this.title} – Continua`;
     const {n, zoom} = this.model.selection;
     const start = data.clamp(n ?? data.summary.first);
     this.model.settle({n: start, zoom: zoom ?? this.windowAround(start)});

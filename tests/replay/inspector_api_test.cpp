@@ -103,6 +103,41 @@ TEST_CASE("the graph counts what was visited") {
   CHECK(column(graph["edges"], "visits") == Json{1, 1, 1, 0});
 }
 
+TEST_CASE("a transition that a gate turned away has an edge of its own") {
+  const ScratchFolder folder;
+  LogBuilder log;
+  const Json edge{{"id", "a"},    {"from", "A"},          {"to", "B"},
+                  {"input", "x"}, {"condition", nullptr}, {"operation", "push"}};
+  log.add("run", 0,
+          {{"version", 1}, {"graph", {{"states", Json::array()}, {"start", "A"}, {"edges", Json::array({edge})}}}});
+  log.add("transition", 1, transition_fields("a", "A", "Refuge", 1, 1));
+  InspectorApi api({folder.write("gate.run.jsonl", log.text())});
+  const auto edges = Json::parse(api.get("/api/runs/gate/graph").body)["edges"];
+  REQUIRE(edges.size() == 2);
+  CHECK(edges[0]["visits"] == 0);
+  CHECK(edges[1]["to"] == "Refuge");
+  CHECK(edges[1]["input"] == "x");
+  CHECK(edges[1]["diverted"] == true);
+  CHECK(edges[1]["visits"] == 1);
+}
+
+TEST_CASE("refusals of pointing samples are counted apart and are no stops") {
+  const ScratchFolder folder;
+  LogBuilder log;
+  log.add("run", 0, {{"version", 1}});
+  log.add("input", 1, {{"event", {{"kind", "pointing"}, {"hand", "left"}}}, {"symbol", "p"}});
+  log.add("refusal", 1, {{"state", "A"}, {"input", "p"}, {"reason", "nobody asked"}}, 1);
+  log.add("input", 2, {{"event", {{"kind", "speech"}, {"text", "x"}}}, {"symbol", "x"}});
+  log.add("refusal", 2, {{"state", "A"}, {"input", "x"}, {"reason", "no"}}, 3);
+  InspectorApi api({folder.write("refused.run.jsonl", log.text())});
+  const auto summary = Json::parse(api.get("/api/runs/refused").body),
+             lanes = Json::parse(api.get("/api/runs/refused/lanes").body);
+  CHECK(summary["refusals"] == 2);
+  CHECK(summary["refused_samples"] == 1);
+  CHECK(lanes["interest"] == Json{3, 4});
+  CHECK(lanes["flags"].size() == 1);
+}
+
 TEST_CASE("the stack at a record tells what its last change did") {
   Served served;
   const auto pushed = served.get("/api/runs/small/stack?n=6");

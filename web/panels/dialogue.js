@@ -22,7 +22,7 @@ export function mountDialogue(app) {
   const all = moves(data);
   const numbers = all.map((move) => move.n);
   const item = (move) => {
-    const label = move.who === 'log' ? `${move.how}: ${data.label(move.n)}` : move.text;
+    const label = move.who === 'log' ? `${move.how}: ${data.label(move.n).split(':')[0]}` : move.text;
     return h('li', {class: `${move.who} ${move.how}`},
       h('button', {type: 'button', onclick: () => app.jump(move.n), 'data-n': move.n, title: `#${move.n}, ${move.t.toFixed(3)} s`},
         h('span', {class: 'unseen'}, `${move.who} ${move.how} `),

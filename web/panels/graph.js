@@ -38,7 +38,7 @@ function arrowHead(points) {
 }
 
 const rowText = (row) => `${row.id}: ${row.input ?? 'ε'}${row.condition ? `, ${shown(row.condition)}` : ''} / ${shown(row.operation)}` +
-  (row.visits ? `, ${counted(row.visits, 'time')}` : ', never taken');
+  (row.diverted ? ', turned away by a gate' : '') + (row.visits ? `, ${counted(row.visits, 'time')}` : ', never taken');
 
 export function mountGraph(app) {
   const {data} = app;
@@ -86,7 +86,7 @@ export function mountGraph(app) {
     const points = edge.points;
     const middle = loop ? {x: points[2].x + 4, y: points[1].y + 6} : along(points, 0.4);
     const width = edge.visits ? 1.2 + Math.min(3, Math.log10(edge.visits) * 1.1) : 0.8;
-    const group = s('g', {class: `edge ${edge.visits ? 'taken' : 'never'}`, role: 'img',
+    const group = s('g', {class: `edge ${edge.visits ? 'taken' : 'never'}${edge.rows.every((row) => row.diverted) ? ' diverted' : ''}`, role: 'img',
         'aria-label': `${edge.from} to ${edge.to}, ${counted(edge.visits, 'time')}`},
       s('title', {}, `${edge.from} → ${edge.to}\n${edge.rows.map(rowText).join('\n')}`),
       s('path', {class: 'hit', d: loop ? loopPath(points) : path(points)}),
@@ -120,8 +120,9 @@ export function mountGraph(app) {
     nodes = new Map(placed.nodes.map((node) => [node.id, drawNode(node)]));
     const by_use = placed.edges.toSorted((a, b) => a.visits - b.visits);
     view.replaceChildren(...by_use.map((edge) => edges.get(JSON.stringify([edge.from, edge.to]))), ...nodes.values());
+    const own = data.graph.edges.filter((edge) => !edge.diverted);
     element.querySelector('[data-testid=graph-count]').textContent =
-      `${placed.nodes.length} of ${counted(data.graph.states.length, 'state')}, ${data.graph.edges.filter((e) => e.visits).length} of ${counted(data.graph.edges.length, 'transition')} taken`;
+      `${placed.nodes.length} of ${counted(data.graph.states.length, 'state')}, ${own.filter((e) => e.visits).length} of ${counted(own.length, 'transition')} taken`;
     lit = [];
     fit();
     light(shown_n);

@@ -11,10 +11,12 @@ const speeds = [0.5, 1, 2, 5, 20];
 
 /** "99 utterances, 13 acts, 0 refusals, 503 s" */
 export function verdict(summary) {
-  const parts = [counted(summary.utterances, 'utterance'), counted(summary.acts, 'act'), counted(summary.refusals, 'refusal'),
+  const parts = [counted(summary.utterances, 'utterance'), counted(summary.acts, 'act'),
+                 counted(summary.refusals - summary.refused_samples, 'refusal'),
                  `${Math.round(summary.duration)} s`];
   if (summary.problems) parts.push(counted(summary.problems, 'problem'));
   if (summary.expected) parts.push(`${summary.met} of ${counted(summary.expected, 'expectation')} met`);
+  if (summary.refused_samples) parts.push(`${counted(summary.refused_samples, 'pointing sample')} not awaited`);
   return parts.join(', ');
 }
 
@@ -35,7 +37,7 @@ export function mountHeader(host, app) {
     h('a', {class: 'brand', href: '/', title: 'All runs', onclick: (event) => { event.preventDefault(); app.openRun(null); }},
       h('img', {src: '/icon.svg', alt: 'All runs', width: 22, height: 22})),
     h('div', {class: 'what'},
-      h('h1', {title: data.summary.id}, data.summary.trace || data.summary.id),
+      h('h1', {title: data.summary.id}, app.title),
       h('p', {class: bad ? 'verdict bad' : 'verdict', 'data-testid': 'verdict'}, `${bad ? '✘' : '✔'} ${verdict(data.summary)}`,
         data.summary.trouble && h('span', {class: 'badge warn', title: data.summary.trouble, 'data-testid': 'trouble'}, 'cut short'))),
     h('p', {class: 'with'}, `${data.summary.machine} · ${data.summary.scene}`),

@@ -16,7 +16,7 @@ export function renderStart(host, runs, open) {
       : [h('td', {class: 'number'}, clock(run.duration)),
          h('td', {class: 'number'}, grouped(run.utterances)),
          h('td', {class: 'number'}, grouped(run.acts)),
-         h('td', {class: 'number'}, grouped(run.refusals)),
+         h('td', {class: 'number'}, grouped(run.refusals - run.refused_samples)),
          h('td', {}, run.machine),
          h('td', {}, run.scene),
          h('td', {}, status(run))]);
