@@ -45,9 +45,7 @@ std::vector<std::string> split(std::string_view text, char at) {
 }
 
 ApiResponse answer(const Json& body) { return {200, json_type, compact(body)}; }
-ApiResponse answer(const Result<Json>& body) {
-  return body ? answer(*body) : api_error(500, body.error().text());
-}
+ApiResponse answer(const Result<Json>& body) { return body ? answer(*body) : api_error(500, body.error().text()); }
 
 // A number of the query, `otherwise` when it is not given, or the sentence that it is none.
 template <class Number>
@@ -138,8 +136,10 @@ ApiResponse InspectorApi::runs() {
   for (const auto& file : library_.runs()) {
     Json line{{"id", file.id}, {"name", file.name}};
     const auto listed = listing(file);
-    if (listed) line.update(*listed);
-    else line["error"] = Json{{"message", listed.error().text()}};
+    if (listed)
+      line.update(*listed);
+    else
+      line["error"] = Json{{"message", listed.error().text()}};
     all.push_back(std::move(line));
   }
   return answer(Json{{"runs", std::move(all)}});

@@ -65,9 +65,10 @@ bool takes_gzip(const httplib::Request& request) {
 // Through a content provider, because the library would compress a plain body once more.
 void send(httplib::Response& response, std::shared_ptr<const std::string> body, const std::string& type) {
   if (body->empty()) return response.set_content("", type);
-  response.set_content_provider(body->size(), type, [body](std::size_t from, std::size_t size, httplib::DataSink& sink) {
-    return sink.write(body->data() + from, std::min(size, body->size() - from)), true;
-  });
+  response.set_content_provider(body->size(), type,
+                                [body](std::size_t from, std::size_t size, httplib::DataSink& sink) {
+                                  return sink.write(body->data() + from, std::min(size, body->size() - from)), true;
+                                });
 }
 
 void send_answer(const httplib::Request& request, httplib::Response& response, ApiResponse answer) {
@@ -139,13 +140,16 @@ class InspectorServer::Impl {
     server_.Get("/.*", [](const httplib::Request& request, httplib::Response& response) {
       // The page shows every run; which one is its own affair.
       const bool page = request.path == "/" || request.path.starts_with("/r/");
-      if (const auto* asset = find_asset(page ? "/index.html" : request.path)) send_asset(request, response, *asset);
-      else send_answer(request, response, api_error(404, fmt::format("there is nothing at {}", request.path)));
+      if (const auto* asset = find_asset(page ? "/index.html" : request.path))
+        send_asset(request, response, *asset);
+      else
+        send_answer(request, response, api_error(404, fmt::format("there is nothing at {}", request.path)));
     });
     const auto nothing_to_write = [](const httplib::Request& request, httplib::Response& response) {
       const bool live = request.path.starts_with("/api/sessions");
-      send_answer(request, response, live ? api_error(501, "live sessions are not served by this version")
-                                          : api_error(405, "this address can only be read"));
+      send_answer(request, response,
+                  live ? api_error(501, "live sessions are not served by this version")
+                       : api_error(405, "this address can only be read"));
     };
     server_.Post(".*", nothing_to_write);
     server_.Put(".*", nothing_to_write);
@@ -159,7 +163,9 @@ class InspectorServer::Impl {
   Result<int> listen(const std::string& address, int port) {
     address_ = address;
     const int bound = port == 0 ? server_.bind_to_any_port(address) : server_.bind_to_port(address, port) ? port : -1;
-    if (bound <= 0) return Error{fmt::format("{}:{}", address, port), "cannot be listened on: in use, or not an address of this machine"};
+    if (bound <= 0)
+      return Error{fmt::format("{}:{}", address, port),
+                   "cannot be listened on: in use, or not an address of this machine"};
     return bound;
   }
 

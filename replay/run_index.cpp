@@ -24,7 +24,7 @@ class RunIndex::LogFile {
   LogFile& operator=(const LogFile&) = delete;
 
   bool readable() const {
-    struct stat status{};
+    struct stat status {};
     return descriptor_ >= 0 && ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
   }
 
@@ -106,14 +106,24 @@ Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
   std::optional<std::int64_t> id, below, top;
   bool has_stack = false;
   const bool whole = scan_members(line, [&](std::string_view key, std::string_view value) {
-    if (key == "kind" && value.size() > 2 && value.front() == '"') kind = value.substr(1, value.size() - 2);
-    else if (key == "n") number = number_in<std::size_t>(value);
-    else if (key == "t") t = number_in<double>(value);
-    else if (key == "version") version = number_in<double>(value);
-    else if (key == "cause") entry.cause = number_in<std::int64_t>(value).value_or(-1);
-    else if (key == "id") id = number_in<std::int64_t>(value);
-    else if (key == "below") below = number_in<std::int64_t>(value);
-    else if (key == "stack") { has_stack = true; top = number_in<std::int64_t>(value); }
+    if (key == "kind" && value.size() > 2 && value.front() == '"')
+      kind = value.substr(1, value.size() - 2);
+    else if (key == "n")
+      number = number_in<std::size_t>(value);
+    else if (key == "t")
+      t = number_in<double>(value);
+    else if (key == "version")
+      version = number_in<double>(value);
+    else if (key == "cause")
+      entry.cause = number_in<std::int64_t>(value).value_or(-1);
+    else if (key == "id")
+      id = number_in<std::int64_t>(value);
+    else if (key == "below")
+      below = number_in<std::int64_t>(value);
+    else if (key == "stack") {
+      has_stack = true;
+      top = number_in<std::int64_t>(value);
+    }
   });
   if (n == 0 && (!whole || kind != "run"))
     return Error{where(0), "not a run log: the first line is not a whole record of kind 'run'"};
@@ -123,7 +133,8 @@ Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
   if (kind.empty()) return Error{where(n), "a record without 'kind'"};
   if (number != n)
     return Error{where(n), number ? fmt::format("record number {} where {} was expected: lines are missing or out of "
-                                                "order", *number, n)
+                                                "order",
+                                                *number, n)
                                   : std::string("a record without its number 'n'")};
   if (!t) return Error{where(n), "a record without its time 't' in seconds"};
   entry.kind = kind_number(kind);
