@@ -368,8 +368,8 @@ Result<Machine> load_machine(const std::string& path, const Signature& methods) 
   return parse_machine(*text, path, methods);
 }
 
-std::vector<Error> check_machine(const std::string& path, const Signature& methods) {
-  auto document = LocatedJson::read(path);
+std::vector<Error> check_machine(std::string_view text, const std::string& name, const Signature& methods) {
+  auto document = LocatedJson::parse(text, name);
   if (!document) return {document.error()};
   MachineReader reader(*document, methods);
   reader.read();

@@ -17,7 +17,7 @@ Result<Machine> load_machine(const std::string& path, const Signature& methods);
 /// The same from text; `name` stands for the file in errors.
 Result<Machine> parse_machine(std::string_view text, const std::string& name, const Signature& methods);
 
-/// Every problem of the file, in the order they were found; empty if it is a sound machine.
-std::vector<Error> check_machine(const std::string& path, const Signature& methods);
+/// Every problem of the text, in the order they were found; empty if it is a sound machine.
+std::vector<Error> check_machine(std::string_view text, const std::string& name, const Signature& methods);
 
 }  // namespace continua

@@ -4,10 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <array>
 
+#include "automaton/machine_loader.h"
+#include "composition/methods.h"
 #include "core/located_json.h"
 #include "replay/run_index.h"
 #include "replay/session_import.h"
 #include "replay/trace_file.h"
+#include "simulation/scene.h"
 
 namespace continua {
 namespace {
@@ -50,6 +53,23 @@ FileCheck check_session(std::string_view text, const std::string& path) {
   return check;
 }
 
+FileCheck check_machine_file(std::string_view text, const std::string& path) {
+  const auto machine = parse_machine(text, path, Methods::signature());
+  if (!machine) return {check_machine(text, path, Methods::signature()), {}, ""};
+  return {{}, {}, fmt::format("machine, {}, {}", counted(machine->states.size(), "state"), counted(machine->transitions.size(), "transition"))};
+}
+
+FileCheck check_scene(std::string_view, const std::string& path) {
+  const auto scene = load_scene(path);
+  if (!scene) return {{scene.error()}, {}, ""};
+  return {{}, {}, "scene, " + counted(scene->objects().size(), "object")};
+}
+
+bool begins_with(std::string_view text, std::string_view beginning) {
+  const auto from = text.find_first_not_of(" \t\r\n");
+  return from != std::string_view::npos && text.substr(from).starts_with(beginning);
+}
+
 struct FileKind {
   bool (*recognises)(std::string_view text);
   FileCheck (*check)(std::string_view text, const std::string& path);
@@ -59,6 +79,9 @@ struct FileKind {
 constexpr std::array file_kinds = {
     FileKind{[](std::string_view text) { return begins_with_kind(text, "trace"); }, check_trace},
     FileKind{[](std::string_view text) { return begins_with_kind(text, "run"); }, check_run},
+    FileKind{[](std::string_view text) { return begins_with(text, "{") && text.find("\"machine\"") != text.npos && text.find("\"transitions\"") != text.npos; },
+             check_machine_file},
+    FileKind{[](std::string_view text) { return begins_with(text, "<"); }, check_scene},
     FileKind{looks_like_session, check_session},
 };
 
@@ -92,7 +115,7 @@ int run_validate(const ValidateOptions& options) {
 }
 
 void add_validate_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("validate", "Check traces, run logs and session logs");
+  auto* command = program.add_subcommand("validate", "Check traces, machines, scenes, run logs and session logs");
   auto options = std::make_shared<ValidateOptions>();
   command->add_option("FILE", options->files, "files of any kind")->required();
   command->footer("Example: continua validate traces/corner/*.trace.jsonl");
