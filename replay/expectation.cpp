@@ -10,7 +10,8 @@ constexpr const char* nothing = "null";
 // A slot of the topmost symbol as text; "null" where the machine has no such slot.
 std::string slot_text(const Situation& situation, std::string_view name) {
   const auto slot = situation.machine.slot_index.find(name);
-  return slot == situation.machine.slot_index.end() ? nothing : print(situation.configuration.stack.top()[slot->second].value);
+  return slot == situation.machine.slot_index.end() ? nothing
+                                                    : print(situation.configuration.stack.top()[slot->second].value);
 }
 
 std::vector<std::string> slot_list(const Situation& situation, std::string_view name) {

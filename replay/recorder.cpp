@@ -7,19 +7,24 @@
 namespace continua {
 namespace {
 
-double rounded(double value, double steps_per_unit) { return std::round(value * steps_per_unit) / steps_per_unit + 0.0; }
+double rounded(double value, double steps_per_unit) {
+  return std::round(value * steps_per_unit) / steps_per_unit + 0.0;
+}
 
 // Metres to a hundredth of a millimetre, quaternions to a millionth.
 Json json_of(const Pose& pose) {
   Json numbers = Json::array();
   for (int i = 0; i < 3; ++i) numbers.push_back(rounded(pose.p_WB[i], 1e5));
-  for (const double q : {pose.R_WB.w(), pose.R_WB.x(), pose.R_WB.y(), pose.R_WB.z()}) numbers.push_back(rounded(q, 1e6));
+  for (const double q : {pose.R_WB.w(), pose.R_WB.x(), pose.R_WB.y(), pose.R_WB.z()})
+    numbers.push_back(rounded(q, 1e6));
   return numbers;
 }
 
 Json optional_text(const std::optional<std::string>& text) { return text ? Json(*text) : Json(nullptr); }
 
-bool is_empty(const Term& term) { return term.is_null() || (term.kind() == Term::Kind::list && term.elements().empty()); }
+bool is_empty(const Term& term) {
+  return term.is_null() || (term.kind() == Term::Kind::list && term.elements().empty());
+}
 
 std::string operation_label(const Operation& operation) {
   const auto source = Json::parse(operation.source);
@@ -79,7 +84,9 @@ void Recorder::one(const Fired& fired) {
     candidates.push_back({{"id", machine_.transitions[candidate.transition].id}, {"weight", candidate.weight}});
   Json gate;
   if (fired.gate)
-    gate = {{"state", machine_.states[fired.gate->state].name}, {"condition", fired.gate->condition}, {"passed", fired.gate->passed}};
+    gate = {{"state", machine_.states[fired.gate->state].name},
+            {"condition", fired.gate->condition},
+            {"passed", fired.gate->passed}};
   cause_ = write("transition", {{"id", transition.id},
                                 {"from", machine_.states[fired.from].name},
                                 {"to", machine_.states[fired.to].name},
@@ -100,7 +107,8 @@ void Recorder::one(const MadeSymbol& made) {
   Json slots = Json::object();
   for (std::size_t i = 0; i < made.symbol.size(); ++i)
     if (!is_empty(made.symbol[i].value)) slots[machine_.slots[i].name] = print(made.symbol[i].value);
-  write("symbol", {{"id", made.id}, {"below", made.below ? Json(*made.below) : Json(nullptr)}, {"slots", std::move(slots)}});
+  write("symbol",
+        {{"id", made.id}, {"below", made.below ? Json(*made.below) : Json(nullptr)}, {"slots", std::move(slots)}});
 }
 
 void Recorder::one(const Rewrote& rewrote) {
@@ -112,12 +120,15 @@ void Recorder::one(const Rewrote& rewrote) {
 
 void Recorder::one(const Applied& applied) {
   const auto& [function, argument, result, rule] = applied.application;
-  write("application", {{"function", print(function)},
-                        {"argument", print(argument)},
-                        {"result", print(result)},
-                        {"types", {{"function", function.type().text()}, {"argument", argument.type().text()}, {"result", result.type().text()}}},
-                        {"rule", rule.empty() ? Json(nullptr) : Json(rule)},
-                        {"because", inputs(applied.because)}});
+  write(
+      "application",
+      {{"function", print(function)},
+       {"argument", print(argument)},
+       {"result", print(result)},
+       {"types",
+        {{"function", function.type().text()}, {"argument", argument.type().text()}, {"result", result.type().text()}}},
+       {"rule", rule.empty() ? Json(nullptr) : Json(rule)},
+       {"because", inputs(applied.because)}});
 }
 
 void Recorder::one(const Said& said) {
@@ -133,14 +144,19 @@ void Recorder::one(const Gestured& gestured) {
 void Recorder::one(const Acted& acted) {
   last_act_ = print(acted.term);
   const int number = ++act_count_;
-  const int n = write("act", {{"act", number}, {"program", last_act_}, {"status", "asked"}, {"because", inputs(acted.because)}});
+  const int n =
+      write("act", {{"act", number}, {"program", last_act_}, {"status", "asked"}, {"because", inputs(acted.because)}});
   pending_ = {number, n, last_act_, false, ActReport::Status::started};
 }
 
 void Recorder::one(const Commanded& commanded) { acts_[commanded.command.id] = pending_; }
 
 void Recorder::one(const Unplanned& unplanned) {
-  log_.write("act", now_, {{"act", pending_.number}, {"program", pending_.program}, {"status", "blocked"}, {"result", {{"reason", unplanned.reason}}}},
+  log_.write("act", now_,
+             {{"act", pending_.number},
+              {"program", pending_.program},
+              {"status", "blocked"},
+              {"result", {{"reason", unplanned.reason}}}},
              pending_.record);
 }
 
@@ -170,9 +186,12 @@ void Recorder::world(const WorldReport& report) {
   std::stable_sort(lines.begin(), lines.end(),
                    [](const Line& a, const Line& b) { return std::tie(a.t, a.rank) < std::tie(b.t, b.rank); });
   for (const auto& line : lines) {
-    if (line.rank == 0) pose(report.poses[line.index]);
-    else if (line.rank == 1) this->report(report.acts[line.index]);
-    else rest(report.rests[line.index]);
+    if (line.rank == 0)
+      pose(report.poses[line.index]);
+    else if (line.rank == 1)
+      this->report(report.acts[line.index]);
+    else
+      rest(report.rests[line.index]);
   }
 }
 
@@ -193,7 +212,9 @@ void Recorder::rest(const RestSpan& span) {
 }
 
 void Recorder::finish() {
-  if (lasting_rest_) log_.write("rest", lasting_rest_->to, {{"from", lasting_rest_->from.seconds()}, {"to", lasting_rest_->to.seconds()}});
+  if (lasting_rest_)
+    log_.write("rest", lasting_rest_->to,
+               {{"from", lasting_rest_->from.seconds()}, {"to", lasting_rest_->to.seconds()}});
   lasting_rest_.reset();
 }
 
@@ -226,7 +247,8 @@ void Recorder::problem(std::size_t line, const std::string& message, SimTime t) 
 
 Json Recorder::refusals(const std::vector<Refused>& refused) const {
   Json list = Json::array();
-  for (const auto& one : refused) list.push_back({{"id", machine_.transitions[one.transition].id}, {"reason", one.reason}});
+  for (const auto& one : refused)
+    list.push_back({{"id", machine_.transitions[one.transition].id}, {"reason", one.reason}});
   return list;
 }
 

@@ -68,12 +68,12 @@ class Recorder {
   RunLog& log_;
   const Machine& machine_;
   SimTime now_;
-  std::optional<int> cause_;      ///< number of the record that brought about the next one
+  std::optional<int> cause_;         ///< number of the record that brought about the next one
   std::map<int, int> input_record_;  ///< serial of an input → number of its record
   int latest_input_ = 0;
   int act_count_ = 0;
-  Act pending_;                   ///< the act or gesture whose command comes next
-  std::map<int, Act> acts_;       ///< by command
+  Act pending_;              ///< the act or gesture whose command comes next
+  std::map<int, Act> acts_;  ///< by command
   std::optional<RestSpan> lasting_rest_;
   std::string last_utterance_, last_act_;
 };

@@ -7,9 +7,9 @@ namespace continua {
 namespace {
 
 // What must be equal on every machine; RUNLOG.md says so too.
-constexpr std::array<std::string_view, 12> decision_kinds = {"input",       "belief",    "memory",  "transition",
-                                                             "symbol",      "rewrite",   "application", "utterance",
-                                                             "gesture",     "refusal",   "expect",  "act"};
+constexpr std::array<std::string_view, 12> decision_kinds = {"input",   "belief",  "memory",      "transition",
+                                                             "symbol",  "rewrite", "application", "utterance",
+                                                             "gesture", "refusal", "expect",      "act"};
 
 std::string decision_line(std::string_view kind, SimTime t, Json fields) {
   fields.erase("margin");
@@ -35,10 +35,8 @@ int RunLog::write(std::string_view kind, SimTime t, const Json& fields, std::opt
 }
 
 void RunLog::finish(SimTime t) {
-  const Json fields{{"counts", counts_},
-                    {"decisions", decisions_.text()},
-                    {"physics", physics_.text()},
-                    {"digest", all_.text()}};
+  const Json fields{
+      {"counts", counts_}, {"decisions", decisions_.text()}, {"physics", physics_.text()}, {"digest", all_.text()}};
   write("end", t, fields);
 }
 

@@ -5,18 +5,19 @@ namespace continua {
 Json run_fields(const RunHeader& header) {
   Json scene{{"name", header.scene_name}, {"digest", header.scene_digest}, {"mjcf", header.scene_mjcf}};
   for (const auto& [key, value] : header.scene_description.items()) scene[key] = value;
-  return Json{{"version", 1},
-              {"continua", header.continua_version},
-              {"trace", {{"name", header.trace_name}, {"digest", header.trace_digest}}},
-              {"seed", header.seed},
-              {"choice", header.choice},
-              {"world", header.world},
-              {"perspective", header.perspective},
-              {"fingerprint", header.fingerprint},
-              {"machine",
-               {{"name", header.machine_name}, {"digest", header.machine_digest}, {"document", header.machine_document}}},
-              {"graph", header.graph},
-              {"scene", std::move(scene)}};
+  return Json{
+      {"version", 1},
+      {"continua", header.continua_version},
+      {"trace", {{"name", header.trace_name}, {"digest", header.trace_digest}}},
+      {"seed", header.seed},
+      {"choice", header.choice},
+      {"world", header.world},
+      {"perspective", header.perspective},
+      {"fingerprint", header.fingerprint},
+      {"machine",
+       {{"name", header.machine_name}, {"digest", header.machine_digest}, {"document", header.machine_document}}},
+      {"graph", header.graph},
+      {"scene", std::move(scene)}};
 }
 
 }  // namespace continua

@@ -36,7 +36,9 @@ std::vector<ObjectOverride> overrides_of(const TraceHeader& header) {
     ObjectOverride one;
     one.object = name;
     one.removed = start.removed;
-    if (start.position_W) std::tie(one.x_m, one.y_m, one.z_m) = std::tuple(start.position_W->x(), start.position_W->y(), start.position_W->z());
+    if (start.position_W)
+      std::tie(one.x_m, one.y_m, one.z_m) =
+          std::tuple(start.position_W->x(), start.position_W->y(), start.position_W->z());
     one.yaw = start.yaw_rad;
     overrides.push_back(std::move(one));
   }
@@ -59,8 +61,10 @@ Result<Loaded> load(const std::string& trace_path, const ReplayOptions& options)
   if (!scene) return scene.error();
 
   const auto& machine_name = options.machine.empty() ? trace->header.machine : options.machine;
-  if (machine_name.empty()) return Error{header_line, "no machine; expected \"machine\" in the trace's header, or --machine"};
-  const auto machine_path = resolve_machine(machine_name, *data, folder, options.machine.empty() ? header_line : "--machine");
+  if (machine_name.empty())
+    return Error{header_line, "no machine; expected \"machine\" in the trace's header, or --machine"};
+  const auto machine_path =
+      resolve_machine(machine_name, *data, folder, options.machine.empty() ? header_line : "--machine");
   if (!machine_path) return machine_path.error();
   auto machine = load_machine(*machine_path, Methods::signature());
   if (!machine) return machine.error();
@@ -73,17 +77,24 @@ Result<Loaded> load(const std::string& trace_path, const ReplayOptions& options)
   } else {
     body = std::make_unique<KinematicBody>(scene->initial_snapshot());
   }
-  return Loaded{std::move(*trace), std::make_shared<const Machine>(std::move(*machine)), std::move(*scene), std::move(body)};
+  return Loaded{std::move(*trace), std::make_shared<const Machine>(std::move(*machine)), std::move(*scene),
+                std::move(body)};
 }
 
 // The loop over a trace's events, with all that it carries along.
 class Session {
  public:
   Session(const Loaded& loaded, const ReplayOptions& options, std::ostream& out)
-      : loaded_(loaded), options_(options), choice_(options.choice.value_or(loaded.machine->choice)),
-        perspective_(perspective()), seed_(options.seed.value_or(loaded.trace.header.seed)), log_(out),
-        recorder_(log_, *loaded.machine), pipeline_(loaded.machine, choice_, perspective_),
-        state_{{}, Beliefs(loaded.machine->beliefs), Random(seed_), "", 0, 0}, body_(*loaded.body) {}
+      : loaded_(loaded),
+        options_(options),
+        choice_(options.choice.value_or(loaded.machine->choice)),
+        perspective_(perspective()),
+        seed_(options.seed.value_or(loaded.trace.header.seed)),
+        log_(out),
+        recorder_(log_, *loaded.machine),
+        pipeline_(loaded.machine, choice_, perspective_),
+        state_{{}, Beliefs(loaded.machine->beliefs), Random(seed_), "", 0, 0},
+        body_(*loaded.body) {}
 
   ReplaySummary run() {
     write_header();
@@ -94,7 +105,8 @@ class Session {
       now_ = std::max(now_, events[i].t);
       recorder_.world(body_.advance(now_));
       std::visit([&](const auto& what) { take(events[i], what); }, events[i].what);
-      if (options_.progress && i % 64 == 0) options_.progress(static_cast<double>(i) / static_cast<double>(events.size()));
+      if (options_.progress && i % 64 == 0)
+        options_.progress(static_cast<double>(i) / static_cast<double>(events.size()));
     }
     settle();
     return finish();
@@ -136,7 +148,8 @@ class Session {
   }
   void take(const TraceEvent& event, const Observed& observed) { recorder_.observed(event, observed); }
   void take(const TraceEvent& event, const Expectation& expectation) {
-    const auto checked = check(expectation, {pipeline_.machine(), state_.configuration, body_.snapshot(), said_since_input_, recorder_.last_act()});
+    const auto checked = check(expectation, {pipeline_.machine(), state_.configuration, body_.snapshot(),
+                                             said_since_input_, recorder_.last_act()});
     recorder_.expectation(event, checked.met, checked.found);
     ++summary_.expectations;
     summary_.expectations_met += checked.met;

@@ -1,4 +1,5 @@
-// A replay: the only loop there is. Events of a trace go to the engine and time to the world; what both did goes to the log.
+// A replay: the only loop there is. Events of a trace go to the engine and time to the world; what both did goes to the
+// log.
 #pragma once
 
 #include <functional>
@@ -13,11 +14,11 @@
 namespace continua {
 
 struct ReplayOptions {
-  std::optional<std::uint64_t> seed;  ///< else the trace's
-  std::optional<Choice> choice;       ///< else the machine's
-  std::string scene, machine;         ///< names or paths; empty: the trace's
-  std::string knowledge;              ///< folder; empty: the program's own
-  bool physics = true;                ///< else the kinematic world
+  std::optional<std::uint64_t> seed;          ///< else the trace's
+  std::optional<Choice> choice;               ///< else the machine's
+  std::string scene, machine;                 ///< names or paths; empty: the trace's
+  std::string knowledge;                      ///< folder; empty: the program's own
+  bool physics = true;                        ///< else the kinematic world
   std::function<void(double done)> progress;  ///< called now and then with the part of the trace that is done
 };
 

@@ -28,7 +28,8 @@ std::vector<BeliefChange> Beliefs::raise(std::string_view symbol) {
     if (!evidence.inputs.contains(symbol)) continue;
     for (const auto index : evidence.concepts) {
       const auto& levels = evidence.levels;
-      const auto above = std::find_if(levels.begin(), levels.end(), [&](double level) { return level > certainty_[index]; });
+      const auto above =
+          std::find_if(levels.begin(), levels.end(), [&](double level) { return level > certainty_[index]; });
       change(index, above == levels.end() ? levels.back() : *above, changes);
     }
   }
@@ -45,11 +46,13 @@ std::vector<BeliefChange> Beliefs::set(std::string_view symbol, double value) {
 
 std::vector<BeliefChange> Beliefs::overhear(std::string_view utterance) {
   std::string lower(utterance);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   std::vector<BeliefChange> changes;
   for (std::size_t i = 0; i < table_->concepts.size(); ++i) {
     const auto& word = table_->concepts[i].word;
-    if (!word.empty() && certainty_[i] >= 0 && certainty_[i] < table_->overheard && lower.find(word) != std::string::npos)
+    if (!word.empty() && certainty_[i] >= 0 && certainty_[i] < table_->overheard &&
+        lower.find(word) != std::string::npos)
       change(i, table_->overheard, changes);
   }
   return changes;

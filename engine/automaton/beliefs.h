@@ -16,7 +16,7 @@ namespace continua {
 struct Concept {
   std::string name;
   std::vector<std::size_t> related;
-  std::string word;             ///< lower case; empty: cannot be overheard
+  std::string word;  ///< lower case; empty: cannot be overheard
   std::optional<double> fixed;
 };
 
@@ -29,8 +29,8 @@ struct Evidence {
 struct Answer {
   std::optional<Term> when;
   SymbolSet inputs;
-  Term about;                  ///< of type text: the symbol that was asked about
-  std::optional<double> set;   ///< nullopt: raise
+  Term about;                 ///< of type text: the symbol that was asked about
+  std::optional<double> set;  ///< nullopt: raise
 };
 
 struct BeliefTable {

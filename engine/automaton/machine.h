@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "automaton/beliefs.h"
+#include "automaton/choice.h"
 #include "automaton/configuration.h"
 #include "automaton/symbol_set.h"
 #include "term/term_text.h"
@@ -20,6 +21,9 @@ struct Slot {
   Type type;
   bool persists = false;  ///< mirrors something physical: flush keeps it
 };
+
+/// What a slot or register of the type holds at first: the empty list, or null.
+Term empty_value(const Type& type);
 
 struct Register {
   std::string name;
@@ -52,12 +56,24 @@ struct Template {
 
 struct Effect;
 
-struct Say { Template text; };
-struct Gesture { Term term; };
-struct Act { Term term; };
-struct Remember { std::vector<std::pair<std::size_t, Term>> registers; };
-struct Rewrite { Operation operation; };
-struct Group { std::vector<Effect> effects; };
+struct Say {
+  Template text;
+};
+struct Gesture {
+  Term term;
+};
+struct Act {
+  Term term;
+};
+struct Remember {
+  std::vector<std::pair<std::size_t, Term>> registers;
+};
+struct Rewrite {
+  Operation operation;
+};
+struct Group {
+  std::vector<Effect> effects;
+};
 
 /// One step of what a state or transition does beside moving.
 struct Effect {
@@ -93,25 +109,21 @@ struct Transition {
 /// How terms of a shape are put into words. All lambdas bind the pattern's variables, in order.
 struct Wording {
   std::vector<Type> variables;
-  Term pattern;                ///< body of the `of` lambda; its free variables are the pattern's
+  Term pattern;  ///< body of the `of` lambda; its free variables are the pattern's
   std::optional<Term> when;
   Template say;
 };
-
-enum class Choice { likeliest, sample, unique };
-std::optional<Choice> parse_choice(std::string_view name);
-std::string text(Choice choice);
 
 struct Machine {
   std::string name;
   std::string document;  ///< the file, compact JSON
   StateIndex start = 0;
   Choice choice = Choice::likeliest;
-  bool epsilon_always = true;     ///< else only after a rewrite
+  bool epsilon_always = true;  ///< else only after a rewrite
   bool rewrite_below = false;
   bool repeats_utterances = true;
   double minimum_confidence = 0;
-  std::string perspective;        ///< "human", "avatar" or empty
+  std::string perspective;  ///< "human", "avatar" or empty
 
   std::vector<Slot> slots;
   std::vector<Register> memory;

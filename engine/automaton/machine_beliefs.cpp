@@ -9,7 +9,8 @@
 namespace continua {
 
 void MachineReader::read_beliefs(const Item& beliefs) {
-  if (!beliefs.json || !expect_object(beliefs, "beliefs", {"concepts", "evidence", "answers", "overheard", "about"})) return;
+  if (!beliefs.json || !expect_object(beliefs, "beliefs", {"concepts", "evidence", "answers", "overheard", "about"}))
+    return;
   auto& table = machine_.beliefs;
   const auto concepts = member(beliefs, "concepts");
   if (!expect_object(concepts, "the concepts")) return;
@@ -18,7 +19,8 @@ void MachineReader::read_beliefs(const Item& beliefs) {
     const auto item = member(concepts, entry.name);
     if (!expect_object(item, "a concept", {"related", "word", "fixed", "about"})) continue;
     if (const auto related = member(item, "related"); related.json && expect_array(related, "related concepts"))
-      for (std::size_t i = 0; i < related.json->size(); ++i) entry.related.push_back(concept_named(element(related, i)));
+      for (std::size_t i = 0; i < related.json->size(); ++i)
+        entry.related.push_back(concept_named(element(related, i)));
     if (const auto word = member(item, "word"); word.json) {
       entry.word = text_of(word, "a word");
       std::transform(entry.word.begin(), entry.word.end(), entry.word.begin(),
@@ -34,10 +36,12 @@ void MachineReader::read_beliefs(const Item& beliefs) {
       if (const auto names = member(item, "concepts"); expect_array(names, "the concepts that it raises"))
         for (std::size_t k = 0; k < names.json->size(); ++k) entry.concepts.push_back(concept_named(element(names, k)));
       if (const auto levels = member(item, "levels"); expect_array(levels, "levels of certainty"))
-        for (std::size_t k = 0; k < levels.json->size(); ++k) entry.levels.push_back(number_of(element(levels, k), "a level", 1));
+        for (std::size_t k = 0; k < levels.json->size(); ++k)
+          entry.levels.push_back(number_of(element(levels, k), "a level", 1));
       if (entry.levels.empty() || !std::is_sorted(entry.levels.begin(), entry.levels.end()))
         problem(item, "expected one or more levels of certainty, ascending");
-      else table.evidence.push_back(std::move(entry));
+      else
+        table.evidence.push_back(std::move(entry));
     }
   }
   if (const auto answers = member(beliefs, "answers"); answers.json && expect_array(answers, "the answers")) {

@@ -1,5 +1,4 @@
-// The parts that machine_loader.cpp, machine_terms.cpp and machine_beliefs.cpp share: a reader that walks a located
-// document, notes every problem with its place, and goes on.
+// Reads a machine from a located document: notes every problem with its place, and goes on.
 #pragma once
 
 #include <initializer_list>
@@ -25,18 +24,20 @@ class MachineReader {
   std::vector<Error> problems;
 
  private:
-  // machine_loader.cpp: the document from top to bottom
+  // machine_reader.cpp: the document from top to bottom
   void read_header(const Item& root);
   void read_programs(const Item& programs);
   void read_slots(const Item& slots);
   void read_memory(const Item& memory);
+  Type read_type(const Item& item);
+  void declare(const Item& at, const std::string& name, const Type& type);
+
+  // machine_graph.cpp: how states are connected
   void read_inputs(const Item& inputs);
   void read_state_names(const Item& root);
   void read_states(const Item& states);
   void read_transitions(const Item& transitions);
   void read_transition(const Item& transition);
-  Type read_type(const Item& item);
-  void declare(const Item& at, const std::string& name, const Type& type);
   const SymbolSet& named_set(const Item& inputs, const std::string& name, std::vector<std::string>& path);
   SymbolSet read_symbols(const Item& item);
   StateIndex state_named(const Item& item);

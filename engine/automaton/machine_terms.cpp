@@ -14,10 +14,10 @@ struct OperationKey {
 };
 
 constexpr OperationKey operation_keys[] = {
-    {"none", Operation::Kind::none},       {"push", Operation::Kind::push},
+    {"none", Operation::Kind::none},           {"push", Operation::Kind::push},
     {"push_each", Operation::Kind::push_each}, {"pop", Operation::Kind::pop},
-    {"rewrite", Operation::Kind::rewrite}, {"rewrite_each", Operation::Kind::rewrite_each},
-    {"flush", Operation::Kind::flush},     {"pop_until", Operation::Kind::pop_until},
+    {"rewrite", Operation::Kind::rewrite},     {"rewrite_each", Operation::Kind::rewrite_each},
+    {"flush", Operation::Kind::flush},         {"pop_until", Operation::Kind::pop_until},
 };
 
 // "\x y. put(x, y)" gives "\x y. "; a term that is no lambda gives "".
@@ -46,8 +46,10 @@ void MachineReader::read_definitions(const Item& definitions) {
   if (!definitions.json || !expect_object(definitions, "definitions")) return;
   std::vector<std::string> waiting;
   for (const auto& [name, value] : definitions.json->items()) {
-    if (value.is_object()) declare(member(definitions, name), name, Type::function(Type::text_type(), Type::term()));
-    else waiting.push_back(name);
+    if (value.is_object())
+      declare(member(definitions, name), name, Type::function(Type::text_type(), Type::term()));
+    else
+      waiting.push_back(name);
   }
   for (bool progress = true; progress && !waiting.empty();) {
     progress = false;
@@ -55,7 +57,10 @@ void MachineReader::read_definitions(const Item& definitions) {
       const auto item = member(definitions, *name);
       const auto text = item.json->is_string() ? item.json->get<std::string>() : std::string();
       const auto term = parse_term(text, scope_);
-      if (!term) { ++name; continue; }
+      if (!term) {
+        ++name;
+        continue;
+      }
       declare(item, *name, term->type());
       machine_.definitions.emplace(*name, *term);
       name = waiting.erase(name);
@@ -120,7 +125,9 @@ Operation MachineReader::read_operation(const Item& object) {
   const OperationKey* found = nullptr;
   for (const auto& key : operation_keys) {
     if (!member(object, key.name).json) continue;
-    if (found) problem(member(object, key.name), fmt::format("a second operation, '{}', beside '{}'; expected one", key.name, found->name));
+    if (found)
+      problem(member(object, key.name),
+              fmt::format("a second operation, '{}', beside '{}'; expected one", key.name, found->name));
     found = &key;
   }
   if (!found) {
@@ -131,10 +138,15 @@ Operation MachineReader::read_operation(const Item& object) {
   operation.kind = found->kind;
   operation.source = compact(Json{{found->name, *item.json}});
   switch (operation.kind) {
-    case Operation::Kind::none: break;
-    case Operation::Kind::push: operation.contents = read_contents(item, false); break;
+    case Operation::Kind::none:
+      break;
+    case Operation::Kind::push:
+      operation.contents = read_contents(item, false);
+      break;
     case Operation::Kind::push_each:
-    case Operation::Kind::rewrite_each: operation.contents = read_contents(item, true); break;
+    case Operation::Kind::rewrite_each:
+      operation.contents = read_contents(item, true);
+      break;
     case Operation::Kind::rewrite:
       operation.keeps_stack = item.json->is_null();
       if (!operation.keeps_stack) operation.contents = read_contents(item, false);
@@ -149,10 +161,13 @@ Operation MachineReader::read_operation(const Item& object) {
       const auto count = number_of(item, "how many symbols to pop", 1);
       if (count < 1 || count > 1e6 || count != static_cast<double>(static_cast<long>(count)))
         problem(item, "expected how many symbols to pop, a whole number from 1");
-      else operation.count = static_cast<std::size_t>(count);
+      else
+        operation.count = static_cast<std::size_t>(count);
       break;
     }
-    case Operation::Kind::pop_until: operation.state = state_named(item); break;
+    case Operation::Kind::pop_until:
+      operation.state = state_named(item);
+      break;
   }
   return operation;
 }
@@ -189,7 +204,8 @@ std::vector<Effect> MachineReader::read_effects(const Item& list) {
 }
 
 std::optional<Effect> MachineReader::read_effect(const Item& object) {
-  if (!expect_object(object, "an effect", {"when", "say", "gesture", "act", "remember", "rewrite", "rewrite_each", "do", "about"}))
+  if (!expect_object(object, "an effect",
+                     {"when", "say", "gesture", "act", "remember", "rewrite", "rewrite_each", "do", "about"}))
     return std::nullopt;
   Effect effect{std::nullopt, Group{}};
   if (const auto when = member(object, "when"); when.json) {
@@ -209,7 +225,8 @@ std::optional<Effect> MachineReader::read_effect(const Item& object) {
     ++kinds;
     if (const auto term = parse(act, Type::term())) effect.what = Act{*term};
   }
-  if (const auto remember = member(object, "remember"); remember.json && expect_object(remember, "registers and their values")) {
+  if (const auto remember = member(object, "remember");
+      remember.json && expect_object(remember, "registers and their values")) {
     ++kinds;
     Remember what;
     for (const auto& [name, value] : remember.json->items()) {

@@ -27,10 +27,10 @@ class Stack {
   bool empty() const { return !node_; }
   std::size_t depth() const;
 
-  const Symbol& top() const;          ///< REQUIRES !empty()
-  int id() const;                     ///< of the topmost symbol; REQUIRES !empty()
-  std::optional<int> id_below() const;///< of the symbol below it, if there is one; REQUIRES !empty()
-  Stack pop() const;                  ///< REQUIRES !empty()
+  const Symbol& top() const;            ///< REQUIRES !empty()
+  int id() const;                       ///< of the topmost symbol; REQUIRES !empty()
+  std::optional<int> id_below() const;  ///< of the symbol below it, if there is one; REQUIRES !empty()
+  Stack pop() const;                    ///< REQUIRES !empty()
   /// `id` names the new symbol in the log; unique within a run.
   Stack push(Symbol symbol, int id) const;
 

@@ -7,10 +7,6 @@
 namespace continua {
 namespace {
 
-Term empty_value(const Type& type) {
-  return type.kind() == Type::Kind::list ? Term::list({}, type.element()) : Term::null();
-}
-
 // The work of one operation on a stack that always keeps a bottom symbol.
 class Worker {
  public:
@@ -48,7 +44,8 @@ class Worker {
   void pop_until(const Operation& operation, const Configuration& before) {
     const Stack* entry = before.history.previous(operation.state);
     if (!entry) return flush(operation);
-    while (result_.stack.depth() > 1 && !same_values(result_.stack.top(), entry->top())) result_.stack = result_.stack.pop();
+    while (result_.stack.depth() > 1 && !same_values(result_.stack.top(), entry->top()))
+      result_.stack = result_.stack.pop();
   }
 
   // Completes `symbol` by the rule of the 2018 system: what came out null, unless it was cleared, shows what is below.
@@ -94,15 +91,19 @@ OperationResult apply_operation(const Operation& operation, const std::vector<st
   const auto filled = [&](Symbol symbol, std::size_t k) {
     for (std::size_t i = 0; i < contents.size(); ++i) {
       auto& cell = symbol[operation.contents[i].slot];
-      if (!contents[i]) cell = {empty_value(machine.slots[operation.contents[i].slot].type), {}};
-      else if (each) cell = {contents[i]->value.elements()[k], contents[i]->because};
-      else cell = *contents[i];
+      if (!contents[i])
+        cell = {empty_value(machine.slots[operation.contents[i].slot].type), {}};
+      else if (each)
+        cell = {contents[i]->value.elements()[k], contents[i]->because};
+      else
+        cell = *contents[i];
     }
     return symbol;
   };
 
   switch (operation.kind) {
-    case Kind::none: break;
+    case Kind::none:
+      break;
     case Kind::push:
     case Kind::push_each:
       for (std::size_t k = 0; k < count; ++k) worker.push(filled(worker.result_.stack.top(), k));
@@ -118,8 +119,12 @@ OperationResult apply_operation(const Operation& operation, const std::vector<st
       if (worker.result_.stack.empty()) worker.push(bottom_symbol(machine));
       break;
     }
-    case Kind::flush: worker.flush(operation); break;
-    case Kind::pop_until: worker.pop_until(operation, before); break;
+    case Kind::flush:
+      worker.flush(operation);
+      break;
+    case Kind::pop_until:
+      worker.pop_until(operation, before);
+      break;
   }
   return std::move(worker.result_);
 }

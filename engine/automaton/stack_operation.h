@@ -13,7 +13,7 @@ struct OperationResult {
   Stack stack;
   std::vector<Stack> made;  ///< the stack after each symbol that was pushed, in order
   int next_symbol = 0;
-  std::string trouble;      ///< a sentence, when the operation could not be done as written
+  std::string trouble;  ///< a sentence, when the operation could not be done as written
 };
 
 /// `contents` are the values of operation.contents, nullopt for the JSON null; lists of values for …_each.

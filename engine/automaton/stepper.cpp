@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "automaton/condition.h"
 #include "automaton/stack_operation.h"
 #include "automaton/wording.h"
 #include "core/result.h"
@@ -15,47 +16,28 @@ namespace {
 
 constexpr int most_epsilon_steps = 1000;
 
-// "size(options) >= 2" with "size(options) is 1"; of a conjunction, the first part that does not hold.
-std::string why_not(const Term& condition, const Machine& machine, Evaluation& evaluation) {
-  const auto [head, arguments] = condition.spine();
-  if (head.kind() == Term::Kind::constant) {
-    if (head.name() == "and" && arguments.size() == 2) {
-      const bool left_holds = evaluation.value(arguments[0]).is_true();
-      return why_not(arguments[left_holds ? 1 : 0], machine, evaluation);
-    }
-    const auto definition = machine.definitions.find(head.name());
-    if (arguments.empty() && definition != machine.definitions.end())
-      return fmt::format("{}: {}", head.name(), why_not(definition->second, machine, evaluation));
-  }
-  std::vector<std::string> values;
-  static const std::set<std::string, std::less<>> comparisons = {"=", "!=", "<", "<=", ">", ">="};
-  if (head.kind() == Term::Kind::constant && comparisons.contains(head.name()) && arguments.size() == 2)
-    for (const auto& side : arguments) {
-      const auto value = evaluation.value(side);
-      if (!(value == side)) values.push_back(fmt::format("{} is {}", print(side), print(value)));
-    }
-  return fmt::format("not {}{}{}", print(condition), values.empty() ? "" : ": ", fmt::join(values, ", "));
-}
-
 }  // namespace
 
 Stepper::Stepper(std::shared_ptr<const Machine> machine, const Rules& methods) : machine_(std::move(machine)) {
-  own_rules_["is_input"] = {1, [this](std::span<const Term> arguments, Evaluation&) {
-    return Term::truth(arguments[0].kind() == Term::Kind::text && machine_->knows_input(arguments[0].text_value()));
-  }};
+  own_rules_["is_input"] = {
+      1, [this](std::span<const Term> arguments, Evaluation&) {
+        return Term::truth(arguments[0].kind() == Term::Kind::text && machine_->knows_input(arguments[0].text_value()));
+      }};
   own_rules_["certainty"] = {1, [this](std::span<const Term> arguments, Evaluation&) {
-    return arguments[0].kind() == Term::Kind::text ? Term::number(beliefs_->certainty(arguments[0].text_value())) : Term::null();
-  }};
+                               return arguments[0].kind() == Term::Kind::text
+                                          ? Term::number(beliefs_->certainty(arguments[0].text_value()))
+                                          : Term::null();
+                             }};
   own_rules_["wording"] = {1, [this](std::span<const Term> arguments, Evaluation& evaluation) {
-    const auto words = wording_of(arguments[0], machine_->wordings, evaluation);
-    return words ? Term::text(*words) : Term::null();
-  }};
+                             const auto words = wording_of(arguments[0], machine_->wordings, evaluation);
+                             return words ? Term::text(*words) : Term::null();
+                           }};
   for (const auto& [name, entries] : machine_->tables)
     own_rules_[name] = {1, [&entries = entries](std::span<const Term> arguments, Evaluation& evaluation) {
-      if (arguments[0].kind() != Term::Kind::text) return Term::null();
-      const auto entry = entries.find(arguments[0].text_value());
-      return entry == entries.end() ? Term::null() : evaluation.value(entry->second);
-    }};
+                          if (arguments[0].kind() != Term::Kind::text) return Term::null();
+                          const auto entry = entries.find(arguments[0].text_value());
+                          return entry == entries.end() ? Term::null() : evaluation.value(entry->second);
+                        }};
   rules_ = {&term_rules(), &methods, &own_rules_};
 }
 
@@ -63,8 +45,12 @@ Stepper::Stepper(std::shared_ptr<const Machine> machine, const Rules& methods) :
 class Stepper::Run {
  public:
   Run(Stepper& stepper, Configuration configuration, const Input* input, Choice choice, Random& random)
-      : stepper_(stepper), machine_(*stepper.machine_), configuration_(std::move(configuration)), serial_(input ? input->serial : 0),
-        choice_(choice), random_(random) {
+      : stepper_(stepper),
+        machine_(*stepper.machine_),
+        configuration_(std::move(configuration)),
+        serial_(input ? input->serial : 0),
+        choice_(choice),
+        random_(random) {
     if (input) {
       input_ = Term::text(input->symbol);
       target_ = input->target;
@@ -76,9 +62,10 @@ class Stepper::Run {
 
   void offer(const Input& input) {
     auto found = applicable(&input);
-    const auto chosen = choose(found);
+    const auto chosen = choose(found.candidates, choice_, random_);
     if (!chosen) {
-      events_.push_back(RefusedInput{configuration_.state, input.symbol, refusal_reason(found, input), std::move(found.refused)});
+      events_.push_back(
+          RefusedInput{configuration_.state, input.symbol, refusal_reason(found, input), std::move(found.refused)});
       return;
     }
     const bool settles = fire(*chosen, std::move(found), input.symbol);
@@ -92,7 +79,7 @@ class Stepper::Run {
     std::vector<std::string> path;
     for (int i = 0; i < most_epsilon_steps; ++i) {
       auto found = applicable(nullptr);
-      const auto chosen = choose(found);
+      const auto chosen = choose(found.candidates, choice_, random_);
       if (!chosen) return;
       path.push_back(machine_.transitions[chosen->transition].id);
       if (!fire(*chosen, std::move(found), std::nullopt)) return;
@@ -102,7 +89,8 @@ class Stepper::Run {
       }
       seen.push_back(configuration_);
     }
-    events_.push_back(Trouble{fmt::format("more than {} ε-transitions in a row, the last of them {}", most_epsilon_steps, path.back())});
+    events_.push_back(Trouble{
+        fmt::format("more than {} ε-transitions in a row, the last of them {}", most_epsilon_steps, path.back())});
   }
 
   Term value(const Term& term) {
@@ -117,11 +105,6 @@ class Stepper::Run {
     std::vector<Candidate> candidates;
     std::vector<Refused> refused;
     double margin = std::numeric_limits<double>::infinity();
-  };
-  struct Chosen {
-    std::size_t transition = 0;
-    double probability = 1;
-    std::optional<double> draw;
   };
 
   Evaluation evaluate() {
@@ -168,23 +151,6 @@ class Stepper::Run {
     return found;
   }
 
-  std::optional<Chosen> choose(const Found& found) {
-    const auto& candidates = found.candidates;
-    if (candidates.empty() || (choice_ == Choice::unique && candidates.size() > 1)) return std::nullopt;
-    double total = 0;
-    for (const auto& candidate : candidates) total += candidate.weight;
-    auto chosen = std::max_element(candidates.begin(), candidates.end(),
-                                   [](const auto& a, const auto& b) { return a.weight < b.weight; });
-    std::optional<double> draw;
-    if (choice_ == Choice::sample && candidates.size() > 1) {
-      draw = random_.uniform();
-      double passed = 0;
-      for (chosen = candidates.begin(); chosen + 1 != candidates.end(); ++chosen)
-        if ((passed += chosen->weight) > *draw * total) break;
-    }
-    return Chosen{chosen->transition, total > 0 ? chosen->weight / total : 1, draw};
-  }
-
   std::string refusal_reason(const Found& found, const Input& input) const {
     const auto& state = machine_.states[configuration_.state].name;
     if (found.candidates.size() > 1) {
@@ -199,8 +165,19 @@ class Stepper::Run {
   // Returns whether ε-transitions are to be tried now.
   bool fire(const Chosen& chosen, Found found, const std::optional<std::string>& input) {
     const auto& transition = machine_.transitions[chosen.transition];
-    Fired fired{chosen.transition, configuration_.state, transition.to, input, &transition.operation,
-                std::move(found.candidates), std::move(found.refused), std::nullopt, chosen.probability, chosen.draw, 0, 0, found.margin};
+    Fired fired{chosen.transition,
+                configuration_.state,
+                transition.to,
+                input,
+                &transition.operation,
+                std::move(found.candidates),
+                std::move(found.refused),
+                std::nullopt,
+                chosen.probability,
+                chosen.draw,
+                0,
+                0,
+                found.margin};
     bool passed = true;
     if (const auto& gate = machine_.states[transition.to].gate) {
       auto evaluation = evaluate();
@@ -214,7 +191,8 @@ class Stepper::Run {
     }
     operate(*fired.operation);
     const auto to = fired.to;
-    const bool rewrote = fired.operation->kind == Operation::Kind::rewrite || fired.operation->kind == Operation::Kind::rewrite_each;
+    const bool rewrote =
+        fired.operation->kind == Operation::Kind::rewrite || fired.operation->kind == Operation::Kind::rewrite_each;
     fired.stack = configuration_.stack.id();
     fired.depth = configuration_.stack.depth();
     events_.push_back(std::move(fired));
@@ -239,8 +217,10 @@ class Stepper::Run {
   std::vector<std::optional<Cell>> evaluate_contents(const Operation& operation) {
     std::vector<std::optional<Cell>> contents;
     for (const auto& content : operation.contents) {
-      if (!content.term) contents.push_back(std::nullopt);
-      else contents.push_back(compute(*content.term));
+      if (!content.term)
+        contents.push_back(std::nullopt);
+      else
+        contents.push_back(compute(*content.term));
     }
     return contents;
   }
@@ -297,7 +277,8 @@ class Stepper::Run {
   bool perform_one(const Rewrite& rewrite) {
     if (!rewrite.operation.keeps_stack) {
       operate(rewrite.operation);
-      events_.push_back(Rewrote{configuration_.state, &rewrite.operation, configuration_.stack.id(), configuration_.stack.depth()});
+      events_.push_back(
+          Rewrote{configuration_.state, &rewrite.operation, configuration_.stack.id(), configuration_.stack.depth()});
     }
     return true;
   }
@@ -329,7 +310,8 @@ Step Stepper::begin(const Beliefs& beliefs, Choice choice, Random& random) {
   return step;
 }
 
-Step Stepper::step(const Configuration& before, const Input& input, const Beliefs& beliefs, Choice choice, Random& random) {
+Step Stepper::step(const Configuration& before, const Input& input, const Beliefs& beliefs, Choice choice,
+                   Random& random) {
   beliefs_ = &beliefs;
   Run run(*this, before, &input, choice, random);
   run.offer(input);

@@ -17,21 +17,16 @@ namespace continua {
 
 /// What the automaton is offered.
 struct Input {
-  int serial = 0;            ///< names the input in `because`
+  int serial = 0;  ///< names the input in `because`
   std::string symbol;
-  Term target, said;         ///< payload: loc, text; null where it has none
+  Term target, said;  ///< payload: loc, text; null where it has none
   double confidence = 1;
   double now_s = 0;
 };
 
-struct Candidate {
-  std::size_t transition = 0;  ///< index in Machine::transitions
-  double weight = 1;           ///< times the input's confidence
-};
-
 struct Refused {
   std::size_t transition = 0;
-  std::string reason;          ///< the first part of its condition that does not hold, with the values it saw
+  std::string reason;  ///< the first part of its condition that does not hold, with the values it saw
 };
 
 struct GateTest {
@@ -48,23 +43,53 @@ struct Fired {
   std::vector<Candidate> candidates;
   std::vector<Refused> refused;
   std::optional<GateTest> gate;
-  double probability = 1;                ///< the chosen candidate's share of all weights
-  std::optional<double> draw;            ///< under Choice::sample, with more than one candidate
+  double probability = 1;      ///< the chosen candidate's share of all weights
+  std::optional<double> draw;  ///< under Choice::sample, with more than one candidate
   int stack = 0;
   std::size_t depth = 0;
-  double margin = 0;                     ///< infinity when nothing was compared
+  double margin = 0;  ///< infinity when nothing was compared
 };
 
-struct MadeSymbol { int id = 0; std::optional<int> below; Symbol symbol; };
-struct Rewrote { StateIndex state = 0; const Operation* operation = nullptr; int stack = 0; std::size_t depth = 0; };
-struct Applied { Application application; std::vector<int> because; };
-struct Said { std::string text; std::vector<int> because; };
-struct Gestured { Term term; std::vector<int> because; };
-struct Acted { Term term; std::vector<int> because; };
-struct Remembered { std::size_t index = 0; Term value; };
-struct RefusedInput { StateIndex state = 0; std::string input, reason; std::vector<Refused> refused; };
+struct MadeSymbol {
+  int id = 0;
+  std::optional<int> below;
+  Symbol symbol;
+};
+struct Rewrote {
+  StateIndex state = 0;
+  const Operation* operation = nullptr;
+  int stack = 0;
+  std::size_t depth = 0;
+};
+struct Applied {
+  Application application;
+  std::vector<int> because;
+};
+struct Said {
+  std::string text;
+  std::vector<int> because;
+};
+struct Gestured {
+  Term term;
+  std::vector<int> because;
+};
+struct Acted {
+  Term term;
+  std::vector<int> because;
+};
+struct Remembered {
+  std::size_t index = 0;
+  Term value;
+};
+struct RefusedInput {
+  StateIndex state = 0;
+  std::string input, reason;
+  std::vector<Refused> refused;
+};
 /// Something in the machine that cannot be carried out as written, such as an ε-cycle.
-struct Trouble { std::string message; };
+struct Trouble {
+  std::string message;
+};
 
 using StepEvent =
     std::variant<Fired, MadeSymbol, Rewrote, Applied, Said, Gestured, Acted, Remembered, RefusedInput, Trouble>;
@@ -96,8 +121,8 @@ class Stepper {
 
   std::shared_ptr<const Machine> machine_;
   std::vector<const Rules*> rules_;
-  Rules own_rules_;                    ///< is_input, certainty, wording, tables: read `beliefs_`
-  const Beliefs* beliefs_ = nullptr;   ///< those of the step under way
+  Rules own_rules_;                   ///< is_input, certainty, wording, tables: read `beliefs_`
+  const Beliefs* beliefs_ = nullptr;  ///< those of the step under way
 };
 
 }  // namespace continua

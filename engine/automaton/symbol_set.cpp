@@ -5,8 +5,10 @@
 namespace continua {
 
 void SymbolSet::add(std::string_view symbol) {
-  if (symbol.ends_with('*')) prefixes.emplace_back(symbol.substr(0, symbol.size() - 1));
-  else names.emplace(symbol);
+  if (symbol.ends_with('*'))
+    prefixes.emplace_back(symbol.substr(0, symbol.size() - 1));
+  else
+    names.emplace(symbol);
 }
 
 void SymbolSet::add(const SymbolSet& other) {

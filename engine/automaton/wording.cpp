@@ -25,10 +25,12 @@ Term applied(Term function, const std::vector<Term>& arguments, Evaluation& eval
 
 }  // namespace
 
-std::optional<std::string> fill_template(const Template& text, const std::vector<Term>& arguments, Evaluation& evaluation) {
+std::optional<std::string> fill_template(const Template& text, const std::vector<Term>& arguments,
+                                         Evaluation& evaluation) {
   std::string filled = text.literals.front();
   for (std::size_t i = 0; i < text.holes.size(); ++i) {
-    const auto value = arguments.empty() ? evaluation.value(text.holes[i]) : applied(text.holes[i], arguments, evaluation);
+    const auto value =
+        arguments.empty() ? evaluation.value(text.holes[i]) : applied(text.holes[i], arguments, evaluation);
     if (value.is_null()) return std::nullopt;
     filled += (value.kind() == Term::Kind::text ? value.text_value() : print(value)) + text.literals[i + 1];
   }

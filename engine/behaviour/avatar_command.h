@@ -30,17 +30,17 @@ enum class Capability {
 struct Goal {
   enum class Relation { at, on, left_of, right_of, in_front_of, behind };
   Relation relation = Relation::at;
-  std::string landmark;        ///< for every relation but `at`
-  Vec3 p_WG = Vec3::Zero();    ///< for `at`: the point of the table under the object's centre
+  std::string landmark;      ///< for every relation but `at`
+  Vec3 p_WG = Vec3::Zero();  ///< for `at`: the point of the table under the object's centre
 };
 
 struct AvatarCommand {
-  int id = 0;                  ///< running number, given back in reports
+  int id = 0;  ///< running number, given back in reports
   Capability what = Capability::signal;
-  std::string object;          ///< what is reached for, pointed at, grasped, moved; empty: the goal's place is
-  Goal goal;                   ///< for put and slide; for reach, point, look without object: the place
-  double height_m = 0;         ///< for lift
-  std::string name;            ///< for signal
+  std::string object;   ///< what is reached for, pointed at, grasped, moved; empty: the goal's place is
+  Goal goal;            ///< for put and slide; for reach, point, look without object: the place
+  double height_m = 0;  ///< for lift
+  std::string name;     ///< for signal
 };
 
 /// How an act went.
@@ -75,9 +75,9 @@ struct WorldReport {
   std::vector<RestSpan> rests;
 };
 
-/// Where the object's centre comes to lie when `command` succeeds in `world`, on the grid. `command.what` is put or slide.
-/// `at` and sides keep the bottom on what is under it: the table, or for `on` the landmark's top. Sides touch the landmark.
-/// REQUIRES that object and landmark are in `world`.
+/// Where the object's centre comes to lie when `command` succeeds in `world`, on the grid. `command.what` is put or
+/// slide. `at` and sides keep the bottom on what is under it: the table, or for `on` the landmark's top. Sides touch
+/// the landmark. REQUIRES that object and landmark are in `world`.
 Vec3 goal_position(const AvatarCommand& command, const WorldSnapshot& world);
 
 /// A world with an avatar in it. One command runs at a time; further ones queue in order.

@@ -50,7 +50,8 @@ bool is_thing(const Term& term) { return term.kind() == Term::Kind::constant && 
 std::optional<Vec3> place_in(const Term& term) {
   if (term.kind() == Term::Kind::place) {
     const auto& place = term.place_value();
-    return Vec3((place.min[0] + place.max[0]) / 2, (place.min[1] + place.max[1]) / 2, (place.min[2] + place.max[2]) / 2);
+    return Vec3((place.min[0] + place.max[0]) / 2, (place.min[1] + place.max[1]) / 2,
+                (place.min[2] + place.max[2]) / 2);
   }
   for (const auto& argument : term.spine().arguments)
     if (const auto found = place_in(argument)) return found;
@@ -72,9 +73,10 @@ std::optional<Goal> goal_of(const Term& term, Perspective perspective) {
 Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective) {
   AvatarCommand command;
   const auto [head, arguments] = program.spine();
-  const auto known = head.kind() != Term::Kind::constant
-                         ? programs.end()
-                         : std::find_if(programs.begin(), programs.end(), [&](const auto& one) { return one.name == head.name(); });
+  const auto known =
+      head.kind() != Term::Kind::constant
+          ? programs.end()
+          : std::find_if(programs.begin(), programs.end(), [&](const auto& one) { return one.name == head.name(); });
   if (known == programs.end()) {
     if (!gesture) return Error{"", fmt::format("{} is no program that the body can perform", print(program))};
     command.name = program.kind() == Term::Kind::text ? program.text_value() : print(program);
@@ -82,7 +84,8 @@ Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspe
   }
   command.what = known->what;
   const auto wrong = [&] { return Error{"", fmt::format("{} lacks an object or a place", print(program))}; };
-  const std::size_t count = known->takes == Takes::thing_and_goal || known->takes == Takes::last_is_thing_or_place ? 2 : 1;
+  const std::size_t count =
+      known->takes == Takes::thing_and_goal || known->takes == Takes::last_is_thing_or_place ? 2 : 1;
   if (arguments.size() != count) return wrong();
   if (known->takes == Takes::thing || known->takes == Takes::thing_and_goal) {
     if (!is_thing(arguments[0])) return wrong();

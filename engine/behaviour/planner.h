@@ -8,8 +8,9 @@
 
 namespace continua {
 
-/// The command for a closed program or gesture; `perspective` is whose sides its place terms mean. A term that is no program of the body's is a signal of that name when
-/// `gesture`, otherwise an error whose sentence says what is wrong with it.
+/// The command for a closed program or gesture; `perspective` is whose sides its place terms mean. A term that is no
+/// program of the body's is a signal of that name when `gesture`, otherwise an error whose sentence says what is wrong
+/// with it.
 Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective);
 
 }  // namespace continua

@@ -25,23 +25,35 @@ void require(bool holds, const char* sentence);
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : held_(std::move(value)) {}          // NOLINT(google-explicit-constructor)
-  Result(Error error) : held_(std::move(error)) {}      // NOLINT(google-explicit-constructor)
+  Result(T value) : held_(std::move(value)) {}      // NOLINT(google-explicit-constructor)
+  Result(Error error) : held_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
 
   bool ok() const { return held_.index() == 0; }
   explicit operator bool() const { return ok(); }
 
   /// REQUIRES ok().
-  const T& value() const& { require(ok(), "value() of a Result that holds an error"); return std::get<0>(held_); }
-  T& value() & { require(ok(), "value() of a Result that holds an error"); return std::get<0>(held_); }
-  T&& value() && { require(ok(), "value() of a Result that holds an error"); return std::get<0>(std::move(held_)); }
+  const T& value() const& {
+    require(ok(), "value() of a Result that holds an error");
+    return std::get<0>(held_);
+  }
+  T& value() & {
+    require(ok(), "value() of a Result that holds an error");
+    return std::get<0>(held_);
+  }
+  T&& value() && {
+    require(ok(), "value() of a Result that holds an error");
+    return std::get<0>(std::move(held_));
+  }
   const T& operator*() const& { return value(); }
   T& operator*() & { return value(); }
   const T* operator->() const { return &value(); }
   T* operator->() { return &value(); }
 
   /// REQUIRES !ok().
-  const Error& error() const { require(!ok(), "error() of a Result that holds a value"); return std::get<1>(held_); }
+  const Error& error() const {
+    require(!ok(), "error() of a Result that holds a value");
+    return std::get<1>(held_);
+  }
 
  private:
   std::variant<T, Error> held_;

@@ -33,15 +33,15 @@ struct Word {
 struct InputEvent {
   SimTime t;
   Modality modality = Modality::speech;
-  std::string text;                     ///< speech: the words
-  std::string name;                     ///< gesture: "point", "grab", "posack", …
-  std::string hand;                     ///< gesture, pointing: "left", "right" or empty
-  std::string direction;                ///< gesture: "left", "up", … or empty
-  std::string phase;                    ///< gesture: "start", "stop", "stroke"
-  std::optional<Vec3> target_W;         ///< gesture, pointing: the point of the table that is meant
-  std::optional<Ray> ray;               ///< pointing
+  std::string text;              ///< speech: the words
+  std::string name;              ///< gesture: "point", "grab", "posack", …
+  std::string hand;              ///< gesture, pointing: "left", "right" or empty
+  std::string direction;         ///< gesture: "left", "up", … or empty
+  std::string phase;             ///< gesture: "start", "stop", "stroke"
+  std::optional<Vec3> target_W;  ///< gesture, pointing: the point of the table that is meant
+  std::optional<Ray> ray;        ///< pointing
   std::optional<SimTime> until;
-  double confidence = 1;                ///< 0 … 1
+  double confidence = 1;  ///< 0 … 1
   std::vector<Word> words;
   std::vector<Alternative> alternatives;
 };

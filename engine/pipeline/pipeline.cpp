@@ -40,9 +40,11 @@ Tick Pipeline::tick(const EngineState& before, const InputEvent& event, const Wo
   const Input input = to_input(event, ++state.inputs);
   tick.events.push_back(Perceived{input.serial, input.symbol});
   if (input.confidence < machine_->minimum_confidence) {
-    tick.events.push_back(StepEvent(RefusedInput{
-        state.configuration.state, input.symbol,
-        fmt::format("confidence {} is below the machine's minimum of {}", input.confidence, machine_->minimum_confidence), {}}));
+    tick.events.push_back(StepEvent(RefusedInput{state.configuration.state,
+                                                 input.symbol,
+                                                 fmt::format("confidence {} is below the machine's minimum of {}",
+                                                             input.confidence, machine_->minimum_confidence),
+                                                 {}}));
     return tick;
   }
   update_beliefs(state, input, tick.events);
@@ -53,7 +55,9 @@ Tick Pipeline::tick(const EngineState& before, const InputEvent& event, const Wo
 }
 
 void Pipeline::update_beliefs(EngineState& state, const Input& input, std::vector<EngineEvent>& events) {
-  const auto note = [&](const std::vector<BeliefChange>& changes) { events.insert(events.end(), changes.begin(), changes.end()); };
+  const auto note = [&](const std::vector<BeliefChange>& changes) {
+    events.insert(events.end(), changes.begin(), changes.end());
+  };
   for (const auto& answer : machine_->beliefs.answers) {
     if (!answer.inputs.contains(input.symbol)) continue;
     if (answer.when && !stepper_.value(*answer.when, state.configuration, input, state.beliefs).is_true()) continue;

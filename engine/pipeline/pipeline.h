@@ -20,7 +20,7 @@ struct EngineState {
   Beliefs beliefs;
   Random random;
   std::string last_utterance;
-  int inputs = 0;    ///< ticks so far; the running number of the latest is its `because`
+  int inputs = 0;  ///< ticks so far; the running number of the latest is its `because`
   int commands = 0;
 };
 

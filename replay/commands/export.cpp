@@ -17,13 +17,15 @@ struct Exporter {
   Outcome (*write)(const RunIndex& run, std::ostream& out);
 };
 constexpr std::array exporters = {
-    Exporter{"json", "one document, every stack snapshot expanded", [](const RunIndex& run, std::ostream& out) { return export_json(run, out); }},
+    Exporter{"json", "one document, every stack snapshot expanded",
+             [](const RunIndex& run, std::ostream& out) { return export_json(run, out); }},
 };
 
 }  // namespace
 
 int run_export(const ExportOptions& options) {
-  const auto exporter = std::find_if(exporters.begin(), exporters.end(), [&](const auto& one) { return one.format == options.format; });
+  const auto exporter =
+      std::find_if(exporters.begin(), exporters.end(), [&](const auto& one) { return one.format == options.format; });
   const auto run = RunIndex::open(options.run);
   if (!run) return report(run.error()), exit_impossible;
   Outcome problem;

@@ -51,7 +51,8 @@ Result<std::vector<std::string>> outputs_of(const ImportOptions& options) {
   std::vector<std::string> outputs;
   std::map<std::string, std::string> log_of;
   for (const auto& log : options.logs) {
-    const auto output = folder ? (fs::path(options.output) / fs::path(log).stem()).string() + ".trace.jsonl" : options.output;
+    const auto output =
+        folder ? (fs::path(options.output) / fs::path(log).stem()).string() + ".trace.jsonl" : options.output;
     if (same_file(log, output)) return Error{log, "is also the output; expected another file"};
     const auto [other, fresh] = log_of.emplace(output, log);
     if (!fresh) return Error{log, fmt::format("would be written to {}, as would {}", output, other->second)};

@@ -2,10 +2,10 @@
 
 #include <unistd.h>
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <filesystem>
-#include <fmt/format.h>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -30,7 +30,8 @@ std::string run_name(const std::string& trace) {
 Result<std::vector<std::string>> outputs_of(const ReplayCommandOptions& options) {
   const auto& output = options.output;
   const bool folder = output.empty() || options.traces.size() > 1 || output.ends_with('/') || fs::is_directory(output);
-  if (output == "-" && options.traces.size() > 1) return Error{"-", "takes one run log; expected a folder for several traces"};
+  if (output == "-" && options.traces.size() > 1)
+    return Error{"-", "takes one run log; expected a folder for several traces"};
   std::error_code problem;
   if (folder && !output.empty()) fs::create_directories(output, problem);
   if (problem || (folder && !output.empty() && !fs::is_directory(output)))
@@ -41,17 +42,23 @@ Result<std::vector<std::string>> outputs_of(const ReplayCommandOptions& options)
     const auto path = folder ? (fs::path(output) / run_name(trace)).string() : output;
     const auto [other, fresh] = trace_of.emplace(path, trace);
     if (!fresh) return Error{trace, fmt::format("would be written to {}, as would {}", path, other->second)};
-    if (fs::exists(path) && fs::exists(trace) && fs::equivalent(path, trace)) return Error{trace, "is also the output; expected another file"};
+    if (fs::exists(path) && fs::exists(trace) && fs::equivalent(path, trace))
+      return Error{trace, "is also the output; expected another file"};
     outputs.push_back(path);
   }
   return outputs;
 }
 
 std::string line_of(const std::string& trace, const ReplaySummary& summary, const std::string& output) {
-  const auto optional = [](int count, const char* what) { return count ? fmt::format(", {} {}", count, what) : std::string(); };
-  return fmt::format("{}: {:.1f} s, {} inputs, {} utterances, {} of {} acts done, {} inputs refused{}{} -> {}", fs::path(trace).filename().string(),
-                     summary.end.seconds(), summary.inputs, summary.utterances, summary.acts_done, summary.acts, summary.refusals,
-                     summary.expectations ? fmt::format(", {} of {} expectations met", summary.expectations_met, summary.expectations) : "",
+  const auto optional = [](int count, const char* what) {
+    return count ? fmt::format(", {} {}", count, what) : std::string();
+  };
+  return fmt::format("{}: {:.1f} s, {} inputs, {} utterances, {} of {} acts done, {} inputs refused{}{} -> {}",
+                     fs::path(trace).filename().string(), summary.end.seconds(), summary.inputs, summary.utterances,
+                     summary.acts_done, summary.acts, summary.refusals,
+                     summary.expectations
+                         ? fmt::format(", {} of {} expectations met", summary.expectations_met, summary.expectations)
+                         : "",
                      optional(summary.problems, "problems"), output);
 }
 
@@ -59,11 +66,15 @@ std::string line_of(const std::string& trace, const ReplaySummary& summary, cons
 class Batch {
  public:
   Batch(const ReplayCommandOptions& options, std::vector<std::string> outputs)
-      : options_(options), outputs_(std::move(outputs)), lines_(options.traces.size()), done_(options.traces.size(), 0.0) {}
+      : options_(options),
+        outputs_(std::move(outputs)),
+        lines_(options.traces.size()),
+        done_(options.traces.size(), 0.0) {}
 
   int run() {
     std::vector<std::thread> threads;
-    const auto count = std::min<std::size_t>(static_cast<std::size_t>(std::max(1, options_.jobs)), options_.traces.size());
+    const auto count =
+        std::min<std::size_t>(static_cast<std::size_t>(std::max(1, options_.jobs)), options_.traces.size());
     for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
     work();
     for (auto& thread : threads) thread.join();
@@ -90,8 +101,10 @@ class Batch {
       summary = replay(trace, options, file);
       file.close();
       std::error_code ignored;
-      if (!summary) fs::remove(output, ignored);
-      else if (!file) summary = Error{output, "could not be written to its end"};
+      if (!summary)
+        fs::remove(output, ignored);
+      else if (!file)
+        summary = Error{output, "could not be written to its end"};
     }
     finish(index, summary, output);
   }
@@ -157,12 +170,18 @@ void add_replay_command(CLI::App& program, Run& run) {
   command->add_option("-o,--output", options->output, "a run log, a folder, or '-'; otherwise NAME.run.jsonl here");
   command->add_option("--seed", options->replay.seed, "for draws; otherwise the trace's");
   auto choice = std::make_shared<std::string>();
-  command->add_option("--choice", *choice, "which of several applicable transitions fires: likeliest, sample or unique; otherwise the machine's")
+  command
+      ->add_option(
+          "--choice", *choice,
+          "which of several applicable transitions fires: likeliest, sample or unique; otherwise the machine's")
       ->check(CLI::IsMember({"likeliest", "sample", "unique"}));
   command->add_option("--scene", options->replay.scene, "a name or an MJCF file; otherwise the trace's");
   command->add_option("--machine", options->replay.machine, "a name or a machine file; otherwise the trace's");
-  command->add_option("--knowledge", options->replay.knowledge, "folder of machines, lexicon, voxemes; otherwise the program's");
-  command->add_flag_callback("--no-physics", [options] { options->replay.physics = false; }, "the kinematic world, in which acts succeed at once");
+  command->add_option("--knowledge", options->replay.knowledge,
+                      "folder of machines, lexicon, voxemes; otherwise the program's");
+  command->add_flag_callback(
+      "--no-physics", [options] { options->replay.physics = false; },
+      "the kinematic world, in which acts succeed at once");
   command->add_option("-j,--jobs", options->jobs, "how many traces at a time")->check(CLI::Range(1, 256));
   command->footer("Example: continua replay traces/pilot/*.jsonl -o runs -j 2");
   command->callback([options, choice, &run] {

@@ -56,7 +56,10 @@ FileCheck check_session(std::string_view text, const std::string& path) {
 FileCheck check_machine_file(std::string_view text, const std::string& path) {
   const auto machine = parse_machine(text, path, Methods::signature());
   if (!machine) return {check_machine(text, path, Methods::signature()), {}, ""};
-  return {{}, {}, fmt::format("machine, {}, {}", counted(machine->states.size(), "state"), counted(machine->transitions.size(), "transition"))};
+  return {{},
+          {},
+          fmt::format("machine, {}, {}", counted(machine->states.size(), "state"),
+                      counted(machine->transitions.size(), "transition"))};
 }
 
 FileCheck check_scene(std::string_view, const std::string& path) {
@@ -79,7 +82,10 @@ struct FileKind {
 constexpr std::array file_kinds = {
     FileKind{[](std::string_view text) { return begins_with_kind(text, "trace"); }, check_trace},
     FileKind{[](std::string_view text) { return begins_with_kind(text, "run"); }, check_run},
-    FileKind{[](std::string_view text) { return begins_with(text, "{") && text.find("\"machine\"") != text.npos && text.find("\"transitions\"") != text.npos; },
+    FileKind{[](std::string_view text) {
+               return begins_with(text, "{") && text.find("\"machine\"") != text.npos &&
+                      text.find("\"transitions\"") != text.npos;
+             },
              check_machine_file},
     FileKind{[](std::string_view text) { return begins_with(text, "<"); }, check_scene},
     FileKind{looks_like_session, check_session},

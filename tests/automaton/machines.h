@@ -26,7 +26,10 @@ inline std::shared_ptr<const Machine> machine_of(const std::string& text) {
 class Player {
  public:
   explicit Player(const std::string& text, std::optional<Choice> choice = std::nullopt, std::uint64_t seed = 1)
-      : machine_(machine_of(text)), stepper_(machine_, no_methods), beliefs_(machine_->beliefs), random_(seed),
+      : machine_(machine_of(text)),
+        stepper_(machine_, no_methods),
+        beliefs_(machine_->beliefs),
+        random_(seed),
         choice_(choice.value_or(machine_->choice)) {
     take(stepper_.begin(beliefs_, choice_, random_));
   }

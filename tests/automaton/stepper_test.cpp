@@ -67,7 +67,8 @@ TEST_CASE("flush keeps what persists, unless it is cleared too") {
   CHECK(Player(disambiguation).feed("hold, point, drop").depth() == 1);
 }
 
-TEST_CASE("several applicable transitions: likeliest takes the heaviest, ties by file order; unique refuses; sample draws") {
+TEST_CASE(
+    "several applicable transitions: likeliest takes the heaviest, ties by file order; unique refuses; sample draws") {
   const std::string two = R"({"machine":1,"name":"m","start":"A","transitions":[
     {"id":"light","from":"A","on":"x","to":"B","weight":1},
     {"id":"heavy","from":"A","on":"x","to":"C","weight":3},
@@ -83,7 +84,7 @@ TEST_CASE("several applicable transitions: likeliest takes the heaviest, ties by
     light += sample.feed("x").fired() == "light";
     REQUIRE(sample.all<Fired>().at(0).draw.has_value());
   }
-  CHECK(light > 60);   // a seventh of 700 is 100
+  CHECK(light > 60);  // a seventh of 700 is 100
   CHECK(light < 140);
 }
 
@@ -103,12 +104,14 @@ TEST_CASE("pop_until goes back to the previous entry of a state, and is flush wh
 }
 
 TEST_CASE("the bottom symbol stays, however often it is popped") {
-  Player player(R"({"machine":1,"name":"m","start":"A","slots":{"n":"num"},"transitions":[{"id":"p","from":"A","on":"x","to":"A","pop":3}]})");
+  Player player(
+      R"({"machine":1,"name":"m","start":"A","slots":{"n":"num"},"transitions":[{"id":"p","from":"A","on":"x","to":"A","pop":3}]})");
   CHECK(player.feed("x, x").depth() == 1);
 }
 
 TEST_CASE("a rewrite replaces the top, then ε-transitions are tried; an empty list exposes what is below") {
-  const std::string text = R"json({"machine":1,"name":"m","start":"A","epsilon":"after_rewrite","slots":{"n":"num","m":"num"},
+  const std::string text =
+      R"json({"machine":1,"name":"m","start":"A","epsilon":"after_rewrite","slots":{"n":"num","m":"num"},
     "states":{"B":{"enter":[{"rewrite":{"n":"n + 1"}},{"say":"never said"}]},"E":{"enter":[{"rewrite_each":{"n":"[]"}}]}},
     "transitions":[
     {"id":"b","from":"A","on":"b","to":"B","push":{"n":"1","m":"5"}},
@@ -128,12 +131,15 @@ TEST_CASE("a rewrite replaces the top, then ε-transitions are tried; an empty l
   CHECK(empty.slot("n") == "null");
 }
 
-TEST_CASE("where the machine says so, a slot that a rewrite leaves null shows the symbol below, unless it was cleared") {
+TEST_CASE(
+    "where the machine says so, a slot that a rewrite leaves null shows the symbol below, unless it was cleared") {
   const auto text = [](const char* rewrite) {
-    return std::string(R"({"machine":1,"name":"m","start":"A","rewrite_below":true,"epsilon":"after_rewrite","slots":{"n":"num","m":"num"},"transitions":[
+    return std::string(
+               R"({"machine":1,"name":"m","start":"A","rewrite_below":true,"epsilon":"after_rewrite","slots":{"n":"num","m":"num"},"transitions":[
       {"id":"a","from":"A","on":"a","to":"A","push":{"n":"1","m":"2"}},
       {"id":"b","from":"A","on":"b","to":"A","push":{"n":null,"m":null}},
-      {"id":"c","from":"A","on":"c","to":"A","rewrite":)") + rewrite + "}]}";
+      {"id":"c","from":"A","on":"c","to":"A","rewrite":)") +
+           rewrite + "}]}";
   };
   CHECK(Player(text(R"({"m":"3"})")).feed("a, b, c").slot("n") == "1");
   CHECK(Player(text(R"({"m":"3","n":null})")).feed("a, b, c").slot("n") == "null");
@@ -157,17 +163,20 @@ TEST_CASE("a gate that does not hold leads elsewhere, with its own operation") {
 }
 
 TEST_CASE("an ε-cycle that changes nothing is told with its path; one that grows ends") {
-  Player still(R"({"machine":1,"name":"m","start":"S","transitions":[{"id":"in","from":"S","on":"x","to":"A"},{"id":"ab","from":"A","on":null,"to":"B"},{"id":"ba","from":"B","on":null,"to":"A"}]})");
+  Player still(
+      R"({"machine":1,"name":"m","start":"S","transitions":[{"id":"in","from":"S","on":"x","to":"A"},{"id":"ab","from":"A","on":null,"to":"B"},{"id":"ba","from":"B","on":null,"to":"A"}]})");
   still.feed("x");
   REQUIRE(still.all<Trouble>().size() == 1);
   CHECK(still.all<Trouble>()[0].message == "an ε-cycle that changes nothing: ab, ba");
-  Player growing(R"({"machine":1,"name":"m","start":"S","slots":{"n":"num"},"transitions":[{"id":"in","from":"S","on":"x","to":"A"},{"id":"grow","from":"A","on":null,"to":"A","push":{}}]})");
+  Player growing(
+      R"({"machine":1,"name":"m","start":"S","slots":{"n":"num"},"transitions":[{"id":"in","from":"S","on":"x","to":"A"},{"id":"grow","from":"A","on":null,"to":"A","push":{}}]})");
   growing.feed("x");
   CHECK(growing.all<Trouble>().size() == 1);
 }
 
 TEST_CASE("a continuation that is filled later is a record that names the inputs it came from") {
-  Player player(R"json({"machine":1,"name":"m","start":"A","programs":{"put":"num -> num -> t"},"slots":{"action":"term","goal":"num"},"transitions":[
+  Player player(
+      R"json({"machine":1,"name":"m","start":"A","programs":{"put":"num -> num -> t"},"slots":{"action":"term","goal":"num"},"transitions":[
     {"id":"open","from":"A","on":"put","to":"A","push":{"action":"\\x. put(x, 3)"}},
     {"id":"other","from":"A","on":"other","to":"A"},
     {"id":"fill","from":"A","on":"this","to":"B","push":{"action":"fill(action, x(target))"}}]})json");
@@ -189,7 +198,8 @@ TEST_CASE("registers are remembered beside the stack, all at once") {
 }
 
 TEST_CASE("wordings put a term into words by its shape") {
-  Player player(R"json({"machine":1,"name":"m","start":"A","programs":{"put":"num -> num -> t","on":"num -> num"},"slots":{"a":"t"},
+  Player player(
+      R"json({"machine":1,"name":"m","start":"A","programs":{"put":"num -> num -> t","on":"num -> num"},"slots":{"a":"t"},
     "wordings":[{"of":"\\x. put(x, x)","say":"put {x} on itself"},{"of":"\\x y. put(x, on(y))","when":"x > 1","say":"put {x} on {y}"}],
     "states":{"A":{"enter":[{"say":"Should I {wording(a)}?"}]}},
     "transitions":[{"id":"1","from":"A","on":"one","to":"A","push":{"a":"put(2, on(3))"}},{"id":"2","from":"A","on":"two","to":"A","push":{"a":"put(2, 2)"}},

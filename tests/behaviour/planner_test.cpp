@@ -31,8 +31,9 @@ std::string planned(const std::string& text, bool gesture = false, Perspective p
   const auto command = plan(*term, gesture, perspective);
   if (!command) return command.error().sentence;
   const auto& goal = command->goal;
-  return continua::text(command->what) + " [" + command->object + "] " + continua::text(goal.relation) + " [" + goal.landmark + "] " +
-         print(Term::point(goal.p_WG.x(), goal.p_WG.y(), goal.p_WG.z())) + (command->name.empty() ? "" : " '" + command->name + "'");
+  return continua::text(command->what) + " [" + command->object + "] " + continua::text(goal.relation) + " [" +
+         goal.landmark + "] " + print(Term::point(goal.p_WG.x(), goal.p_WG.y(), goal.p_WG.z())) +
+         (command->name.empty() ? "" : " '" + command->name + "'");
 }
 
 }  // namespace
@@ -49,8 +50,10 @@ TEST_CASE("programs become commands of the body") {
 
 TEST_CASE("sides are the speaker's whose perspective it is") {
   CHECK(planned("slide(block1, left(block2))") == "slide [block1] left_of [block2] <0, 0, 0>");
-  CHECK(planned("slide(block1, left(block2))", false, Perspective::human) == "slide [block1] right_of [block2] <0, 0, 0>");
-  CHECK(planned("put(block1, in_front(block2))", false, Perspective::human) == "put [block1] behind [block2] <0, 0, 0>");
+  CHECK(planned("slide(block1, left(block2))", false, Perspective::human) ==
+        "slide [block1] right_of [block2] <0, 0, 0>");
+  CHECK(planned("put(block1, in_front(block2))", false, Perspective::human) ==
+        "put [block1] behind [block2] <0, 0, 0>");
 }
 
 TEST_CASE("a gesture without a motion of its own is a signal; an act without a program is an error") {

@@ -20,7 +20,8 @@ TEST_CASE("every machine of the knowledge folder is sound") {
 }
 
 TEST_CASE("the machine of the recorded system has its states and transitions") {
-  const auto machine = load_machine(std::string(CONTINUA_SOURCE_DIR) + "/engine/knowledge/machines/diana2018.json", Methods::signature());
+  const auto machine = load_machine(std::string(CONTINUA_SOURCE_DIR) + "/engine/knowledge/machines/diana2018.json",
+                                    Methods::signature());
   REQUIRE(machine.ok());
   CHECK(machine->states.size() == 29);
   CHECK(machine->transitions.size() == 109);

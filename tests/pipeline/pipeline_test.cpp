@@ -65,7 +65,8 @@ struct Play {
     const auto add = [&](const std::string& what) { happened += (happened.empty() ? "" : "; ") + what; };
     for (const auto& one : tick.events) {
       if (const auto* change = std::get_if<BeliefChange>(&one)) add("belief " + change->name);
-      if (const auto* commanded = std::get_if<Commanded>(&one)) add(text(commanded->command.what) + " " + commanded->command.object);
+      if (const auto* commanded = std::get_if<Commanded>(&one))
+        add(text(commanded->command.what) + " " + commanded->command.object);
       if (const auto* unplanned = std::get_if<Unplanned>(&one)) add(unplanned->reason);
       if (const auto* step = std::get_if<StepEvent>(&one)) {
         if (const auto* said = std::get_if<Said>(step)) add("\"" + said->text + "\"");

@@ -124,7 +124,8 @@ TEST_CASE("with physics the object comes to lie where it was put, and the act sa
 
 TEST_CASE("an expectation that is not met is counted and logged with what there was") {
   const Folder folder;
-  folder.write("unmet.jsonl", std::string(trace) + "{\"t\":4,\"kind\":\"expect\",\"state\":\"Asked\",\"holding\":\"null\"}\n");
+  folder.write("unmet.jsonl",
+               std::string(trace) + "{\"t\":4,\"kind\":\"expect\",\"state\":\"Asked\",\"holding\":\"null\"}\n");
   std::ostringstream out;
   const auto summary = replay(folder.file("unmet.jsonl"), kinematic(), out);
   REQUIRE(summary.ok());
@@ -143,9 +144,12 @@ TEST_CASE("what cannot be replayed is told in a line that names file, line and e
     return summary.ok() ? std::string() : summary.error().text();
   };
   CHECK(error("").find("broken.jsonl:1") != std::string::npos);
-  CHECK(error(R"({"kind":"trace","version":1,"scene":"stairs","machine":"fetch.json"})").find("staircase") != std::string::npos);
-  CHECK(error(R"({"kind":"trace","version":1,"scene":"staircase","machine":"fetsh.json"})").find("broken.jsonl:1") != std::string::npos);
-  CHECK(error(R"({"kind":"trace","version":1,"scene":"staircase","machine":"talk.jsonl"})").find("talk.jsonl:2:1: not valid JSON") != std::string::npos);
+  CHECK(error(R"({"kind":"trace","version":1,"scene":"stairs","machine":"fetch.json"})").find("staircase") !=
+        std::string::npos);
+  CHECK(error(R"({"kind":"trace","version":1,"scene":"staircase","machine":"fetsh.json"})").find("broken.jsonl:1") !=
+        std::string::npos);
+  CHECK(error(R"({"kind":"trace","version":1,"scene":"staircase","machine":"talk.jsonl"})")
+            .find("talk.jsonl:2:1: not valid JSON") != std::string::npos);
 }
 
 TEST_CASE("real sessions replay to their last event, the same twice") {
@@ -165,7 +169,8 @@ TEST_CASE("real sessions replay to their last event, the same twice") {
     const auto records = records_of(log);
     CHECK(of_kind(records, "problem").empty());
     std::set<std::pair<double, std::string>> said;
-    for (const auto& record : of_kind(records, "utterance")) said.emplace(record["t"].get<double>(), record["text"].get<std::string>());
+    for (const auto& record : of_kind(records, "utterance"))
+      said.emplace(record["t"].get<double>(), record["text"].get<std::string>());
     int spoken = 0, reproduced = 0;
     for (const auto& record : of_kind(records, "observed")) {
       if (record["channel"] != "speech") continue;
