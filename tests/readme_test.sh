@@ -11,8 +11,10 @@ failed=0
 # A command that serves is given a moment and then stopped; its port is replaced by a free one.
 run() {
   local command=$1
-  command=${command//build\/continua/$build/continua}
+  # The program last: the build tree's own path may contain "build/".
+  command=${command//build\/continua/@program@}
   command=${command//build\//$out/}
+  command=${command//@program@/$build/continua}
   if [[ $command == *" serve "* ]]; then
     timeout 3 bash -c "${command/--port 8080/--port 0}" 2>&1 | sed -E 's/:[0-9]+\//:8080\//'
   else
