@@ -7,3 +7,4 @@ ci/format.sh
 ci/floors.sh
 ci/build.sh
 ctest --preset release --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-2}"
+ci/same_bytes.sh
