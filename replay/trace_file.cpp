@@ -147,9 +147,11 @@ TraceReading read_whole_trace(std::string_view text, const std::string& name) {
   while (const auto line = lines.next()) {
     auto json = parse_json_line(line->text, name, line->number);
     if (!json) {
-      // A crash of the recorder leaves part of a line; what was whole before it is still good.
+      // A replay of part of a file would look like one of the whole: what was lost is for a person to judge.
       if (lines.at_end() && !line->ends)
-        trace.notes.push_back({line->number, "the last line is cut short: dropped"});
+        problems.push_back({fmt::format("{}:{}", name, line->number),
+                            fmt::format("the file is cut short: found {}; expected a whole line, as the {} before it",
+                                        in_quotes(line->text), line->number - 1)});
       else
         problems.push_back(json.error());
       continue;

@@ -1,8 +1,7 @@
 // A trace: what happened between the human and the avatar, as recorded. traces/FORMAT.md describes the file.
 //
 // Reading is strict where a guess could change what a replay means (types, order, ranges) and tolerant where the
-// world is: unknown fields and kinds are kept, a last line that a crash cut short is dropped with a note, a byte
-// order mark and \r\n are accepted.
+// world is: unknown fields and kinds are kept, a byte order mark and \r\n are accepted.
 #pragma once
 
 #include <cstdint>
