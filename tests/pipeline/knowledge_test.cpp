@@ -1,27 +1,87 @@
-// The machines that come with the project load.
+// The machines that come with the project load, and their examples end where they say.
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <sstream>
 
 #include "automaton/machine_loader.h"
 #include "composition/methods.h"
+#include "core/located_json.h"
+#include "pipeline/pipeline.h"
 #include "support/catch.h"
 
 using namespace continua;
+namespace fs = std::filesystem;
 
-TEST_CASE("every machine of the knowledge folder is sound") {
-  const auto folder = std::filesystem::path(CONTINUA_SOURCE_DIR) / "engine/knowledge/machines";
+namespace {
+
+std::vector<std::string> split(const std::string& text, const std::string& separator) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const auto end = std::min(text.find(separator, at), text.size());
+    parts.push_back(text.substr(at, end - at));
+    at = end + separator.size();
+  }
+  return parts;
+}
+
+// The event that a symbol without a place stands for.
+InputEvent event_of(const std::string& symbol) {
+  auto words = split(symbol, " ");
+  const auto take = [&](std::size_t at) {
+    const auto word = words.at(at);
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(at));
+    return word;
+  };
+  static constexpr std::array<std::string_view, 6> directions = {"left", "right", "front", "back", "up", "down"};
+  const auto is_direction = [](const std::string& word) {
+    return std::find(directions.begin(), directions.end(), word) != directions.end();
+  };
+  InputEvent event;
+  const auto modality = take(0);
+  if (modality == "speech") {
+    event.text = symbol.substr(symbol.find(' ') + 1);
+    return event;
+  }
+  event.modality = modality == "pointing" ? Modality::pointing : Modality::gesture;
+  if (is_direction(words.front())) event.hand = take(0);
+  if (event.modality == Modality::pointing) return event;
+  event.phase = take(words.size() - 1);
+  if (is_direction(words.back())) event.direction = take(words.size() - 1);
+  event.name = words.front();
+  return event;
+}
+
+}  // namespace
+
+TEST_CASE("every machine of the knowledge folder is sound, and its examples end where they say") {
+  const auto folder = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge/machines";
   int machines = 0;
-  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+  for (const auto& file : fs::directory_iterator(folder)) {
     if (file.path().extension() != ".json") continue;
     ++machines;
-    const auto machine = load_machine(file.path().string(), Methods::signature());
-    if (!machine) FAIL(machine.error().text());
+    auto loaded = load_machine(file.path().string(), Methods::signature());
+    if (!loaded) FAIL(loaded.error().text());
+    const auto machine = std::make_shared<const Machine>(std::move(*loaded));
+    Pipeline pipeline(machine, machine->choice, Perspective::human);
+    const WorldSnapshot empty_table;
+    for (const auto& example : Json::parse(machine->document).value("examples", Json::array())) {
+      const auto input = example["input"].get<std::string>();
+      CAPTURE(file.path(), input);
+      auto state = pipeline.begin(0, empty_table).after;
+      for (const auto& symbol : split(input, ", ")) {
+        REQUIRE(symbol_of(event_of(symbol)) == symbol);
+        state = pipeline.tick(state, event_of(symbol), empty_table).after;
+      }
+      CHECK(machine->states[state.configuration.state].name == example["ends"].get<std::string>());
+    }
   }
   CHECK(machines > 0);
 }
 
 TEST_CASE("the machine of the recorded system has its states and transitions") {
-  const auto machine = load_machine(std::string(CONTINUA_SOURCE_DIR) + "/engine/knowledge/machines/diana2018.json",
-                                    Methods::signature());
+  const auto path = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge/machines/diana2018.json";
+  const auto machine = load_machine(path.string(), Methods::signature());
   REQUIRE(machine.ok());
   CHECK(machine->states.size() == 29);
   CHECK(machine->transitions.size() == 109);
