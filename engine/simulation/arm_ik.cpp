@@ -48,6 +48,8 @@ Twist difference(const Pose& from, const Pose& to) {
 
 }  // namespace
 
+std::array<Pose, arm_joint_count> link_poses(const Arm& arm, const ArmVector& q) { return chain_of(arm, q).links; }
+
 Pose tool_pose(const Arm& arm, const ArmVector& q) { return chain_of(arm, q).tool; }
 
 Jacobian tool_jacobian(const Arm& arm, const ArmVector& q) { return jacobian_of(arm, chain_of(arm, q)); }

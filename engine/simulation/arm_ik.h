@@ -23,6 +23,9 @@ struct Arm {
   ArmVector home = ArmVector::Zero();  ///< preferred posture
 };
 
+/// Frames after each hinge, in W.
+std::array<Pose, arm_joint_count> link_poses(const Arm& arm, const ArmVector& q);
+
 /// Pose of the tool in W.
 Pose tool_pose(const Arm& arm, const ArmVector& q);
 

@@ -1,14 +1,15 @@
-// The avatar's acts: each command as a succession of phases (approach, close, carry, lower, open, …), each begun from
-// how the world is then, and judged at its end by what can be measured.
+// The avatar's acts. What an act needs is decided from how the world is (avatar.cpp), as one handling of an object or
+// several: something may have to be put away or moved aside first, and what failed is tried again in another way. Each
+// is a succession of phases (avatar_phases.cpp), begun from how the world is then and ended by what can be measured.
 #pragma once
 
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "behaviour/avatar_command.h"
-#include "simulation/grip_choice.h"
+#include "simulation/handling.h"
 #include "simulation/physics.h"
-#include "simulation/set_down.h"
 
 namespace continua {
 
@@ -27,29 +28,38 @@ class Avatar {
   /// Before each step of the physics: what the servos shall do in it.
   const AvatarTarget& update();
 
+  /// The world has been set back to an earlier state: the act in progress, if any, ends with that reason, and the hand
+  /// stays where it is then.
+  void abandon(std::string reason);
+
   /// How the act went, once, when it has ended; without id and time.
   std::optional<ActReport> take_result();
 
  private:
   enum class Phase { hover, approach, close, raise, carry, lower, shove, open, retreat, go_home, settle };
+  enum class Stage { preparation, act };  // what the phases are for: making the act possible, or the act itself
 
-  bool decide();
-  bool decide_move(const ObjectState& object, const WorldSnapshot& world);
-  void begin_phase();
-  bool phase_ended();
-  void end_act();
+  // avatar.cpp
+  void decide();
+  void decide_handling(const WorldSnapshot& world);
+  Task task(const WorldSnapshot& world) const;
+  void begin_handling(const Handling& handling, bool in_hand);
+  void phases_done();
+  bool try_again();
+  void judge();
   void fail(ActReport::Status status, std::string reason);
+  void end_act();
 
+  // avatar_phases.cpp
+  void begin_phase();
+  bool move_to(Phase phase, const WorldSnapshot& world);
+  bool phase_ended();
   bool go(const std::vector<Pose>& X_WT, const Pace& pace = {});
   void stop_here();
   bool arrived() const;
   bool pushes_hard();
-  std::vector<Pose> over(const Pose& X_WT, const WorldSnapshot& world) const;
-  Pose hand_for_object(const Vec3& p_WO, double yaw) const;
-  Pose hover_pose(const WorldSnapshot& world) const;
-  Pose pointing_pose(const Vec3& p_W) const;
-  double height_under(const ObjectState& object, const WorldSnapshot& world) const;
-  bool way_is_free(const ObjectState& object, const Vec3& p_WG, const WorldSnapshot& world) const;
+  Pose hand_for_object(const Vec3& p_WO, bool turned) const;
+  Pose gesture_pose(const WorldSnapshot& world) const;
 
   Physics& physics_;
   const double dt_s_;
@@ -59,10 +69,14 @@ class Avatar {
   bool busy_ = false;
   std::optional<ActReport> result_;
   ActReport outcome_;
-  int object_ = -1;  // index of the object that is moved
-  Grip grip_;
-  Vec3 p_WG_ = Vec3::Zero();  // its centre's goal
-  SetDown set_down_;          // how it gets there
+  Vec3 p_WG_ = Vec3::Zero();  // the goal of the object's centre
+  int attempts_ = 0, preparations_ = 0;
+  std::vector<Grip> tried_;  // grips that failed
+
+  // The handling under way.
+  Stage stage_ = Stage::act;
+  Handling handling_;
+  int object_ = -1;           // its index
   bool along_table_ = false;  // slides rather than is carried
 
   // The phase.
@@ -77,5 +91,8 @@ class Avatar {
   double wanted_opening_m_ = 0, release_opening_m_ = 0;
   AvatarTarget target_;
 };
+
+/// The body only shows something, and moves nothing.
+bool is_gesture(Capability what);
 
 }  // namespace continua

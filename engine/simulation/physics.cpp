@@ -85,6 +85,8 @@ struct Physics::State {
   Arm arm;
   AvatarIds ids;
   int grip = -1;  // the object the weld may hold
+  DataOwner saved_data;
+  int saved_grip = -1;
 
   bool welded() const {
 #if mjVERSION_HEADER >= 300
@@ -157,6 +159,8 @@ Result<std::unique_ptr<Physics>> Physics::create(const Scene& scene) {
   mj_forward(state->model.get(), state->data.get());
   std::unique_ptr<Physics> physics(new Physics(std::move(state)));
   physics->state_->arm.home = physics->hinges();
+  physics->state_->saved_data = DataOwner(mj_makeData(physics->state_->model.get()));
+  physics->save();
   return physics;
 }
 
@@ -164,7 +168,7 @@ double Physics::timestep_s() const { return state_->model->opt.timestep; }
 const Arm& Physics::arm() const { return state_->arm; }
 const std::vector<SceneObject>& Physics::objects() const { return state_->objects; }
 
-void Physics::step(const AvatarTarget& target) {
+bool Physics::step(const AvatarTarget& target) {
   State& s = *state_;
   const mjModel* model = s.model.get();
   mjData* data = s.data.get();
@@ -176,12 +180,25 @@ void Physics::step(const AvatarTarget& target) {
   }
   for (const int servo : s.ids.finger_servo) data->ctrl[servo] = target.opening_m;
   mj_step(model, data);
+  // MuJoCo starts a diverged simulation anew by itself: what it shows then is not this world.
+  if (data->warning[mjWARN_BADQPOS].number + data->warning[mjWARN_BADQVEL].number +
+          data->warning[mjWARN_BADQACC].number >
+      0)
+    return false;
   s.update_weld();
-  // MuJoCo starts a diverged simulation anew by itself, which would be a teleport.
-  require(data->warning[mjWARN_BADQPOS].number + data->warning[mjWARN_BADQVEL].number +
-                  data->warning[mjWARN_BADQACC].number ==
-              0,
-          "the simulation diverged");
+  return true;
+}
+
+void Physics::save() {
+  mj_copyData(state_->saved_data.get(), state_->model.get(), state_->data.get());
+  state_->saved_grip = held();
+}
+
+void Physics::restore() {
+  mj_copyData(state_->data.get(), state_->model.get(), state_->saved_data.get());
+  state_->grip = state_->saved_grip;
+  state_->set_welded(false);
+  if (state_->grip >= 0) state_->weld_to(state_->objects[state_->grip].body);
 }
 
 void Physics::set_grip(int object) {

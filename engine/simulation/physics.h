@@ -26,8 +26,13 @@ class Physics {
   const Arm& arm() const;
   const std::vector<SceneObject>& objects() const;
 
-  /// One step of fixed length. No pose is ever written: things move by forces.
-  void step(const AvatarTarget& target);
+  /// One step of fixed length. No pose is ever written: things move by forces. False if MuJoCo diverged (positions,
+  /// speeds or forces beyond all measure): only `restore` then makes the world usable again.
+  [[nodiscard]] bool step(const AvatarTarget& target);
+
+  /// Keeps the world as it is, for `restore`. Anew at every call; once at the beginning.
+  void save();
+  void restore();
 
   /// Which object (index into objects()) the weld may hold, or -1. It holds while both pads touch it, and only then; it
   /// takes hold where the object is, so that nothing jumps.

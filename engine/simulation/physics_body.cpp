@@ -37,8 +37,15 @@ void PhysicsBody::command(const AvatarCommand& command) { waiting_.push_back(com
 
 WorldSnapshot PhysicsBody::snapshot() const { return physics_->snapshot(told_until_); }
 
-bool PhysicsBody::at_rest() const {
-  return waiting_.empty() && !avatar_.busy() && still_steps_ * step_.us >= rest_after.us;
+bool PhysicsBody::at_rest() const { return waiting_.empty() && is_still(); }
+
+bool PhysicsBody::is_still() const { return !avatar_.busy() && still_steps_ * step_.us >= rest_after.us; }
+
+/// After the simulation diverged: back to when the world was last at rest, and at rest again.
+void PhysicsBody::set_back() {
+  physics_->restore();
+  avatar_.abandon("the simulation diverged; the world has been set back to when it was last at rest");
+  still_steps_ = static_cast<int>(rest_after.us / step_.us) + 1;
 }
 
 WorldReport PhysicsBody::advance(SimTime t) {
@@ -51,9 +58,12 @@ WorldReport PhysicsBody::advance(SimTime t) {
       break;
     }
     if (now_ + step_ > t) break;
-    physics_->step(avatar_.update());
+    const bool stepped = physics_->step(avatar_.update());
     now_ = now_ + step_;
-    still_steps_ = !avatar_.busy() && physics_->slower_than(rest_m_per_s, rest_rad_per_s) ? still_steps_ + 1 : 0;
+    if (!stepped)
+      set_back();
+    else
+      still_steps_ = !avatar_.busy() && physics_->slower_than(rest_m_per_s, rest_rad_per_s) ? still_steps_ + 1 : 0;
     finish_act(report, now_);
     begin_acts(report);
     sample(report);
@@ -78,6 +88,8 @@ void PhysicsBody::begin_acts(WorldReport& report) {
       if (!avatar_.may_be_superseded() || !gesture(next.what)) return;
       report.acts.push_back({act_id_, t, ActReport::Status::done, 0, "superseded by a newer act"});
     }
+    // What stands still is worth coming back to.
+    if (is_still()) physics_->save();
     waiting_.pop_front();
     act_id_ = next.id;
     still_steps_ = 0;

@@ -14,8 +14,9 @@ namespace continua {
 /// One act at a time, others wait in order, but for two things a person does not queue: a look or signal is done at
 /// once, and a reach or point takes the place of one that is under way (which is then reported done, with the reason
 /// that it was superseded). Physics is stepped only while an act is under way or something moves; otherwise time jumps
-/// and a RestSpan tells so. Spans of successive `advance`s adjoin. The same commands at the same times give the same
-/// poses, bit for bit.
+/// and a RestSpan tells so. Spans of successive `advance`s adjoin. Should MuJoCo diverge, the act under way ends as
+/// dropped, its reason says so, and the world is what it was when it was last at rest. The same commands at the same
+/// times give the same poses, bit for bit.
 class PhysicsBody : public Body {
  public:
   /// Errors: the scene's avatar is incomplete.
@@ -29,6 +30,8 @@ class PhysicsBody : public Body {
  private:
   explicit PhysicsBody(std::unique_ptr<Physics> physics);
 
+  bool is_still() const;
+  void set_back();
   void begin_acts(WorldReport& report);
   void finish_act(WorldReport& report, SimTime t);
   void sample(WorldReport& report);

@@ -4,85 +4,111 @@
 #include <array>
 #include <cmath>
 
-#include "simulation/grip_choice.h"
+#include "simulation/oriented_box.h"
+#include "simulation/stacks.h"
 
 namespace continua {
 
 namespace {
 
-/// The room the object needs when its centre is at `p_W`: a little air at its sides, so that it comes down without
-/// grazing what it shall stand beside, and none below, where it shall touch.
-Box box_at(const ObjectState& object, const Vec3& p_W) {
-  constexpr double air_m = 0.0008, touching_m = 0.001;
-  const Box box = object.bounds_W();
-  const Vec3 half = (box.max - box.min) / 2 + Vec3(air_m, air_m, -touching_m);
-  return {p_W - half, p_W + half};
+constexpr double full_turn = 6.283185307179586, quarter_turn = full_turn / 4;
+constexpr double touching_m = 0.001;
+
+/// What the object takes up when it has been set down at `p_W`, along the world's axes: a little air at its sides, so
+/// that it comes down without grazing what it shall stand beside, and none below, where it shall touch.
+OrientedBox box_at(const ObjectState& object, const Vec3& p_W) {
+  constexpr double air_m = 0.0008;
+  const bool swapped = static_cast<int>(std::lround(object.yaw / quarter_turn)) % 2 != 0;
+  const Vec3& half = object.half_extents_m;
+  const Vec3 turned(swapped ? half.y() : half.x(), swapped ? half.x() : half.y(), half.z());
+  return {p_W, Eigen::Matrix3d::Identity(), turned + Vec3(air_m, air_m, -touching_m)};
 }
 
-/// Whether the table, or what the goal stands on, still bears an object there: its centre is above it.
+/// Whether the table bears an object there: its centre is above it.
 bool on_table(const Vec3& p_W, const Box& table) {
-  constexpr double margin_m = 0.005;
+  constexpr double margin_m = 0.003;
   return p_W.x() > table.min.x() + margin_m && p_W.x() < table.max.x() - margin_m &&
          p_W.y() > table.min.y() + margin_m && p_W.y() < table.max.y() - margin_m;
 }
 
+/// Whether the areas in which the object touches `bearers`, all equally high, carry its centre.
+bool bear(const std::vector<const ObjectState*>& bearers, const OrientedBox& box) {
+  constexpr double margin_m = 0.006;
+  constexpr int directions = 16;
+  // In each direction some contact must lie beyond the centre.
+  for (int i = 0; i < directions; ++i) {
+    const Vec3 direction(std::cos(full_turn * i / directions), std::sin(full_turn * i / directions), 0);
+    double farthest = 0;
+    for (const auto* bearer : bearers) {
+      const Box top = bearer->bounds_W();
+      const Vec3 low = (box.center_W - box.half_m).cwiseMax(top.min),
+                 high = (box.center_W + box.half_m).cwiseMin(top.max);
+      if (low.x() >= high.x() || low.y() >= high.y()) continue;
+      const Vec3 corner(direction.x() > 0 ? high.x() : low.x(), direction.y() > 0 ? high.y() : low.y(), 0);
+      const Vec3 reach = corner - box.center_W;
+      farthest = std::max(farthest, reach.x() * direction.x() + reach.y() * direction.y());
+    }
+    if (farthest < margin_m) return false;
+  }
+  return true;
+}
+
 class Surroundings {
  public:
-  Surroundings(const ObjectState& object, const WorldSnapshot& world) : object_(object), world_(world) {
-    const auto riders = standing_on(object, world);
-    for (const auto& other : world.objects) {
-      if (other.name != object.name && std::find(riders.begin(), riders.end(), other.name) == riders.end())
-        others_.push_back(&other);
-    }
-  }
+  Surroundings(const ObjectState& object, const WorldSnapshot& world)
+      : object_(object), world_(world), others_(apart_from(object, world)) {}
 
+  /// What the object would meet on its way down to `p_W`.
   std::vector<const ObjectState*> in_the_way(const Vec3& p_W) const {
     std::vector<const ObjectState*> found;
     for (const auto* other : others_) {
-      if (overlap_depth(box_at(object_, p_W), other->bounds_W()) > 0) found.push_back(other);
+      if (overlap_depth(box_at(object_, p_W), column_of(*other)) > 0) found.push_back(other);
     }
     return found;
   }
 
   bool free(const Vec3& p_W) const { return on_table(p_W, world_.table) && in_the_way(p_W).empty(); }
 
-  /// The free place nearest to `p_W` and no farther than `most_m`.
-  std::optional<Vec3> nearest_free(const Vec3& p_W, double most_m) const {
-    constexpr double step_m = 0.001;
+  std::vector<Vec3> free_places(const Vec3& p_W, double most_m, double step_m) const {
     constexpr int directions = 16;
+    std::vector<Vec3> places;
     for (double r = step_m; r <= most_m; r += step_m) {
       for (int i = 0; i < directions; ++i) {
-        const double angle = 6.283185307179586 * i / directions;
+        const double angle = full_turn * i / directions;
         const Vec3 p = p_W + r * Vec3(std::cos(angle), std::sin(angle), 0);
-        if (free(p)) return p;
+        if (free(p)) places.push_back(p);
       }
     }
-    return std::nullopt;
+    return places;
   }
 
-  /// Where to set the object down so that a straight push from there clears the goal, if such a push does no harm.
-  std::optional<Vec3> shove_start(const Vec3& p_WG) const {
+  /// Where to set the object down so that a straight push from there clears the goal, if such a push does no harm;
+  /// shortest push first.
+  std::vector<Vec3> shove_starts(const Vec3& p_WG) const {
     constexpr double step_m = 0.004, farthest_m = 0.09;
     const auto pushed = in_the_way(p_WG);
-    std::optional<Vec3> best;
-    double best_m = farthest_m;
+    const OrientedBox box = box_at(object_, p_WG);
+    std::vector<std::pair<double, Vec3>> starts;
     for (const Vec3& away : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)}) {
-      for (double r = step_m; r < best_m; r += step_m) {
+      for (double r = step_m; r < farthest_m; r += step_m) {
         if (!free(p_WG + r * away)) continue;
         const bool harmless = std::all_of(pushed.begin(), pushed.end(), [&](const ObjectState* other) {
-          // It comes to lie against the object's face.
-          const Box mine = box_at(object_, p_WG), theirs = other->bounds_W();
-          const double by = away.sum() > 0 ? (theirs.max - mine.min).dot(away) : (mine.max - theirs.min).dot(-away);
+          // It comes to lie against the object's face. What does not stand beside the object is not pushed, but hit.
+          const Box theirs = other->bounds_W();
+          if (std::abs(theirs.min.z() - (p_WG.z() - object_.half_extents_m.z())) > 0.005) return false;
+          const Vec3 mine = box.half_m.cwiseProduct(away.cwiseAbs());
+          const double by = away.sum() > 0 ? (theirs.max - (box.center_W - mine)).dot(away)
+                                           : ((box.center_W + mine) - theirs.min).dot(-away);
           return on_table(other->p_WO - by * away, world_.table);
         });
-        if (harmless) {
-          best = p_WG + r * away;
-          best_m = r;
-        }
+        if (harmless) starts.push_back({r, p_WG + r * away});
         break;
       }
     }
-    return best;
+    std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Vec3> places;
+    for (const auto& [r, p] : starts) places.push_back(p);
+    return places;
   }
 
  private:
@@ -91,32 +117,41 @@ class Surroundings {
   std::vector<const ObjectState*> others_;
 };
 
-/// Whether `other` bears an object whose centre is above it at `p_W`.
-bool bears(const ObjectState& other, const Vec3& p_W) {
-  constexpr double margin_m = 0.006;
-  const Box top = other.bounds_W();
-  return p_W.x() > top.min.x() + margin_m && p_W.x() < top.max.x() - margin_m && p_W.y() > top.min.y() + margin_m &&
-         p_W.y() < top.max.y() - margin_m;
-}
-
 }  // namespace
 
-SetDown choose_set_down(const ObjectState& object, const Vec3& p_WG, const WorldSnapshot& world, double near_m) {
+std::vector<SetDown> set_downs(const ObjectState& object, const Vec3& p_WG, const WorldSnapshot& world, double near_m) {
+  constexpr double step_m = 0.003;
   const Surroundings around(object, world);
+  std::vector<SetDown> ways;
   Vec3 goal = p_WG;
-  // Upward, as long as something there bears the object.
+  // Upward, as long as what is there bears the object.
   for (std::size_t i = 0; i <= world.objects.size(); ++i) {
     const auto found = around.in_the_way(goal);
-    if (found.empty()) return {goal, std::nullopt};
-    if (const auto beside = around.nearest_free(goal, near_m)) return {*beside, std::nullopt};
-    const auto bearer =
-        std::find_if(found.begin(), found.end(), [&](const auto* other) { return bears(*other, goal); });
-    if (bearer == found.end()) break;
-    goal.z() = (*bearer)->bounds_W().max.z() + object.half_extents_m.z();
+    if (found.empty() && on_table(goal, world.table)) ways.push_back({goal, std::nullopt});
+    for (const Vec3& p : around.free_places(goal, near_m, step_m)) ways.push_back({p, std::nullopt});
+    if (found.empty()) break;
+    double top = 0;
+    for (const auto* other : found) top = std::max(top, other->bounds_W().max.z());
+    std::vector<const ObjectState*> bearers;
+    for (const auto* other : found) {
+      if (other->bounds_W().max.z() > top - touching_m) bearers.push_back(other);
+    }
+    if (!bear(bearers, box_at(object, goal))) break;
+    goal.z() = top + object.half_extents_m.z();
   }
-  if (const auto start = around.shove_start(goal)) return {goal, start};
-  constexpr double farthest_m = 0.2;
-  return {around.nearest_free(goal, farthest_m).value_or(goal), std::nullopt};
+  if (on_table(goal, world.table)) {
+    for (const Vec3& p : around.shove_starts(goal)) ways.push_back({goal, p});
+  }
+  return ways;
+}
+
+bool is_free(const ObjectState& object, const Vec3& p_W, const WorldSnapshot& world) {
+  return Surroundings(object, world).free(p_W);
+}
+
+std::vector<Vec3> free_places(const ObjectState& object, const Vec3& p_W, const WorldSnapshot& world, double most_m,
+                              double step_m) {
+  return Surroundings(object, world).free_places(p_W, most_m, step_m);
 }
 
 }  // namespace continua

@@ -231,7 +231,7 @@ TEST_CASE("the weld holds only while both pads touch") {
   avatar.begin(lift);
   int held_steps = 0;
   while (avatar.busy()) {
-    physics->step(avatar.update());
+    REQUIRE(physics->step(avatar.update()));
     if (physics->held() < 0) continue;
     ++held_steps;
     CHECK(physics->held() == 0);
@@ -243,7 +243,7 @@ TEST_CASE("the weld holds only while both pads touch") {
   AvatarTarget open = avatar.update();
   open.opening_m = 0.05;
   for (int i = 0; i < 100; ++i) {
-    physics->step(open);
+    REQUIRE(physics->step(open));
     if (physics->held() >= 0) CHECK((physics->pad_touches(true, 0) && physics->pad_touches(false, 0)));
   }
   CHECK(physics->held() == -1);

@@ -1,0 +1,219 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "simulation/avatar.h"
+#include "simulation/hand_route.h"
+#include "simulation/stacks.h"
+
+namespace continua {
+
+namespace {
+
+using Status = ActReport::Status;
+
+constexpr double fade_s = 0.25;  // in which a superseded motion fades out
+constexpr double finger_m_per_s = 0.15;
+constexpr double squeeze_m = 0.01;     // by which the fingers would close further if nothing were between them
+constexpr double touch_force_N = 2.5;  // of set-down: a block weighs about 1 N
+constexpr Pace gentle{0.12, 1.5, 10};
+constexpr Pace loaded{0.9, 2.5, 18};
+
+}  // namespace
+
+// ---- Poses ---------------------------------------------------------------------------------------------------------
+
+/// The hand's pose when what it holds is at `p_WO`, as it was grasped or turned as it shall be at the goal.
+Pose Avatar::hand_for_object(const Vec3& p_WO, bool turned) const {
+  const Pose X_WT = tool_pose(physics_.arm(), physics_.hinges());
+  const Vec3 p_TO = X_WT.R_WB.conjugate() * (physics_.object_pose(object_).p_WB - X_WT.p_WB);
+  const Eigen::Quaterniond R_WT = hand_at(handling_.grip, p_WO, turned).R_WB;
+  return {p_WO - R_WT * p_TO, R_WT};
+}
+
+Pose Avatar::gesture_pose(const WorldSnapshot& world) const {
+  const ObjectState* object = world.find(command_.object);
+  Vec3 p_W = object ? object->p_WO : command_.goal.p_WG;
+  if (object) p_W.z() = object->bounds_W().max.z();
+  const Vec3 base_W = physics_.arm().joints[0].X_PJ.p_WB;
+  if (command_.what == Capability::point && world.held.empty()) return pointing_pose(p_W, base_W);
+  return hover_pose(object, p_W, world, tool_pose(physics_.arm(), physics_.hinges()), base_W);
+}
+
+// ---- Motion --------------------------------------------------------------------------------------------------------
+
+bool Avatar::go(const std::vector<Pose>& X_WT, const Pace& pace) {
+  auto path = HandPath::plan(physics_.arm(), target_.hinges.q, X_WT, pace);
+  if (!path) return false;
+  path_ = std::move(*path);
+  path_s_ = 0;
+  leftover_qdot_ = target_.hinges.qdot;
+  return true;
+}
+
+void Avatar::stop_here() {
+  path_ = HandPath::stay(target_.hinges.q);
+  path_s_ = 0;
+  leftover_qdot_.setZero();
+}
+
+bool Avatar::arrived() const {
+  constexpr double near_rad = 2e-3, patience_s = 0.25;
+  if (path_s_ < path_.duration_s()) return false;
+  return path_s_ > path_.duration_s() + patience_s ||
+         (physics_.hinges() - path_.end()).cwiseAbs().maxCoeff() < near_rad;
+}
+
+/// The hand, or what it holds, meets something that it should not.
+bool Avatar::pushes_hard() {
+  constexpr double hard_N = 25;
+  constexpr int firm_steps = 5;
+  const int held = physics_.held();
+  const bool hard = physics_.outside_force(-1) > hard_N || (held >= 0 && physics_.outside_force(held) > hard_N);
+  steps_so_ = hard ? steps_so_ + 1 : 0;
+  return steps_so_ >= firm_steps;
+}
+
+const AvatarTarget& Avatar::update() {
+  if (busy_ && phase_ended()) {
+    phases_.pop_front();
+    begin_phase();
+  }
+  phase_s_ += dt_s_;
+  path_s_ += dt_s_;
+  target_.hinges = path_.at(path_s_);
+  if (path_s_ < fade_s) {
+    const double left = 1 - path_s_ / fade_s;
+    target_.hinges.q += leftover_qdot_ * path_s_ * left * left * left;
+    target_.hinges.qdot += leftover_qdot_ * left * left * (left - 3 * path_s_ / fade_s);
+  }
+  const double step_m = finger_m_per_s * dt_s_;
+  target_.opening_m += std::clamp(wanted_opening_m_ - target_.opening_m, -step_m, step_m);
+  return target_;
+}
+
+// ---- Phases --------------------------------------------------------------------------------------------------------
+
+void Avatar::begin_phase() {
+  phase_s_ = 0;
+  steps_so_ = 0;
+  if (phases_.empty()) return phases_done();
+  if (!move_to(phases_.front(), physics_.snapshot({}))) fail(Status::unreachable, "the arm does not get there");
+}
+
+/// Tells arm and fingers what the phase wants of them. False if the arm cannot do it.
+bool Avatar::move_to(Phase phase, const WorldSnapshot& world) {
+  const int held = physics_.held();
+  const Vec3 base_W = physics_.arm().joints[0].X_PJ.p_WB;
+  const Pose from = tool_pose(physics_.arm(), target_.hinges.q);
+  switch (phase) {
+    case Phase::hover:
+      if (world.held.empty()) wanted_opening_m_ = command_.what == Capability::point ? 0 : resting_opening_m;
+      return go(way_over(from, gesture_pose(world), world, base_W));
+    case Phase::approach:
+      wanted_opening_m_ = handling_.grip.opening_m;
+      return go(way_over(from, hand_at(handling_.grip, world.objects[object_].p_WO, false), world, base_W));
+    case Phase::close:
+      physics_.set_grip(object_);
+      release_opening_m_ = handling_.grip.opening_m;
+      wanted_opening_m_ = 0;
+      return true;
+    case Phase::raise:
+      return go({hand_for_object(p_WG_, false)}, loaded);
+    case Phase::carry: {
+      constexpr double above_m = 0.01, drag_m = 0.001;
+      const Vec3 first_at = handling_.set_down->first_W();
+      const bool may_slide = command_.what == Capability::slide || stage_ == Stage::preparation;
+      along_table_ = may_slide && way_is_free(world.objects[object_], first_at, command_.goal.landmark, world);
+      const Pose at_goal = hand_for_object(first_at + Vec3(0, 0, along_table_ ? drag_m : above_m), true);
+      return along_table_ ? go({at_goal}, loaded) : go(way_over(from, at_goal, world, base_W), loaded);
+    }
+    case Phase::lower: {
+      // A little further than it should be needed: contact ends the phase.
+      constexpr double further_m = 0.003;
+      if (held < 0) return true;
+      const ObjectState& object = world.objects[held];
+      const double down = object.bounds_W().min.z() - height_under(object, world) + further_m;
+      return go({{from.p_WB - Vec3(0, 0, std::max(0.0, down)), from.R_WB}}, gentle);
+    }
+    case Phase::shove: {
+      Vec3 p_WO = handling_.set_down->p_WO;
+      if (held >= 0) p_WO.z() = physics_.object_pose(held).p_WB.z();
+      return held != object_ || go({hand_for_object(p_WO, true)}, gentle);
+    }
+    case Phase::open:
+      stop_here();
+      physics_.set_grip(-1);
+      wanted_opening_m_ = std::max(release_opening_m_, target_.opening_m);
+      return true;
+    case Phase::retreat:
+      return go({{from.p_WB + Vec3(0, 0, 0.09), from.R_WB}});
+    case Phase::go_home:
+      path_ = HandPath::between(target_.hinges.q, physics_.arm().home);
+      path_s_ = 0;
+      return true;
+    case Phase::settle:
+      return true;
+  }
+  return true;
+}
+
+bool Avatar::phase_ended() {
+  if (phases_.empty()) return false;
+  const int held = physics_.held();
+  switch (phases_.front()) {
+    case Phase::hover:
+    case Phase::retreat:
+    case Phase::go_home:
+      return arrived();
+    case Phase::approach:
+      if (pushes_hard()) {
+        fail(Status::blocked, "something is in the hand's way");
+        return false;
+      }
+      return arrived();
+    case Phase::close: {
+      constexpr int firm_steps = 50;
+      constexpr double patience_s = 1.2;
+      steps_so_ = held == object_ ? steps_so_ + 1 : 0;
+      // Pressing by position, not by force: what is between the fingers then has a place there.
+      if (steps_so_ == 1) wanted_opening_m_ = std::max(0.0, target_.opening_m - squeeze_m);
+      if (steps_so_ >= firm_steps) return true;
+      if (phase_s_ > patience_s) fail(Status::blocked, "the fingers found no hold");
+      return false;
+    }
+    case Phase::raise:
+    case Phase::carry:
+      if (held != object_) {
+        fail(Status::dropped, fmt::format("{} slipped out of the fingers", handling_.object));
+        return false;
+      }
+      if (pushes_hard()) {
+        fail(Status::blocked, fmt::format("something is in {}'s way", handling_.object));
+        return false;
+      }
+      return arrived();
+    case Phase::shove:
+      return held != object_ || arrived();
+    case Phase::lower: {
+      constexpr int firm_steps = 3;
+      if (held < 0) return true;
+      const bool touches = physics_.outside_force(held) > touch_force_N || physics_.outside_force(-1) > touch_force_N;
+      steps_so_ = touches ? steps_so_ + 1 : 0;
+      return steps_so_ >= firm_steps || arrived();
+    }
+    case Phase::open: {
+      constexpr double patience_s = 0.8;
+      return target_.opening_m >= wanted_opening_m_ || phase_s_ > patience_s;
+    }
+    case Phase::settle: {
+      constexpr int still_steps = 25;
+      constexpr double patience_s = 1.5;
+      steps_so_ = physics_.slower_than(0.01, 0.2) ? steps_so_ + 1 : 0;
+      return steps_so_ >= still_steps || phase_s_ > patience_s;
+    }
+  }
+  return true;
+}
+
+}  // namespace continua

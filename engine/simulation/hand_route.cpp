@@ -1,0 +1,111 @@
+#include "simulation/hand_route.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/stacks.h"
+
+namespace continua {
+
+namespace {
+
+constexpr double clearance_m = 0.025;  // between what moves across and what it passes over
+constexpr double full_turn = 6.283185307179586, quarter_turn = full_turn / 4;
+
+bool overlap(const Box& a, const Box& b) { return (a.max.cwiseMin(b.max) - a.min.cwiseMax(b.min)).minCoeff() > 0; }
+
+/// How far hand and held object reach below the point between the pads.
+double reach_below(const ObjectState* held, const Pose& X_WT) {
+  return std::max(HandShape{}.finger_tip_m, held ? X_WT.p_WB.z() - held->bounds_W().min.z() : 0.0);
+}
+
+}  // namespace
+
+std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapshot& world, const Vec3& base_W) {
+  constexpr double hand_half_m = 0.07;
+  const bool both_over = is_over_table(X_WF.R_WB) && is_over_table(X_WT.R_WB);
+  const HandTurn from = turn_of(X_WF.R_WB), to = turn_of(X_WT.R_WB);
+  const double lean = both_over ? std::max(std::abs(std::sin(from.tilt)), std::abs(std::sin(to.tilt))) : 0.0;
+  const double wide_m = hand_half_m + HandShape{}.palm_back_m * lean;
+  const Box way{X_WF.p_WB.cwiseMin(X_WT.p_WB) - Vec3(wide_m, wide_m, 1),
+                X_WF.p_WB.cwiseMax(X_WT.p_WB) + Vec3(wide_m, wide_m, 1)};
+
+  const ObjectState* held = world.find(world.held);
+  double top = world.table.max.z();
+  for (const auto& other : world.objects) {
+    if (&other == held) continue;
+    const Box box = other.bounds_W();
+    const auto carried = held ? standing_on(*held, world) : std::vector<std::string>();
+    if (std::find(carried.begin(), carried.end(), other.name) == carried.end() && overlap(box, way))
+      top = std::max(top, box.max.z());
+  }
+  const double height = top + reach_below(held, X_WF) + clearance_m;
+
+  // On the way the wrist turns from where it is to where it shall be, and never through its limit: the shortest turn of
+  // the hand in the world may be one that the last hinge cannot make.
+  const double from_wrist = std::remainder(from.yaw - natural_yaw(X_WF.p_WB, base_W), full_turn);
+  const double to_wrist = std::remainder(to.yaw - natural_yaw(X_WT.p_WB, base_W), full_turn);
+  const bool turns = both_over && std::abs(to_wrist - from_wrist) > 1;
+  const bool far = (X_WF.p_WB - X_WT.p_WB).head<2>().norm() > 0.01;
+
+  std::vector<Pose> poses;
+  const Vec3 start(X_WF.p_WB.x(), X_WF.p_WB.y(), std::max(height, X_WF.p_WB.z()));
+  const Vec3 end(X_WT.p_WB.x(), X_WT.p_WB.y(), std::max(height, X_WT.p_WB.z()));
+  if ((far || turns) && X_WF.p_WB.z() < height) poses.push_back({start, X_WF.R_WB});
+  if (turns) {
+    for (const double s : {0.25, 0.5, 0.75}) {
+      const Vec3 p = start + s * (end - start);
+      const double yaw = natural_yaw(p, base_W) + from_wrist + s * (to_wrist - from_wrist);
+      poses.push_back({p, rotation({yaw, from.tilt + s * (to.tilt - from.tilt)})});
+    }
+  }
+  if ((far || turns) && X_WT.p_WB.z() < height) poses.push_back({end, X_WT.R_WB});
+  poses.push_back(X_WT);
+  return poses;
+}
+
+Pose hover_pose(const ObjectState* object, const Vec3& p_W, const WorldSnapshot& world, const Pose& X_WT,
+                const Vec3& base_W) {
+  constexpr double hover_m = 0.05, step_m = 0.01, highest_m = 0.5;
+  const ObjectState* held = world.find(world.held);
+  // The fingers close along the object's side that takes the least turning of the wrist.
+  const double natural = natural_yaw(p_W, base_W);
+  const double yaw = object ? object->yaw + quarter_turn * std::round((natural - object->yaw) / quarter_turn) : natural;
+  Pose X{p_W + Vec3(0, 0, reach_below(held, X_WT) + hover_m), rotation({yaw, 0})};
+  std::vector<OrientedBox> others;
+  for (const auto& other : world.objects) {
+    if (&other != held) others.push_back(column_of(other));
+  }
+  while (X.p_WB.z() < highest_m && hand_conflict(X, resting_opening_m, others) > 0) X.p_WB.z() += step_m;
+  return X;
+}
+
+Pose pointing_pose(const Vec3& p_W, const Vec3& base_W) {
+  constexpr double distance_m = 0.1;
+  const Vec3 eye_W = base_W + Vec3(0, 0, 0.15);
+  const Vec3 x = (p_W - eye_W).normalized(), y = Vec3::UnitZ().cross(x).normalized();
+  Eigen::Matrix3d R;
+  R << x, y, x.cross(y);
+  return {p_W - distance_m * x, Eigen::Quaterniond(R)};
+}
+
+bool way_is_free(const ObjectState& object, const Vec3& p_WG, const std::string& landmark, const WorldSnapshot& world) {
+  constexpr double margin_m = 0.003, step_m = 0.005, leaving_m = 0.02;
+  const Vec3 way = p_WG - object.p_WO;
+  if (std::abs(way.z()) > 0.005) return false;
+  const int steps = std::max(1, static_cast<int>(std::ceil(way.norm() / step_m)));
+  for (int i = 0; i <= steps; ++i) {
+    OrientedBox box = box_of(object);
+    box.center_W += way * i / steps;
+    for (const ObjectState* other : apart_from(object, world)) {
+      // It may touch what it shall lie beside, and what it leaves.
+      const bool may_touch = other->name == landmark || i * step_m < leaving_m;
+      OrientedBox theirs = box_of(*other);
+      theirs.half_m += Vec3(may_touch ? -margin_m : margin_m, may_touch ? -margin_m : margin_m, -margin_m);
+      if (overlap_depth(box, theirs) > 0) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace continua

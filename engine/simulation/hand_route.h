@@ -1,0 +1,28 @@
+// Poses and ways of the hand over the table, clear of what stands there.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "simulation/arm_ik.h"
+#include "simulation/hand_shape.h"
+#include "world/world_snapshot.h"
+
+namespace continua {
+
+inline constexpr double resting_opening_m = 0.02;  ///< of each finger, when there is nothing to hold
+
+/// From `X_WF` to `X_WT`, across above everything on the way.
+std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapshot& world, const Vec3& base_W);
+
+/// A little above an object or, without one, a place; clear of what stands beside it. `X_WT` is where the hand is.
+Pose hover_pose(const ObjectState* object, const Vec3& p_W, const WorldSnapshot& world, const Pose& X_WT,
+                const Vec3& base_W);
+
+/// Fingers stretched toward a place, from the side of the avatar, at some distance.
+Pose pointing_pose(const Vec3& p_W, const Vec3& base_W);
+
+/// Whether an object can be slid to its goal without meeting others; it may touch `landmark`.
+bool way_is_free(const ObjectState& object, const Vec3& p_WG, const std::string& landmark, const WorldSnapshot& world);
+
+}  // namespace continua

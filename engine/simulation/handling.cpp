@@ -1,0 +1,204 @@
+#include "simulation/handling.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "simulation/stacks.h"
+
+namespace continua {
+
+namespace {
+
+/// Whether the arm gets there, and its forearm finds room.
+class Reach {
+ public:
+  Reach(const Arm& arm, const ObjectState& object, const WorldSnapshot& world) : arm_(arm) {
+    // What stands on the object was beside the hand before and is so at the goal.
+    for (const auto& other : world.objects) {
+      if (other.name != object.name) others_.push_back(box_of(other));
+    }
+  }
+
+  bool reaches(const Pose& X_WT, bool& forearm_free) {
+    const IkSolution solution = solve_ik(arm_, X_WT, arm_.home);
+    if (!solution.reached) return false;
+    const auto links = link_poses(arm_, solution.q);
+    constexpr int elbow = 3, wrist = 5;
+    forearm_free = forearm_free && forearm_conflict(links[elbow].p_WB, links[wrist].p_WB, others_) == 0;
+    return true;
+  }
+
+ private:
+  const Arm& arm_;
+  std::vector<OrientedBox> others_;
+};
+
+/// When no way leads to the goal: the free place that is nearest to it.
+SetDown elsewhere(const Task& task, const ObjectState& object, const WorldSnapshot& world) {
+  constexpr double farthest_m = 0.2, step_m = 0.004;
+  const auto places = free_places(object, *task.p_WG, world, farthest_m, step_m);
+  return {places.empty() ? *task.p_WG : places.front(), std::nullopt};
+}
+
+bool alike(const Grip& a, const Grip& b) {
+  constexpr double same_rad = 0.2;
+  return std::abs(a.hand.yaw - b.hand.yaw) < same_rad && std::abs(a.hand.tilt - b.hand.tilt) < same_rad &&
+         std::abs(a.turn - b.turn) < same_rad;
+}
+
+Vec3 base_of(const Arm& arm) { return arm.joints[0].X_PJ.p_WB; }
+
+/// The grips there are where the object is, with those like `tried` last.
+std::vector<Grip> starts_of(const ObjectState& object, const WorldSnapshot& world, const Arm& arm,
+                            const std::optional<Pose>& grasp) {
+  if (!grasp) return grips_on(object, world, base_of(arm));
+  Grip grip;
+  grip.hand = turn_of(grasp->R_WB);
+  grip.p_OT = grasp->p_WB - object.p_WO;
+  grip.opening_m = std::max(object.half_extents_m.x(), object.half_extents_m.y());
+  return {grip};
+}
+
+/// Whether there is room for the task, as far as can be told without the arm.
+bool has_room(const Task& task, const WorldSnapshot& world, const Arm& arm) {
+  const ObjectState& object = *world.find(task.object);
+  const auto grips = grips_on(object, world, base_of(arm));
+  const auto fits = [](const Grip& grip) { return grip.conflict_m == 0; };
+  if (!task.p_WG) return std::any_of(grips.begin(), grips.end(), fits);
+  for (const SetDown& way : set_downs(object, *task.p_WG, world, task.near_m)) {
+    for (const Grip& grip : grips) {
+      if (!fits(grip)) continue;
+      const auto turned = grips_at(grip, object, way.first_W(), world, base_of(arm));
+      if (std::any_of(turned.begin(), turned.end(), fits)) return true;
+    }
+  }
+  return false;
+}
+
+/// The world after an object and what stands on it have been moved.
+WorldSnapshot moved(const WorldSnapshot& world, const ObjectState& object, const Vec3& by_W) {
+  WorldSnapshot after = world;
+  after.held.clear();
+  const auto riders = standing_on(object, world);
+  for (auto& other : after.objects) {
+    if (other.name == object.name || std::find(riders.begin(), riders.end(), other.name) != riders.end())
+      other.p_WO += by_W;
+  }
+  return after;
+}
+
+}  // namespace
+
+std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& world, const Arm& arm,
+                                      const std::optional<Pose>& grasp, const std::vector<Grip>& tried) {
+  const ObjectState& object = *world.find(task.object);
+  const auto starts = starts_of(object, world, arm, grasp);
+  if (starts.empty()) return std::nullopt;
+  Reach reach(arm, object, world);
+
+  Handling best;
+  best.object = task.object;
+  double best_conflict_m = 0;
+  int tries = 0;
+  const auto consider = [&](std::vector<Grip> grips, const std::optional<SetDown>& way) {
+    constexpr double tried_cost = 5;
+    for (Grip& grip : grips) {
+      for (const Grip& before : tried) grip.cost += alike(grip, before) ? tried_cost : 0;
+    }
+    std::stable_sort(grips.begin(), grips.end(), [](const Grip& a, const Grip& b) {
+      return std::pair(a.conflict_m, a.cost) < std::pair(b.conflict_m, b.cost);
+    });
+    for (const Grip& grip : grips) {
+      // One with a conflict only if nothing better has been found, and not again and again.
+      constexpr int most_tries = 150;
+      if (best.reached && grip.conflict_m >= best_conflict_m) break;
+      if (++tries > most_tries) break;
+      bool free = true;
+      bool reached = grasp || reach.reaches(hand_at(grip, object.p_WO, false), free);
+      const Vec3 raised = object.p_WO + Vec3(0, 0, task.raise_m);
+      if (reached && way) reached = reach.reaches(hand_at(grip, way->first_W(), true), free);
+      if (reached && !way && task.raise_m > 0) reached = reach.reaches(hand_at(grip, raised, false), free);
+      constexpr double forearm_conflict_m = 0.02;
+      const double conflict_m = std::max(grip.conflict_m, free ? 0.0 : forearm_conflict_m);
+      if (!reached || (best.reached && conflict_m >= best_conflict_m)) continue;
+      best = {task.object, grip, way, conflict_m == 0, true};
+      best_conflict_m = conflict_m;
+      if (conflict_m == 0) return;
+    }
+  };
+
+  if (!task.p_WG) {
+    consider(starts, std::nullopt);
+    return best;
+  }
+  auto ways = set_downs(object, *task.p_WG, world, task.near_m);
+  const bool near_goal = !ways.empty();
+  if (!near_goal) ways.push_back(elsewhere(task, object, world));
+  for (const SetDown& way : ways) {
+    std::vector<Grip> grips;
+    for (const Grip& start : starts) {
+      // What has no room at the start: for the first way only, it would be no better for others.
+      if (start.conflict_m > 0 && best.reached) continue;
+      const auto turned = grips_at(start, object, way.first_W(), world, base_of(arm));
+      grips.insert(grips.end(), turned.begin(), turned.end());
+    }
+    consider(std::move(grips), way);
+    if (best.has_room) break;
+  }
+  best.has_room = best.has_room && near_goal;
+  return best;
+}
+
+std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, const Arm& arm,
+                                  const std::optional<Pose>& grasp) {
+  const ObjectState& object = *world.find(task.object);
+  constexpr double step_m = 0.02, nearby_m = 0.2;
+
+  // Out of the hand, to be grasped otherwise.
+  if (grasp) {
+    ObjectState lying = object;
+    lying.p_WO.z() = world.table.max.z() + object.half_extents_m.z();
+    for (const Vec3& place : free_places(object, lying.p_WO, world, nearby_m, step_m)) {
+      const Task aside{task.object, place, 0, 0, ""};
+      const auto handling = plan_handling(aside, world, arm, grasp, {});
+      if (handling && handling->has_room && has_room(task, moved(world, object, place - object.p_WO), arm))
+        return handling;
+    }
+    return std::nullopt;
+  }
+
+  struct Shift {
+    double by_m = 0;
+    const ObjectState* other = nullptr;
+    Vec3 by_W = Vec3::Zero();
+  };
+  std::vector<Shift> shifts;
+  for (const ObjectState* other : apart_from(object, world)) {
+    const auto riders = standing_on(*other, world);
+    const auto bears = [&](const std::string& name) {
+      return std::find(riders.begin(), riders.end(), name) != riders.end();
+    };
+    const double away_m = std::min((other->p_WO - object.p_WO).head<2>().norm(),
+                                   task.p_WG ? (other->p_WO - *task.p_WG).head<2>().norm() : nearby_m);
+    if (other->name == task.landmark || bears(task.landmark) || bears(task.object) || away_m > nearby_m / 1.5) continue;
+    constexpr int directions = 8;
+    for (const double by_m : {0.012, 0.02, 0.03, 0.05, 0.08, 0.12}) {
+      for (int i = 0; i < directions; ++i) {
+        const double angle = 6.283185307179586 * i / directions;
+        shifts.push_back({by_m, other, by_m * Vec3(std::cos(angle), std::sin(angle), 0)});
+      }
+    }
+  }
+  std::stable_sort(shifts.begin(), shifts.end(), [](const Shift& a, const Shift& b) { return a.by_m < b.by_m; });
+  for (const Shift& shift : shifts) {
+    if (!is_free(*shift.other, shift.other->p_WO + shift.by_W, world)) continue;
+    if (!has_room(task, moved(world, *shift.other, shift.by_W), arm)) continue;
+    const Task aside{shift.other->name, shift.other->p_WO + shift.by_W, 0, 0, ""};
+    const auto handling = plan_handling(aside, world, arm, std::nullopt, {});
+    if (handling && handling->has_room) return handling;
+  }
+  return std::nullopt;
+}
+
+}  // namespace continua

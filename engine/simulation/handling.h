@@ -1,0 +1,43 @@
+// Moving one object once: which grip, by which way to which place, so that hand, arm and object find room. If they find
+// none, what has to be moved aside first.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulation/arm_ik.h"
+#include "simulation/grip_choice.h"
+#include "simulation/set_down.h"
+
+namespace continua {
+
+/// What shall be done with an object.
+struct Task {
+  std::string object;
+  std::optional<Vec3> p_WG;  ///< where its centre shall come to lie; without it, the object is only held
+  double raise_m = 0;        ///< and raised by so much
+  double near_m = 0;         ///< how far from p_WG it may be set down
+  std::string landmark;      ///< what must stay where it is, for the goal was said beside it; or empty
+};
+
+struct Handling {
+  std::string object;
+  Grip grip;
+  std::optional<SetDown> set_down;
+  bool has_room = false;  ///< nothing is in the way of hand and object
+  bool reached = false;   ///< the arm gets to where the object is and goes
+};
+
+/// The best handling, in `world` as it is. `grasp` is the hand's pose if the object is in it, and is kept. Grips like
+/// those `tried` before come last. Nothing if the object is wider than the hand.
+std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& world, const Arm& arm,
+                                      const std::optional<Pose>& grasp, const std::vector<Grip>& tried);
+
+/// What to move aside, and how, so that there is room for the task then: the object nearest to it that can be moved by
+/// little, with room for the hand. If the task's object is in the hand, it may be that one, set down to be grasped
+/// anew.
+std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, const Arm& arm,
+                                  const std::optional<Pose>& grasp);
+
+}  // namespace continua

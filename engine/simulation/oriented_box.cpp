@@ -1,0 +1,34 @@
+#include "simulation/oriented_box.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace continua {
+
+double overlap_depth(const OrientedBox& a, const OrientedBox& b) {
+  const Vec3 apart = b.center_W - a.center_W;
+  double least = std::numeric_limits<double>::max();
+  for (const OrientedBox* faces : {&a, &b}) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 axis = faces->R_WB.col(i);
+      const double reach =
+          (a.R_WB.transpose() * axis).cwiseAbs().dot(a.half_m) + (b.R_WB.transpose() * axis).cwiseAbs().dot(b.half_m);
+      least = std::min(least, reach - std::abs(axis.dot(apart)));
+    }
+  }
+  return least;
+}
+
+OrientedBox box_of(const ObjectState& object) {
+  return {object.p_WO, Eigen::AngleAxisd(object.yaw, Vec3::UnitZ()).toRotationMatrix(), object.half_extents_m};
+}
+
+OrientedBox column_of(const ObjectState& object) {
+  constexpr double down_m = 0.5;
+  OrientedBox column = box_of(object);
+  column.center_W.z() -= down_m;
+  column.half_m.z() += down_m;
+  return column;
+}
+
+}  // namespace continua
