@@ -18,17 +18,19 @@
 #include "simulation/scene.h"
 
 namespace continua {
-namespace {
 
-// After the last event the world may go on until it rests, but not longer.
-constexpr double longest_tail_s = 30;
-
-struct Loaded {
+struct LoadedSession {
+  ReplayOptions options;
   Trace trace;
   std::shared_ptr<const Machine> machine;
   Scene scene;
   std::unique_ptr<Body> body;
 };
+
+namespace {
+
+// After the last event the world may go on until it rests, but not longer.
+constexpr double longest_tail_s = 30;
 
 std::vector<ObjectOverride> overrides_of(const TraceHeader& header) {
   std::vector<ObjectOverride> overrides;
@@ -45,51 +47,14 @@ std::vector<ObjectOverride> overrides_of(const TraceHeader& header) {
   return overrides;
 }
 
-Result<Loaded> load(const std::string& trace_path, const ReplayOptions& options) {
-  auto trace = read_trace(trace_path);
-  if (!trace) return trace.error();
-  const auto data = find_data_paths(options.knowledge);
-  if (!data) return data.error();
-  const auto folder = std::filesystem::path(trace_path).parent_path();
-  const auto header_line = trace_path + ":1";
-
-  const auto& scene_name = options.scene.empty() ? trace->header.scene : options.scene;
-  if (scene_name.empty()) return Error{header_line, "no scene; expected \"scene\" in the trace's header, or --scene"};
-  const auto scene_path = resolve_scene(scene_name, *data, folder, options.scene.empty() ? header_line : "--scene");
-  if (!scene_path) return scene_path.error();
-  auto scene = load_scene(*scene_path, overrides_of(trace->header));
-  if (!scene) return scene.error();
-
-  const auto& machine_name = options.machine.empty() ? trace->header.machine : options.machine;
-  if (machine_name.empty())
-    return Error{header_line, "no machine; expected \"machine\" in the trace's header, or --machine"};
-  const auto machine_path =
-      resolve_machine(machine_name, *data, folder, options.machine.empty() ? header_line : "--machine");
-  if (!machine_path) return machine_path.error();
-  auto machine = load_machine(*machine_path, Methods::signature());
-  if (!machine) return machine.error();
-
-  std::unique_ptr<Body> body;
-  if (options.physics) {
-    auto physics = PhysicsBody::create(*scene);
-    if (!physics) return physics.error();
-    body = std::move(*physics);
-  } else {
-    body = std::make_unique<KinematicBody>(scene->initial_snapshot());
-  }
-  return Loaded{std::move(*trace), std::make_shared<const Machine>(std::move(*machine)), std::move(*scene),
-                std::move(body)};
-}
-
 // The loop over a trace's events, with all that it carries along.
-class Session {
+class Loop {
  public:
-  Session(const Loaded& loaded, const ReplayOptions& options, std::ostream& out)
+  Loop(const LoadedSession& loaded, std::ostream& out)
       : loaded_(loaded),
-        options_(options),
-        choice_(options.choice.value_or(loaded.machine->choice)),
+        choice_(loaded.options.choice.value_or(loaded.machine->choice)),
         perspective_(perspective()),
-        seed_(options.seed.value_or(loaded.trace.header.seed)),
+        seed_(loaded.options.seed.value_or(loaded.trace.header.seed)),
         log_(out),
         recorder_(log_, *loaded.machine),
         pipeline_(loaded.machine, choice_, perspective_),
@@ -105,8 +70,8 @@ class Session {
       now_ = std::max(now_, events[i].t);
       recorder_.world(body_.advance(now_));
       std::visit([&](const auto& what) { take(events[i], what); }, events[i].what);
-      if (options_.progress && i % 64 == 0)
-        options_.progress(static_cast<double>(i) / static_cast<double>(events.size()));
+      if (loaded_.options.progress && i % 64 == 0)
+        loaded_.options.progress(static_cast<double>(i) / static_cast<double>(events.size()));
     }
     settle();
     return finish();
@@ -126,7 +91,7 @@ class Session {
     header.trace_digest = loaded_.trace.digest;
     header.seed = seed_;
     header.choice = text(choice_);
-    header.world = options_.physics ? "physics" : "kinematic";
+    header.world = loaded_.options.physics ? "physics" : "kinematic";
     header.perspective = text(perspective_);
     header.fingerprint = fingerprint();
     header.machine_name = loaded_.machine->name;
@@ -193,8 +158,7 @@ class Session {
     return summary_;
   }
 
-  const Loaded& loaded_;
-  const ReplayOptions& options_;
+  const LoadedSession& loaded_;
   Choice choice_;
   Perspective perspective_;
   std::uint64_t seed_;
@@ -210,10 +174,47 @@ class Session {
 
 }  // namespace
 
-Result<ReplaySummary> replay(const std::string& trace_path, const ReplayOptions& options, std::ostream& log) {
-  auto loaded = load(trace_path, options);
-  if (!loaded) return loaded.error();
-  return Session(*loaded, options, log).run();
+Result<Session> Session::load(const std::string& trace_path, ReplayOptions options) {
+  auto trace = read_trace(trace_path);
+  if (!trace) return trace.error();
+  const auto data = find_data_paths(options.knowledge);
+  if (!data) return data.error();
+  const auto folder = std::filesystem::path(trace_path).parent_path();
+  const auto header_line = trace_path + ":1";
+
+  const auto& scene_name = options.scene.empty() ? trace->header.scene : options.scene;
+  if (scene_name.empty()) return Error{header_line, "no scene; expected \"scene\" in the trace's header, or --scene"};
+  const auto scene_path = resolve_scene(scene_name, *data, folder, options.scene.empty() ? header_line : "--scene");
+  if (!scene_path) return scene_path.error();
+  auto scene = load_scene(*scene_path, overrides_of(trace->header));
+  if (!scene) return scene.error();
+
+  const auto& machine_name = options.machine.empty() ? trace->header.machine : options.machine;
+  if (machine_name.empty())
+    return Error{header_line, "no machine; expected \"machine\" in the trace's header, or --machine"};
+  const auto machine_path =
+      resolve_machine(machine_name, *data, folder, options.machine.empty() ? header_line : "--machine");
+  if (!machine_path) return machine_path.error();
+  auto machine = load_machine(*machine_path, Methods::signature());
+  if (!machine) return machine.error();
+
+  std::unique_ptr<Body> body;
+  if (options.physics) {
+    auto physics = PhysicsBody::create(*scene);
+    if (!physics) return physics.error();
+    body = std::move(*physics);
+  } else {
+    body = std::make_unique<KinematicBody>(scene->initial_snapshot());
+  }
+  return Session(std::make_unique<LoadedSession>(LoadedSession{std::move(options), std::move(*trace),
+                                                               std::make_shared<const Machine>(std::move(*machine)),
+                                                               std::move(*scene), std::move(body)}));
 }
+
+Session::Session(std::unique_ptr<LoadedSession> loaded) : loaded_(std::move(loaded)) {}
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+
+ReplaySummary Session::run(std::ostream& log) { return Loop(*loaded_, log).run(); }
 
 }  // namespace continua

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -30,8 +31,22 @@ struct ReplaySummary {
   int problems = 0;
 };
 
-/// Replays the trace and writes its run log. Errors: the trace, its scene or its machine cannot be used; nothing is
-/// written then.
-Result<ReplaySummary> replay(const std::string& trace_path, const ReplayOptions& options, std::ostream& log);
+struct LoadedSession;
+
+/// A trace with its machine and its scene, ready to be replayed.
+class Session {
+ public:
+  /// Errors: the trace, its scene or its machine cannot be used.
+  static Result<Session> load(const std::string& trace_path, ReplayOptions options);
+  ~Session();
+  Session(Session&&) noexcept;
+
+  /// Replays the trace and writes its run log. The world is used up by it: REQUIRES that it is called once.
+  ReplaySummary run(std::ostream& log);
+
+ private:
+  explicit Session(std::unique_ptr<LoadedSession> loaded);
+  std::unique_ptr<LoadedSession> loaded_;
+};
 
 }  // namespace continua

@@ -91,21 +91,14 @@ class Batch {
     auto options = options_.replay;
     if (isatty(STDERR_FILENO)) options.progress = [this, index](double done) { show_progress(index, done); };
     const auto& output = outputs_[index];
-    // The log is made beside its place and moved there when it is whole enough to have begun.
-    Result<ReplaySummary> summary = Error{};
-    if (output == "-") {
-      summary = replay(trace, options, std::cout);
-    } else {
-      std::ofstream file(output, std::ios::binary);
-      if (!file) return finish(index, Error{output, "cannot be written; expected a writable file"}, output);
-      summary = replay(trace, options, file);
-      file.close();
-      std::error_code ignored;
-      if (!summary)
-        fs::remove(output, ignored);
-      else if (!file)
-        summary = Error{output, "could not be written to its end"};
-    }
+    auto session = Session::load(trace, std::move(options));
+    if (!session) return finish(index, session.error(), output);
+    if (output == "-") return finish(index, session->run(std::cout), output);
+    std::ofstream file(output, std::ios::binary);
+    if (!file) return finish(index, Error{output, "cannot be written; expected a writable file"}, output);
+    const auto summary = session->run(file);
+    file.close();
+    if (!file) return finish(index, Error{output, "could not be written to its end"}, output);
     finish(index, summary, output);
   }
 

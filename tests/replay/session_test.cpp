@@ -56,8 +56,9 @@ ReplayOptions kinematic() {
 
 std::string log_of(const std::string& path, const ReplayOptions& options = kinematic()) {
   std::ostringstream out;
-  const auto summary = replay(path, options, out);
-  if (!summary) FAIL(summary.error().text());
+  auto session = Session::load(path, options);
+  if (!session) FAIL(session.error().text());
+  session->run(out);
   return out.str();
 }
 
@@ -127,10 +128,11 @@ TEST_CASE("an expectation that is not met is counted and logged with what there 
   folder.write("unmet.jsonl",
                std::string(trace) + "{\"t\":4,\"kind\":\"expect\",\"state\":\"Asked\",\"holding\":\"null\"}\n");
   std::ostringstream out;
-  const auto summary = replay(folder.file("unmet.jsonl"), kinematic(), out);
-  REQUIRE(summary.ok());
-  CHECK(summary->expectations == 3);
-  CHECK(summary->expectations_met == 2);
+  auto session = Session::load(folder.file("unmet.jsonl"), kinematic());
+  REQUIRE(session.ok());
+  const auto summary = session->run(out);
+  CHECK(summary.expectations == 3);
+  CHECK(summary.expectations_met == 2);
   CHECK(of_kind(records_of(out.str()), "expect").back()["found"] == Json{{"state", "Done"}, {"holding", "null"}});
 }
 
@@ -138,10 +140,8 @@ TEST_CASE("what cannot be replayed is told in a line that names file, line and e
   const Folder folder;
   const auto error = [&](const std::string& content) {
     folder.write("broken.jsonl", content);
-    std::ostringstream out;
-    const auto summary = replay(folder.file("broken.jsonl"), kinematic(), out);
-    CHECK(out.str().empty());
-    return summary.ok() ? std::string() : summary.error().text();
+    const auto session = Session::load(folder.file("broken.jsonl"), kinematic());
+    return session.ok() ? std::string() : session.error().text();
   };
   CHECK(error("").find("broken.jsonl:1") != std::string::npos);
   CHECK(error(R"({"kind":"trace","version":1,"scene":"stairs","machine":"fetch.json"})").find("staircase") !=
