@@ -5,77 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "simulation/avatar_elements.h"
 #include "simulation/box_contacts.h"
 #include "simulation/mujoco_model.h"
 
 namespace continua {
-
-namespace {
-
-Vec3 vec(const mjtNum* v) { return {v[0], v[1], v[2]}; }
-Eigen::Quaterniond quat(const mjtNum* q) { return {q[0], q[1], q[2], q[3]}; }
-
-/// Where the avatar's elements are in the model.
-struct AvatarIds {
-  int hand = -1, weld = -1;
-  std::array<int, arm_joint_count> dof{}, qpos{}, servo{};
-  std::array<int, 2> pad{}, finger_servo{};      // left, right
-  std::array<double, arm_joint_count> lead_s{};  // servo damping / stiffness: how far ahead a moving target is put
-};
-
-/// Reads the chain of hinges from the world to the site `grip`.
-Result<std::pair<Arm, AvatarIds>> find_avatar(const mjModel& model, const std::string& path) {
-  const auto missing = [&](const std::string& what) {
-    return Error{path, fmt::format("the scene's avatar has no {}", what)};
-  };
-  Arm arm;
-  AvatarIds ids;
-  const int grip = id_of(model, mjOBJ_SITE, "grip");
-  if (grip < 0) return missing("site 'grip'");
-  ids.hand = model.site_bodyid[grip];
-  ids.weld = id_of(model, mjOBJ_EQUALITY, "grip");
-  if (ids.weld < 0 || model.eq_type[ids.weld] != mjEQ_WELD || model.eq_obj1id[ids.weld] != ids.hand)
-    return missing("weld 'grip' whose body1 is the body of site 'grip'");
-
-  std::vector<int> bodies;  // from the world outward
-  for (int body = ids.hand; body > 0; body = model.body_parentid[body]) bodies.insert(bodies.begin(), body);
-  int found = 0;
-  Pose X_PB;
-  for (const int body : bodies) {
-    const Pose X{vec(model.body_pos + 3 * body), quat(model.body_quat + 4 * body)};
-    X_PB = {X_PB.p_WB + X_PB.R_WB * X.p_WB, X_PB.R_WB * X.R_WB};
-    if (model.body_jntnum[body] == 0) continue;
-    const int joint = model.body_jntadr[body];
-    const std::string name = fmt::format("arm_{}", found + 1);
-    if (model.body_jntnum[body] > 1 || model.jnt_type[joint] != mjJNT_HINGE || found == arm_joint_count ||
-        name_of(model, mjOBJ_JOINT, joint) != name || !model.jnt_limited[joint] ||
-        vec(model.jnt_pos + 3 * joint).norm() > 0)
-      return missing(fmt::format("limited hinge '{}' in its place: one per body, at the body's origin", name));
-    const int servo = id_of(model, mjOBJ_ACTUATOR, name);
-    if (servo < 0) return missing(fmt::format("actuator '{}'", name));
-    arm.joints[found] = {X_PB, vec(model.jnt_axis + 3 * joint), model.jnt_range[2 * joint],
-                         model.jnt_range[2 * joint + 1]};
-    ids.dof[found] = model.jnt_dofadr[joint];
-    ids.qpos[found] = model.jnt_qposadr[joint];
-    ids.servo[found] = servo;
-    ids.lead_s[found] = model.actuator_biasprm[mjNBIAS * servo + 2] / model.actuator_biasprm[mjNBIAS * servo + 1];
-    X_PB = {};
-    ++found;
-  }
-  if (found < arm_joint_count) return missing(fmt::format("hinge 'arm_{}'", found + 1));
-  arm.X_LT = {X_PB.p_WB + X_PB.R_WB * vec(model.site_pos + 3 * grip), X_PB.R_WB * quat(model.site_quat + 4 * grip)};
-
-  constexpr std::array sides = {"left", "right"};
-  for (int side = 0; side < 2; ++side) {
-    ids.pad[side] = id_of(model, mjOBJ_GEOM, fmt::format("pad_{}", sides[side]));
-    ids.finger_servo[side] = id_of(model, mjOBJ_ACTUATOR, fmt::format("finger_{}", sides[side]));
-    if (ids.pad[side] < 0) return missing(fmt::format("geom 'pad_{}'", sides[side]));
-    if (ids.finger_servo[side] < 0) return missing(fmt::format("actuator 'finger_{}'", sides[side]));
-  }
-  return std::pair(arm, ids);
-}
-
-}  // namespace
 
 struct Physics::State {
   ModelOwner model;  // a copy: the weld is switched in it
@@ -83,7 +17,7 @@ struct Physics::State {
   std::vector<SceneObject> objects;
   Box table;
   Arm arm;
-  AvatarIds ids;
+  AvatarElements ids;
   int grip = -1;  // the object the weld may hold
   DataOwner saved_data;
   int saved_grip = -1;
@@ -107,8 +41,8 @@ struct Physics::State {
   /// Points the weld at the object, where it is now in the hand's frame.
   void weld_to(int body) {
     mj_kinematics(model.get(), data.get());
-    const Eigen::Quaterniond R_WH = quat(data->xquat + 4 * ids.hand), R_WO = quat(data->xquat + 4 * body);
-    const Vec3 p_HO = R_WH.conjugate() * (vec(data->xpos + 3 * body) - vec(data->xpos + 3 * ids.hand));
+    const Eigen::Quaterniond R_WH = quat_of(data->xquat + 4 * ids.hand), R_WO = quat_of(data->xquat + 4 * body);
+    const Vec3 p_HO = R_WH.conjugate() * (vec_of(data->xpos + 3 * body) - vec_of(data->xpos + 3 * ids.hand));
     const Eigen::Quaterniond R_HO = R_WH.conjugate() * R_WO;
     model->eq_obj2id[ids.weld] = body;
     mjtNum* relative = model->eq_data + mjNEQDATA * ids.weld;  // anchor in object, p_HO, R_HO, scale of torque
@@ -246,7 +180,7 @@ ArmVector Physics::hinges() const {
 Pose Physics::object_pose(int object) const {
   const mjtNum* q =
       state_->data->qpos + state_->model->jnt_qposadr[state_->model->body_jntadr[state_->objects[object].body]];
-  return {vec(q), quat(q + 3)};
+  return {vec_of(q), quat_of(q + 3)};
 }
 
 std::vector<std::pair<std::string, Pose>> Physics::poses() const {
@@ -256,7 +190,7 @@ std::vector<std::pair<std::string, Pose>> Physics::poses() const {
   for (int body = 1; body < s.model->nbody; ++body) {
     if (s.model->body_weldid[body] == 0) continue;
     poses.push_back(
-        {name_of(*s.model, mjOBJ_BODY, body), {vec(s.data->xpos + 3 * body), quat(s.data->xquat + 4 * body)}});
+        {name_of(*s.model, mjOBJ_BODY, body), {vec_of(s.data->xpos + 3 * body), quat_of(s.data->xquat + 4 * body)}});
   }
   return poses;
 }
@@ -266,7 +200,7 @@ bool Physics::slower_than(double m_per_s, double rad_per_s) const {
   for (int joint = 0; joint < s.model->njnt; ++joint) {
     const mjtNum* v = s.data->qvel + s.model->jnt_dofadr[joint];
     const bool free = s.model->jnt_type[joint] == mjJNT_FREE, slide = s.model->jnt_type[joint] == mjJNT_SLIDE;
-    if (free && (vec(v).norm() > m_per_s || vec(v + 3).norm() > rad_per_s)) return false;
+    if (free && (vec_of(v).norm() > m_per_s || vec_of(v + 3).norm() > rad_per_s)) return false;
     if (!free && std::abs(v[0]) > (slide ? m_per_s : rad_per_s)) return false;
   }
   return true;

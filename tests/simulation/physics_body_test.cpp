@@ -1,6 +1,8 @@
 #include "simulation/physics_body.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "core/random.h"
 #include "support/catch.h"
@@ -247,4 +249,48 @@ TEST_CASE("the weld holds only while both pads touch") {
     if (physics->held() >= 0) CHECK((physics->pad_touches(true, 0) && physics->pad_touches(false, 0)));
   }
   CHECK(physics->held() == -1);
+}
+
+TEST_CASE("a block among others is freed before it is taken, and its landmark stays") {
+  Stage stage({{"block1", 0.0, 0.028, {}, 0.0, false},
+               {"block3", 0.0605, 0.028, {}, 0.0, false},
+               {"block4", -0.013, -0.0325, {}, 0.0, false}});
+  const Vec3 landmark = stage.object("block4").p_WO;
+  const ActReport end = stage.act(put_by("block1", Goal::Relation::on, "block4"));
+  CHECK(end.status == Status::done);
+  CHECK(stage.object("block1").p_WO.z() == Approx(0.09).margin(1e-3));
+  CHECK((stage.object("block4").p_WO - landmark).norm() < 1e-3);
+  CHECK(stage.object("block3").p_WO.x() > 0.07);
+}
+
+TEST_CASE("the hand hovers clear of what stands beside the place") {
+  Stage stage({{"block4", -0.3, 0.05, {}, 0.0, false},
+               {"block5", -0.3, 0.05, 0.09, 0.0, false},
+               {"block6", -0.3, 0.05, 0.15, 0.0, false}});
+  stage.rest();
+  const Vec3 before = stage.object("block6").p_WO;
+  AvatarCommand reach = command(Capability::reach, "");
+  reach.goal.p_WG = {-0.24, 0.05, 0};
+  CHECK(stage.act(reach).status == Status::done);
+  CHECK((stage.object("block6").p_WO - before).norm() < 1e-3);
+}
+
+TEST_CASE("a simulation that diverges ends the act, and the world is what it was at rest") {
+  // A body that gains speed beyond measure as soon as it is stepped.
+  const auto path = std::filesystem::temp_directory_path() / "continua_test_diverging.xml";
+  std::string text = staircase().text();
+  const std::string gravity = "<option gravity=\"0 0 -1e12\" ";
+  text.replace(text.find("<option "), 8, gravity);
+  std::ofstream(path) << text;
+  auto body = PhysicsBody::create(load_scene(path.string()).value()).value();
+  const WorldSnapshot before = body->snapshot();
+  body->command(put_at("block4", 0.1, 0));
+  const WorldReport report = body->advance(SimTime::from_seconds(60));
+  REQUIRE(report.acts.size() == 2);
+  CHECK(report.acts[1].status == Status::dropped);
+  CHECK(report.acts[1].reason.find("diverged") != std::string::npos);
+  CHECK(body->at_rest());
+  CHECK(body->snapshot().find("block4")->p_WO == before.find("block4")->p_WO);
+  REQUIRE_FALSE(report.rests.empty());
+  CHECK(report.rests.back().to == SimTime::from_seconds(60));
 }
