@@ -1,8 +1,6 @@
-#include <filesystem>
-#include <fstream>
-
 #include "simulation/scene.h"
 #include "support/catch.h"
+#include "support/temporary_folder.h"
 
 using namespace continua;
 
@@ -10,13 +8,10 @@ namespace {
 
 const std::string staircase = CONTINUA_SOURCE_DIR "/mjcf/scenes/staircase.xml";
 
-/// A scene file with that text, in a directory of its own.
+/// A scene file with that text, in a folder of the test program's own.
 std::string written(const std::string& name, const std::string& text) {
-  const auto directory = std::filesystem::temp_directory_path() / "continua_test_scene";
-  std::filesystem::create_directories(directory);
-  const auto path = directory / name;
-  std::ofstream(path, std::ios::binary) << text;
-  return path.string();
+  static const TemporaryFolder folder;
+  return folder.file(name, text);
 }
 
 std::string error_of(const std::string& name, const std::string& text) {
