@@ -92,16 +92,18 @@ TEST_CASE("a path starts and ends at rest, passes near its poses, and keeps its 
   CHECK(path->at(path->duration_s() + 1).qdot.norm() == 0);
 
   constexpr double dt = 0.002;
-  double nearest_m = 1, fastest = 0, worst_derivative = 0;
+  double nearest_m = 1, fastest = 0, fastest_hand = 0, worst_derivative = 0;
   for (double t = dt; t < path->duration_s(); t += dt) {
     const auto now = path->at(t);
     nearest_m = std::min(nearest_m, (tool_pose(arm, now.q).p_WB - above.p_WB).norm());
     fastest = std::max(fastest, now.qdot.cwiseAbs().maxCoeff());
+    fastest_hand = std::max(fastest_hand, (tool_jacobian(arm, now.q).topRows<3>() * now.qdot).norm());
     const ArmVector change = (path->at(t + dt / 2).q - path->at(t - dt / 2).q) / dt;
     worst_derivative = std::max(worst_derivative, (change - now.qdot).cwiseAbs().maxCoeff());
   }
   CHECK(nearest_m < 0.06);
   CHECK(fastest < 1.1 * pace.hinge_rad_per_s);
+  CHECK(fastest_hand < 1.1 * pace.hand_m_per_s);
   CHECK(worst_derivative < 0.02);
 }
 

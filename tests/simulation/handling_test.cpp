@@ -1,6 +1,7 @@
 #include "simulation/handling.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "simulation/stacks.h"
 #include "support/catch.h"
@@ -37,10 +38,13 @@ TEST_CASE("how deep boxes overlap, turned or not") {
   OrientedBox b = a;
   b.center_W = {0.05, 0, 0};
   CHECK(overlap_depth(a, b) == Approx(0.01));
-  b.center_W = {0.07, 0, 0};
+  b.center_W = {-0.07, 0, 0};
   CHECK(overlap_depth(a, b) == Approx(-0.01));
   b.R_WB = Eigen::AngleAxisd(0.7853981633974483, Vec3::UnitZ()).toRotationMatrix();
   CHECK(overlap_depth(a, b) == Approx(0.03 * std::sqrt(2.0) - 0.04));
+  b.center_W = {0.06, 0.06, 0};  // only the turned box's own faces part them
+  CHECK(overlap_depth(a, b) == Approx(0.03 - 0.03 * std::sqrt(2.0)));
+  CHECK(overlap_depth(b, a) == overlap_depth(a, b));
 }
 
 TEST_CASE("what stands on a thing, and what it can meet") {

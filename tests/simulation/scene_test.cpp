@@ -1,4 +1,6 @@
 #include "simulation/scene.h"
+
+#include <algorithm>
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 
@@ -39,6 +41,7 @@ TEST_CASE("the staircase has its blocks in order, at rest on the table") {
   CHECK(world.find("block3")->p_WO.isApprox(Vec3(0.3132, 0.0796, 0.03), 1e-9));
   CHECK(world.table.min.x() == Approx(-0.4952));
   CHECK(world.table.max.x() == Approx(0.4964));
+  CHECK(world.table.min.y() == Approx(-0.1168));
   CHECK(world.table.max.y() == Approx(0.1168));
   CHECK(world.table.max.z() == 0);
 }
@@ -76,6 +79,10 @@ TEST_CASE("the description has every geom and body of the scene") {
     blocks += geom["body"].get<std::string>().starts_with("block");
   }
   CHECK(blocks == 6);
+  const auto& geoms = description["geoms"];
+  const auto is_floor = [](const Json& geom) { return geom["type"] == "plane" && geom["body"] == "world"; };
+  CHECK(std::count_if(geoms.begin(), geoms.end(), is_floor) == 1);
+  CHECK(geoms.size() > 25);
   CHECK(description["bodies"]["block6"] == Json::array({-0.144, 0.0656, 0.03, 1, 0, 0, 0}));
 }
 
