@@ -49,7 +49,7 @@ bool alike(const Grip& a, const Grip& b) {
 
 Vec3 base_of(const Arm& arm) { return arm.joints[0].X_PJ.p_WB; }
 
-/// The grips there are where the object is, with those like `tried` last.
+/// The grips there are where the object is: the one that holds it, or those that could take it.
 std::vector<Grip> starts_of(const ObjectState& object, const WorldSnapshot& world, const Arm& arm,
                             const std::optional<Pose>& grasp) {
   if (!grasp) return grips_on(object, world, base_of(arm));
