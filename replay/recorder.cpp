@@ -228,6 +228,7 @@ void Recorder::report(const ActReport& report) {
   if (report.status != ActReport::Status::started) {
     fields["result"] = {{"position_error_m", rounded(report.position_error_m, 1e5)}};
     if (!report.reason.empty()) fields["result"]["reason"] = report.reason;
+    if (!report.moved_aside.empty()) fields["result"]["moved_aside"] = report.moved_aside;
   }
   log_.write("act", report.t, fields, act.record);
 }

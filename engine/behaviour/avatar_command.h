@@ -51,6 +51,7 @@ struct ActReport {
   Status status = Status::done;
   double position_error_m = 0;  ///< put, slide: distance of the object from its goal on the table plane once released
   std::string reason;           ///< a sentence, when it was not done
+  std::vector<std::string> moved_aside = {};  ///< other objects that were put elsewhere to make room, in order
 };
 
 std::string text(Capability what);

@@ -44,6 +44,7 @@ void Avatar::begin(const AvatarCommand& command) {
   outcome_ = {};
   attempts_ = preparations_ = 0;
   tried_.clear();
+  moved_aside_.clear();
   result_.reset();
   decide();
 }
@@ -138,6 +139,7 @@ void Avatar::decide_handling(const WorldSnapshot& world) {
     if (const auto aside = make_room(wanted, world, arm, grasp)) {
       ++preparations_;
       stage_ = Stage::preparation;
+      if (aside->object != wanted.object) moved_aside_.push_back(aside->object);
       return begin_handling(*aside, world.held == aside->object);
     }
   }
@@ -208,6 +210,7 @@ void Avatar::fail(Status status, std::string reason) {
 void Avatar::end_act() {
   phases_.clear();
   busy_ = false;
+  outcome_.moved_aside = moved_aside_;
   result_ = outcome_;
 }
 

@@ -72,6 +72,7 @@ class Avatar {
   Vec3 p_WG_ = Vec3::Zero();  // the goal of the object's centre
   int attempts_ = 0, preparations_ = 0;
   std::vector<Grip> tried_;  // grips that failed
+  std::vector<std::string> moved_aside_;
 
   // The handling under way.
   Stage stage_ = Stage::act;

@@ -284,6 +284,7 @@ TEST_CASE("a block among others is freed before it is taken, and its landmark st
     CHECK(stage.object("block1").p_WO.z() == Approx(0.09).margin(1e-3));
     CHECK((stage.object(landmark).p_WO - stays).norm() < 1e-3);
     CHECK((stage.object(other).p_WO - goes).norm() > 0.01);
+    CHECK(end.moved_aside == std::vector{other});
   }
 }
 
