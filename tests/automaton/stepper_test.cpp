@@ -51,6 +51,15 @@ TEST_CASE("a refused transition tells the first part of its condition that faile
   CHECK(fired.refused[0].reason == "not size(options) = 1: size(options) is 3");
 }
 
+TEST_CASE("of a conjunction, the part that fails is told, through definitions") {
+  Player player(
+      R"json({"machine":1,"name":"m","start":"A","slots":{"n":"num","m":"num"},"define":{"both":"n = 1 and m = 2"},"transitions":[
+    {"id":"set","from":"A","on":"set","to":"A","push":{"n":"1","m":"3"}},
+    {"id":"go","from":"A","on":"go","when":"both","to":"B"}]})json");
+  CHECK(player.feed("go").all<RefusedInput>().at(0).refused.at(0).reason == "both: not n = 1: n is null");
+  CHECK(player.feed("set, go").all<RefusedInput>().at(0).refused.at(0).reason == "both: not m = 2: m is 3");
+}
+
 TEST_CASE("an input that nothing takes is refused and changes nothing") {
   Player player(disambiguation);
   player.feed("point");
@@ -92,21 +101,30 @@ TEST_CASE("pop_until goes back to the previous entry of a state, and is flush wh
   const std::string text = R"({"machine":1,"name":"m","start":"S","states":{"S":{}},"slots":{"n":"num"},"transitions":[
     {"id":"a","from":"*","on":"a","to":"A","push":{"n":"1"}},
     {"id":"b","from":"*","on":"b","to":"B","push":{"n":"2"}},
+    {"id":"again","from":"*","on":"again","to":"A","push":{"n":"3"}},
     {"id":"back","from":"*","on":"back","to":"C","pop_until":"A"}]})";
   Player known(text);
   known.feed("a, b, b, back");
   CHECK(known.depth() == 2);
   CHECK(known.slot("n") == "1");
+  Player entered_twice(text);
+  entered_twice.feed("b, a, b, again, back");
+  CHECK(entered_twice.slot("n") == "1");  // as at the entry before the present one
+  CHECK(entered_twice.depth() == 3);
   Player never(text);
   never.feed("b, b, back");
   CHECK(never.depth() == 1);
   CHECK(never.slot("n") == "null");
 }
 
-TEST_CASE("the bottom symbol stays, however often it is popped") {
-  Player player(
-      R"({"machine":1,"name":"m","start":"A","slots":{"n":"num"},"transitions":[{"id":"p","from":"A","on":"x","to":"A","pop":3}]})");
-  CHECK(player.feed("x, x").depth() == 1);
+TEST_CASE("pop takes the top off, and the bottom symbol stays, however often it is popped") {
+  const std::string text = R"({"machine":1,"name":"m","start":"A","slots":{"n":"num"},"transitions":[
+    {"id":"+","from":"A","on":"+","to":"A","push":{"n":"7"}},{"id":"-","from":"A","on":"-","to":"A","pop":1},
+    {"id":"3","from":"A","on":"3","to":"A","pop":3}]})";
+  CHECK(Player(text).feed("+, +, -").depth() == 2);
+  CHECK(Player(text).feed("+, -").depth() == 1);
+  CHECK(Player(text).feed("+, -").slot("n") == "null");
+  CHECK(Player(text).feed("+, 3, 3").depth() == 1);
 }
 
 TEST_CASE("a rewrite replaces the top, then ε-transitions are tried; an empty list exposes what is below") {
@@ -117,9 +135,10 @@ TEST_CASE("a rewrite replaces the top, then ε-transitions are tried; an empty l
     {"id":"b","from":"A","on":"b","to":"B","push":{"n":"1","m":"5"}},
     {"id":"on","from":"B","on":null,"when":"n = 2","to":"C"},
     {"id":"e","from":"A","on":"e","to":"E","push":{"n":"9"}},
+    {"id":"stay","from":"A","on":"stay","to":"A"},
     {"id":"not_yet","from":"A","on":null,"to":"C"}]})json";
   Player player(text);
-  CHECK(player.state() == "A");  // no rewrite, no ε-transition
+  CHECK(player.feed("stay").state() == "A");  // no rewrite, no ε-transition
   player.feed("b");
   CHECK(player.fired() == "b on");
   CHECK(player.slot("n") == "2");

@@ -1,5 +1,7 @@
 #include "pipeline/pipeline.h"
 
+#include <fmt/format.h>
+
 #include "automaton/machine_loader.h"
 #include "support/catch.h"
 
@@ -64,7 +66,8 @@ struct Play {
     std::string happened;
     const auto add = [&](const std::string& what) { happened += (happened.empty() ? "" : "; ") + what; };
     for (const auto& one : tick.events) {
-      if (const auto* change = std::get_if<BeliefChange>(&one)) add("belief " + change->name);
+      if (const auto* change = std::get_if<BeliefChange>(&one))
+        add(fmt::format("belief {} {}", change->name, change->value));
       if (const auto* commanded = std::get_if<Commanded>(&one))
         add(text(commanded->command.what) + " " + commanded->command.object);
       if (const auto* unplanned = std::get_if<Unplanned>(&one)) add(unplanned->reason);
@@ -86,20 +89,20 @@ struct Play {
 
 TEST_CASE("a tick goes from what the human did to what the avatar says and does") {
   Play play;
-  CHECK(play.point(0.28) == "belief point; \"This?\"; belief this; reach far_one");
+  CHECK(play.point(0.28) == "belief point 0.5; \"This?\"; belief this 0.5; reach far_one");
   CHECK(play.say("Yes!") == "grasp far_one");
 }
 
 TEST_CASE("an utterance equal to the last is not said again where the machine says so") {
   Play play;
   play.point(0.28);
-  CHECK(play.point(0.12) == "belief point; reach near_one");
+  CHECK(play.point(0.12) == "belief point 1; reach near_one");
 }
 
 TEST_CASE("an answer lowers the belief in what was asked about") {
   Play play;
   play.point(0.28);
-  CHECK(play.say("no") == "belief point; no transition from Asked takes 'speech no'");
+  CHECK(play.say("no") == "belief point 0; no transition from Asked takes 'speech no'");
 }
 
 TEST_CASE("an input of too little confidence is refused, and the beliefs stay") {
