@@ -46,16 +46,8 @@ constexpr std::array sides = {
 
 bool is_thing(const Term& term) { return term.kind() == Term::Kind::constant && term.type() == Type::entity(); }
 
-// The first place in a term: itself, or inside it.
-std::optional<Vec3> place_in(const Term& term) {
-  if (term.kind() == Term::Kind::place) {
-    const auto& place = term.place_value();
-    return Vec3((place.min[0] + place.max[0]) / 2, (place.min[1] + place.max[1]) / 2,
-                (place.min[2] + place.max[2]) / 2);
-  }
-  for (const auto& argument : term.spine().arguments)
-    if (const auto found = place_in(argument)) return found;
-  return std::nullopt;
+Vec3 center(const Place& place) {
+  return (Vec3(place.min[0], place.min[1], place.min[2]) + Vec3(place.max[0], place.max[1], place.max[2])) / 2;
 }
 
 std::optional<Goal> goal_of(const Term& term, Perspective perspective) {
@@ -64,7 +56,7 @@ std::optional<Goal> goal_of(const Term& term, Perspective perspective) {
     for (const auto& side : sides)
       if (side.name == head.name())
         return Goal{perspective == Perspective::avatar ? side.avatars : side.humans, arguments[0].name(), Vec3::Zero()};
-  if (const auto place = place_in(term)) return Goal{Goal::Relation::at, "", *place};
+  if (const Term* place = first_place(term)) return Goal{Goal::Relation::at, "", center(place->place_value())};
   return std::nullopt;
 }
 

@@ -242,4 +242,23 @@ Term instantiate(const Term& body, const Term& argument) {
   });
 }
 
+const Term* first_place(const Term& term) {
+  switch (term.kind()) {
+    case Term::Kind::place:
+      return &term;
+    case Term::Kind::lambda:
+      return first_place(term.body());
+    case Term::Kind::apply: {
+      const Term* found = first_place(term.function());
+      return found ? found : first_place(term.argument());
+    }
+    case Term::Kind::list:
+      for (const auto& each : term.elements())
+        if (const Term* found = first_place(each)) return found;
+      return nullptr;
+    default:
+      return nullptr;
+  }
+}
+
 }  // namespace continua

@@ -112,4 +112,7 @@ struct Term::Spine {
 /// `body` with its variable 0 replaced by `argument`, the others lowered by one; no variable is captured.
 Term instantiate(const Term& body, const Term& argument);
 
+/// `term` if it is a place, else the first place inside it, from left to right; nullptr if there is none.
+const Term* first_place(const Term& term);
+
 }  // namespace continua

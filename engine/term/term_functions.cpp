@@ -56,25 +56,6 @@ Term mentions(Arguments a, Evaluation&) {
   return Term::truth(characters(a[0]).find(a[1].text_value()) != std::string::npos);
 }
 
-const Term* first_place(const Term& term) {
-  switch (term.kind()) {
-    case Term::Kind::place:
-      return &term;
-    case Term::Kind::lambda:
-      return first_place(term.body());
-    case Term::Kind::apply: {
-      const Term* found = first_place(term.function());
-      return found ? found : first_place(term.argument());
-    }
-    case Term::Kind::list:
-      for (const auto& each : term.elements())
-        if (const Term* found = first_place(each)) return found;
-      return nullptr;
-    default:
-      return nullptr;
-  }
-}
-
 Term place(Arguments a, Evaluation&) {
   const Term* found = first_place(a[0]);
   return found ? *found : Term::null();
