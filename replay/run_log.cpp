@@ -11,10 +11,12 @@ constexpr std::array<std::string_view, 12> decision_kinds = {"input",   "belief"
                                                              "symbol",  "rewrite", "application", "utterance",
                                                              "gesture", "refusal", "expect",      "act"};
 
+// Numbers of records count poses too, and when an act ends is measured: neither is a decision.
 std::string decision_line(std::string_view kind, SimTime t, Json fields) {
-  fields.erase("margin");
-  fields.erase("result");
-  return compact(Json{{"kind", kind}, {"t", t.seconds()}, {"fields", std::move(fields)}});
+  for (const char* field : {"because", "margin", "result"}) fields.erase(field);
+  Json line{{"kind", kind}, {"fields", std::move(fields)}};
+  if (kind != "act") line["t"] = t.seconds();
+  return compact(line);
 }
 
 }  // namespace

@@ -8,16 +8,17 @@ using namespace continua;
 
 namespace {
 
-// The digests that a log of these two records ends with.
-Json end_of(const Json& transition, const Json& pose) {
+// The digests that a log ends with after these two records, and an act that is done at `act_s`.
+Json end_of(const Json& transition, const Json& pose, double act_s = 2.5) {
   std::ostringstream out;
   RunLog log(out);
   log.write("transition", SimTime::from_seconds(1), transition, 7);
   log.write("pose", SimTime::from_seconds(2), pose);
+  log.write("act", SimTime::from_seconds(act_s), {{"act", 1}, {"status", "done"}});
   log.finish(SimTime::from_seconds(3));
   std::istringstream lines(out.str());
   std::string line;
-  for (int i = 0; i < 3; ++i) std::getline(lines, line);
+  for (int i = 0; i < 4; ++i) std::getline(lines, line);
   return Json::parse(line);
 }
 
@@ -38,13 +39,15 @@ TEST_CASE("a log numbers its lines, and its last line counts and digests those b
   CHECK(end["counts"] == Json{{"input", 1}, {"utterance", 1}});
 }
 
-TEST_CASE("decisions are digested apart from poses and from margins") {
-  const Json transition{{"id", "a"}, {"margin", 0.1}};
+TEST_CASE("decisions are digested apart from poses, from margins, and from what depends on them") {
+  const Json transition{{"id", "a"}, {"margin", 0.1}, {"because", {5, 8}}};
   const Json pose{{"bodies", {{"block", {1, 2, 3}}}}};
   const auto same = end_of(transition, pose);
   const auto other_pose = end_of(transition, {{"bodies", {{"block", {1, 2, 4}}}}});
   CHECK(other_pose["decisions"] == same["decisions"]);
   CHECK(other_pose["physics"] != same["physics"]);
   CHECK(end_of({{"id", "a"}, {"margin", 0.2}}, pose)["decisions"] == same["decisions"]);
+  CHECK(end_of({{"id", "a"}, {"because", {6, 9}}}, pose)["decisions"] == same["decisions"]);
+  CHECK(end_of(transition, pose, 2.6)["decisions"] == same["decisions"]);
   CHECK(end_of({{"id", "b"}, {"margin", 0.1}}, pose)["decisions"] != same["decisions"]);
 }
