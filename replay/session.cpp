@@ -58,7 +58,6 @@ class Loop {
         log_(out),
         recorder_(log_, *loaded.machine),
         pipeline_(loaded.machine, choice_, perspective_),
-        state_{{}, Beliefs(loaded.machine->beliefs), Random(seed_), "", 0, 0},
         body_(*loaded.body) {}
 
   ReplaySummary run() {
@@ -109,11 +108,11 @@ class Loop {
     ++summary_.inputs;
     said_since_input_.clear();
     recorder_.input(event, symbol_of(input));
-    take(pipeline_.tick(state_, input, body_.snapshot()), now_);
+    take(pipeline_.tick(*state_, input, body_.snapshot()), now_);
   }
   void take(const TraceEvent& event, const Observed& observed) { recorder_.observed(event, observed); }
   void take(const TraceEvent& event, const Expectation& expectation) {
-    const auto checked = check(expectation, {pipeline_.machine(), state_.configuration, body_.snapshot(),
+    const auto checked = check(expectation, {pipeline_.machine(), state_->configuration, body_.snapshot(),
                                              said_since_input_, recorder_.last_act()});
     recorder_.expectation(event, checked.met, checked.found);
     ++summary_.expectations;
@@ -165,7 +164,7 @@ class Loop {
   RunLog log_;
   Recorder recorder_;
   Pipeline pipeline_;
-  EngineState state_;
+  std::optional<EngineState> state_;  // once the run has begun
   Body& body_;
   SimTime now_;
   std::vector<std::string> said_since_input_;
