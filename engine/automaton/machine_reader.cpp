@@ -79,9 +79,7 @@ Machine MachineReader::read() {
   read_examples(member(root, "examples"));
   find_misspelt_sets();
   find_misspelt_states();
-  machine_.leaving.resize(machine_.states.size());
-  for (std::size_t i = 0; i < machine_.transitions.size(); ++i)
-    for (const auto from : machine_.transitions[i].from) machine_.leaving[from].push_back(i);
+  if (problems_.empty()) machine_.index();
   return machine_;
 }
 
@@ -99,7 +97,7 @@ void MachineReader::read_header(const Item& root) {
     if (const auto policy = parse_choice(name))
       machine_.choice = *policy;
     else
-      problem(choice, fmt::format("unknown policy {}; expected likeliest, sample or unique", in_quotes(name)));
+      problem(choice, fmt::format("unknown policy {}; expected {}", in_quotes(name), choice_names()));
   }
   if (const auto epsilon = one_of(root, "epsilon", {"always", "after_rewrite"}))
     machine_.epsilon_always = *epsilon == "always";
