@@ -66,11 +66,7 @@ class Worker {
 
 }  // namespace
 
-Symbol bottom_symbol(const Machine& machine) {
-  Symbol symbol;
-  for (const auto& slot : machine.slots) symbol.push_back({empty_value(slot.type), {}});
-  return symbol;
-}
+Symbol bottom_symbol(const Machine& machine) { return machine.bottom; }
 
 OperationResult apply_operation(const Operation& operation, const std::vector<std::optional<Cell>>& contents,
                                 const Machine& machine, const Configuration& before) {
