@@ -89,7 +89,7 @@ void MachineReader::read_states(const Item& states) {
   if (!states.json || !expect_object(states, "states")) return;
   for (const auto& [name, value] : states.json->items()) {
     const auto item = member(states, name);
-    if (!expect_object(item, "a state", {"gate", "enter", "about", "layout"})) continue;
+    if (!expect_object(item, "a state", {"gate", "enter", "passing", "about", "layout"})) continue;
     auto& state = machine_.states[state_index_.at(name)];
     if (const auto gate = member(item, "gate"); gate.json) {
       if (!expect_object(gate, "a gate",
@@ -101,6 +101,7 @@ void MachineReader::read_states(const Item& states) {
       if (when) state.gate = Gate{*when, otherwise, read_operation(gate)};
     }
     if (const auto enter = member(item, "enter"); enter.json) state.enter = read_effects(enter);
+    state.passing = truth_of(member(item, "passing"), "passing", false);
   }
 }
 
