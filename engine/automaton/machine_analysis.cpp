@@ -216,7 +216,7 @@ void judge_conflict(const Machine& machine, StateIndex state, std::size_t first,
   } else if (a.on || b.on) {
     if (!machine.epsilon_always) return;
     const auto& on = a.on ? *a.on : *b.on;
-    input = on.names.empty() ? on.prefixes.front() + "…" : *on.names.begin();
+    input = on.names.empty() ? *on.prefixes.begin() + "…" : *on.names.begin();
   }
   if (const auto both = overlap(a.when, b.when, machine))
     analysis.conflicts.push_back({state, first, second, input, *both, std::nullopt});

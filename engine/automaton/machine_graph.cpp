@@ -68,9 +68,10 @@ void MachineReader::read_states(const Item& states) {
       continue;
     }
     mentions_[name].push_back(item);
-    if (!expect_object(item, "a state", {"gate", "enter", "about", "layout"})) continue;
+    if (!expect_object(item, "a state", {"gate", "enter", "passing", "about", "layout"})) continue;
     read_gate(member(item, "gate"), known->second);
     machine_.states[known->second].enter = read_effects(member(item, "enter"));
+    machine_.states[known->second].passing = truth_of(member(item, "passing"), "passing", false);
   }
 }
 
