@@ -160,7 +160,8 @@ void MachineReader::read_bottom(const Item& bottom) {
   std::swap(scope_, known);
   for (const auto& content : read_contents(bottom, false)) {
     if (!content.term) continue;
-    Evaluation evaluation({&term_rules()}, [](const std::string&) { return nullptr; });
+    static const RuleTable rules({&term_rules()});
+    Evaluation evaluation(rules, [](Name) { return nullptr; });
     machine_.bottom[content.slot].value = evaluation.value(*content.term);
     if (evaluation.exhausted)
       problem(member(bottom, machine_.slots[content.slot].name), "the evaluation of this term does not end");
