@@ -97,6 +97,7 @@ struct State {
   bool accepting = false;
   std::optional<Gate> gate;
   std::vector<Effect> enter;
+  bool passing = false;  ///< no word ends here
 };
 
 struct Transition {

@@ -71,6 +71,7 @@ void MachineReader::read_states(const Item& states) {
     if (!expect_object(item, "a state")) continue;
     read_gate(member(item, "gate"), known->second);
     machine_.states[known->second].enter = read_effects(member(item, "enter"));
+    machine_.states[known->second].passing = truth_of(member(item, "passing"), false);
   }
 }
 

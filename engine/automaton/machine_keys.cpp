@@ -30,7 +30,7 @@ const std::map<std::string, std::vector<std::string>, std::less<>>& machine_keys
         "examples"}},
       {"a slot", {"type", "persists", "about"}},
       {"a register", {"type", "initial", "about"}},
-      {"a state", {"gate", "enter", "about", "layout"}},
+      {"a state", {"gate", "enter", "passing", "about", "layout"}},
       {"a gate",
        {"when", "else", "push", "push_each", "pop", "rewrite", "rewrite_each", "flush", "pop_until", "none", "about"}},
       {"a transition",

@@ -5,7 +5,9 @@
 namespace continua {
 
 void SymbolSet::add(std::string_view symbol) {
-  if (symbol.ends_with('*'))
+  if (symbol.ends_with("\\*"))
+    names.insert(std::string(symbol.substr(0, symbol.size() - 2)) + '*');
+  else if (symbol.ends_with('*'))
     prefixes.emplace(symbol.substr(0, symbol.size() - 1));
   else
     names.emplace(symbol);
