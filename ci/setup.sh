@@ -8,7 +8,7 @@ packages=(
   libcpp-httplib-dev nlohmann-json3-dev libpugixml-dev libcli11-dev libfmt-dev libxxhash-dev libpng-dev zlib1g-dev
   catch2 librapidcheck-dev libbenchmark-dev
 )
-if [[ "${1:-}" == --tests ]]; then packages+=(chromium); fi
+if [[ "${1:-}" == --tests ]]; then packages+=(chromium python3-jsonschema); fi
 # Another npm than Debian's may be installed; Debian's would remove it.
 if ! command -v npm > /dev/null; then packages+=(nodejs npm); fi
 

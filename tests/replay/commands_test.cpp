@@ -62,6 +62,17 @@ TEST_CASE("validate finds every problem") {
   CHECK(check.problems[1].text() == "x:4: speech has no 'text' or 'alternatives'");
 }
 
+TEST_CASE("a broken machine is told line by line, and cannot be used") {
+  const TemporaryFolder folder;
+  const std::string text = "{\n  \"machine\": 1, \"nam\": \"m\", \"start\": 3 }\n";
+  const auto check = check_file(text, "m.json");
+  REQUIRE(check.problems.size() == 4);
+  CHECK(check.problems[2].text() == "m.json:2:17: unknown key 'nam' of a machine (did you mean 'name'?)");
+  CHECK(check_file("[]", "m.json").problems.at(0).text() == "m.json:1:1: found a list, expected a machine, an object");
+  CHECK(run_validate({{folder.file("m.json", text)}}) == exit_impossible);
+  CHECK(run_validate({{folder.file("m.json", "{")}}) == exit_impossible);
+}
+
 TEST_CASE("validate ends with 0 for valid, 1 for invalid, 2 for unreadable") {
   const TemporaryFolder folder;
   const auto good = folder.file("good.jsonl", trace), bad = folder.file("bad.jsonl", trace + "{}\n");
