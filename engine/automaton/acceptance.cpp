@@ -15,7 +15,9 @@ struct Acceptance::Work {
 
   bool accepting(const Saturation::Edge& edge) const {
     if (!system.ready(edge.control)) return false;
-    if (by == AcceptBy::final_state) return machine->states[system.state(edge.control)].accepting;
+    const auto& state = machine->states[system.state(edge.control)];
+    if (state.passing) return false;
+    if (by == AcceptBy::final_state) return state.accepting;
     return edge.rest == Saturation::end && system.is_bare_bottom(edge.symbol);
   }
 };
