@@ -10,7 +10,7 @@ Result<Machine> parse_machine(std::string_view text, const std::string& name, co
   if (!document) return document.error();
   MachineReader reader(*document, methods);
   auto machine = reader.read();
-  if (!reader.problems.empty()) return reader.problems.front();
+  if (auto problems = reader.problems(); !problems.empty()) return problems.front();
   return machine;
 }
 
@@ -28,7 +28,7 @@ std::vector<Error> check_machine(std::string_view text, const std::string& name,
   if (!document) return {document.error()};
   MachineReader reader(*document, methods);
   reader.read();
-  return std::move(reader.problems);
+  return reader.problems();
 }
 
 }  // namespace continua

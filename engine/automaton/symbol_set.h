@@ -4,13 +4,11 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace continua {
 
 struct SymbolSet {
-  std::set<std::string, std::less<>> names;
-  std::vector<std::string> prefixes;
+  std::set<std::string, std::less<>> names, prefixes;
 
   /// Adds a symbol; one that ends in `*` stands for all that begin with what is before it, in `\*` for itself without
   /// the backslash.
