@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "core/located_json.h"
+#include "replay/commands/accept.h"
 #include "replay/commands/import.h"
 #include "replay/commands/validate.h"
 #include "support/catch.h"
@@ -79,4 +80,42 @@ TEST_CASE("validate ends with 0 for valid, 1 for invalid, 2 for unreadable") {
   CHECK(run_validate({{good}}) == exit_done);
   CHECK(run_validate({{good, bad}}) == exit_no);
   CHECK(run_validate({{bad, folder.at("none")}}) == exit_impossible);
+}
+
+TEST_CASE("a word is its parts between spaces, or its characters") {
+  using Symbols = std::vector<std::string>;
+  CHECK(symbols_of_word("") == Symbols{});
+  CHECK(symbols_of_word("aé*") == Symbols{"a", "é", "*"});
+  CHECK(symbols_of_word("speech grab") == Symbols{"speech", "grab"});
+  CHECK(symbols_of_word("  ab  c ") == Symbols{"ab", "c"});
+  CHECK(symbols_of_word(" ") == Symbols{});
+}
+
+TEST_CASE("accept ends with 0 if all words are accepted, 1 if not, 2 if it cannot be said") {
+  const TemporaryFolder folder;
+  const auto json = folder.file(
+      "m.json",
+      R"({"machine":1,"name":"m","start":"A","accept":["A"],"transitions":[{"id":"go","from":"A","on":"go","to":"A"}]})");
+  const auto jff = folder.file("m.jff",
+                               "<structure><type>fa</type><state id='0'><initial/><final/></state>"
+                               "<transition><from>0</from><to>0</to><read>a</read></transition></structure>");
+  const auto words = folder.file("words.txt", "\naa\r\na");
+  CHECK(run_accept({json, {"", " go", "go go"}, "", false}) == exit_done);
+  CHECK(run_accept({json, {"go"}, "", false}) == exit_no);
+  CHECK(run_accept({jff, {"", "a", "a a"}, "", false}) == exit_done);
+  CHECK(run_accept({jff, {"a", "b"}, "", false}) == exit_no);
+  CHECK(run_accept({jff, {}, words, false}) == exit_done);
+  CHECK(run_accept({jff, {"b"}, words, false}) == exit_no);
+  CHECK(run_accept({jff, {}, "", false}) == exit_impossible);
+  CHECK(run_accept({jff, {"a"}, folder.at("none"), false}) == exit_impossible);
+  CHECK(run_accept({folder.at("none.jff"), {"a"}, "", false}) == exit_impossible);
+}
+
+TEST_CASE("validate knows JFLAP's files, by name or by root element") {
+  const std::string fa =
+      "<?xml version='1.0'?>\n<structure><type>fa</type><state id='0'><initial/></state></structure>";
+  CHECK(check_file(fa, "x").summary == "machine, 1 state, 0 transitions");
+  CHECK(check_file("\xEF\xBB\xBF" + fa, "x").problems.empty());
+  CHECK(check_file("<structure>\n<type>", "x").problems.at(0).text().find("x:2: not valid XML") == 0);
+  CHECK(check_file("hello", "x.jff").problems.at(0).text().find("x.jff:1: not valid XML") == 0);
 }
