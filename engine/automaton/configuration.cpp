@@ -1,34 +1,43 @@
 #include "automaton/configuration.h"
 
+#include <algorithm>
+
 namespace continua {
+namespace {
 
-struct History::Node {
-  StateIndex state;
-  Stack stack;
-  std::shared_ptr<const Node> older;
+bool same_top(const Stack& a, const Stack& b) {
+  return a.empty() || b.empty() ? a.empty() == b.empty() : same_values(a.top(), b.top());
+}
 
-  // As in Stack: no recursion over the length of a run.
-  ~Node() {
-    auto next = std::move(older);
-    while (next && next.use_count() == 1) next = std::move(const_cast<Node*>(next.get())->older);
-  }
-};
+}  // namespace
 
-History History::entered(StateIndex state, Stack stack) const {
+History History::entered(std::size_t landmark, std::size_t count, Stack stack) const {
+  auto entries = entries_ ? *entries_ : std::vector<Entries>(count);
+  entries[landmark].earlier = std::move(entries[landmark].latest);
+  entries[landmark].latest = std::move(stack);
   History grown;
-  grown.newest_ = std::make_shared<const Node>(Node{state, std::move(stack), newest_});
+  grown.entries_ = std::make_shared<const std::vector<Entries>>(std::move(entries));
   return grown;
 }
 
-const Stack* History::previous(StateIndex state) const {
-  if (!newest_) return nullptr;
-  for (const Node* entry = newest_->older.get(); entry; entry = entry->older.get())
-    if (entry->state == state) return &entry->stack;
-  return nullptr;
+const Stack* History::entry(std::size_t landmark, std::size_t skip) const {
+  if (!entries_) return nullptr;
+  const auto& found = skip == 0 ? (*entries_)[landmark].latest : (*entries_)[landmark].earlier;
+  return found.empty() ? nullptr : &found;
+}
+
+bool History::operator==(const History& other) const {
+  if (entries_ == other.entries_) return true;
+  if (!entries_ || !other.entries_) return false;
+  return std::equal(entries_->begin(), entries_->end(), other.entries_->begin(), other.entries_->end(),
+                    [](const Entries& a, const Entries& b) {
+                      return same_top(a.latest, b.latest) && same_top(a.earlier, b.earlier);
+                    });
 }
 
 bool Configuration::same_as(const Configuration& other) const {
-  return state == other.state && stack == other.stack && same_values(memory, other.memory);
+  return state == other.state && history == other.history && stack == other.stack &&
+         same_values(*memory, *other.memory);
 }
 
 }  // namespace continua

@@ -1,5 +1,5 @@
-// What the automaton is in: state, stack, the states it came through, and its registers. An immutable value that
-// shares structure (semantics §1).
+// What the automaton is in: state, stack, what it remembers of the states it came through, and its registers. An
+// immutable value that shares structure (semantics §1).
 #pragma once
 
 #include <memory>
@@ -12,26 +12,34 @@ namespace continua {
 /// Index of a state in Machine::states.
 using StateIndex = std::size_t;
 
-/// The entries of states so far, newest first, each with the stack as it was then.
+/// What pop_until can ask about the entries of states so far. Of each landmark, a state that some pop_until names, the
+/// two latest entries are kept, each with the stack as it was then: an earlier one can never be asked for again.
 class History {
  public:
-  History entered(StateIndex state, Stack stack) const;
-  /// The stack at the latest entry of `state` but for the newest entry of all, or nullptr if there is none.
-  const Stack* previous(StateIndex state) const;
+  /// `landmark`: index of the state among the machine's landmarks, of which there are `count`.
+  History entered(std::size_t landmark, std::size_t count, Stack stack) const;
+  /// The stack at the latest entry but `skip` of the landmark, or nullptr if there was none. `skip` is 1 while the
+  /// machine is in that state, since its latest entry is the present one; else 0.
+  const Stack* entry(std::size_t landmark, std::size_t skip) const;
+
+  /// No pop_until can tell them apart: the topmost symbols at the entries are the same.
+  bool operator==(const History& other) const;
 
  private:
-  struct Node;
-  std::shared_ptr<const Node> newest_;
+  struct Entries {
+    Stack latest, earlier;  ///< empty: none
+  };
+  std::shared_ptr<const std::vector<Entries>> entries_;
 };
 
 struct Configuration {
   StateIndex state = 0;
   Stack stack;
   History history;
-  std::vector<Cell> memory;  ///< one for each register, in the machine's order
-  int next_symbol = 0;       ///< id for the next symbol to be made
+  std::shared_ptr<const std::vector<Cell>> memory;  ///< one for each register, in the machine's order; never null
+  int next_symbol = 0;                              ///< id for the next symbol to be made
 
-  /// Same state, stack and registers: what decides how things go on, but for pop_until.
+  /// Everything that decides how things go on is the same; ids and what values came from do not count.
   bool same_as(const Configuration& other) const;
 };
 

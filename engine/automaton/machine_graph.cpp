@@ -115,9 +115,6 @@ void MachineReader::read_transitions(const Item& transitions) {
     if (machine_.transitions.size() > before && !ids.insert(machine_.transitions.back().id).second)
       problem(member(item, "id"), fmt::format("a second transition with the id '{}'", machine_.transitions.back().id));
   }
-  machine_.leaving.resize(machine_.states.size());
-  for (std::size_t i = 0; i < machine_.transitions.size(); ++i)
-    for (const auto from : machine_.transitions[i].from) machine_.leaving[from].push_back(i);
 }
 
 void MachineReader::read_transition(const Item& item) {

@@ -72,6 +72,7 @@ Machine MachineReader::read() {
   read_wordings(member(root, "wordings"));
   read_states(member(root, "states"));
   read_transitions(member(root, "transitions"));
+  machine_.index();
   return machine_;
 }
 
@@ -93,7 +94,7 @@ void MachineReader::read_header(const Item& root) {
     if (const auto policy = parse_choice(name))
       machine_.choice = *policy;
     else
-      problem(choice, fmt::format("unknown policy '{}'; expected likeliest, sample or unique", name));
+      problem(choice, fmt::format("unknown policy '{}'; expected {}", name, choice_names()));
   }
   if (const auto epsilon = member(root, "epsilon"); epsilon.json) {
     const auto when = text_of(epsilon, "when ε-transitions are tried");

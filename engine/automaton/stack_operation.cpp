@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "core/result.h"
+
 namespace continua {
 namespace {
 
@@ -42,7 +44,9 @@ class Worker {
   }
 
   void pop_until(const Operation& operation, const Configuration& before) {
-    const Stack* entry = before.history.previous(operation.state);
+    const auto landmark = machine_.landmark[operation.state];
+    require(landmark.has_value(), "a state that a pop_until names is a landmark");
+    const Stack* entry = before.history.entry(*landmark, before.state == operation.state ? 1 : 0);
     if (!entry) return flush(operation);
     while (result_.stack.depth() > 1 && !same_values(result_.stack.top(), entry->top()))
       result_.stack = result_.stack.pop();

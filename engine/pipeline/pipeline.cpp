@@ -25,8 +25,8 @@ Pipeline::Pipeline(std::shared_ptr<const Machine> machine, Choice choice, Perspe
 
 Tick Pipeline::begin(std::uint64_t seed, const WorldSnapshot& world) {
   Tick tick{EngineState{{}, Beliefs(machine_->beliefs), Random(seed), "", 0, 0}, {}};
-  methods_.see(&world, &tick.after.random);
-  Step step = stepper_.begin(tick.after.beliefs, choice_, tick.after.random);
+  methods_.see(&world, &tick.after.chooser.random);
+  Step step = stepper_.begin(tick.after.beliefs, tick.after.chooser);
   tick.after.configuration = std::move(step.after);
   behave(tick.after, std::move(step.events), tick.events);
   return tick;
@@ -35,7 +35,7 @@ Tick Pipeline::begin(std::uint64_t seed, const WorldSnapshot& world) {
 Tick Pipeline::tick(const EngineState& before, const InputEvent& event, const WorldSnapshot& world) {
   Tick tick{before, {}};
   EngineState& state = tick.after;
-  methods_.see(&world, &state.random);
+  methods_.see(&world, &state.chooser.random);
 
   const Input input = to_input(event, ++state.inputs);
   tick.events.push_back(Perceived{input.serial, input.symbol});
@@ -48,7 +48,7 @@ Tick Pipeline::tick(const EngineState& before, const InputEvent& event, const Wo
     return tick;
   }
   update_beliefs(state, input, tick.events);
-  Step step = stepper_.step(state.configuration, input, state.beliefs, choice_, state.random);
+  Step step = stepper_.step(state.configuration, input, state.beliefs, state.chooser);
   state.configuration = std::move(step.after);
   behave(state, std::move(step.events), tick.events);
   return tick;
