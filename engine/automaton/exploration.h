@@ -37,9 +37,9 @@ struct ExplorationStep {
   int pruned = 0;                 ///< configurations given up because the set was full, the lightest first
 };
 
-/// Carries the set on, breadth first: from each configuration every transition that takes the input, then every chain of
-/// ε-transitions, each of them taken and not taken, as in the textbook. Configurations that come out equal become one,
-/// with the larger weight. At most `limit` are kept.
+/// Carries the set on, breadth first: from each configuration every transition that takes the input, then every chain
+/// of ε-transitions, each of them taken and not taken, as in the textbook. Configurations that come out equal become
+/// one, with the larger weight. At most `limit` are kept.
 class Explorer {
  public:
   Explorer(Stepper& stepper, std::size_t limit) : stepper_(stepper), limit_(limit) {}

@@ -58,21 +58,10 @@ std::optional<bool> Firing::fire(const Chosen& chosen, Applicable found, int ste
   }
   apply(change(*where->operation));
   if (account_)
-    note(Fired{chosen.transition,
-               step,
-               configuration_.state,
-               where->state,
-               input_ ? std::optional(input_->symbol) : std::nullopt,
-               where->operation,
-               std::move(found.candidates),
-               std::move(found.refused),
-               std::move(where->gates),
-               chosen.probability,
-               chosen.draw,
-               chosen.forced,
-               configuration_.stack.id(),
-               configuration_.stack.depth(),
-               std::min(found.margin, where->margin)});
+    note(Fired{chosen.transition, step, configuration_.state, where->state,
+               input_ ? std::optional(input_->symbol) : std::nullopt, where->operation, std::move(found.candidates),
+               std::move(found.refused), std::move(where->gates), chosen.probability, chosen.draw, chosen.forced,
+               configuration_.stack.id(), configuration_.stack.depth(), std::min(found.margin, where->margin)});
   bool settles = machine_.epsilon_always || where->operation->is_rewrite();
   if (!where->rejected && perform_and_rewrite(transition.effects)) settles = true;
   enter(where->state);

@@ -86,8 +86,8 @@ bool Stepper::offer(Firing& firing, const Input& input, Chooser& chooser, std::v
   if (!chosen) {
     const auto state = firing.configuration().state;
     if (account)
-      account->push_back(RefusedInput{state, input.symbol, refusal_reason(*machine_, state, found, input),
-                                      std::move(found.refused)});
+      account->push_back(
+          RefusedInput{state, input.symbol, refusal_reason(*machine_, state, found, input), std::move(found.refused)});
     return false;
   }
   const auto settles = firing.fire(*chosen, std::move(found), chooser.steps);

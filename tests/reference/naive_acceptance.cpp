@@ -35,7 +35,7 @@ struct Exit {
 class Tabulation {
  public:
   Tabulation(const Machine& machine, const std::string& word) : machine_(machine), word_(word) {
-    lowest_.insert({{0, 0}, bottom(machine)});
+    lowest_.insert({{0, 0}, bottom});
     do {
       added_ = false;
       for (const auto& head : std::set<Head>(lowest_)) follow(head, true);
@@ -49,8 +49,7 @@ class Tabulation {
       return head.place.at == end && machine_.states[head.place.state].accepting;
     };
     for (const auto& head : lowest_)
-      if (by == Acceptance::final_state ? accepting(head) : head.place.at == end && head.top == bottom(machine_))
-        return true;
+      if (by == Acceptance::final_state ? accepting(head) : head.place.at == end && head.top == bottom) return true;
     for (const auto& [head, exits] : upper_)
       if (by == Acceptance::final_state && accepting(head)) return true;
     return false;
@@ -81,7 +80,7 @@ class Tabulation {
       case Kind::rewrite:
       case Kind::rewrite_each: {
         auto symbols = filled_each(operation, head.top);
-        if (symbols.empty() && lowest) symbols = {bottom(machine_)};
+        if (symbols.empty() && lowest) symbols = {bottom};
         if (symbols.empty()) return pop(head, lowest, to, head.top, 1);
         const Symbol first = symbols[0];
         symbols.erase(symbols.begin());

@@ -22,7 +22,7 @@ void pop(Stack& stack) {
   if (stack.size() > 1) stack.pop_back();
 }
 
-Stack operated(const Machine& machine, const Configuration& before, const Operation& operation) {
+Stack operated(const Configuration& before, const Operation& operation) {
   Stack stack = before.stack;
   const Symbol top = stack.back();
   switch (operation.kind) {
@@ -43,7 +43,7 @@ Stack operated(const Machine& machine, const Configuration& before, const Operat
         inherited = filled(content, inherited, top);
         stack.push_back(inherited);
       }
-      if (stack.empty()) stack = {bottom(machine)};
+      if (stack.empty()) stack = {bottom};
       break;
     }
     case Kind::flush:
@@ -51,7 +51,7 @@ Stack operated(const Machine& machine, const Configuration& before, const Operat
       break;
     case Kind::pop_until: {
       const auto wanted = previous_entry(before, operation.state);
-      if (!wanted) stack = {flushed(Pattern(top.size(), '.'), top)};
+      if (!wanted) stack = {flushed("..", top)};
       while (wanted && stack.size() > 1 && stack.back() != *wanted) pop(stack);
       break;
     }
@@ -127,17 +127,15 @@ Symbol filled(const Pattern& content, const Symbol& before, const Symbol& top) {
 Symbol flushed(const Pattern& content, const Symbol& top) {
   Symbol symbol = top;
   symbol[0] = '-';
-  if (symbol.size() > 1 && content[1] == '-') symbol[1] = '-';
+  if (content[1] == '-') symbol[1] = '-';
   return symbol;
 }
-
-Symbol bottom(const Machine& machine) { return Symbol(machine.slots, '-'); }
 
 bool same(const Machine& machine, const Configuration& a, const Configuration& b) {
   return a.state == b.state && a.stack == b.stack && seen_by_pop_until(machine, a) == seen_by_pop_until(machine, b);
 }
 
-Configuration start(const Machine& machine) { return {0, {bottom(machine)}, {{0, bottom(machine)}}}; }
+Configuration start() { return {0, {bottom}, {{0, bottom}}}; }
 
 std::vector<Transition> applicable(const Machine& machine, const Configuration& configuration,
                                    std::optional<char> input) {
@@ -165,12 +163,12 @@ std::optional<Configuration> fire(const Machine& machine, const Configuration& b
   if (!way) return std::nullopt;
   Configuration after = before;
   after.state = way->to;
-  after.stack = operated(machine, before, way->operation);
+  after.stack = operated(before, way->operation);
   after.history.push_back({after.state, after.stack.back()});
   return after;
 }
 
-Step begin(const Machine& machine) { return settled(machine, start(machine), false); }
+Step begin(const Machine& machine) { return settled(machine, start(), false); }
 
 Step step(const Machine& machine, const Configuration& before, char input) {
   const auto transition = chosen(machine, applicable(machine, before, input));

@@ -1,13 +1,14 @@
 // A second automaton, written from its definition alone and slowly: whole stacks and whole histories are copied, sets
 // are searched from end to end. The engine is held against it on small machines.
 //
-// A stack symbol is a text with a character for each slot: '-' is null. The slots are `symbol` and, in machines with
-// two, `held`, which persists. A pattern over the slots is a text of the same length:
+// A stack symbol has a character for each slot: '-' is null. The slots are `symbol` and `held`, which persists; a
+// machine with one slot leaves the second null. A pattern over the slots has a character for each, too:
 //
 //   condition   '.' anything   '-' 'A' 'B' this value
 //   content     '.' as before  '-' 'A' 'B' this value   '0' '1' what the slot of this number holds
 #pragma once
 
+#include <array>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,7 +17,7 @@
 
 namespace naive {
 
-using Symbol = std::string;
+using Symbol = std::array<char, 2>;
 using Pattern = std::string;
 using Stack = std::vector<Symbol>;  ///< the bottom first
 
@@ -79,7 +80,7 @@ Step begin(const Machine& machine);
 Step step(const Machine& machine, const Configuration& before, char input);
 
 /// The configuration of a run that has not yet tried any ε-transition.
-Configuration start(const Machine& machine);
+Configuration start();
 /// The transitions that apply, in file order. `input` is nullopt for ε.
 std::vector<Transition> applicable(const Machine& machine, const Configuration& configuration,
                                    std::optional<char> input);
@@ -96,7 +97,7 @@ bool fits(const Symbol& symbol, const Pattern& condition);
 /// Where '.' keeps what `before` has and '0' '1' copy from `top`, the topmost symbol before the operation.
 Symbol filled(const Pattern& content, const Symbol& before, const Symbol& top);
 Symbol flushed(const Pattern& content, const Symbol& top);
-Symbol bottom(const Machine& machine);
+inline const Symbol bottom = {'-', '-'};
 
 /// Whether everything goes on alike from both: state, stack, and as much of the history as a pop_until may look at.
 bool same(const Machine& machine, const Configuration& a, const Configuration& b);

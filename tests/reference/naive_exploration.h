@@ -13,10 +13,10 @@ namespace naive {
 /// Configurations of which no two are the same.
 using Configurations = std::vector<Configuration>;
 
-/// The configurations that ε-transitions lead to, those given included; nothing if there are more than `most`.
-std::optional<Configurations> with_epsilon(const Machine& machine, Configurations configurations, std::size_t most);
+/// All in which a run may be that has not yet read anything. Nothing if there are more than `most`.
+std::optional<Configurations> explored(const Machine& machine, std::size_t most);
 
-/// Those an input leads to, and ε-transitions from there; empty where none takes it. Nothing if more than `most`.
+/// All that an input leads to; empty where none takes it. Nothing if there are more than `most`.
 std::optional<Configurations> explored(const Machine& machine, const Configurations& before, char input,
                                        std::size_t most);
 

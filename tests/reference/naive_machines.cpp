@@ -120,9 +120,8 @@ class Sampler {
   }
 
   Pattern pattern(const std::string& first, const std::string& second) {
-    Pattern drawn(1, first[pick(static_cast<int>(first.size()))]);
-    if (machine_.slots > 1) drawn += second[pick(static_cast<int>(second.size()))];
-    return drawn;
+    const auto any_in = [this](const std::string& these) { return these[pick(static_cast<int>(these.size()))]; };
+    return {any_in(first), machine_.slots > 1 ? any_in(second) : '.'};
   }
   Pattern condition() { return pattern("...AB-", "....AB-"); }
   Pattern content() { return machine_.slots > 1 ? pattern(".-AB1", "..-AB0") : pattern(".-AABB", ""); }
