@@ -63,12 +63,12 @@ TEST_CASE("every machine of the knowledge folder is sound, and its examples end 
     auto loaded = load_machine(file.path().string(), Methods::signature());
     if (!loaded) FAIL(loaded.error().text());
     const auto machine = std::make_shared<const Machine>(std::move(*loaded));
-    Pipeline pipeline(machine, machine->choice, Perspective::human);
+    Pipeline pipeline(machine, Perspective::human);
     const WorldSnapshot empty_table;
     for (const auto& example : Json::parse(machine->document).value("examples", Json::array())) {
       const auto input = example["input"].get<std::string>();
       CAPTURE(file.path(), input);
-      auto state = pipeline.begin(0, empty_table).after;
+      auto state = pipeline.begin({machine->choice, Random(0), {}, 0}, empty_table).after;
       for (const auto& symbol : split(input, ", ")) {
         REQUIRE(symbol_of(event_of(symbol)) == symbol);
         state = pipeline.tick(state, event_of(symbol), empty_table).after;
