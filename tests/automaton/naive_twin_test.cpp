@@ -1,6 +1,5 @@
 // The engine against the naive twin: the same machines, every word up to a length, compared after every symbol.
 #include <algorithm>
-#include <cstdlib>
 #include <deque>
 #include <set>
 
@@ -9,20 +8,13 @@
 #include "reference/naive_automaton.h"
 #include "reference/naive_exploration.h"
 #include "reference/naive_machines.h"
+#include "twin_samples.h"
 
 using namespace continua;
 
 namespace {
 
-const std::size_t longest_word = 6;
-const std::size_t most_compared = 40;
 const std::size_t most_configurations = 10 * most_compared;
-
-// How many machines are drawn; CONTINUA_TWIN_MACHINES asks for more than a test run has time for.
-std::uint64_t samples() {
-  const char* wanted = std::getenv("CONTINUA_TWIN_MACHINES");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : 400;
-}
 
 // As the twin has it.
 naive::Stack stack_of(Stack stack) {
@@ -107,10 +99,6 @@ std::string seen_after(const naive::Configurations& configurations) {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
-struct Agreement {
-  std::size_t machines = 0, words = 0;
-};
-
 // Every word in order of length. What ε-transitions blow up without end is slow to copy: such a machine is left there.
 void compare_words(const naive::Machine& machine, Agreement& agreed) {
   const std::string text = naive::json(machine);
@@ -175,18 +163,18 @@ TEST_CASE("the engine does what its naive twin does, with every two operations")
 
 TEST_CASE("the engine does what its naive twin does, on sampled machines and all short words") {
   Agreement agreed;
-  for (std::uint64_t number = 0; number < samples(); ++number) {
+  for (std::uint64_t number = 0; number < samples(400); ++number) {
     CAPTURE(number);
     compare_words(naive::sampled_machine(number), agreed);
   }
-  WARN(agreed.machines << " machines and " << agreed.words << " words agree");
+  agreed.tell();
 }
 
 TEST_CASE("the engine explores what its naive twin explores, on sampled machines and all short words") {
   Agreement agreed;
-  for (std::uint64_t number = 0; number < samples(); ++number) {
+  for (std::uint64_t number = 0; number < samples(400); ++number) {
     CAPTURE(number);
     compare_sets(naive::sampled_machine(number), agreed);
   }
-  WARN(agreed.machines << " machines and " << agreed.words << " words agree");
+  agreed.tell();
 }
