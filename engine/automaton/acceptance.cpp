@@ -14,7 +14,7 @@ struct Acceptance::Work {
   PushdownSystem system;
 
   bool accepting(const Saturation::Edge& edge) const {
-    if (!system.ready(edge.control)) return false;
+    if (!system.ready(edge.control) || machine->states[system.state(edge.control)].passing) return false;
     if (by == AcceptBy::final_state) return machine->states[system.state(edge.control)].accepting;
     return edge.rest == Saturation::end && system.is_bare_bottom(edge.symbol);
   }

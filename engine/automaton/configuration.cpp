@@ -1,6 +1,7 @@
 #include "automaton/configuration.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace continua {
 namespace {
@@ -11,28 +12,27 @@ bool same_top(const Stack& a, const Stack& b) {
 
 }  // namespace
 
-History History::entered(std::size_t landmark, std::size_t count, Stack stack) const {
-  auto entries = entries_ ? *entries_ : std::vector<Entries>(count);
-  entries[landmark].earlier = std::move(entries[landmark].latest);
-  entries[landmark].latest = std::move(stack);
-  History grown;
-  grown.entries_ = std::make_shared<const std::vector<Entries>>(std::move(entries));
-  return grown;
+History History::entered(std::optional<std::size_t> landmark, std::size_t count, const Stack& stack) const {
+  History after;
+  after.latest_ = latest_;
+  if (!landmark) return after;
+  auto latest = latest_ ? *latest_ : std::vector<Stack>(count);
+  after.before_ = std::exchange(latest[*landmark], stack);
+  after.latest_ = std::make_shared<const std::vector<Stack>>(std::move(latest));
+  return after;
 }
 
-const Stack* History::entry(std::size_t landmark, std::size_t skip) const {
-  if (!entries_) return nullptr;
-  const auto& found = skip == 0 ? (*entries_)[landmark].latest : (*entries_)[landmark].earlier;
+const Stack* History::entry(std::size_t landmark, bool present) const {
+  if (!latest_) return nullptr;
+  const auto& found = present ? before_ : (*latest_)[landmark];
   return found.empty() ? nullptr : &found;
 }
 
 bool History::operator==(const History& other) const {
-  if (entries_ == other.entries_) return true;
-  if (!entries_ || !other.entries_) return false;
-  return std::equal(entries_->begin(), entries_->end(), other.entries_->begin(), other.entries_->end(),
-                    [](const Entries& a, const Entries& b) {
-                      return same_top(a.latest, b.latest) && same_top(a.earlier, b.earlier);
-                    });
+  if (!same_top(before_, other.before_)) return false;
+  if (latest_ == other.latest_) return true;
+  if (!latest_ || !other.latest_) return false;
+  return std::equal(latest_->begin(), latest_->end(), other.latest_->begin(), other.latest_->end(), same_top);
 }
 
 bool Configuration::same_as(const Configuration& other) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "automaton/stack.h"
@@ -12,24 +13,24 @@ namespace continua {
 /// Index of a state in Machine::states.
 using StateIndex = std::size_t;
 
-/// What pop_until can ask about the entries of states so far. Of each landmark, a state that some pop_until names, the
-/// two latest entries are kept, each with the stack as it was then: an earlier one can never be asked for again.
+/// What pop_until can ask about the entries of states so far: for each landmark, a state that some pop_until names, the
+/// stack at its latest entry; for the state the machine is in, which was entered just now, that of the entry before.
+/// Nothing earlier can ever be asked for.
 class History {
  public:
-  /// `landmark`: index of the state among the machine's landmarks, of which there are `count`.
-  History entered(std::size_t landmark, std::size_t count, Stack stack) const;
-  /// The stack at the latest entry but `skip` of the landmark, or nullptr if there was none. `skip` is 1 while the
-  /// machine is in that state, since its latest entry is the present one; else 0.
-  const Stack* entry(std::size_t landmark, std::size_t skip) const;
+  /// A state was entered. `landmark`: its number among the machine's landmarks, of which there are `count`; nullopt if
+  /// it is none.
+  History entered(std::optional<std::size_t> landmark, std::size_t count, const Stack& stack) const;
+  /// The stack at the latest entry of the landmark; while the machine is in it (`present`) at the one before that.
+  /// nullptr if there was none.
+  const Stack* entry(std::size_t landmark, bool present) const;
 
   /// No pop_until can tell them apart: the topmost symbols at the entries are the same.
   bool operator==(const History& other) const;
 
  private:
-  struct Entries {
-    Stack latest, earlier;  ///< empty: none
-  };
-  std::shared_ptr<const std::vector<Entries>> entries_;
+  std::shared_ptr<const std::vector<Stack>> latest_;  ///< empty stack: never entered
+  Stack before_;                                      ///< empty: no landmark, or entered for the first time
 };
 
 struct Configuration {

@@ -71,8 +71,9 @@ std::optional<bool> Firing::fire(const Chosen& chosen, Applicable found, int ste
 
 void Firing::enter(StateIndex state) {
   configuration_.state = state;
-  if (const auto landmark = machine_.landmark[state])
-    configuration_.history = configuration_.history.entered(*landmark, machine_.landmarks, configuration_.stack);
+  if (machine_.landmarks > 0)
+    configuration_.history =
+        configuration_.history.entered(machine_.landmark[state], machine_.landmarks, configuration_.stack);
 }
 
 void Firing::forget_input() { input_ = nullptr; }

@@ -97,6 +97,7 @@ struct State {
   bool accepting = false;
   std::optional<Gate> gate;
   std::vector<Effect> enter;
+  bool passing = false;  ///< no word ends here
 };
 
 struct Transition {
@@ -118,6 +119,21 @@ struct Wording {
   std::optional<Term> when;
   Template say;
 };
+
+/// Inputs, and the state that they lead to.
+struct RunExample {
+  std::vector<std::string> inputs;
+  StateIndex ends = 0;
+};
+
+/// A word, and whether the machine accepts it as automata classically do.
+struct WordExample {
+  std::vector<std::string> word;
+  bool accepted = true;
+  bool by_empty_stack = false;  ///< else by final state
+};
+
+using Example = std::variant<RunExample, WordExample>;
 
 /// The transitions that leave a state, each list in file order.
 struct Exits {
@@ -149,6 +165,7 @@ struct Machine {
   std::string perspective;  ///< "human", "avatar" or empty
 
   std::vector<Slot> slots;
+  Symbol bottom;  ///< the symbol at the bottom of every stack
   std::vector<Register> memory;
   std::vector<State> states;
   std::vector<Transition> transitions;
@@ -160,6 +177,7 @@ struct Machine {
   std::vector<Wording> wordings;
   BeliefTable beliefs;
   Signature programs;
+  std::vector<Example> examples;
 
   std::map<std::string, std::size_t, std::less<>> slot_index, register_index;
 

@@ -18,9 +18,9 @@ std::string key_of(const Configuration& configuration, std::size_t landmarks) {
   auto key = std::to_string(configuration.state) + '\n';
   append_key(key, *configuration.memory);
   for (std::size_t landmark = 0; landmark < landmarks; ++landmark)
-    for (const std::size_t skip : {0, 1})
-      if (const auto* entry = configuration.history.entry(landmark, skip)) {
-        key += std::to_string(2 * landmark + skip) + '\n';
+    for (const bool present : {false, true})
+      if (const auto* entry = configuration.history.entry(landmark, present)) {
+        key += std::to_string(2 * landmark + present) + '\n';
         append_key(key, entry->top());
       }
   return key;
@@ -143,6 +143,7 @@ int PushdownSystem::entering(const Configuration& configuration, StateIndex to, 
   next.configuration = configuration;
   if (machine_->states[to].enter.empty() && !machine_->landmark[to]) {
     next.configuration.state = to;
+    next.configuration.history = configuration.history.entered(std::nullopt, machine_->landmarks, Stack());
   } else {
     next.motion = Motion::entry;
     next.to = to;
@@ -198,7 +199,7 @@ PushdownRule PushdownSystem::moved(const Change& change, const Configuration& be
   if (operation.kind == Kind::pop) return popped(operation.count, symbol, then);
   const Stack* target = nullptr;
   if (operation.kind == Kind::pop_until)
-    target = before.history.entry(*machine_->landmark[operation.state], before.state == operation.state ? 1 : 0);
+    target = before.history.entry(*machine_->landmark[operation.state], before.state == operation.state);
   if (target) return popped_until(target->top(), symbol, then);
   if (operation.kind == Kind::flush || operation.kind == Kind::pop_until) {
     Configuration alone;

@@ -46,8 +46,9 @@ Configuration Stepper::initial() const {
   configuration.memory = std::make_shared<const std::vector<Cell>>(std::move(memory));
   configuration.state = machine_->start;
   configuration.stack = configuration.stack.push(bottom_symbol(*machine_), configuration.next_symbol++);
-  if (const auto landmark = machine_->landmark[machine_->start])
-    configuration.history = configuration.history.entered(*landmark, machine_->landmarks, configuration.stack);
+  if (machine_->landmarks > 0)
+    configuration.history = configuration.history.entered(machine_->landmark[machine_->start], machine_->landmarks,
+                                                          configuration.stack);
   return configuration;
 }
 
@@ -91,7 +92,15 @@ bool Stepper::offer(Firing& firing, const Input& input, Chooser& chooser, std::v
     return false;
   }
   const auto settles = firing.fire(*chosen, std::move(found), chooser.steps);
-  if (!settles) return false;
+  if (!settles) {
+    if (account)
+      account->push_back(RefusedInput{firing.configuration().state,
+                                      input.symbol,
+                                      fmt::format("the gates that {} leads to refuse one another in a circle",
+                                                  machine_->transitions[chosen->transition].id),
+                                      {}});
+    return false;
+  }
   firing.forget_input();
   if (*settles) settle(firing, chooser, account);
   return true;

@@ -130,7 +130,7 @@ TEST_CASE("pop takes the top off, and the bottom symbol stays, however often it 
 TEST_CASE("a rewrite replaces the top, then ε-transitions are tried; an empty list exposes what is below") {
   const std::string text =
       R"json({"machine":1,"name":"m","start":"A","epsilon":"after_rewrite","slots":{"n":"num","m":"num"},
-    "states":{"B":{"enter":[{"rewrite":{"n":"n + 1"}},{"say":"never said"}]},"E":{"enter":[{"rewrite_each":{"n":"[]"}}]}},
+    "states":{"B":{"enter":[{"when":"n = 1","rewrite":{"n":"n + 1"}},{"say":"never said"}]},"E":{"enter":[{"rewrite_each":{"n":"[]"}}]}},
     "transitions":[
     {"id":"b","from":"A","on":"b","to":"B","push":{"n":"1","m":"5"}},
     {"id":"on","from":"B","on":null,"when":"n = 2","to":"C"},
