@@ -66,7 +66,7 @@ TEST_CASE("the engine accepts the words that its naive twin accepts, also where 
   naive::Limits limits;
   limits.pop_until = limits.after_rewrite = false;
   Agreement agreed;
-  for (std::uint64_t number = 0; number < samples(60); ++number) {
+  for (std::uint64_t number = 0; number < samples(40); ++number) {
     CAPTURE(number);
     compare_acceptance(naive::sampled_machine(number, limits), true, agreed);
   }
@@ -77,7 +77,7 @@ TEST_CASE("the engine accepts the words that its naive twin accepts, with pop_un
   naive::Limits limits;
   limits.after_rewrite = false;
   Agreement agreed;
-  for (std::uint64_t number = 0; number < samples(60); ++number) {
+  for (std::uint64_t number = 0; number < samples(40); ++number) {
     CAPTURE(number);
     compare_acceptance(naive::sampled_machine(number, limits), false, agreed);
   }

@@ -161,14 +161,15 @@ TEST_CASE("a gate stands before ε-transitions too") {
   const auto after = [](const std::string& gate, const std::string& word) {
     Player player(R"({"machine":1,"name":"m","start":"S","slots":{"n":"num","held":"num"},
       "states":{"X":{"gate":)" +
-                  gate + R"(},"E":{}},"transitions":[
+                  gate + R"(},"E":{"gate":{"when":"n < 3","else":"X"}}},"transitions":[
       {"id":"a","from":"S","on":"a","to":"A","push":{"n":"1"}},
       {"id":"b","from":"S","on":"b","to":"A","push":{"n":"2"}},
+      {"id":"c","from":"S","on":"c","to":"A","push":{"n":"3"}},
       {"id":"on","from":"A","on":null,"to":"X","push":{"n":"5"}}]})");
     return seen(player.feed(word));
   };
   const std::string elsewhere = R"({"when":"n = 1","else":"E","push":{"n":"6"}})";
   CHECK(after(elsewhere, "a") == "X: - 1 5");
   CHECK(after(elsewhere, "b") == "E: - 2 6");
-  CHECK(after(R"({"when":"n = 1","else":"X"})", "b") == "A: - 2 trouble");
+  CHECK(after(elsewhere, "c") == "A: - 3 trouble");
 }

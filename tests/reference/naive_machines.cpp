@@ -102,9 +102,11 @@ class Sampler {
     machine_.unique = one_in(6);
     machine_.epsilon_always = !limits_.after_rewrite || !one_in(6);
     machine_.states.resize(1 + pick(3));
-    for (auto& state : machine_.states) {
-      state.accepting = one_in(2);
-      if (limits_.gates && one_in(5)) state.gate = Gate{condition(), any_state(), operation()};
+    const int states = static_cast<int>(machine_.states.size());
+    for (int i = 0; i < states; ++i) {
+      machine_.states[i].accepting = one_in(2);
+      if (states > 1 && one_in(4))
+        machine_.states[i].gate = Gate{condition(), (i + 1 + pick(states - 1)) % states, operation()};
     }
     for (int count = 2 + pick(6); count > 0; --count) machine_.transitions.push_back(transition());
     return machine_;

@@ -17,7 +17,6 @@ std::vector<Machine> machines_of_two_operations();
 
 /// What a sampled machine may have.
 struct Limits {
-  bool gates = true;
   bool pop_until = true;
   bool after_rewrite = true;
 };
