@@ -1,8 +1,8 @@
 // A machine as a pushdown system: what may happen in a control with a symbol on top, found out when it is asked for.
 //
 // Configurations of a machine hold terms, so controls and stack symbols are numbered as they turn up. A control is a
-// state with registers and history; between the parts of a transition (automaton/firing.h) also what is left to do, such
-// as to go on popping. The topmost symbol is all that a rule sees, and a rule puts a word of symbols in its place.
+// state with registers and history; between the parts of a transition (automaton/firing.h) also what is left to do,
+// such as to go on popping. The topmost symbol is all that a rule sees, and a rule puts a word of symbols in its place.
 #pragma once
 
 #include <compare>
