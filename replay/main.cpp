@@ -10,6 +10,7 @@
 #include "replay/commands/command.h"
 #include "replay/commands/export.h"
 #include "replay/commands/import.h"
+#include "replay/commands/machine.h"
 #include "replay/commands/replay.h"
 #include "replay/commands/serve.h"
 #include "replay/commands/validate.h"
@@ -19,7 +20,8 @@ namespace continua {
 namespace {
 
 constexpr std::array commands = {
-    add_replay_command, add_serve_command, add_export_command, add_import_command, add_validate_command,
+    add_replay_command,  add_serve_command,  add_export_command,
+    add_machine_command, add_import_command, add_validate_command,
 };
 
 std::vector<std::string> options_of(const CLI::App& command) {
