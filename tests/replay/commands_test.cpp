@@ -1,7 +1,10 @@
 #include <filesystem>
 
 #include "core/located_json.h"
+#include "inspector_log.h"
+#include "replay/commands/export.h"
 #include "replay/commands/import.h"
+#include "replay/commands/machine.h"
 #include "replay/commands/validate.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
@@ -68,4 +71,30 @@ TEST_CASE("validate ends with 0 for valid, 1 for invalid, 2 for unreadable") {
   CHECK(run_validate({{good}}) == exit_done);
   CHECK(run_validate({{good, bad}}) == exit_no);
   CHECK(run_validate({{bad, folder.at("none")}}) == exit_impossible);
+}
+
+TEST_CASE("machine describes a machine, or draws it") {
+  const TemporaryFolder folder;
+  const auto file = folder.file("m.json", R"({"machine":1,"name":"m","start":"A","transitions":[)"
+                                          R"({"id":"a","from":"A","on":"x","to":"B"}]})");
+  CHECK(run_machine({file, "", false, false, folder.at("m.txt")}) == exit_done);
+  CHECK(read_file(folder.at("m.txt")).value() == "m: 2 states, 1 transition, 1 input, 0 slots\n");
+  CHECK(run_machine({file, "", true, false, folder.at("m.dot")}) == exit_done);
+  CHECK(read_file(folder.at("m.dot")).value().starts_with("digraph \"m\" {\n"));
+  CHECK(run_machine({"diana2018", "", false, true, folder.at("d.svg")}) == exit_done);
+  CHECK(read_file(folder.at("d.svg")).value().starts_with("<svg "));
+  CHECK(run_machine({file, "", false, true, folder.at("no/such/folder/m.svg")}) == exit_impossible);
+  CHECK(run_machine({"no such machine", "", false, true, "-"}) == exit_impossible);
+  CHECK(run_machine({folder.file("bad.json", "{}"), "", false, true, "-"}) == exit_impossible);
+}
+
+TEST_CASE("export draws what a run visited") {
+  const TemporaryFolder folder;
+  const auto run = folder.file("small.run.jsonl", small_log().text());
+  CHECK(run_export({run, "dot", folder.at("small.dot")}) == exit_done);
+  CHECK(read_file(folder.at("small.dot")).value().find("1× d") != std::string::npos);
+  CHECK(run_export({run, "svg", folder.at("small.svg")}) == exit_done);
+  CHECK(read_file(folder.at("small.svg")).value().find("1× d") != std::string::npos);
+  CHECK(run_export({folder.file("none.run.jsonl", "{\"kind\":\"run\",\"n\":0,\"t\":0,\"version\":1}\n"), "svg", "-"}) ==
+        exit_impossible);
 }

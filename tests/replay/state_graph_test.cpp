@@ -76,6 +76,13 @@ Json hostile_graph() {
   return {{"states", states}, {"start", hostile_names[0]}, {"edges", edges}};
 }
 
+// U+FFFF may not stand in XML.
+std::string in_xml(std::string text) {
+  for (auto at = text.find("\xEF\xBF\xBF"); at != text.npos; at = text.find("\xEF\xBF\xBF"))
+    text.replace(at, 3, "\xEF\xBF\xBD");
+  return text;
+}
+
 }  // namespace
 
 TEST_CASE("a label has input, condition, weight and operation, as far as there are any") {
@@ -100,7 +107,7 @@ TEST_CASE("long parts of a label are cut between characters, and stand in full b
   for (int i = 0; i < 40; ++i) word += "λ";
   const auto graph = graph_of_text(machine_with(R"({"id":"a","from":"A","on":")" + word + R"(","to":"B"})"));
   const auto arrow = arrows_of(graph).at(0);
-  CHECK(columns(arrow.lines.at(0)) == 24);
+  CHECK(columns(arrow.lines.at(0)) == 18);
   CHECK(arrow.lines[0].ends_with("λ…"));
   CHECK(arrow.full.at(0) == "a: " + word);
 }
@@ -153,7 +160,7 @@ TEST_CASE("a run's graph counts what was visited") {
 
 TEST_CASE("what a gate rejected was taken up to the gate, and from there") {
   const auto machine = parse_machine(machine_with(R"({"id":"in","from":"A","on":"x","to":"B"})",
-                                                  R"("states":{"B":{"gate":{"when":"region = null","else":"C"}}},)"),
+                                                  R"("states":{"B":{"gate":{"when":"region = null","else":"C"}},"C":{}},)"),
                                      "m.json", {});
   const ScratchFolder folder;
   for (const bool gate_known : {true, false}) {
@@ -170,7 +177,7 @@ TEST_CASE("what a gate rejected was taken up to the gate, and from there") {
     auto text = arrows_text(*graph);
     CHECK_THAT(text, Contains("A->B: 2× x\n"));
     CHECK_THAT(text, Contains(gate_known ? "! B->C: 1× [not (region = null)]\n" : "! B->C: 1× gate\n"));
-    CHECK(titles_of(*svg_of(*graph)).count("arrow rejected taken") == 1);
+    CHECK(titles_of(*svg_of(*graph)).count("arrow taken rejected") == 1);
   }
 }
 
@@ -193,28 +200,21 @@ TEST_CASE("the picture has each state and each arrow, whatever they are called")
   const auto titles = titles_of(*svg);
   std::multiset<std::string> found, expected;
   for (const auto& [kind, title] : titles) found.insert(kind + " " + title);
-  const auto visible = [](std::string text) {  // U+FFFF may not stand in XML
-    for (auto at = text.find("\xEF\xBF\xBF"); at != text.npos; at = text.find("\xEF\xBF\xBF"))
-      text.replace(at, 3, "\xEF\xBF\xBD");
-    return text;
-  };
-  for (const auto& state : graph->states) expected.insert(visible("state " + state.name));
-  for (const auto& edge : graph->edges) {
-    const auto& input = edge.input;
-    expected.insert(visible("arrow " + graph->states[*edge.from].name + " → " + graph->states[edge.to].name + "\n" +
-                            edge.id + ": " + input + (edge.condition.empty() ? "" : " [" + edge.condition + "]") +
-                            " / push " + input + ": " + input));
-  }
-  expected.insert("arrow start ");
-  CHECK(found.size() == expected.size());
+  for (const auto& state : graph->states) expected.insert("state " + in_xml(state.name));
+  for (const auto& arrow : arrows_of(*graph))
+    for (const std::string part : {"arrow ", "label "})
+      expected.insert(in_xml(part + graph->states[*arrow.from].name + " → " + graph->states[arrow.to].name + "\n" +
+                             arrow.full.at(0)));
+  expected.insert("arrow start start");
+  CHECK(found == expected);
 }
 
 TEST_CASE("dot text quotes what is special in it") {
   const auto dot = dot_of(*state_graph_of(hostile_graph(), "m \"x\" \\"));
-  for (const char* part : {R"(digraph "m \"x\" \\" {)", R"([label="\"quoted\"" )", R"([label="back\\slash\\" )",
-                           R"([label="new␊line␉tab" )", R"([label="<b>&amp;amp;</b>" )", R"([label="\\N\\G\\l" )",
-                           R"(s12 [label="s0" )", "label=\"積木"})
-    CHECK_THAT(dot, Contains(part) || Contains("λ ε 積木 🤖"));
+  for (const char* part : {R"(digraph "m \"x\" \\" {)", R"( [label="\"quoted\"" )", R"( [label="back\\slash\\" )",
+                           R"( [label="new␊line␉tab" )", R"( [label="λ ε 積木 🤖" )",
+                           R"( [label="<b>&amp;amp;</b>" )", R"( [label="\\N\\G\\l" )", R"(s12 [label="s0" )"})
+    CHECK_THAT(dot, Contains(part));
 }
 
 TEST_CASE("loops that consume an input leave their state above, ε-loops below") {
@@ -224,8 +224,8 @@ TEST_CASE("loops that consume an input leave their state above, ε-loops below")
   REQUIRE(document.load_string(svg_of(graph)->c_str()));
   const auto y = [&](const char* path) { return document.select_node(path).node().attribute("y").as_double(); };
   const double box = y("//g[@class='state']/rect");
-  CHECK(y("//g[@class='arrow'][contains(title, '1:')]//tspan") < box);
-  CHECK(y("//g[@class='arrow'][contains(title, '2:')]//tspan") > box + 32);
+  CHECK(y("//g[@class='label'][contains(title, '1:')]//tspan") < box);
+  CHECK(y("//g[@class='label'][contains(title, '2:')]//tspan") > box + 32);
   CHECK_THAT(dot_of(graph), Contains(R"(tooltip="1: x" tailport=n headport=n)"));
   CHECK_THAT(dot_of(graph), Contains(R"(tooltip="2: ε" tailport=s headport=s)"));
 }
@@ -236,12 +236,14 @@ TEST_CASE("the same graph gives the same bytes") {
   CHECK(dot_of(*graph) == dot_of(*state_graph_of(hostile_graph(), "m")));
 }
 
-TEST_CASE("a picture with too many arrows is refused") {
+TEST_CASE("a picture that would take minutes is refused") {
   StateGraph graph{"big", 0, {}, {}};
-  for (std::size_t i = 0; i < 70; ++i) graph.states.push_back({std::to_string(i), false, "", std::nullopt});
-  for (std::size_t i = 0; i < 70; ++i)
-    for (std::size_t k = 0; k < 70; ++k) graph.edges.push_back({i, k, "t", "x", false, false, "", "", 1, std::nullopt});
+  const std::size_t count = 300;
+  for (std::size_t i = 0; i < count; ++i) graph.states.push_back({std::to_string(i), false, "", std::nullopt});
+  for (std::size_t i = 0; i + 1 < count; ++i)
+    for (const auto to : {i + 1, i * i % count, (7 * i + 3) % count, (i * i * i + 5) % count})
+      if (to != i) graph.edges.push_back({i, to, "t", "x", false, false, "", "", 1, std::nullopt});
   const auto svg = svg_of(graph);
   REQUIRE_FALSE(svg.ok());
-  CHECK_THAT(svg.error().text(), Contains("big: has 4900 arrows"));
+  CHECK(svg.error().text().starts_with("big: is too entangled to be drawn"));
 }
