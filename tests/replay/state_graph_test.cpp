@@ -159,9 +159,10 @@ TEST_CASE("a run's graph counts what was visited") {
 }
 
 TEST_CASE("what a gate rejected was taken up to the gate, and from there") {
-  const auto machine = parse_machine(machine_with(R"({"id":"in","from":"A","on":"x","to":"B"})",
-                                                  R"("states":{"B":{"gate":{"when":"region = null","else":"C"}},"C":{}},)"),
-                                     "m.json", {});
+  const auto machine =
+      parse_machine(machine_with(R"({"id":"in","from":"A","on":"x","to":"B"})",
+                                 R"("states":{"B":{"gate":{"when":"region = null","else":"C"}},"C":{}},)"),
+                    "m.json", {});
   const ScratchFolder folder;
   for (const bool gate_known : {true, false}) {
     auto header = graph_of(*machine);
