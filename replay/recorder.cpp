@@ -92,12 +92,12 @@ void Recorder::one(const Fired& fired) {
   Json candidates = Json::array();
   for (const auto& candidate : fired.candidates)
     candidates.push_back({{"id", machine_.transitions[candidate.transition].id}, {"weight", candidate.weight}});
-  Json gate;
-  if (fired.gate)
-    gate = {{"state", machine_.states[fired.gate->state].name},
-            {"condition", fired.gate->condition},
-            {"passed", fired.gate->passed}};
+  Json gates = Json::array();
+  for (const auto& gate : fired.gates)
+    gates.push_back(
+        {{"state", machine_.states[gate.state].name}, {"condition", gate.condition}, {"passed", gate.passed}});
   cause_ = write("transition", {{"id", transition.id},
+                                {"step", fired.step},
                                 {"from", machine_.states[fired.from].name},
                                 {"to", machine_.states[fired.to].name},
                                 {"input", optional_text(fired.input)},
@@ -105,12 +105,33 @@ void Recorder::one(const Fired& fired) {
                                 {"weight", transition.weight},
                                 {"probability", fired.probability},
                                 {"draw", fired.draw ? Json(*fired.draw) : Json(nullptr)},
+                                {"forced", fired.forced},
                                 {"candidates", std::move(candidates)},
                                 {"refused", refusals(fired.refused)},
-                                {"gate", std::move(gate)},
+                                {"gates", std::move(gates)},
                                 {"stack", fired.stack},
                                 {"depth", fired.depth},
                                 {"margin", std::isfinite(fired.margin) ? Json(fired.margin) : Json(nullptr)}});
+}
+
+void Recorder::one(const Explored& explored) {
+  Json branches = Json::array();
+  for (const auto& branch : explored.branches) {
+    Json by = Json::array();
+    for (const auto transition : branch.by) by.push_back(machine_.transitions[transition].id);
+    branches.push_back({{"id", branch.id},
+                        {"parent", branch.parent},
+                        {"state", machine_.states[branch.configuration.state].name},
+                        {"stack", branch.configuration.stack.id()},
+                        {"depth", branch.configuration.stack.depth()},
+                        {"weight", branch.weight},
+                        {"settled", branch.settled},
+                        {"by", std::move(by)}});
+  }
+  write("branches", {{"branches", std::move(branches)},
+                     {"dropped", explored.dropped},
+                     {"merged", explored.merged},
+                     {"pruned", explored.pruned}});
 }
 
 void Recorder::one(const MadeSymbol& made) {

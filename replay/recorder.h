@@ -45,6 +45,7 @@ class Recorder {
   void one(const Perceived& perceived);
   void one(const BeliefChange& change);
   void one(const StepEvent& step);
+  void one(const Explored& explored);
   void one(const Commanded& commanded);
   void one(const Unplanned& unplanned);
   void one(const Fired& fired);

@@ -5,12 +5,16 @@ namespace continua {
 Json run_fields(const RunHeader& header) {
   Json scene{{"name", header.scene_name}, {"digest", header.scene_digest}, {"mjcf", header.scene_mjcf}};
   for (const auto& [key, value] : header.scene_description.items()) scene[key] = value;
+  Json forced = Json::object();
+  for (const auto& [step, transition] : header.forced) forced[std::to_string(step)] = transition;
   return Json{
       {"version", 1},
       {"continua", header.continua_version},
       {"trace", {{"name", header.trace_name}, {"digest", header.trace_digest}}},
       {"seed", header.seed},
       {"choice", header.choice},
+      {"forced", std::move(forced)},
+      {"most_branches", header.most_branches ? Json(header.most_branches) : Json(nullptr)},
       {"world", header.world},
       {"perspective", header.perspective},
       {"fingerprint", header.fingerprint},

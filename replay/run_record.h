@@ -1,6 +1,7 @@
 // The records of a run log that describe what a run was made of: its first line (RUNLOG.md, `run`).
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "core/located_json.h"
@@ -13,6 +14,8 @@ struct RunHeader {
   std::string trace_name, trace_digest;
   std::uint64_t seed = 0;
   std::string choice, world, perspective;
+  std::map<int, std::string> forced;  ///< step → id of the transition that was forced there
+  std::size_t most_branches = 0;      ///< bound of the set under `explore`; 0 under other policies
   Json fingerprint;
   std::string machine_name, machine_digest;
   Json machine_document, graph;

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "automaton/machine_loader.h"
 #include "behaviour/kinematic_body.h"
 #include "core/digest.h"
@@ -25,6 +27,7 @@ struct LoadedSession {
   std::shared_ptr<const Machine> machine;
   Scene scene;
   std::unique_ptr<Body> body;
+  std::map<int, std::size_t> forced;  ///< step → transition
 };
 
 namespace {
@@ -57,12 +60,12 @@ class Loop {
         seed_(loaded.options.seed.value_or(loaded.trace.header.seed)),
         log_(out),
         recorder_(log_, *loaded.machine),
-        pipeline_(loaded.machine, choice_, perspective_),
+        pipeline_(loaded.machine, perspective_, most_branches()),
         body_(*loaded.body) {}
 
   ReplaySummary run() {
     write_header();
-    take(pipeline_.begin(seed_, body_.snapshot()), SimTime{});
+    take(pipeline_.begin({choice_, Random(seed_), loaded_.forced, 0}, body_.snapshot()), SimTime{});
     const auto& events = loaded_.trace.events;
     for (const auto& note : loaded_.trace.notes) recorder_.problem(note.line, note.sentence, SimTime{});
     for (std::size_t i = 0; i < events.size(); ++i) {
@@ -77,6 +80,10 @@ class Loop {
   }
 
  private:
+  std::size_t most_branches() const {
+    return loaded_.options.most_branches ? loaded_.options.most_branches : default_most_branches;
+  }
+
   Perspective perspective() const {
     const auto& machines = loaded_.machine->perspective;
     if (machines.empty()) return loaded_.trace.header.perspective;
@@ -90,6 +97,8 @@ class Loop {
     header.trace_digest = loaded_.trace.digest;
     header.seed = seed_;
     header.choice = text(choice_);
+    header.forced = loaded_.options.forced;
+    if (choice_ == Choice::explore) header.most_branches = most_branches();
     header.world = loaded_.options.physics ? "physics" : "kinematic";
     header.perspective = text(perspective_);
     header.fingerprint = fingerprint();
@@ -152,6 +161,8 @@ class Loop {
       summary_.acts += !act.gesture;
       summary_.acts_done += !act.gesture && act.status == ActReport::Status::done;
     }
+    for (const auto& [step, transition] : state_->chooser.forced)
+      summary_.not_forced[step] = loaded_.machine->transitions[transition].id;
     summary_.end = now_;
     log_.finish(now_);
     return summary_;
@@ -170,6 +181,26 @@ class Loop {
   std::vector<std::string> said_since_input_;
   ReplaySummary summary_;
 };
+
+// The transitions that the options force, by index.
+Result<std::map<int, std::size_t>> forced_of(const ReplayOptions& options, const Machine& machine) {
+  std::map<int, std::size_t> forced;
+  if (!options.forced.empty() && options.choice.value_or(machine.choice) == Choice::explore)
+    return Error{"--force", "nothing is chosen under explore, which takes all; expected another --choice"};
+  for (const auto& [step, id] : options.forced) {
+    const auto found = std::find_if(machine.transitions.begin(), machine.transitions.end(),
+                                    [&id = id](const Transition& transition) { return transition.id == id; });
+    if (found == machine.transitions.end()) {
+      std::vector<std::string> known;
+      for (const auto& transition : machine.transitions) known.push_back(transition.id);
+      return Error{
+          fmt::format("--force {}={}", step, id),
+          fmt::format("the machine {} has no transition {}{}", machine.name, in_quotes(id), did_you_mean(id, known))};
+    }
+    forced[step] = static_cast<std::size_t>(found - machine.transitions.begin());
+  }
+  return forced;
+}
 
 }  // namespace
 
@@ -196,6 +227,8 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   if (!machine_path) return machine_path.error();
   auto machine = load_machine(*machine_path, Methods::signature());
   if (!machine) return machine.error();
+  auto forced = forced_of(options, *machine);
+  if (!forced) return forced.error();
 
   std::unique_ptr<Body> body;
   if (options.physics) {
@@ -205,9 +238,9 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   } else {
     body = std::make_unique<KinematicBody>(scene->initial_snapshot());
   }
-  return Session(std::make_unique<LoadedSession>(LoadedSession{std::move(options), std::move(*trace),
-                                                               std::make_shared<const Machine>(std::move(*machine)),
-                                                               std::move(*scene), std::move(body)}));
+  return Session(std::make_unique<LoadedSession>(
+      LoadedSession{std::move(options), std::move(*trace), std::make_shared<const Machine>(std::move(*machine)),
+                    std::move(*scene), std::move(body), std::move(*forced)}));
 }
 
 Session::Session(std::unique_ptr<LoadedSession> loaded) : loaded_(std::move(loaded)) {}

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -19,6 +20,8 @@ struct ReplayOptions {
   std::optional<Choice> choice;               ///< else the machine's
   std::string scene, machine;                 ///< names or paths; empty: the trace's
   std::string knowledge;                      ///< folder; empty: the program's own
+  std::map<int, std::string> forced;          ///< step → id of the transition to take there
+  std::size_t most_branches = 0;              ///< under `explore`; 0: the engine's own bound
   bool physics = true;                        ///< else the kinematic world
   std::function<void(double done)> progress;  ///< called now and then with the part of the trace that is done
 };
@@ -29,6 +32,7 @@ struct ReplaySummary {
   int inputs = 0, refusals = 0, utterances = 0, acts = 0, acts_done = 0;
   int expectations = 0, expectations_met = 0;
   int problems = 0;
+  std::map<int, std::string> not_forced;  ///< of ReplayOptions::forced, those that did not apply at their step
 };
 
 struct LoadedSession;
@@ -36,7 +40,7 @@ struct LoadedSession;
 /// A trace with its machine and its scene, ready to be replayed.
 class Session {
  public:
-  /// Errors: the trace, its scene or its machine cannot be used.
+  /// Errors: the trace, its scene or its machine cannot be used; a forced transition is none of the machine's.
   static Result<Session> load(const std::string& trace_path, ReplayOptions options);
   ~Session();
   Session(Session&&) noexcept;

@@ -1,6 +1,7 @@
 // Which of several applicable transitions is taken (semantics §1, Nondeterminism).
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,10 +15,13 @@ enum class Choice {
   likeliest,  ///< the heaviest; ties by file order
   sample,     ///< a seeded draw by weight
   unique,     ///< the only one; of several, none
+  explore,    ///< all of them: automaton/exploration.h
 };
 
 std::optional<Choice> parse_choice(std::string_view name);
 std::string text(Choice choice);
+/// "likeliest, sample, unique or explore", for messages.
+std::string choice_names();
 
 struct Candidate {
   std::size_t transition = 0;  ///< index in Machine::transitions
@@ -28,9 +32,20 @@ struct Chosen {
   std::size_t transition = 0;
   double probability = 1;      ///< its share of all weights
   std::optional<double> draw;  ///< in [0, 1), where one was needed
+  bool forced = false;
 };
 
-/// `candidates` in file order. Nothing where there is none, or under `unique` more than one.
-std::optional<Chosen> choose(const std::vector<Candidate>& candidates, Choice choice, Random& random);
+/// Takes the decisions of a run, one after another: a value that remembers how many it took.
+struct Chooser {
+  Choice policy = Choice::likeliest;
+  Random random{0};
+  std::map<int, std::size_t> forced;  ///< step → transition; what has been taken is erased
+  int steps = 0;                      ///< transitions chosen so far; the first is step 1
+
+  /// `candidates` in file order. Nothing where there is none, or under `unique` more than one. A transition that is
+  /// forced at this step is taken if it is among them; if not, it stays in `forced` and the policy decides.
+  /// Under `explore` the heaviest is taken, since a single one is asked for.
+  std::optional<Chosen> choose(const std::vector<Candidate>& candidates);
+};
 
 }  // namespace continua

@@ -1,34 +1,43 @@
 #include "automaton/configuration.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace continua {
+namespace {
 
-struct History::Node {
-  StateIndex state;
-  Stack stack;
-  std::shared_ptr<const Node> older;
-
-  // As in Stack: no recursion over the length of a run.
-  ~Node() {
-    auto next = std::move(older);
-    while (next && next.use_count() == 1) next = std::move(const_cast<Node*>(next.get())->older);
-  }
-};
-
-History History::entered(StateIndex state, Stack stack) const {
-  History grown;
-  grown.newest_ = std::make_shared<const Node>(Node{state, std::move(stack), newest_});
-  return grown;
+bool same_top(const Stack& a, const Stack& b) {
+  return a.empty() || b.empty() ? a.empty() == b.empty() : same_values(a.top(), b.top());
 }
 
-const Stack* History::previous(StateIndex state) const {
-  if (!newest_) return nullptr;
-  for (const Node* entry = newest_->older.get(); entry; entry = entry->older.get())
-    if (entry->state == state) return &entry->stack;
-  return nullptr;
+}  // namespace
+
+History History::entered(std::optional<std::size_t> landmark, std::size_t count, const Stack& stack) const {
+  History after;
+  after.latest_ = latest_;
+  if (!landmark) return after;
+  auto latest = latest_ ? *latest_ : std::vector<Stack>(count);
+  after.before_ = std::exchange(latest[*landmark], stack);
+  after.latest_ = std::make_shared<const std::vector<Stack>>(std::move(latest));
+  return after;
+}
+
+const Stack* History::entry(std::size_t landmark, bool present) const {
+  if (!latest_) return nullptr;
+  const auto& found = present ? before_ : (*latest_)[landmark];
+  return found.empty() ? nullptr : &found;
+}
+
+bool History::operator==(const History& other) const {
+  if (!same_top(before_, other.before_)) return false;
+  if (latest_ == other.latest_) return true;
+  if (!latest_ || !other.latest_) return false;
+  return std::equal(latest_->begin(), latest_->end(), other.latest_->begin(), other.latest_->end(), same_top);
 }
 
 bool Configuration::same_as(const Configuration& other) const {
-  return state == other.state && stack == other.stack && same_values(memory, other.memory);
+  return state == other.state && history == other.history && stack == other.stack &&
+         same_values(*memory, *other.memory);
 }
 
 }  // namespace continua

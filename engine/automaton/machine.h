@@ -1,10 +1,12 @@
 // A machine as it is run: checked, its names resolved. automaton/FORMAT.md describes the file and what each part means.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -46,6 +48,9 @@ struct Operation {
   std::size_t count = 1;          ///< pop
   StateIndex state = 0;           ///< pop_until
   std::string source;             ///< as the file has it, compact JSON, for the log
+
+  /// After which the ε-transitions of the state are tried in any case.
+  bool is_rewrite() const { return kind == Kind::rewrite || kind == Kind::rewrite_each; }
 };
 
 /// Text with terms to fill in: literals[0] holes[0] literals[1] …; one literal more than holes.
@@ -92,6 +97,7 @@ struct State {
   bool accepting = false;
   std::optional<Gate> gate;
   std::vector<Effect> enter;
+  bool passing = false;  ///< no word ends here
 };
 
 struct Transition {
@@ -114,6 +120,39 @@ struct Wording {
   Template say;
 };
 
+/// Inputs, and the state that they lead to.
+struct RunExample {
+  std::vector<std::string> inputs;
+  StateIndex ends = 0;
+};
+
+/// A word, and whether the machine accepts it as automata classically do.
+struct WordExample {
+  std::vector<std::string> word;
+  bool accepted = true;
+  bool by_empty_stack = false;  ///< else by final state
+};
+
+using Example = std::variant<RunExample, WordExample>;
+
+/// The transitions that leave a state, each list in file order.
+struct Exits {
+  struct Hash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view symbol) const { return std::hash<std::string_view>()(symbol); }
+  };
+  std::vector<std::size_t> epsilon;
+  /// For each symbol that some transition names, all that take it, those that match it by prefix included.
+  std::unordered_map<std::string, std::vector<std::size_t>, Hash, std::equal_to<>> by_name;
+  std::vector<std::size_t> by_prefix;  ///< those that may take a symbol that none names
+
+  /// The transitions to try on an input symbol; of those of `by_prefix` only some contain it.
+  const std::vector<std::size_t>& on(std::string_view symbol) const {
+    const auto found = by_name.find(symbol);
+    return found == by_name.end() ? by_prefix : found->second;
+  }
+};
+
 struct Machine {
   std::string name;
   std::string document;  ///< the file, compact JSON
@@ -126,20 +165,29 @@ struct Machine {
   std::string perspective;  ///< "human", "avatar" or empty
 
   std::vector<Slot> slots;
+  Symbol bottom;  ///< the symbol at the bottom of every stack
   std::vector<Register> memory;
   std::vector<State> states;
   std::vector<Transition> transitions;
-  std::vector<std::vector<std::size_t>> leaving;  ///< for each state, the transitions from it, in file order
+  std::vector<Exits> exits;                          ///< one for each state
+  std::vector<std::optional<std::size_t>> landmark;  ///< for each state that a pop_until names, its number among them
+  std::size_t landmarks = 0;
   std::map<std::string, Term, std::less<>> definitions;
   std::map<std::string, std::map<std::string, Term, std::less<>>, std::less<>> tables;
   std::vector<Wording> wordings;
   BeliefTable beliefs;
   Signature programs;
+  std::vector<Example> examples;
 
   std::map<std::string, std::size_t, std::less<>> slot_index, register_index;
 
   /// Whether a transition's input set names the symbol.
   bool knows_input(std::string_view symbol) const;
+  /// Fills `exits`, `landmark` and `landmarks` from states and transitions, once those are complete.
+  void index();
 };
+
+/// Calls `visit` with every operation there is: of transitions, of gates, of effects.
+void visit_operations(const Machine& machine, const std::function<void(const Operation&)>& visit);
 
 }  // namespace continua

@@ -1,5 +1,6 @@
 #include "automaton/machine_loader.h"
 
+#include "automaton/jflap.h"
 #include "automaton/machine_reader.h"
 
 namespace continua {
@@ -9,14 +10,17 @@ Result<Machine> parse_machine(std::string_view text, const std::string& name, co
   if (!document) return document.error();
   MachineReader reader(*document, methods);
   auto machine = reader.read();
-  if (!reader.problems.empty()) return reader.problems.front();
+  if (auto problems = reader.problems(); !problems.empty()) return problems.front();
   return machine;
 }
 
 Result<Machine> load_machine(const std::string& path, const Signature& methods) {
   auto text = read_file(path);
   if (!text) return text.error();
-  return parse_machine(*text, path, methods);
+  if (!is_jflap(*text, path)) return parse_machine(*text, path, methods);
+  const auto machine = machine_of_jflap(*text, path);
+  if (!machine) return machine.error();
+  return parse_machine(compact(*machine), path, methods);
 }
 
 std::vector<Error> check_machine(std::string_view text, const std::string& name, const Signature& methods) {
@@ -24,7 +28,7 @@ std::vector<Error> check_machine(std::string_view text, const std::string& name,
   if (!document) return {document.error()};
   MachineReader reader(*document, methods);
   reader.read();
-  return std::move(reader.problems);
+  return reader.problems();
 }
 
 }  // namespace continua

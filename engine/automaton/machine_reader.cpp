@@ -1,4 +1,4 @@
-// Walking a machine file: its header, what it declares, and the shapes of JSON.
+// A machine file from top to bottom: its header and what it declares.
 #include "automaton/machine_reader.h"
 
 #include <fmt/format.h>
@@ -50,6 +50,7 @@ Machine MachineReader::read() {
                       "perspective",
                       "programs",
                       "slots",
+                      "bottom",
                       "memory",
                       "inputs",
                       "define",
@@ -61,8 +62,11 @@ Machine MachineReader::read() {
                       "$schema"}))
     return machine_;
   machine_.document = compact(document_.root());
+  for (const auto& [place, key] : document_.duplicates())
+    note(place, fmt::format("the key {} a second time in this object", in_quotes(key)));
   read_programs(member(root, "programs"));
   read_slots(member(root, "slots"));
+  read_bottom(member(root, "bottom"));
   read_memory(member(root, "memory"));
   read_inputs(member(root, "inputs"));
   read_state_names(root);
@@ -71,21 +75,21 @@ Machine MachineReader::read() {
   read_beliefs(member(root, "beliefs"));
   read_wordings(member(root, "wordings"));
   read_states(member(root, "states"));
-  read_transitions(member(root, "transitions"));
+  read_transitions(required(root, "transitions", "a list of transitions"));
+  read_examples(member(root, "examples"));
+  find_misspelt_sets();
+  find_misspelt_states();
+  if (problems_.empty()) machine_.index();
   return machine_;
 }
 
 void MachineReader::read_header(const Item& root) {
-  const auto version = member(root, "machine");
-  if (!version.json || *version.json != 1)
-    problem(version.json ? version : root, "expected \"machine\": 1, the version of the format");
-  machine_.name = text_of(member(root, "name"), "the machine's name");
-  const auto start = member(root, "start");
-  if (start.json)
-    machine_.start = state_named(start);
-  else
-    problem(root, "expected \"start\", the state in which a run begins");
-  if (const auto accept = member(root, "accept"); accept.json && expect_array(accept, "the accepting states"))
+  const auto version = required(root, "machine", "1, the version of the format");
+  if (version.json && *version.json != 1) mismatch(version, "1, the version of the format");
+  if (const auto schema = member(root, "$schema"); schema.json) text_of(schema, "where the schema is");
+  machine_.name = name_of(required(root, "name", "the machine's name"), "the machine's name");
+  machine_.start = state_named(required(root, "start", "the state in which a run begins"));
+  if (const auto accept = member(root, "accept"); expect_array(accept, "the accepting states"))
     for (std::size_t i = 0; i < accept.json->size(); ++i)
       machine_.states[state_named(element(accept, i))].accepting = true;
   if (const auto choice = member(root, "choice"); choice.json) {
@@ -93,37 +97,34 @@ void MachineReader::read_header(const Item& root) {
     if (const auto policy = parse_choice(name))
       machine_.choice = *policy;
     else
-      problem(choice, fmt::format("unknown policy '{}'; expected likeliest, sample or unique", name));
+      problem(choice, fmt::format("unknown policy {}; expected {}", in_quotes(name), choice_names()));
   }
-  if (const auto epsilon = member(root, "epsilon"); epsilon.json) {
-    const auto when = text_of(epsilon, "when ε-transitions are tried");
-    if (when != "always" && when != "after_rewrite")
-      problem(epsilon, fmt::format("'{}' is not when ε-transitions are tried; expected always or after_rewrite", when));
-    machine_.epsilon_always = when == "always";
-  }
+  if (const auto epsilon = one_of(root, "epsilon", {"always", "after_rewrite"}))
+    machine_.epsilon_always = *epsilon == "always";
   machine_.rewrite_below = truth_of(member(root, "rewrite_below"), "rewrite_below", false);
   machine_.repeats_utterances = truth_of(member(root, "repeat_utterances"), "repeat_utterances", true);
-  machine_.minimum_confidence = number_of(member(root, "minimum_confidence"), "minimum_confidence", 0);
-  if (const auto perspective = member(root, "perspective"); perspective.json) {
-    machine_.perspective = text_of(perspective, "a perspective");
-    if (machine_.perspective != "human" && machine_.perspective != "avatar")
-      problem(perspective, fmt::format("unknown perspective '{}'; expected human or avatar", machine_.perspective));
-  }
+  machine_.minimum_confidence = number_of(member(root, "minimum_confidence"), "a confidence", 0, 0, 1);
+  machine_.perspective = one_of(root, "perspective", {"human", "avatar"}).value_or("");
 }
 
 Type MachineReader::read_type(const Item& item) {
-  auto type = Type::parse(text_of(item, "a type"));
+  if (!item.json || !item.json->is_string()) return text_of(item, "a type"), Type::term();
+  auto type = Type::parse(item.json->get<std::string>());
   if (type) return *type;
-  problem(item, type.error().text());
+  problem_in_text(item, type.error());
   return Type::term();
 }
 
 void MachineReader::declare(const Item& at, const std::string& name, const Type& type) {
-  if (!scope_.emplace(name, type).second) problem(at, fmt::format("the name '{}' is taken already", name));
+  const bool is_word = name == "null" || name == "true" || name == "false";
+  if (name.empty())
+    problem_at_key(at, "found '', expected a name");
+  else if (is_word || !scope_.emplace(name, type).second)
+    problem_at_key(at, fmt::format("the name {} is taken already", in_quotes(name)));
 }
 
 void MachineReader::read_programs(const Item& programs) {
-  if (!programs.json || !expect_object(programs, "programs")) return;
+  if (!expect_object(programs, "programs")) return;
   for (const auto& [name, value] : programs.json->items()) {
     const auto item = member(programs, name);
     const auto type = read_type(item);
@@ -133,29 +134,46 @@ void MachineReader::read_programs(const Item& programs) {
 }
 
 void MachineReader::read_slots(const Item& slots) {
-  if (!slots.json || !expect_object(slots, "slots")) return;
+  if (!expect_object(slots, "slots")) return;
   for (const auto& [name, value] : slots.json->items()) {
     const auto item = member(slots, name);
     Slot slot{name, Type::term(), false};
     if (value.is_object()) {
       expect_object(item, "a slot", {"type", "persists", "about"});
-      slot.type = read_type(member(item, "type"));
+      slot.type = read_type(required(item, "type", "the slot's type"));
       slot.persists = truth_of(member(item, "persists"), "persists", false);
     } else {
       slot.type = read_type(item);
     }
     declare(item, name, slot.type);
     machine_.slot_index.emplace(name, machine_.slots.size());
+    machine_.bottom.push_back({empty_value(slot.type), {}});
     machine_.slots.push_back(std::move(slot));
   }
 }
 
+// There is no moment yet and no world: only the language's own names and the machine's programs are known.
+void MachineReader::read_bottom(const Item& bottom) {
+  if (!expect_object(bottom, "slots and their contents")) return;
+  auto known = term_signature();
+  known.insert(machine_.programs.begin(), machine_.programs.end());
+  std::swap(scope_, known);
+  for (const auto& content : read_contents(bottom, false)) {
+    if (!content.term) continue;
+    Evaluation evaluation({&term_rules()}, [](const std::string&) { return nullptr; });
+    machine_.bottom[content.slot].value = evaluation.value(*content.term);
+    if (evaluation.exhausted)
+      problem(member(bottom, machine_.slots[content.slot].name), "the evaluation of this term does not end");
+  }
+  std::swap(scope_, known);
+}
+
 void MachineReader::read_memory(const Item& memory) {
-  if (!memory.json || !expect_object(memory, "memory")) return;
+  if (!expect_object(memory, "memory")) return;
   for (const auto& [name, value] : memory.json->items()) {
     const auto item = member(memory, name);
     if (!expect_object(item, "a register", {"type", "initial", "about"})) continue;
-    Register entry{name, read_type(member(item, "type")), Term::null()};
+    Register entry{name, read_type(required(item, "type", "the register's type")), Term::null()};
     entry.initial = empty_value(entry.type);
     if (const auto initial = member(item, "initial"); initial.json)
       if (const auto term = parse(initial, entry.type)) entry.initial = *term;
@@ -163,65 +181,6 @@ void MachineReader::read_memory(const Item& memory) {
     machine_.register_index.emplace(name, machine_.memory.size());
     machine_.memory.push_back(std::move(entry));
   }
-}
-
-Item MachineReader::member(const Item& object, const std::string& key) const {
-  if (!object.json || !object.json->is_object()) return {nullptr, object.pointer};
-  const auto found = object.json->find(key);
-  if (found == object.json->end()) return {nullptr, object.pointer};
-  std::string escaped;
-  for (const char c : key) escaped += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-  return {&*found, object.pointer + "/" + escaped};
-}
-
-Item MachineReader::element(const Item& array, std::size_t index) const {
-  return {&(*array.json)[index], array.pointer + "/" + std::to_string(index)};
-}
-
-bool MachineReader::expect_object(const Item& item, const char* what, std::initializer_list<const char*> keys) {
-  if (!item.json || !item.json->is_object()) {
-    problem(item, fmt::format("expected {}, an object{}", what,
-                              item.json ? ", found " + std::string(item.json->type_name()) : ""));
-    return false;
-  }
-  if (keys.size() == 0) return true;
-  const std::vector<std::string> known(keys.begin(), keys.end());
-  for (const auto& [key, value] : item.json->items())
-    if (std::find(known.begin(), known.end(), key) == known.end())
-      problem(member(item, key), fmt::format("unknown key '{}' of {}{}", key, what, did_you_mean(key, known)));
-  return true;
-}
-
-bool MachineReader::expect_array(const Item& item, const char* what) {
-  if (item.json && item.json->is_array()) return true;
-  problem(item, fmt::format("expected {}, a list{}", what,
-                            item.json ? ", found " + std::string(item.json->type_name()) : ""));
-  return false;
-}
-
-std::string MachineReader::text_of(const Item& item, const char* what) {
-  if (item.json && item.json->is_string()) return item.json->get<std::string>();
-  problem(item, fmt::format("expected {}, a string{}", what,
-                            item.json ? ", found " + std::string(item.json->type_name()) : ""));
-  return {};
-}
-
-double MachineReader::number_of(const Item& item, const char* what, double otherwise) {
-  if (!item.json) return otherwise;
-  if (item.json->is_number()) return item.json->get<double>();
-  problem(item, fmt::format("expected {}, a number, found {}", what, item.json->type_name()));
-  return otherwise;
-}
-
-bool MachineReader::truth_of(const Item& item, const char* what, bool otherwise) {
-  if (!item.json) return otherwise;
-  if (item.json->is_boolean()) return item.json->get<bool>();
-  problem(item, fmt::format("expected {}, true or false, found {}", what, item.json->type_name()));
-  return otherwise;
-}
-
-void MachineReader::problem(const Item& at, std::string sentence) {
-  problems.push_back(document_.error(at.pointer, std::move(sentence)));
 }
 
 }  // namespace continua

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "core/result.h"
+
 namespace continua {
 namespace {
 
@@ -42,7 +44,9 @@ class Worker {
   }
 
   void pop_until(const Operation& operation, const Configuration& before) {
-    const Stack* entry = before.history.previous(operation.state);
+    const auto landmark = machine_.landmark[operation.state];
+    require(landmark.has_value(), "a state that a pop_until names is a landmark");
+    const Stack* entry = before.history.entry(*landmark, before.state == operation.state);
     if (!entry) return flush(operation);
     while (result_.stack.depth() > 1 && !same_values(result_.stack.top(), entry->top()))
       result_.stack = result_.stack.pop();
@@ -62,11 +66,7 @@ class Worker {
 
 }  // namespace
 
-Symbol bottom_symbol(const Machine& machine) {
-  Symbol symbol;
-  for (const auto& slot : machine.slots) symbol.push_back({empty_value(slot.type), {}});
-  return symbol;
-}
+Symbol bottom_symbol(const Machine& machine) { return machine.bottom; }
 
 OperationResult apply_operation(const Operation& operation, const std::vector<std::optional<Cell>>& contents,
                                 const Machine& machine, const Configuration& before) {

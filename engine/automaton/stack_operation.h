@@ -20,7 +20,7 @@ struct OperationResult {
 OperationResult apply_operation(const Operation& operation, const std::vector<std::optional<Cell>>& contents,
                                 const Machine& machine, const Configuration& before);
 
-/// The symbol at the bottom of every stack: each slot empty.
+/// The symbol at the bottom of every stack.
 Symbol bottom_symbol(const Machine& machine);
 
 }  // namespace continua

@@ -5,94 +5,14 @@
 
 #include <memory>
 #include <optional>
-#include <string>
-#include <variant>
 #include <vector>
 
-#include "automaton/machine.h"
-#include "core/random.h"
-#include "term/evaluate.h"
+#include "automaton/firing.h"
 
 namespace continua {
 
-/// What the automaton is offered.
-struct Input {
-  int serial = 0;  ///< names the input in `because`
-  std::string symbol;
-  Term target, said;  ///< payload: loc, text; null where it has none
-  double confidence = 1;
-  double now_s = 0;
-};
-
-struct Refused {
-  std::size_t transition = 0;
-  std::string reason;  ///< the first part of its condition that does not hold, with the values it saw
-};
-
-struct GateTest {
-  StateIndex state = 0;
-  std::string condition;
-  bool passed = true;
-};
-
-struct Fired {
-  std::size_t transition = 0;
-  StateIndex from = 0, to = 0;
-  std::optional<std::string> input;      ///< nullopt: ε
-  const Operation* operation = nullptr;  ///< the machine's; the gate's where that refused
-  std::vector<Candidate> candidates;
-  std::vector<Refused> refused;
-  std::optional<GateTest> gate;
-  double probability = 1;      ///< the chosen candidate's share of all weights
-  std::optional<double> draw;  ///< under Choice::sample, with more than one candidate
-  int stack = 0;
-  std::size_t depth = 0;
-  double margin = 0;  ///< infinity when nothing was compared
-};
-
-struct MadeSymbol {
-  int id = 0;
-  std::optional<int> below;
-  Symbol symbol;
-};
-struct Rewrote {
-  StateIndex state = 0;
-  const Operation* operation = nullptr;
-  int stack = 0;
-  std::size_t depth = 0;
-};
-struct Applied {
-  Application application;
-  std::vector<int> because;
-};
-struct Said {
-  std::string text;
-  std::vector<int> because;
-};
-struct Gestured {
-  Term term;
-  std::vector<int> because;
-};
-struct Acted {
-  Term term;
-  std::vector<int> because;
-};
-struct Remembered {
-  std::size_t index = 0;
-  Term value;
-};
-struct RefusedInput {
-  StateIndex state = 0;
-  std::string input, reason;
-  std::vector<Refused> refused;
-};
-/// Something in the machine that cannot be carried out as written, such as an ε-cycle.
-struct Trouble {
-  std::string message;
-};
-
-using StepEvent =
-    std::variant<Fired, MadeSymbol, Rewrote, Applied, Said, Gestured, Acted, Remembered, RefusedInput, Trouble>;
+/// So many ε-transitions may follow one another; then the step ends with trouble.
+inline constexpr int most_epsilon_steps = 1000;
 
 struct Step {
   Configuration after;
@@ -106,23 +26,40 @@ class Stepper {
 
   const Machine& machine() const { return *machine_; }
 
-  /// The configuration in which a run begins: start state, the bottom symbol (every slot empty), registers as declared;
-  /// then ε-transitions, where the machine always tries them.
-  Step begin(const Beliefs& beliefs, Choice choice, Random& random);
+  /// The configuration in which a run begins: start state, the bottom symbol, registers as declared; no ε-transition
+  /// has been tried.
+  Configuration initial() const;
+
+  /// `initial()`; then ε-transitions, where the machine always tries them.
+  Step begin(const Beliefs& beliefs, Chooser& chooser);
 
   /// Offers an input. If no transition takes it the configuration stays and the events end with RefusedInput.
-  Step step(const Configuration& before, const Input& input, const Beliefs& beliefs, Choice choice, Random& random);
+  Step step(const Configuration& before, const Input& input, const Beliefs& beliefs, Chooser& chooser);
+
+  /// The same without an account of what happened, which takes a fraction of the time: nothing is said or done, only
+  /// the configuration changes. Nothing if the input is refused.
+  std::optional<Configuration> advance(const Configuration& before, const Input& input, const Beliefs& beliefs,
+                                       Chooser& chooser);
 
   /// The value of a term of the machine in a configuration.
   Term value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs);
 
+  /// For those who choose and keep configurations themselves. `input`, `beliefs` and `account` must outlive it, and
+  /// firings of one stepper must not overlap under different beliefs.
+  Firing firing(Configuration configuration, const Input* input, const Beliefs& beliefs,
+                std::vector<StepEvent>* account);
+
  private:
-  class Run;
+  bool offer(Firing& firing, const Input& input, Chooser& chooser, std::vector<StepEvent>* account);
+  void settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* account);
 
   std::shared_ptr<const Machine> machine_;
   std::vector<const Rules*> rules_;
   Rules own_rules_;                   ///< is_input, certainty, wording, tables: read `beliefs_`
   const Beliefs* beliefs_ = nullptr;  ///< those of the step under way
 };
+
+/// Why an input was refused: what no transition takes, or what their conditions say.
+std::string refusal_reason(const Machine& machine, StateIndex state, const Applicable& found, const Input& input);
 
 }  // namespace continua

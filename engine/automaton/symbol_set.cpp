@@ -5,15 +5,17 @@
 namespace continua {
 
 void SymbolSet::add(std::string_view symbol) {
-  if (symbol.ends_with('*'))
-    prefixes.emplace_back(symbol.substr(0, symbol.size() - 1));
+  if (symbol.ends_with("\\*"))
+    names.insert(std::string(symbol.substr(0, symbol.size() - 2)) + '*');
+  else if (symbol.ends_with('*'))
+    prefixes.emplace(symbol.substr(0, symbol.size() - 1));
   else
     names.emplace(symbol);
 }
 
 void SymbolSet::add(const SymbolSet& other) {
   names.insert(other.names.begin(), other.names.end());
-  prefixes.insert(prefixes.end(), other.prefixes.begin(), other.prefixes.end());
+  prefixes.insert(other.prefixes.begin(), other.prefixes.end());
 }
 
 bool SymbolSet::contains(std::string_view symbol) const {

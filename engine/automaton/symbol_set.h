@@ -4,15 +4,14 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace continua {
 
 struct SymbolSet {
-  std::set<std::string, std::less<>> names;
-  std::vector<std::string> prefixes;
+  std::set<std::string, std::less<>> names, prefixes;
 
-  /// Adds a symbol; one that ends in `*` stands for all that begin with what is before it.
+  /// Adds a symbol; one that ends in `*` stands for all that begin with what is before it, in `\*` for itself without
+  /// the backslash.
   void add(std::string_view symbol);
   void add(const SymbolSet& other);
   bool contains(std::string_view symbol) const;

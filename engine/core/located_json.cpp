@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -24,15 +26,15 @@ std::string escaped(std::string_view key) {
   return out;
 }
 
-// Walks text that is already known to be valid JSON and tells where each value begins.
+// Walks text that is already known to be valid JSON and tells where each value and its key begin.
 template <class Note>
 class PlaceFinder {
  public:
   PlaceFinder(std::string_view text, Note note) : text_(text), note_(std::move(note)) {}
 
-  void walk(const std::string& pointer) {
+  void walk(const std::string& pointer, std::optional<TextPlace> key = std::nullopt) {
     skip_space();
-    note_(pointer, line_, at_ - line_start_ + 1);
+    note_(pointer, here(), key.value_or(here()), at_);
     if (text_[at_] == '{')
       walk_members(pointer);
     else if (text_[at_] == '[')
@@ -43,16 +45,23 @@ class PlaceFinder {
       while (at_ < text_.size() && std::string_view(",]} \n\t\r").find(text_[at_]) == std::string_view::npos) step();
   }
 
+  std::vector<LocatedJson::Duplicate> duplicates;
+
  private:
+  TextPlace here() const { return {line_, at_ - line_start_ + 1}; }
+
   void walk_members(const std::string& pointer) {
+    std::set<std::string> keys;
     step();
     for (skip_space(); text_[at_] != '}'; skip_space()) {
+      const auto place = here();
       const auto from = at_;
       skip_string();
       const auto key = Json::parse(text_.substr(from, at_ - from)).template get<std::string>();
+      if (!keys.insert(key).second) duplicates.push_back({place, key});
       skip_space();
       step();  // the colon
-      walk(pointer + "/" + escaped(key));
+      walk(pointer + "/" + escaped(key), place);
       skip_comma();
     }
     step();
@@ -110,21 +119,39 @@ std::string plain_sentence(std::string what) {
   return "not valid JSON: " + (colon == std::string::npos ? what : what.substr(colon + 2));
 }
 
-// The byte at which brackets first nest deeper than `max_json_depth`, or npos.
-std::size_t too_deep(std::string_view text) {
-  int depth = 0;
+struct Excess {
+  std::size_t at;
+  std::string sentence;
+};
+
+// Where brackets first nest deeper than `max_json_depth`, or an object has more than `max_json_members`.
+std::optional<Excess> excess(std::string_view text) {
+  std::vector<std::size_t> colons;  // in each open bracket
   for (std::size_t at = 0; at < text.size(); ++at) {
     const char c = text[at];
     if (c == '"') {
       for (++at; at < text.size() && text[at] != '"'; ++at)
         if (text[at] == '\\') ++at;
     } else if (c == '[' || c == '{') {
-      if (++depth > max_json_depth) return at;
-    } else if (c == ']' || c == '}') {
-      --depth;
+      if (colons.size() == max_json_depth)
+        return Excess{at, fmt::format("nested deeper than {} levels; expected fewer", max_json_depth)};
+      colons.push_back(0);
+    } else if ((c == ']' || c == '}') && !colons.empty()) {
+      colons.pop_back();
+    } else if (c == ':' && !colons.empty() && ++colons.back() > max_json_members) {
+      return Excess{at, fmt::format("an object with more than {} members; expected fewer", max_json_members)};
     }
   }
-  return std::string_view::npos;
+  return std::nullopt;
+}
+
+// In the text between quotation marks that begins at `at`, the next character's length there and in the value.
+std::pair<std::size_t, std::size_t> escape_lengths(std::string_view text, std::size_t at) {
+  if (text[at] != '\\') return {1, 1};
+  if (text[at + 1] != 'u') return {2, 1};
+  const auto code = std::stoul(std::string(text.substr(at + 2, 4)), nullptr, 16);
+  if (code >= 0xD800 && code < 0xDC00) return {12, 4};  // the first of a pair
+  return {6, code < 0x80 ? 1 : code < 0x800 ? 2 : 3};
 }
 
 // A number that no double holds is reported without its place, as "… number overflow parsing '1e999'".
@@ -144,8 +171,7 @@ Result<Json> parse_text(std::string_view text, const std::string& name, std::siz
     return Error{fmt::format("{}:{}:{}", name, first_line + static_cast<std::size_t>(newlines), column),
                  std::move(sentence)};
   };
-  if (const auto at = too_deep(text); at != std::string_view::npos)
-    return error_at(at, fmt::format("nested deeper than {} levels; expected fewer", max_json_depth));
+  if (auto found = excess(text)) return error_at(found->at, std::move(found->sentence));
   try {
     return Json::parse(text);
   } catch (const nlohmann::json::parse_error& problem) {
@@ -186,10 +212,12 @@ Result<LocatedJson> LocatedJson::parse(std::string_view text, std::string name) 
   auto root = parse_text(text, document.name_, 1);
   if (!root) return root.error();
   document.root_ = std::move(root).value();
-  PlaceFinder finder(text, [&](const std::string& pointer, std::size_t line, std::size_t column) {
-    document.places_.try_emplace(pointer, Place{line, column});
+  document.text_ = text;
+  PlaceFinder finder(text, [&](const std::string& pointer, TextPlace value, TextPlace key, std::size_t offset) {
+    document.locations_.insert_or_assign(pointer, Location{value, key, offset});
   });
   finder.walk("");
+  document.duplicates_ = std::move(finder.duplicates);
   return document;
 }
 
@@ -199,14 +227,34 @@ Result<LocatedJson> LocatedJson::read(const std::string& path) {
   return parse(*text, path);
 }
 
-std::string LocatedJson::where(std::string_view pointer) const {
+const LocatedJson::Location* LocatedJson::location(std::string_view pointer) const {
   for (std::string at(pointer);;) {
-    const auto found = places_.find(at);
-    if (found != places_.end()) return fmt::format("{}:{}:{}", name_, found->second.line, found->second.column);
-    if (at.empty()) return name_;
+    const auto found = locations_.find(at);
+    if (found != locations_.end()) return &found->second;
+    require(!at.empty(), "a document without a root");
     const auto slash = at.rfind('/');
     at.erase(slash == std::string::npos ? 0 : slash);
   }
+}
+
+TextPlace LocatedJson::place(std::string_view pointer) const { return location(pointer)->value; }
+
+TextPlace LocatedJson::key_place(std::string_view pointer) const { return location(pointer)->key; }
+
+TextPlace LocatedJson::place_in_text(std::string_view pointer, std::size_t byte) const {
+  const auto& [value, key, offset] = *location(pointer);
+  if (text_[offset] != '"') return value;
+  auto at = offset + 1;
+  for (std::size_t passed = 0; passed < byte && text_[at] != '"';) {
+    const auto [length, bytes] = escape_lengths(text_, at);
+    at += length;
+    passed += bytes;
+  }
+  return {value.line, value.column + (at - offset)};
+}
+
+Error LocatedJson::error(TextPlace place, std::string sentence) const {
+  return {fmt::format("{}:{}:{}", name_, place.line, place.column), std::move(sentence)};
 }
 
 Result<std::string> read_file(const std::string& path) {
@@ -248,9 +296,11 @@ std::string in_quotes(std::string_view text) {
 }
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
+  constexpr std::size_t longest = 200;  // whoever writes longer names needs no help
   const std::string* nearest = nullptr;
   std::size_t best = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const auto& candidate : known) {
+    if (std::max(name.size(), candidate.size()) > longest) continue;
     const auto distance = edit_distance(name, candidate);
     // Of two short names a distance of two is no resemblance.
     const bool alike = 2 * distance <= std::max(name.size(), candidate.size());
@@ -259,7 +309,7 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
       nearest = &candidate;
     }
   }
-  return nearest ? fmt::format(" (did you mean '{}'?)", *nearest) : std::string();
+  return nearest ? fmt::format(" (did you mean {}?)", in_quotes(*nearest)) : std::string();
 }
 
 }  // namespace continua

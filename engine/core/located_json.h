@@ -2,6 +2,7 @@
 // The only place where nlohmann/json is included.
 #pragma once
 
+#include <compare>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -22,6 +23,14 @@ std::string compact(const Json& value);
 /// Values nested deeper than this are refused by the readers below: printing and comparing a value recurse, and
 /// the stack must not depend on what a file contains.
 inline constexpr int max_json_depth = 200;
+/// Objects with more members are refused too: finding a member takes time in proportion to their number.
+inline constexpr std::size_t max_json_members = 10000;
+
+/// A place in a text, counted from 1; columns are bytes.
+struct TextPlace {
+  std::size_t line = 1, column = 1;
+  auto operator<=>(const TextPlace&) const = default;
+};
 
 /// One line of a JSON Lines file, read as a value. An error is placed at "name:line:column".
 Result<Json> parse_json_line(std::string_view text, const std::string& name, std::size_t line);
@@ -39,19 +48,38 @@ class LocatedJson {
   const Json& root() const { return root_; }
   const std::string& name() const { return name_; }
 
-  /// "name:line:column" of the value at `pointer` ("/transitions/3/when", RFC 6901), or of its nearest
-  /// enclosing value that has one.
-  std::string where(std::string_view pointer) const;
+  /// Of the value at `pointer` ("/transitions/3/when", RFC 6901), or of its nearest enclosing value that has a place.
+  TextPlace place(std::string_view pointer) const;
+  /// Of the key of the member at `pointer`; of an element, the element's own.
+  TextPlace key_place(std::string_view pointer) const;
+  /// Of the byte number `byte` of the text at `pointer`, whatever escapes stand before it in the document.
+  TextPlace place_in_text(std::string_view pointer, std::size_t byte) const;
 
-  Error error(std::string_view pointer, std::string sentence) const { return {where(pointer), std::move(sentence)}; }
+  /// Error at "name:line:column".
+  Error error(TextPlace place, std::string sentence) const;
+  Error error(std::string_view pointer, std::string sentence) const {
+    return error(place(pointer), std::move(sentence));
+  }
+  std::string where(std::string_view pointer) const { return error(pointer, "").where; }
+
+  /// A key that its object has already; the last value of a key counts.
+  struct Duplicate {
+    TextPlace place;
+    std::string key;
+  };
+  const std::vector<Duplicate>& duplicates() const { return duplicates_; }
 
  private:
-  struct Place {
-    std::size_t line, column;
+  struct Location {
+    TextPlace value, key;
+    std::size_t offset;  ///< byte of text_ where the value begins
   };
+  const Location* location(std::string_view pointer) const;
+
   Json root_;
-  std::string name_;
-  std::unordered_map<std::string, Place> places_;
+  std::string name_, text_;
+  std::unordered_map<std::string, Location> locations_;
+  std::vector<Duplicate> duplicates_;
 };
 
 /// Reads a whole file, or says why it could not: missing, a folder, unreadable. An empty file is an empty string.

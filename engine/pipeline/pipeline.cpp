@@ -20,22 +20,48 @@ Input to_input(const InputEvent& event, int serial) {
 
 }  // namespace
 
-Pipeline::Pipeline(std::shared_ptr<const Machine> machine, Choice choice, Perspective perspective)
-    : machine_(std::move(machine)), choice_(choice), perspective_(perspective), stepper_(machine_, methods_.rules()) {}
+Pipeline::Pipeline(std::shared_ptr<const Machine> machine, Perspective perspective, std::size_t most_branches)
+    : machine_(std::move(machine)),
+      perspective_(perspective),
+      stepper_(machine_, methods_.rules()),
+      explorer_(stepper_, most_branches) {}
 
-Tick Pipeline::begin(std::uint64_t seed, const WorldSnapshot& world) {
-  Tick tick{EngineState{{}, Beliefs(machine_->beliefs), Random(seed), "", 0, 0}, {}};
-  methods_.see(&world, &tick.after.random);
-  Step step = stepper_.begin(tick.after.beliefs, choice_, tick.after.random);
-  tick.after.configuration = std::move(step.after);
-  behave(tick.after, std::move(step.events), tick.events);
+Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world) {
+  Tick tick{EngineState{{}, {}, Beliefs(machine_->beliefs), std::move(chooser), "", 0, 0}, {}};
+  methods_.see(&world, &tick.after.chooser.random);
+  begin(tick.after, tick.events);
   return tick;
+}
+
+void Pipeline::begin(EngineState& state, std::vector<EngineEvent>& events) {
+  if (state.chooser.policy == Choice::explore) return explored(state, explorer_.begin(state.beliefs), events);
+  Step step = stepper_.begin(state.beliefs, state.chooser);
+  state.configuration = std::move(step.after);
+  behave(state, std::move(step.events), events);
+}
+
+void Pipeline::step(EngineState& state, const Input& input, std::vector<EngineEvent>& events) {
+  if (state.chooser.policy == Choice::explore)
+    return explored(state, explorer_.step(state.exploration, input, state.beliefs), events);
+  Step step = stepper_.step(state.configuration, input, state.beliefs, state.chooser);
+  state.configuration = std::move(step.after);
+  behave(state, std::move(step.events), events);
+}
+
+// The avatar does what the leading branch does; of the others only what they are is told.
+void Pipeline::explored(EngineState& state, ExplorationStep step, std::vector<EngineEvent>& events) {
+  state.exploration = std::move(step.after);
+  state.configuration = state.exploration.branches.front().configuration;
+  behave(state, std::move(step.events), events);
+  if (state.exploration.branches.size() == 1 && step.dropped.empty() && step.merged == 0 && step.pruned == 0) return;
+  for (auto& made : step.made) events.push_back(std::move(made));
+  events.push_back(Explored{state.exploration.branches, std::move(step.dropped), step.merged, step.pruned});
 }
 
 Tick Pipeline::tick(const EngineState& before, const InputEvent& event, const WorldSnapshot& world) {
   Tick tick{before, {}};
   EngineState& state = tick.after;
-  methods_.see(&world, &state.random);
+  methods_.see(&world, &state.chooser.random);
 
   const Input input = to_input(event, ++state.inputs);
   tick.events.push_back(Perceived{input.serial, input.symbol});
@@ -48,9 +74,7 @@ Tick Pipeline::tick(const EngineState& before, const InputEvent& event, const Wo
     return tick;
   }
   update_beliefs(state, input, tick.events);
-  Step step = stepper_.step(state.configuration, input, state.beliefs, choice_, state.random);
-  state.configuration = std::move(step.after);
-  behave(state, std::move(step.events), tick.events);
+  step(state, input, tick.events);
   return tick;
 }
 

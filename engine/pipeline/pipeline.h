@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "automaton/stepper.h"
+#include "automaton/exploration.h"
 #include "behaviour/planner.h"
 #include "composition/methods.h"
 #include "perception/input_event.h"
@@ -16,9 +16,10 @@ namespace continua {
 
 /// All that the engine remembers between ticks: a value.
 struct EngineState {
-  Configuration configuration;
+  Configuration configuration;  ///< under `explore` that of the leading branch
+  Exploration exploration;      ///< all branches; empty under the other policies
   Beliefs beliefs;
-  Random random;
+  Chooser chooser;
   std::string last_utterance;
   int inputs = 0;  ///< ticks so far; the running number of the latest is its `because`
   int commands = 0;
@@ -41,32 +42,46 @@ struct Unplanned {
   std::string reason;
 };
 
-using EngineEvent = std::variant<Perceived, BeliefChange, StepEvent, Commanded, Unplanned>;
+/// Under `explore`: what the automaton may be in beside what led to the events before it.
+struct Explored {
+  std::vector<Branch> branches;
+  std::vector<int> dropped;
+  int merged = 0, pruned = 0;
+};
+
+using EngineEvent = std::variant<Perceived, BeliefChange, StepEvent, Explored, Commanded, Unplanned>;
 
 struct Tick {
   EngineState after;
   std::vector<EngineEvent> events;  ///< in the order in which they happened
 };
 
+inline constexpr std::size_t default_most_branches = 64;
+
 class Pipeline {
  public:
-  Pipeline(std::shared_ptr<const Machine> machine, Choice choice, Perspective perspective);
+  /// `most_branches`: so many configurations are carried along under `explore`.
+  Pipeline(std::shared_ptr<const Machine> machine, Perspective perspective,
+           std::size_t most_branches = default_most_branches);
 
-  /// Before the first input. `world` is what the machine may read.
-  Tick begin(std::uint64_t seed, const WorldSnapshot& world);
+  /// Before the first input; the chooser's policy decides for the whole run. `world` is what the machine may read.
+  Tick begin(Chooser chooser, const WorldSnapshot& world);
   Tick tick(const EngineState& before, const InputEvent& event, const WorldSnapshot& world);
 
   const Machine& machine() const { return *machine_; }
 
  private:
+  void begin(EngineState& state, std::vector<EngineEvent>& events);
+  void step(EngineState& state, const Input& input, std::vector<EngineEvent>& events);
+  void explored(EngineState& state, ExplorationStep step, std::vector<EngineEvent>& events);
   void update_beliefs(EngineState& state, const Input& input, std::vector<EngineEvent>& events);
   void behave(EngineState& state, std::vector<StepEvent> steps, std::vector<EngineEvent>& events);
 
   std::shared_ptr<const Machine> machine_;
-  Choice choice_;
   Perspective perspective_;
   Methods methods_;
   Stepper stepper_;
+  Explorer explorer_;
 };
 
 }  // namespace continua

@@ -29,6 +29,11 @@ void collect_base_types(const Type& type, std::vector<std::string>& names) {
   }
 }
 
+void collect_names(const Syntax& syntax, std::set<std::string>& names) {
+  if (syntax.kind == Syntax::Kind::name) names.insert(syntax.name);
+  for (const auto& part : syntax.parts) collect_names(part, names);
+}
+
 Result<Term> read(std::string_view text, const Signature& names, const Type* expected) {
   std::vector<std::string> base_types;
   if (text.find(':') != std::string_view::npos)
@@ -73,5 +78,11 @@ Result<Term> parse_term(std::string_view text, const Signature& names, const Typ
 }
 
 Result<Term> parse_term(std::string_view text, const Signature& names) { return read(text, names, nullptr); }
+
+std::set<std::string> names_in(std::string_view text) {
+  std::set<std::string> names;
+  if (const auto syntax = parse_syntax(text, {})) collect_names(*syntax, names);
+  return names;
+}
 
 }  // namespace continua

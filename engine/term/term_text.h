@@ -15,6 +15,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,9 @@ const Signature& core_signature();
 Result<Term> parse_term(std::string_view text, const Signature& names, const Type& expected);
 /// The same for a term of any type.
 Result<Term> parse_term(std::string_view text, const Signature& names);
+
+/// The names that the text mentions, those of bound variables included; none where it cannot be read.
+std::set<std::string> names_in(std::string_view text);
 
 /// In the notation above, operators infix, numbers in their shortest form that reads back equal.
 /// Bound variables print their hint, primed where it would be captured.

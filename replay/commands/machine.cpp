@@ -1,11 +1,11 @@
 #include "replay/commands/machine.h"
 
-#include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <set>
+#include <memory>
 
 #include "automaton/machine_loader.h"
 #include "composition/methods.h"
+#include "replay/commands/machine_report.h"
 #include "replay/data_paths.h"
 #include "replay/exporters/graph_dot.h"
 #include "replay/exporters/graph_svg.h"
@@ -22,20 +22,8 @@ Result<Machine> machine_named(const MachineOptions& options) {
   return load_machine(*path, Methods::signature());
 }
 
-std::string described(const Machine& machine) {
-  std::set<std::string> inputs;
-  for (const auto& transition : machine.transitions)
-    if (transition.on) {
-      inputs.insert(transition.on->names.begin(), transition.on->names.end());
-      for (const auto& prefix : transition.on->prefixes) inputs.insert(prefix + "*");
-    }
-  return fmt::format("{}: {}, {}, {}, {}\n", machine.name, counted(machine.states.size(), "state"),
-                     counted(machine.transitions.size(), "transition"), counted(inputs.size(), "input"),
-                     counted(machine.slots.size(), "slot"));
-}
-
-Result<std::string> answer(const MachineOptions& options, const Machine& machine) {
-  if (!options.dot && !options.svg) return described(machine);
+Result<std::string> answer(const MachineOptions& options, Machine machine) {
+  if (!options.dot && !options.svg) return describe(std::make_shared<const Machine>(std::move(machine)));
   const auto graph = state_graph_of(graph_of(machine), machine.name);
   if (!graph) return graph.error();
   return options.svg ? svg_of(*graph) : dot_of(*graph);
@@ -44,9 +32,9 @@ Result<std::string> answer(const MachineOptions& options, const Machine& machine
 }  // namespace
 
 int run_machine(const MachineOptions& options) {
-  const auto machine = machine_named(options);
+  auto machine = machine_named(options);
   if (!machine) return report(machine.error()), exit_impossible;
-  const auto text = answer(options, *machine);
+  const auto text = answer(options, *std::move(machine));
   if (!text) return report(text.error()), exit_impossible;
   if (const auto problem = write_file(options.output, *text)) return report(*problem), exit_impossible;
   return exit_done;

@@ -1,10 +1,13 @@
 #include "replay/commands/replay.h"
 
+#include "core/located_json.h"
+
 #include <unistd.h>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -112,6 +115,12 @@ class Batch {
       lines_[index] = "";
     } else {
       lines_[index] = line_of(options_.traces[index], *summary, output);
+      for (const auto& [step, transition] : summary->not_forced) {
+        clear_progress();
+        report({options_.traces[index],
+                fmt::format("--force {}={}: that transition does not apply at that step", step, transition)});
+        status_ = exit_impossible;
+      }
       if (summary->expectations_met < summary->expectations && status_ == exit_done) status_ = exit_no;
     }
     clear_progress();
@@ -148,6 +157,17 @@ class Batch {
   int status_ = exit_done;
 };
 
+// "12=ask" into the map.
+void add_forced(const std::string& text, std::map<int, std::string>& forced) {
+  const auto equals = text.find('=');
+  int step = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + std::min(equals, text.size()), step);
+  if (equals == std::string::npos || problem != std::errc() || end != text.data() + equals || step < 1)
+    throw CLI::ValidationError("--force", fmt::format("found {}; expected N=TRANSITION, N from 1", in_quotes(text)));
+  if (!forced.emplace(step, text.substr(equals + 1)).second)
+    throw CLI::ValidationError("--force", fmt::format("step {} is forced twice", step));
+}
+
 }  // namespace
 
 int run_replay(const ReplayCommandOptions& options) {
@@ -164,10 +184,19 @@ void add_replay_command(CLI::App& program, Run& run) {
   command->add_option("--seed", options->replay.seed, "for draws; otherwise the trace's");
   auto choice = std::make_shared<std::string>();
   command
-      ->add_option(
-          "--choice", *choice,
-          "which of several applicable transitions fires: likeliest, sample or unique; otherwise the machine's")
-      ->check(CLI::IsMember({"likeliest", "sample", "unique"}));
+      ->add_option("--choice", *choice,
+                   "which of several applicable transitions fires: likeliest, sample, unique, or all: explore; "
+                   "otherwise the machine's")
+      ->check([](const std::string& name) {
+        return parse_choice(name) ? std::string() : fmt::format("expected {}", choice_names());
+      });
+  command->add_option("--branches", options->replay.most_branches, "under explore, how many configurations are kept")
+      ->check(CLI::Range(1, 1000000));
+  auto forced = std::make_shared<std::vector<std::string>>();
+  command
+      ->add_option("--force", *forced,
+                   "N=TRANSITION: at step N of the run, a transition record's `step`, take this transition")
+      ->allow_extra_args(false);
   command->add_option("--scene", options->replay.scene, "a name or an MJCF file; otherwise the trace's");
   command->add_option("--machine", options->replay.machine, "a name or a machine file; otherwise the trace's");
   command->add_option("--knowledge", options->replay.knowledge,
@@ -176,9 +205,12 @@ void add_replay_command(CLI::App& program, Run& run) {
       "--no-physics", [options] { options->replay.physics = false; },
       "the kinematic world, in which acts succeed at once");
   command->add_option("-j,--jobs", options->jobs, "how many traces at a time")->check(CLI::Range(1, 256));
-  command->footer("Example: continua replay traces/pilot/*.jsonl -o runs -j 2");
-  command->callback([options, choice, &run] {
+  command->footer(
+      "Examples: continua replay traces/pilot/*.jsonl -o runs -j 2\n"
+      "          continua replay session.trace.jsonl --force 12=ask_color -o what_if.run.jsonl");
+  command->callback([options, choice, forced, &run] {
     options->replay.choice = parse_choice(*choice);
+    for (const auto& one : *forced) add_forced(one, options->replay.forced);
     run = [options] { return run_replay(*options); };
   });
 }

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 
+#include "automaton/jflap.h"
 #include "automaton/machine_loader.h"
 #include "composition/methods.h"
 #include "core/located_json.h"
@@ -62,6 +63,12 @@ FileCheck check_machine_file(std::string_view text, const std::string& path) {
                       counted(machine->transitions.size(), "transition"))};
 }
 
+FileCheck check_jflap(std::string_view text, const std::string& path) {
+  const auto machine = machine_of_jflap(text, path);
+  if (!machine) return {{machine.error()}, {}, ""};
+  return check_machine_file(compact(*machine), path);
+}
+
 FileCheck check_scene(std::string_view, const std::string& path) {
   const auto scene = load_scene(path);
   if (!scene) return {{scene.error()}, {}, ""};
@@ -74,21 +81,22 @@ bool begins_with(std::string_view text, std::string_view beginning) {
 }
 
 struct FileKind {
-  bool (*recognises)(std::string_view text);
+  bool (*recognises)(std::string_view text, const std::string& path);
   FileCheck (*check)(std::string_view text, const std::string& path);
 };
 
 // The first that recognises a file checks it.
 constexpr std::array file_kinds = {
-    FileKind{[](std::string_view text) { return begins_with_kind(text, "trace"); }, check_trace},
-    FileKind{[](std::string_view text) { return begins_with_kind(text, "run"); }, check_run},
-    FileKind{[](std::string_view text) {
+    FileKind{[](std::string_view text, const std::string& path) { return is_jflap(text, path); }, check_jflap},
+    FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "trace"); }, check_trace},
+    FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "run"); }, check_run},
+    FileKind{[](std::string_view text, const std::string&) {
                return begins_with(text, "{") && text.find("\"machine\"") != text.npos &&
                       text.find("\"transitions\"") != text.npos;
              },
              check_machine_file},
-    FileKind{[](std::string_view text) { return begins_with(text, "<"); }, check_scene},
-    FileKind{looks_like_session, check_session},
+    FileKind{[](std::string_view text, const std::string&) { return begins_with(text, "<"); }, check_scene},
+    FileKind{[](std::string_view text, const std::string&) { return looks_like_session(text); }, check_session},
 };
 
 int validate(const std::string& path) {
@@ -106,7 +114,7 @@ int validate(const std::string& path) {
 
 FileCheck check_file(std::string_view text, const std::string& path) {
   for (const auto& kind : file_kinds)
-    if (kind.recognises(text)) return kind.check(text, path);
+    if (kind.recognises(text, path)) return kind.check(text, path);
   // Most of the project's files are traces or logs: what their reader says is the best there is to say.
   auto check = check_trace(text, path);
   check.problems.resize(1);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "replay/run_brief.h"
@@ -117,19 +118,19 @@ class Reader {
     const auto gate = json.find("gate");
     if (gate == json.end() || !gate->is_object()) return;
     state.gate = one_line(text_of(*gate, "condition"));
-    const auto rejection = add_rejection(index, text_of(*gate, "else"));
+    const auto rejection = add_rejection(index, state_named(text_of(*gate, "else")));
     graph_.edges[rejection].operation = one_line(operation_of(*gate));
     if (visits_of(json)) graph_.edges[rejection].visits = 0;
   }
 
-  std::size_t add_rejection(std::size_t gated, const std::string& otherwise) {
+  std::size_t add_rejection(std::size_t gated, std::size_t otherwise) {
     StateGraph::Edge edge;
     edge.from = gated;
-    edge.to = state_named(otherwise);
+    edge.to = otherwise;
     edge.rejected = true;
     const auto& gate = graph_.states[gated].gate;
     if (!gate.empty()) edge.condition = fmt::format("not ({})", gate);
-    rejections_[{gated, edge.to}] = graph_.edges.size();
+    rejections_[gated] = graph_.edges.size();
     graph_.edges.push_back(std::move(edge));
     return graph_.edges.size() - 1;
   }
@@ -151,15 +152,19 @@ class Reader {
     graph_.edges.push_back(std::move(edge));
   }
 
-  // A run took the transition up to the gate of the state it leads to, and went on from there.
+  // A run took the transition up to the gate of the state it leads to, and went on from there, maybe through others.
   void read_diversion(const Json& json) {
     const auto taken = taken_.find({one_line(text_of(json, "id")), state_named(text_of(json, "from"))});
     if (taken == taken_.end()) return read_edge(json);
-    const auto gated = graph_.edges[taken->second].to, otherwise = state_named(text_of(json, "to"));
-    const auto known = rejections_.find({gated, otherwise});
-    const auto rejection = known == rejections_.end() ? add_rejection(gated, text_of(json, "to")) : known->second;
     add(graph_.edges[taken->second].visits, visits_of(json));
-    add(graph_.edges[rejection].visits, visits_of(json));
+    const auto end = state_named(text_of(json, "to"));
+    auto gated = graph_.edges[taken->second].to;
+    for (std::set<std::size_t> passed; gated != end && passed.insert(gated).second;) {
+      const auto known = rejections_.find(gated);
+      auto& rejection = graph_.edges[known == rejections_.end() ? add_rejection(gated, end) : known->second];
+      add(rejection.visits, visits_of(json));
+      gated = rejection.to;
+    }
   }
 
   void merge_edges_from_everywhere() {
@@ -184,8 +189,8 @@ class Reader {
 
   StateGraph graph_;
   std::map<std::string, std::size_t> index_;
-  std::map<std::pair<std::string, std::size_t>, std::size_t> taken_;       ///< transition and state → edge
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> rejections_;  ///< gated and next state → edge
+  std::map<std::pair<std::string, std::size_t>, std::size_t> taken_;  ///< transition and state → edge
+  std::map<std::size_t, std::size_t> rejections_;                     ///< gated state → edge
 };
 
 // "2× no [size(options) > 1] / pop".

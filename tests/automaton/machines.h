@@ -29,9 +29,8 @@ class Player {
       : machine_(machine_of(text)),
         stepper_(machine_, no_methods),
         beliefs_(machine_->beliefs),
-        random_(seed),
-        choice_(choice.value_or(machine_->choice)) {
-    take(stepper_.begin(beliefs_, choice_, random_));
+        chooser_{choice.value_or(machine_->choice), Random(seed), {}, 0} {
+    take(stepper_.begin(beliefs_, chooser_));
   }
 
   /// Offers symbols, separated by ", ".
@@ -43,7 +42,7 @@ class Player {
       input.symbol = symbols.substr(at, comma - at);
       input.target = Term::point(serial_, 0, 0);
       input.confidence = confidence;
-      take(stepper_.step(configuration_, input, beliefs_, choice_, random_));
+      take(stepper_.step(configuration_, input, beliefs_, chooser_));
       at = comma + 2;
     }
     return *this;
@@ -83,8 +82,7 @@ class Player {
   std::shared_ptr<const Machine> machine_;
   Stepper stepper_;
   Beliefs beliefs_;
-  Random random_;
-  Choice choice_;
+  Chooser chooser_;
   Configuration configuration_;
   std::vector<StepEvent> events_;
   int serial_ = 0;

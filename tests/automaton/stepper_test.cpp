@@ -130,7 +130,7 @@ TEST_CASE("pop takes the top off, and the bottom symbol stays, however often it 
 TEST_CASE("a rewrite replaces the top, then ε-transitions are tried; an empty list exposes what is below") {
   const std::string text =
       R"json({"machine":1,"name":"m","start":"A","epsilon":"after_rewrite","slots":{"n":"num","m":"num"},
-    "states":{"B":{"enter":[{"rewrite":{"n":"n + 1"}},{"say":"never said"}]},"E":{"enter":[{"rewrite_each":{"n":"[]"}}]}},
+    "states":{"B":{"enter":[{"when":"n = 1","rewrite":{"n":"n + 1"}},{"say":"never said"}]},"E":{"enter":[{"rewrite_each":{"n":"[]"}}]}},
     "transitions":[
     {"id":"b","from":"A","on":"b","to":"B","push":{"n":"1","m":"5"}},
     {"id":"on","from":"B","on":null,"when":"n = 2","to":"C"},
@@ -175,7 +175,7 @@ TEST_CASE("a gate that does not hold leads elsewhere, with its own operation") {
   CHECK(player.state() == "Ask");
   CHECK(player.slot("n") == "4");
   CHECK(player.all<Acted>().empty());
-  CHECK_FALSE(player.all<Fired>().at(0).gate->passed);
+  CHECK_FALSE(player.all<Fired>().at(0).gates.at(0).passed);
   player.beliefs().overhear("Are you Pointing?");
   player.feed("p");
   CHECK(player.state() == "B");
@@ -212,8 +212,8 @@ TEST_CASE("registers are remembered beside the stack, all at once") {
   Player player(R"({"machine":1,"name":"m","start":"A","memory":{"a":{"type":"num","initial":"1"},"b":{"type":"num"}},
     "transitions":[{"id":"s","from":"A","on":"x","to":"A","do":[{"remember":{"a":"a + 1","b":"a"}}]}]})");
   player.feed("x, x");
-  CHECK(print(player.configuration().memory[0].value) == "3");
-  CHECK(print(player.configuration().memory[1].value) == "2");
+  CHECK(print(player.configuration().memory->at(0).value) == "3");
+  CHECK(print(player.configuration().memory->at(1).value) == "2");
 }
 
 TEST_CASE("wordings put a term into words by its shape") {

@@ -41,8 +41,8 @@ struct Play {
   Play() {
     auto loaded = parse_machine(machine_text, "m.json", Methods::signature());
     if (!loaded) FAIL(loaded.error().text());
-    pipeline.emplace(std::make_shared<const Machine>(std::move(*loaded)), Choice::unique, Perspective::avatar);
-    state.emplace(pipeline->begin(1, snapshot).after);
+    pipeline.emplace(std::make_shared<const Machine>(std::move(*loaded)), Perspective::avatar);
+    state.emplace(pipeline->begin({Choice::unique, Random(1), {}, 0}, snapshot).after);
   }
 
   std::string point(double x, double confidence = 1) {

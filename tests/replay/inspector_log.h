@@ -81,7 +81,7 @@ inline Json transition_fields(const char* id, const char* from, const char* to, 
           {"draw", nullptr},
           {"candidates", {{{"id", id}, {"weight", 1}}}},
           {"refused", {{{"id", "other"}, {"reason", "size(options) > 1 is false"}}}},
-          {"gate", nullptr},
+          {"gates", Json::array()},
           {"stack", stack},
           {"depth", depth},
           {"margin", nullptr}};

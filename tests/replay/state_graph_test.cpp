@@ -182,6 +182,19 @@ TEST_CASE("what a gate rejected was taken up to the gate, and from there") {
   }
 }
 
+TEST_CASE("what several gates rejected passed all of them") {
+  const auto machine = parse_machine(machine_with(R"({"id":"in","from":"A","on":"x","to":"B"})",
+                                                  R"("states":{"B":{"gate":{"when":"region = null","else":"C"}},
+                                "C":{"gate":{"when":"region = null","else":"D"}},"D":{}},)"),
+                                     "m.json", {});
+  const ScratchFolder folder;
+  LogBuilder log;
+  log.add("run", 0, {{"version", 1}, {"graph", graph_of(*machine)}});
+  log.add("transition", 1, transition_fields("in", "A", "D", 1, 1));
+  const auto graph = state_graph_of(*RunIndex::open(folder.write("gates.run.jsonl", log.text())));
+  CHECK(arrows_text(*graph) == "! B->C: 1× [not (region = null)]\n! C->D: 1× [not (region = null)]\nA->B: 1× x\n");
+}
+
 TEST_CASE("a header without a graph cannot be drawn") {
   for (const char* graph : {"null", "[]", "{}", R"({"states":3,"edges":"x","start":null})"})
     CHECK_FALSE(state_graph_of(Json::parse(graph), "m").ok());

@@ -40,7 +40,7 @@ function logText() {
   let id = 1;
   add('symbol', 0, {id, below: null, slots: {}}, 0);
   const step = (t, cause, name, from, to, input, stack, depth) => add('transition', t, {id: name, from, to, input, operation: {none: null}, weight: 1,
-    probability: 1, draw: null, candidates: [{id: name, weight: 1}], refused: [{id: 'lost', reason: 'the input is not x'}], gate: null, stack, depth, margin: null}, cause);
+    probability: 1, draw: null, candidates: [{id: name, weight: 1}], refused: [{id: 'lost', reason: 'the input is not x'}], gates: [], stack, depth, margin: null}, cause);
   for (let round = 0; round < 3; ++round) {
     const t = 5 + round * 20;
     const said = add('input', t, {line: 2, event: {kind: 'speech', text: `Put it there, ${round}.`, until: t + 1.5}, symbol: 'P'});

@@ -22,7 +22,8 @@ function transitionFields(record) {
     line('taken', h('b', {}, record.id), candidates.length > 1 ? `, one of ${candidates.length} applicable` : ', the only one applicable',
       record.draw === null || record.draw === undefined ? '' : `, draw ${record.draw}`),
   ];
-  if (record.gate) fields.push(line('gate', `${record.gate.state}: ${shown(record.gate.condition)} `, h('b', {class: record.gate.passed ? 'yes' : 'no'}, record.gate.passed ? 'passed' : 'not passed')));
+  for (const gate of record.gates)
+    fields.push(line('gate', `${gate.state}: ${shown(gate.condition)} `, h('b', {class: gate.passed ? 'yes' : 'no'}, gate.passed ? 'passed' : 'not passed')));
   if (record.margin !== null && record.margin !== undefined) fields.push(line('margin', text(record.margin)));
   return [h('dl', {}, fields),
     candidates.length > 1 && h('details', {open: true}, h('summary', {}, `${candidates.length} applicable`),

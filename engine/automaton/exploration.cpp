@@ -1,0 +1,175 @@
+#include "automaton/exploration.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace continua {
+
+// The work of one step: configurations in the order in which they are reached.
+class Explorer::Work {
+ public:
+  Work(Stepper& stepper, std::size_t limit, const Beliefs& beliefs, const Exploration& before)
+      : stepper_(stepper), limit_(std::max<std::size_t>(limit, 1)), beliefs_(beliefs) {
+    result_.after = before;
+    result_.after.branches.clear();
+  }
+
+  void begin() {
+    auto configuration = stepper_.initial();
+    result_.after.next_symbol = configuration.next_symbol;
+    Node node;
+    node.events.push_back(MadeSymbol{configuration.stack.id(), std::nullopt, configuration.stack.top()});
+    node.branch.configuration = std::move(configuration);
+    node.settles = stepper_.machine().epsilon_always;
+    reach(std::move(node));
+    result_.after.next_branch = 1;
+  }
+
+  void offer(const Branch& branch, const Input& input) {
+    Node from;
+    from.branch = branch;
+    from.branch.by.clear();
+    from.branch.parent = branch.id;
+    if (!fire_all(from, &input)) result_.dropped.push_back(branch.id);
+  }
+
+  // ε-transitions; those that are reached on the way are tried in their turn.
+  void close() {
+    for (std::size_t next = 0; next < open_.size(); ++next) {
+      const auto i = open_[next];
+      if (nodes_[i].pruned) continue;
+      if (nodes_[i].branch.by.size() > most_epsilon_steps) {
+        nodes_[i].events.push_back(Trouble{fmt::format("more than {} ε-transitions in a row", most_epsilon_steps)});
+        continue;
+      }
+      const Node from = nodes_[i];
+      nodes_[i].branch.settled = !fire_all(from, nullptr);
+    }
+  }
+
+  bool nothing() const { return nodes_.empty(); }
+
+  ExplorationStep result() && {
+    std::erase_if(nodes_, [](const Node& node) { return node.pruned; });
+    std::stable_sort(nodes_.begin(), nodes_.end(), [](const Node& a, const Node& b) {
+      return std::pair(!a.branch.settled, -a.branch.weight) < std::pair(!b.branch.settled, -b.branch.weight);
+    });
+    double total = 0;
+    for (const auto& node : nodes_) total += node.branch.weight;
+    std::set<int> taken;
+    for (auto& node : nodes_) {
+      node.branch.id = taken.insert(node.branch.parent).second ? node.branch.parent : result_.after.next_branch++;
+      node.branch.weight /= total;
+      if (result_.after.branches.empty())
+        result_.events = std::move(node.events);
+      else
+        std::copy_if(node.events.begin(), node.events.end(), std::back_inserter(result_.made),
+                     [](const StepEvent& event) { return std::holds_alternative<MadeSymbol>(event); });
+      result_.after.branches.push_back(std::move(node.branch));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  struct Node {
+    Branch branch;
+    std::vector<StepEvent> events;  ///< since the step began
+    bool settles = true;            ///< ε-transitions are to be tried
+    bool pruned = false;
+  };
+
+  // Fires everything that applies in `from`, each on a copy. Returns whether anything did.
+  bool fire_all(const Node& from, const Input* input) {
+    const auto& configuration = from.branch.configuration;
+    std::vector<StepEvent> unused;
+    const auto found = stepper_.firing(configuration, input, beliefs_, &unused).applicable();
+    double total = 0;
+    for (const auto& candidate : found.candidates) total += candidate.weight;
+    bool any = false;
+    for (const auto& candidate : found.candidates) {
+      Node node = from;
+      node.branch.configuration.next_symbol = result_.after.next_symbol;
+      auto firing = stepper_.firing(std::move(node.branch.configuration), input, beliefs_, &node.events);
+      const Chosen chosen{candidate.transition, candidate.weight / total, std::nullopt, false};
+      const auto settles = firing.fire(chosen, found, ++result_.after.steps);
+      if (!settles) continue;
+      any = true;
+      node.branch.configuration = std::move(firing).take();
+      result_.after.next_symbol = node.branch.configuration.next_symbol;
+      node.branch.by.push_back(candidate.transition);
+      node.branch.weight = from.branch.weight * candidate.weight;
+      node.settles = *settles;
+      reach(std::move(node));
+    }
+    return any;
+  }
+
+  void reach(Node node) {
+    auto& alike = alike_[{node.branch.configuration.state, node.branch.configuration.stack.depth()}];
+    for (const auto index : alike) {
+      auto& known = nodes_[index];
+      if (known.pruned || !known.branch.configuration.same_as(node.branch.configuration)) continue;
+      ++result_.merged;
+      if (node.settles && !known.settles) open_.push_back(index);
+      known.settles = known.settles || node.settles;
+      if (known.branch.weight < node.branch.weight) {
+        known.branch.weight = node.branch.weight;
+        known.branch.by = std::move(node.branch.by);
+        known.branch.parent = node.branch.parent;
+        known.branch.configuration = std::move(node.branch.configuration);
+        known.events = std::move(node.events);
+      }
+      return;
+    }
+    if (kept_ == limit_) {
+      ++result_.pruned;
+      auto lightest = nodes_.end();
+      for (auto one = nodes_.begin(); one != nodes_.end(); ++one)
+        if (!one->pruned && (lightest == nodes_.end() || one->branch.weight <= lightest->branch.weight)) lightest = one;
+      if (lightest->branch.weight >= node.branch.weight) return;
+      lightest->pruned = true;
+      --kept_;
+    }
+    ++kept_;
+    alike.push_back(nodes_.size());
+    if (node.settles) open_.push_back(nodes_.size());
+    nodes_.push_back(std::move(node));
+  }
+
+  Stepper& stepper_;
+  std::size_t limit_;
+  const Beliefs& beliefs_;
+  std::vector<Node> nodes_;
+  std::map<std::pair<StateIndex, std::size_t>, std::vector<std::size_t>> alike_;  ///< by state and depth
+  std::vector<std::size_t> open_;  ///< nodes whose ε-transitions are to be tried, in order
+  std::size_t kept_ = 0;
+  ExplorationStep result_;
+};
+
+ExplorationStep Explorer::begin(const Beliefs& beliefs) {
+  Work work(stepper_, limit_, beliefs, {});
+  work.begin();
+  work.close();
+  return std::move(work).result();
+}
+
+ExplorationStep Explorer::step(const Exploration& before, const Input& input, const Beliefs& beliefs) {
+  Work work(stepper_, limit_, beliefs, before);
+  for (const auto& branch : before.branches) work.offer(branch, input);
+  if (!work.nothing()) {
+    work.close();
+    return std::move(work).result();
+  }
+  ExplorationStep refused;
+  refused.after = before;
+  const auto& leading = before.branches.front().configuration;
+  auto found = stepper_.firing(leading, &input, beliefs, &refused.events).applicable();
+  const auto reason = refusal_reason(stepper_.machine(), leading.state, found, input);
+  refused.events.push_back(RefusedInput{leading.state, input.symbol, reason, std::move(found.refused)});
+  return refused;
+}
+
+}  // namespace continua

@@ -1,0 +1,57 @@
+// The policy `explore`: all configurations that a machine may be in, as a set (semantics §1, Nondeterminism).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "automaton/stepper.h"
+
+namespace continua {
+
+/// One of the configurations, and how it came about.
+struct Branch {
+  int id = 0;      ///< that of its parent, for the first of several children; else a new one
+  int parent = 0;  ///< the branch of the step before that it comes from
+  Configuration configuration;
+  double weight = 1;            ///< of its heaviest way; all weights of a set sum to 1
+  bool settled = true;          ///< no ε-transition applies
+  std::vector<std::size_t> by;  ///< transitions of this step that led to it, in order
+};
+
+/// A set of configurations, no two the same. The first leads: of those that are settled the heaviest, ties by the
+/// order in which they were reached; the others follow in the same order, then those that are not settled.
+struct Exploration {
+  std::vector<Branch> branches;
+  int next_branch = 0;
+  int next_symbol = 0;  ///< ids of symbols are unique over all branches
+  int steps = 0;        ///< transitions fired so far, over all branches
+};
+
+struct ExplorationStep {
+  Exploration after;
+  std::vector<StepEvent> events;  ///< of the leading branch; or RefusedInput
+  std::vector<StepEvent> made;    ///< the symbols that the other branches made
+  std::vector<int> dropped;       ///< branches that could not take the input, while others could
+  int merged = 0;                 ///< configurations that were reached once more
+  int pruned = 0;                 ///< configurations given up because the set was full, the lightest first
+};
+
+/// Carries the set on, breadth first: from each configuration every transition that takes the input, then every chain
+/// of ε-transitions, each of them taken and not taken, as in the textbook. Configurations that come out equal become
+/// one, with the larger weight. At most `limit` are kept.
+class Explorer {
+ public:
+  Explorer(Stepper& stepper, std::size_t limit) : stepper_(stepper), limit_(limit) {}
+
+  ExplorationStep begin(const Beliefs& beliefs);
+  /// If no configuration takes the input it is refused and the set stays.
+  ExplorationStep step(const Exploration& before, const Input& input, const Beliefs& beliefs);
+
+ private:
+  class Work;
+  Stepper& stepper_;
+  std::size_t limit_;
+};
+
+}  // namespace continua

@@ -1,0 +1,212 @@
+#include "automaton/firing.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "automaton/condition.h"
+#include "automaton/stack_operation.h"
+#include "automaton/wording.h"
+
+namespace continua {
+
+Applicable Firing::applicable() {
+  Applicable found;
+  const auto& exits = machine_.exits[configuration_.state];
+  for (const auto index : input_ ? exits.on(input_->symbol) : exits.epsilon) {
+    const auto& transition = machine_.transitions[index];
+    if (input_ && !transition.on->contains(input_->symbol)) continue;
+    const double weight = transition.weight * (input_ ? input_->confidence : 1);
+    if (!transition.when) {
+      found.candidates.push_back({index, weight});
+      continue;
+    }
+    auto evaluation = evaluate();
+    if (evaluation.value(*transition.when).is_true())
+      found.candidates.push_back({index, weight});
+    else if (account_)
+      found.refused.push_back({index, why_not(*transition.when, machine_, evaluation)});
+    found.margin = std::min(found.margin, evaluation.margin);
+  }
+  return found;
+}
+
+std::optional<Entry> Firing::entry(const Transition& transition) {
+  Entry entry{transition.to, &transition.operation, false, {}};
+  std::vector<StateIndex> refused;
+  while (const auto& gate = machine_.states[entry.state].gate) {
+    if (std::find(refused.begin(), refused.end(), entry.state) != refused.end()) return std::nullopt;
+    auto evaluation = evaluate();
+    const bool passed = evaluation.value(gate->when).is_true();
+    entry.margin = std::min(entry.margin, evaluation.margin);
+    entry.gates.push_back({entry.state, account_ ? print(gate->when) : "", passed});
+    if (passed) break;
+    refused.push_back(entry.state);
+    entry.state = gate->otherwise;
+    entry.operation = &gate->operation;
+    entry.rejected = true;
+  }
+  return entry;
+}
+
+std::optional<bool> Firing::fire(const Chosen& chosen, Applicable found, int step) {
+  const auto& transition = machine_.transitions[chosen.transition];
+  auto where = entry(transition);
+  if (!where) {
+    note(Trouble{fmt::format("the gates that {} leads to refuse one another in a circle", transition.id)});
+    return std::nullopt;
+  }
+  apply(change(*where->operation));
+  if (account_)
+    note(Fired{chosen.transition, step, configuration_.state, where->state,
+               input_ ? std::optional(input_->symbol) : std::nullopt, where->operation, std::move(found.candidates),
+               std::move(found.refused), std::move(where->gates), chosen.probability, chosen.draw, chosen.forced,
+               configuration_.stack.id(), configuration_.stack.depth(), std::min(found.margin, where->margin)});
+  bool settles = machine_.epsilon_always || where->operation->is_rewrite();
+  if (!where->rejected && perform_and_rewrite(transition.effects)) settles = true;
+  enter(where->state);
+  if (perform_and_rewrite(machine_.states[where->state].enter)) settles = true;
+  return settles;
+}
+
+void Firing::enter(StateIndex state) {
+  configuration_.state = state;
+  if (machine_.landmarks > 0)
+    configuration_.history =
+        configuration_.history.entered(machine_.landmark[state], machine_.landmarks, configuration_.stack);
+}
+
+void Firing::forget_input() { input_ = nullptr; }
+
+Term Firing::value(const Term& term) {
+  auto evaluation = evaluate();
+  return evaluation.value(term);
+}
+
+Change Firing::change(const Operation& operation) {
+  Change change{&operation, {}};
+  for (const auto& content : operation.contents)
+    change.contents.push_back(content.term ? std::optional(compute(*content.term)) : std::nullopt);
+  return change;
+}
+
+// Carries out an operation on the stack; what it made goes to the account first.
+void Firing::apply(const Change& change) {
+  if (change.operation->kind == Operation::Kind::none) return;
+  auto result = apply_operation(*change.operation, change.contents, machine_, configuration_);
+  for (auto& made : result.made) note(MadeSymbol{made.id(), made.id_below(), made.top()});
+  if (!result.trouble.empty()) note(Trouble{std::move(result.trouble)});
+  configuration_.stack = std::move(result.stack);
+  configuration_.next_symbol = result.next_symbol;
+}
+
+bool Firing::perform_and_rewrite(const std::vector<Effect>& effects) {
+  const auto rewrite = perform(effects);
+  if (!rewrite) return false;
+  if (!rewrite->operation->keeps_stack) {
+    apply(*rewrite);
+    note(Rewrote{configuration_.state, rewrite->operation, configuration_.stack.id(), configuration_.stack.depth()});
+  }
+  return true;
+}
+
+std::optional<Change> Firing::perform(const std::vector<Effect>& effects) {
+  if (!perform_all(effects)) return std::nullopt;
+  return std::move(rewrite_);
+}
+
+bool Firing::perform_all(const std::vector<Effect>& effects) {
+  for (const auto& effect : effects) {
+    if (effect.when && !value(*effect.when).is_true()) continue;
+    if (std::visit([this](const auto& what) { return perform_one(what); }, effect.what)) return true;
+  }
+  return false;
+}
+
+bool Firing::perform_one(const Say& say) {
+  if (!account_) return false;
+  begin_because();
+  auto evaluation = evaluate();
+  if (const auto words = fill_template(say.text, {}, evaluation)) note(Said{*words, because()});
+  return false;
+}
+bool Firing::perform_one(const Gesture& gesture) {
+  if (!account_) return false;
+  auto cell = compute(gesture.term);
+  if (!cell.value.is_null()) note(Gestured{std::move(cell.value), std::move(cell.because)});
+  return false;
+}
+bool Firing::perform_one(const Act& act) {
+  if (!account_) return false;
+  auto cell = compute(act.term);
+  if (!cell.value.is_null()) note(Acted{std::move(cell.value), std::move(cell.because)});
+  return false;
+}
+bool Firing::perform_one(const Remember& remember) {
+  auto memory = *configuration_.memory;
+  for (const auto& [index, term] : remember.registers) {
+    auto cell = compute(term);
+    if (!(memory[index].value == cell.value)) note(Remembered{index, cell.value});
+    memory[index] = std::move(cell);
+  }
+  configuration_.memory = std::make_shared<const std::vector<Cell>>(std::move(memory));
+  return false;
+}
+bool Firing::perform_one(const Rewrite& rewrite) {
+  rewrite_ = rewrite.operation.keeps_stack ? Change{&rewrite.operation, {}} : change(rewrite.operation);
+  return true;
+}
+bool Firing::perform_one(const Group& group) { return perform_all(group.effects); }
+
+void Firing::begin_because() {
+  because_.clear();
+  if (serial_ > 0) because_.insert(serial_);
+}
+
+// A value, with the inputs it came from: those of what was read, and the one under way.
+Cell Firing::compute(const Term& term) {
+  begin_because();
+  auto evaluation = evaluate();
+  Cell cell{evaluation.value(term), {}};
+  cell.because = because();
+  for (auto& application : evaluation.applications) note(Applied{std::move(application), cell.because});
+  if (evaluation.exhausted) note(Trouble{fmt::format("evaluation of {} does not end", print(term))});
+  return cell;
+}
+
+void Firing::note(StepEvent event) {
+  if (account_) account_->push_back(std::move(event));
+}
+
+Evaluation Firing::evaluate() {
+  return Evaluation({rules_.begin(), rules_.end()}, [this](const std::string& name) { return look_up(name); });
+}
+
+// Notes which inputs the value came from: they are what the evaluated content is because of.
+const Term* Firing::look_up(const std::string& name) {
+  if (const auto slot = machine_.slot_index.find(name); slot != machine_.slot_index.end())
+    return read(configuration_.stack.top()[slot->second]);
+  if (const auto entry = machine_.register_index.find(name); entry != machine_.register_index.end())
+    return read((*configuration_.memory)[entry->second]);
+  if (const auto definition = machine_.definitions.find(name); definition != machine_.definitions.end())
+    return &definition->second;
+  return moment(name);
+}
+
+// Names of the moment (FORMAT.md). The evaluation copies what it is given before it asks for the next.
+const Term* Firing::moment(const std::string& name) {
+  if (name == "in_state") return &(moment_ = Term::text(machine_.states[configuration_.state].name));
+  if (name == "input") return &(moment_ = input_ ? Term::text(input_->symbol) : Term::null());
+  if (name == "target") return &(moment_ = input_ ? input_->target : Term::null());
+  if (name == "said") return &(moment_ = input_ ? input_->said : Term::null());
+  if (name == "confidence") return &(moment_ = input_ ? Term::number(input_->confidence) : Term::null());
+  if (name == "now") return &(moment_ = input_ ? Term::number(input_->now_s) : Term::null());
+  return nullptr;
+}
+
+const Term* Firing::read(const Cell& cell) {
+  because_.insert(cell.because.begin(), cell.because.end());
+  return &cell.value;
+}
+
+}  // namespace continua

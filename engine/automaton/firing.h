@@ -1,0 +1,117 @@
+// The parts of a step: which transitions apply, what one of them does to the topmost symbol, what it and the state it
+// enters do beside. Each part sees the head of the configuration alone, that is state, topmost symbol and registers,
+// and ends with at most one change of the stack; so it can be carried out on a real stack (automaton/stepper.h), on
+// many (automaton/exploration.h) or on an unknown one (automaton/acceptance.h).
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "automaton/step_event.h"
+
+namespace continua {
+
+/// What the automaton is offered.
+struct Input {
+  int serial = 0;  ///< names the input in `because`
+  std::string symbol;
+  Term target, said;  ///< payload: loc, text; null where it has none
+  double confidence = 1;
+  double now_s = 0;
+};
+
+/// The transitions of a head that may fire, and those that its conditions refuse.
+struct Applicable {
+  std::vector<Candidate> candidates;  ///< in file order
+  std::vector<Refused> refused;       ///< empty without an account
+  double margin = std::numeric_limits<double>::infinity();
+};
+
+/// An operation with its contents evaluated: nullopt for the JSON null; lists of values for …_each.
+struct Change {
+  const Operation* operation = nullptr;
+  std::vector<std::optional<Cell>> contents;
+};
+
+/// Where a transition leads once gates have spoken.
+struct Entry {
+  StateIndex state = 0;
+  const Operation* operation = nullptr;
+  bool rejected = false;
+  std::vector<GateTest> gates;  ///< conditions are empty without an account
+  double margin = std::numeric_limits<double>::infinity();
+};
+
+/// A configuration and an input under which things happen.
+class Firing {
+ public:
+  /// `rules` are asked in turn for what names compute. `input`: nullptr for ε. `account` takes what happens; without
+  /// one nothing is put into words. All must outlive the firing.
+  Firing(const Machine& machine, std::span<const Rules* const> rules, Configuration configuration, const Input* input,
+         std::vector<StepEvent>* account)
+      : machine_(machine),
+        rules_(rules),
+        configuration_(std::move(configuration)),
+        input_(input),
+        serial_(input ? input->serial : 0),
+        account_(account) {}
+
+  const Configuration& configuration() const { return configuration_; }
+  Configuration take() && { return std::move(configuration_); }
+
+  /// Those that take the input, or the ε-transitions where there is none.
+  Applicable applicable();
+  /// Fires a transition: its gates, its operation, its effects, the entry of the state. Returns whether ε-transitions
+  /// are to be tried now; nothing if the gates refuse one another in a circle, and then nothing has changed.
+  std::optional<bool> fire(const Chosen& chosen, Applicable found, int step);
+  /// The input is used up: what follows are ε-transitions.
+  void forget_input();
+
+  Term value(const Term& term);
+
+  // The parts of `fire`, for those who keep the stack elsewhere.
+
+  /// Nothing if the gates refuse one another in a circle.
+  std::optional<Entry> entry(const Transition& transition);
+  Change change(const Operation& operation);
+  /// Carries out effects; a rewrite that ends them comes back, its contents evaluated but not applied.
+  std::optional<Change> perform(const std::vector<Effect>& effects);
+  void enter(StateIndex state);
+
+ private:
+  Evaluation evaluate();
+  const Term* look_up(const std::string& name);
+  const Term* moment(const std::string& name);
+  const Term* read(const Cell& cell);
+  void apply(const Change& change);
+  bool perform_and_rewrite(const std::vector<Effect>& effects);
+  void begin_because();
+  std::vector<int> because() const { return {because_.begin(), because_.end()}; }
+  Cell compute(const Term& term);
+  void note(StepEvent event);
+
+  // Whether the effect was a rewrite, whose change is then in `rewrite_`.
+  bool perform_one(const Say& say);
+  bool perform_one(const Gesture& gesture);
+  bool perform_one(const Act& act);
+  bool perform_one(const Remember& remember);
+  bool perform_one(const Rewrite& rewrite);
+  bool perform_one(const Group& group);
+  bool perform_all(const std::vector<Effect>& effects);
+
+  const Machine& machine_;
+  std::span<const Rules* const> rules_;
+  Configuration configuration_;
+  const Input* input_;
+  int serial_;  ///< of the input that brought all this about, also once it is used up; 0: none
+  std::vector<StepEvent>* account_;
+  std::set<int> because_;  ///< inputs that what is being computed came from
+  Change rewrite_;
+  Term moment_;  ///< the latest name of the moment that was looked up
+};
+
+}  // namespace continua

@@ -1,0 +1,116 @@
+// A machine as a pushdown system: what may happen in a control with a symbol on top, found out when it is asked for.
+//
+// Configurations of a machine hold terms, so controls and stack symbols are numbered as they turn up. A control is a
+// state with registers and history; between the parts of a transition (automaton/firing.h) also what is left to do,
+// such as to go on popping. The topmost symbol is all that a rule sees, and a rule puts a word of symbols in its place.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "automaton/stepper.h"
+
+namespace continua {
+
+/// In place of the topmost symbol comes `word`, topmost first.
+struct PushdownRule {
+  int control = 0;
+  std::vector<int> word;
+  std::optional<std::size_t> transition;  ///< the one that fires here; none where an earlier one is carried on
+};
+
+class PushdownSystem {
+ public:
+  static constexpr int epsilon = -1;
+  /// More controls or symbols than this are taken for endlessly many.
+  static constexpr std::size_t most_values = 20000;
+
+  /// REQUIRES a machine without beliefs. Facts of the world are null.
+  explicit PushdownSystem(std::shared_ptr<const Machine> machine);
+
+  int initial_control() const { return initial_control_; }
+  const std::vector<int>& initial_stack() const { return initial_stack_; }  ///< topmost first
+  int letter(const std::string& symbol);
+  /// The rules for a letter or `epsilon`, in file order of the transitions. The reference holds until the next call.
+  const std::vector<PushdownRule>& rules(int control, int symbol, int letter);
+
+  /// A transition is complete, the next may begin; `state` is then the machine's.
+  bool ready(int control) const { return controls_[static_cast<std::size_t>(control)].motion == Motion::none; }
+  StateIndex state(int control) const { return controls_[static_cast<std::size_t>(control)].configuration.state; }
+  /// The symbol at the bottom of the stack, as the machine declares it.
+  bool is_bare_bottom(int symbol) const { return symbol == bare_bottom_; }
+  /// State, registers and this symbol on top, for a `ready` control.
+  Configuration head(int control, int symbol) const;
+  /// There were more controls or symbols than `most_values`: rules are missing.
+  bool overflowed() const { return overflowed_; }
+
+ private:
+  enum class Motion {
+    none,        ///< nothing is left to do
+    effects,     ///< the transition's effects, then the entry of `to`
+    entry,       ///< the entry of `to`
+    popping,     ///< `count` more symbols, then as `then` says
+    flushing,    ///< to the bottom, where `symbol` takes its place
+    until,       ///< down to a symbol like `symbol`
+    completing,  ///< `change`, whose top `symbol` is popped already, with the symbol below in sight
+  };
+  struct Control {
+    Configuration configuration;  ///< without a stack
+    Motion motion = Motion::none;
+    std::size_t transition = 0;
+    StateIndex to = 0;
+    int letter = epsilon;  ///< what `input` is in effects
+    std::size_t count = 0;
+    Symbol symbol;
+    Change change;
+    int then = 0;  ///< control that follows popping, flushing, until, completing
+  };
+  struct StackSymbol {
+    Symbol symbol;
+    bool bottom = false;
+  };
+
+  int add(Control control);
+  int add(StackSymbol symbol);
+  std::vector<PushdownRule> find_rules(int control, int symbol, int letter);
+  std::vector<PushdownRule> fire(const Control& control, int symbol, int letter);
+  PushdownRule carry_on(const Control& control, int symbol);
+  Firing firing(const Control& control, int symbol, int letter);
+  int after_operation(const Control& control, std::size_t transition, const Entry& entry, int letter);
+  int entering(const Configuration& configuration, StateIndex to, int letter);
+  PushdownRule moved(const Change& change, const Configuration& before, int symbol, int then);
+  PushdownRule still(Motion motion, std::size_t count, Symbol symbol, int then);
+  PushdownRule popped(std::size_t count, int symbol, int then);
+  PushdownRule flushed(Symbol kept, int symbol, int then);
+  PushdownRule popped_until(Symbol target, int symbol, int then);
+  PushdownRule operated(const Change& change, const Stack& stack, bool bottom, std::size_t below, int then);
+  const StackSymbol& at(int symbol) const { return symbols_[static_cast<std::size_t>(symbol)]; }
+
+  std::shared_ptr<const Machine> machine_;
+  Rules no_methods_;
+  Beliefs beliefs_;
+  Stepper stepper_;
+  std::vector<Control> controls_;
+  std::vector<StackSymbol> symbols_;
+  std::vector<Input> letters_;
+  std::unordered_map<std::string, int> control_ids_, symbol_ids_, letter_ids_;
+  struct Head {
+    int control, symbol, letter;
+    bool operator==(const Head&) const = default;
+  };
+  struct HashHead {
+    std::size_t operator()(const Head& head) const;
+  };
+  std::unordered_map<Head, std::vector<PushdownRule>, HashHead> rules_;
+  int initial_control_ = 0, bare_bottom_ = 0;
+  std::vector<int> initial_stack_;
+  bool overflowed_ = false;
+};
+
+}  // namespace continua

@@ -1,0 +1,28 @@
+// continua accept: the classical question, which words a machine accepts.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "replay/commands/command.h"
+
+namespace continua {
+
+struct AcceptOptions {
+  std::string machine;
+  std::vector<std::string> words;
+  std::string words_file;  ///< a word a line; "-" is standard input; empty: none
+  bool empty_stack = false;
+};
+
+/// The symbols of a word: its parts between spaces if it has any, else its characters.
+std::vector<std::string> symbols_of_word(std::string_view word);
+
+/// "accept" or "reject" for each word on standard output, first those given, then those of the file. exit_done if all
+/// are accepted, exit_no if one is not, exit_impossible if the question cannot be answered.
+int run_accept(const AcceptOptions& options);
+
+void add_accept_command(CLI::App& program, Run& run);
+
+}  // namespace continua
