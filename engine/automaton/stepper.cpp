@@ -47,8 +47,8 @@ Configuration Stepper::initial() const {
   configuration.state = machine_->start;
   configuration.stack = configuration.stack.push(bottom_symbol(*machine_), configuration.next_symbol++);
   if (machine_->landmarks > 0)
-    configuration.history = configuration.history.entered(machine_->landmark[machine_->start], machine_->landmarks,
-                                                          configuration.stack);
+    configuration.history =
+        configuration.history.entered(machine_->landmark[machine_->start], machine_->landmarks, configuration.stack);
   return configuration;
 }
 

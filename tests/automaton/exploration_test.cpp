@@ -117,7 +117,8 @@ TEST_CASE("the set is bounded; the lightest go first and are counted; ids of sym
   CHECK(exploring.latest().pruned == 4);
   std::vector<int> ids;
   for (const auto& branch : exploring.latest().after.branches) {
-    CHECK(branch.weight == Approx(branch.configuration.stack.top()[0].value.text_value() == "a" ? 0.3 : 0.1).margin(0.1));
+    CHECK(branch.weight ==
+          Approx(branch.configuration.stack.top()[0].value.text_value() == "a" ? 0.3 : 0.1).margin(0.1));
     ids.push_back(branch.configuration.stack.id());
   }
   std::sort(ids.begin(), ids.end());
