@@ -23,7 +23,7 @@ namespace continua {
 
 enum class AcceptBy {
   final_state,  ///< an accepting state once the word is read
-  empty_stack,  ///< nothing but the bottom symbol once the word is read, in any state
+  empty_stack,  ///< nothing but the bottom symbol once the word is read, in any state but a passing one
 };
 
 class Acceptance {

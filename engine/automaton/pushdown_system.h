@@ -66,6 +66,7 @@ class PushdownSystem {
     std::size_t transition = 0;
     StateIndex to = 0;
     int letter = epsilon;  ///< what `input` is in effects
+    bool settles = true;   ///< ε-transitions are tried now: always, or after a rewrite
     std::size_t count = 0;
     Symbol symbol;
     Change change;
@@ -83,7 +84,7 @@ class PushdownSystem {
   PushdownRule carry_on(const Control& control, int symbol);
   Firing firing(const Control& control, int symbol, int letter);
   int after_operation(const Control& control, std::size_t transition, const Entry& entry, int letter);
-  int entering(const Configuration& configuration, StateIndex to, int letter);
+  int entering(const Configuration& configuration, StateIndex to, int letter, bool settles);
   PushdownRule moved(const Change& change, const Configuration& before, int symbol, int then);
   PushdownRule still(Motion motion, std::size_t count, Symbol symbol, int then);
   PushdownRule popped(std::size_t count, int symbol, int then);

@@ -1,6 +1,5 @@
 #include "replay/commands/accept.h"
 
-#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
@@ -57,13 +56,15 @@ int run_accept(const AcceptOptions& options) {
   if (!machine) return report(machine.error()), exit_impossible;
   Acceptance acceptance(std::make_shared<const Machine>(std::move(*machine)),
                         options.empty_stack ? AcceptBy::empty_stack : AcceptBy::final_state);
+  std::string verdicts;
   int status = exit_done;
   for (const auto& word : words) {
     const auto verdict = acceptance.accepts(symbols_of_word(word));
     if (!verdict) return report({options.machine, verdict.error().text()}), exit_impossible;
-    fmt::print("{}\n", *verdict ? "accept" : "reject");
+    verdicts += *verdict ? "accept\n" : "reject\n";
     if (!*verdict) status = exit_no;
   }
+  if (const auto problem = write_file("-", verdicts)) return report(*problem), exit_impossible;
   return status;
 }
 

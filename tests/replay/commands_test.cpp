@@ -1,7 +1,11 @@
 #include <filesystem>
 
 #include "core/located_json.h"
+#include "replay/commands/accept.h"
+#include "inspector_log.h"
+#include "replay/commands/export.h"
 #include "replay/commands/import.h"
+#include "replay/commands/machine.h"
 #include "replay/commands/validate.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
@@ -62,10 +66,85 @@ TEST_CASE("validate finds every problem") {
   CHECK(check.problems[1].text() == "x:4: speech has no 'text' or 'alternatives'");
 }
 
+TEST_CASE("a broken machine is told line by line, and cannot be used") {
+  const TemporaryFolder folder;
+  const std::string text = "{\n  \"machine\": 1, \"nam\": \"m\", \"start\": 3 }\n";
+  const auto check = check_file(text, "m.json");
+  REQUIRE(check.problems.size() == 4);
+  CHECK(check.problems[2].text() == "m.json:2:17: unknown key 'nam' of a machine (did you mean 'name'?)");
+  CHECK(check_file("[]", "m.json").problems.at(0).text() == "m.json:1:1: found a list, expected a machine, an object");
+  CHECK(run_validate({{folder.file("m.json", text)}}) == exit_impossible);
+  CHECK(run_validate({{folder.file("m.json", "{")}}) == exit_impossible);
+}
+
 TEST_CASE("validate ends with 0 for valid, 1 for invalid, 2 for unreadable") {
   const TemporaryFolder folder;
   const auto good = folder.file("good.jsonl", trace), bad = folder.file("bad.jsonl", trace + "{}\n");
   CHECK(run_validate({{good}}) == exit_done);
   CHECK(run_validate({{good, bad}}) == exit_no);
   CHECK(run_validate({{bad, folder.at("none")}}) == exit_impossible);
+}
+
+TEST_CASE("a word is its parts between spaces, or its characters") {
+  using Symbols = std::vector<std::string>;
+  CHECK(symbols_of_word("") == Symbols{});
+  CHECK(symbols_of_word("aé*") == Symbols{"a", "é", "*"});
+  CHECK(symbols_of_word("speech grab") == Symbols{"speech", "grab"});
+  CHECK(symbols_of_word("  ab  c ") == Symbols{"ab", "c"});
+  CHECK(symbols_of_word(" ") == Symbols{});
+}
+
+TEST_CASE("accept ends with 0 if all words are accepted, 1 if not, 2 if it cannot be said") {
+  const TemporaryFolder folder;
+  const auto json = folder.file(
+      "m.json",
+      R"({"machine":1,"name":"m","start":"A","accept":["A"],"transitions":[{"id":"go","from":"A","on":"go","to":"A"}]})");
+  const auto jff = folder.file("m.jff",
+                               "<structure><type>fa</type><state id='0'><initial/><final/></state>"
+                               "<transition><from>0</from><to>0</to><read>a</read></transition></structure>");
+  const auto words = folder.file("words.txt", "\naa\r\na");
+  CHECK(run_accept({json, {"", " go", "go go"}, "", false}) == exit_done);
+  CHECK(run_accept({json, {"go"}, "", false}) == exit_no);
+  CHECK(run_accept({jff, {"", "a", "a a"}, "", false}) == exit_done);
+  CHECK(run_accept({jff, {"a", "b"}, "", false}) == exit_no);
+  CHECK(run_accept({jff, {}, words, false}) == exit_done);
+  CHECK(run_accept({jff, {"b"}, words, false}) == exit_no);
+  CHECK(run_accept({jff, {}, "", false}) == exit_impossible);
+  CHECK(run_accept({jff, {"a"}, folder.at("none"), false}) == exit_impossible);
+  CHECK(run_accept({folder.at("none.jff"), {"a"}, "", false}) == exit_impossible);
+}
+
+TEST_CASE("validate knows JFLAP's files, by name or by root element") {
+  const std::string fa =
+      "<?xml version='1.0'?>\n<structure><type>fa</type><state id='0'><initial/></state></structure>";
+  CHECK(check_file(fa, "x").summary == "machine, 1 state, 0 transitions");
+  CHECK(check_file("\xEF\xBB\xBF" + fa, "x").problems.empty());
+  CHECK(check_file("<structure>\n<type>", "x").problems.at(0).text().find("x:2: not valid XML") == 0);
+  CHECK(check_file("hello", "x.jff").problems.at(0).text().find("x.jff:1: not valid XML") == 0);
+}
+
+TEST_CASE("machine describes a machine, or draws it") {
+  const TemporaryFolder folder;
+  const auto file = folder.file("m.json", R"({"machine":1,"name":"m","start":"A","transitions":[)"
+                                          R"({"id":"a","from":"A","on":"x","to":"B"}]})");
+  CHECK(run_machine({file, "", false, false, folder.at("m.txt")}) == exit_done);
+  CHECK(read_file(folder.at("m.txt")).value().starts_with("m: "));
+  CHECK(run_machine({file, "", true, false, folder.at("m.dot")}) == exit_done);
+  CHECK(read_file(folder.at("m.dot")).value().starts_with("digraph \"m\" {\n"));
+  CHECK(run_machine({"diana2018", "", false, true, folder.at("d.svg")}) == exit_done);
+  CHECK(read_file(folder.at("d.svg")).value().starts_with("<svg "));
+  CHECK(run_machine({file, "", false, true, folder.at("no/such/folder/m.svg")}) == exit_impossible);
+  CHECK(run_machine({"no such machine", "", false, true, "-"}) == exit_impossible);
+  CHECK(run_machine({folder.file("bad.json", "{}"), "", false, true, "-"}) == exit_impossible);
+}
+
+TEST_CASE("export draws what a run visited") {
+  const TemporaryFolder folder;
+  const auto run = folder.file("small.run.jsonl", small_log().text());
+  CHECK(run_export({run, "dot", folder.at("small.dot")}) == exit_done);
+  CHECK(read_file(folder.at("small.dot")).value().find("1× d") != std::string::npos);
+  CHECK(run_export({run, "svg", folder.at("small.svg")}) == exit_done);
+  CHECK(read_file(folder.at("small.svg")).value().find("1× d") != std::string::npos);
+  CHECK(run_export({folder.file("none.run.jsonl", "{\"kind\":\"run\",\"n\":0,\"t\":0,\"version\":1}\n"), "svg", "-"}) ==
+        exit_impossible);
 }
