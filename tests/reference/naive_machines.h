@@ -12,7 +12,7 @@ namespace naive {
 /// In the format of machine files. Its states are P, Q, R, its inputs a and b, its transitions t0, t1 ….
 std::string json(const Machine& machine);
 
-/// For every two operations, a machine that does one at `a` and the other at `b`; every fourth also moves by ε.
+/// For every two operations, a machine that does one at `a` and the other at `b`; every fourth also has ε-transitions.
 std::vector<Machine> machines_of_two_operations();
 
 /// What a sampled machine may have.
