@@ -95,7 +95,7 @@ TEST_CASE("keys have places, and a key that stands twice is known") {
   REQUIRE(document);
   CHECK(document->key_place("/b") == TextPlace{2, 3});
   CHECK(document->key_place("/b/1") == TextPlace{2, 14});
-  CHECK(document->key_place("/d/c") == TextPlace{2, 40});
+  CHECK(document->key_place("/d/c") == TextPlace{2, 39});
   REQUIRE(document->duplicates().size() == 1);
   CHECK(document->duplicates()[0].key == "a");
   CHECK(document->duplicates()[0].place == TextPlace{2, 18});
