@@ -20,13 +20,16 @@ StateIndex MachineReader::add_state(const std::string& name) {
   return known->second;
 }
 
-// States are known before transitions are read: those declared, then those transitions lead from or to.
+// States are known before transitions are read: those of `states`, or, without it, those transitions lead from or to.
 void MachineReader::read_state_names(const Item& root) {
   const auto add = [&](const Json& name) {
     if (name.is_string() && name != "*" && name != "") add_state(name.get<std::string>());
   };
-  if (const auto states = member(root, "states"); states.json && states.json->is_object())
+  const auto states = member(root, "states");
+  if (states.json && states.json->is_object() && !states.json->empty()) {
     for (const auto& [name, value] : states.json->items()) add(Json(name));
+    return;
+  }
   const auto transitions = member(root, "transitions");
   if (transitions.json && transitions.json->is_array()) {
     for (const auto& transition : *transitions.json) {

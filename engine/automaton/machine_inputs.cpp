@@ -17,7 +17,7 @@ bool same_but_for_case(std::string_view a, std::string_view b) {
 }
 
 // Whether the one is the other but for a slip of the hand: a letter too many, too few, wrong, two exchanged, or the
-// case. Names that differ in a digit are meant to, and of short names nothing is known.
+// case. Names that differ in a digit, or only at their ends, are meant to, and of short names nothing is known.
 bool is_slip(std::string_view a, std::string_view b) {
   const auto [shorter, longer] = std::minmax({a.size(), b.size()});
   if (shorter < 3 || longer - shorter > 1 || a == b) return false;
@@ -29,8 +29,10 @@ bool is_slip(std::string_view a, std::string_view b) {
     return std::all_of(part.begin(), part.end(), [](unsigned char c) { return std::isalpha(c); });
   };
   if (!letters(x) || !letters(y)) return false;
+  if (same_but_for_case(a, b)) return true;
+  if (front == 0 || back == 0) return false;
   const bool exchanged = x.size() == 2 && y.size() == 2 && x[0] == y[1] && x[1] == y[0];
-  return (x.size() <= 1 && y.size() <= 1) || exchanged || same_but_for_case(x, y);
+  return (x.size() <= 1 && y.size() <= 1) || exchanged;
 }
 
 const std::string* resembling(const std::string& name, const std::vector<std::string>& names) {
@@ -116,22 +118,16 @@ void MachineReader::find_misspelt_sets() {
   }
 }
 
-// A state needs no entry in `states`; but one that a single place names, and that is only a slip away from one that
-// others name or that has an entry, is taken for its misspelt name.
+// Where there is no list of states, a name that a single place has, and that is only a slip away from one that others
+// have, is taken for its misspelt name.
 void MachineReader::find_misspelt_states() {
-  std::vector<std::string> known, entries;  // named elsewhere; with an entry only
+  std::vector<std::string> known;
   for (const auto& [name, places] : mentions_)
-    if (places.size() > 1 || is_entry(places[0])) (places.size() > 1 ? known : entries).push_back(name);
+    if (places.size() > 1) known.push_back(name);
   for (const auto& [name, places] : mentions_) {
-    if (places.size() > 1 || full()) continue;
-    const auto* meant = resembling(name, known);
-    if (!meant && !is_entry(places[0])) meant = resembling(name, entries);
-    if (!meant) continue;
-    const auto sentence = fmt::format("nothing else names the state {}{}", in_quotes(name), suggestion(*meant));
-    if (is_entry(places[0]))
-      problem_at_key(places[0], sentence);
-    else
-      problem(places[0], sentence);
+    if (places.size() > 1 || is_entry(places[0]) || full()) continue;
+    if (const auto* meant = resembling(name, known))
+      problem(places[0], fmt::format("nothing else names the state {}{}", in_quotes(name), suggestion(*meant)));
   }
 }
 

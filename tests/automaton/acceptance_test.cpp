@@ -86,7 +86,7 @@ TEST_CASE("pops stop at the bottom, flush and pop_until go down to where they sh
 
 TEST_CASE("effects on entry take part: a rewrite of what a pop laid open") {
   const auto peek = R"({"machine":1,"name":"m","start":"p","accept":["f"],"slots":{"s":"text"},
-    "states":{"q":{"enter":[{"when":"s = 'x'","rewrite":{"s":"'z'"}}]},"f":{}},"transitions":[
+    "states":{"p":{},"q":{"enter":[{"when":"s = 'x'","rewrite":{"s":"'z'"}}]},"f":{}},"transitions":[
     {"id":"x","from":"p","on":"x","to":"p","push":{"s":"'x'"}},
     {"id":"y","from":"p","on":"y","to":"p","push":{"s":"'y'"}},
     {"id":"end","from":"p","on":"e","to":"q","pop":1},
@@ -110,4 +110,13 @@ TEST_CASE("registers count as long as they are finitely many") {
         "'' aaa aaaaaa");
   const auto endless = with(with(counter, "LIMIT", "n + 1"), R"("on":"a")", R"("on":null)");
   CHECK(accepted(endless, {"b"}).starts_with("m: makes more than 20000 different"));
+}
+
+TEST_CASE("ε-transitions that are tried only after a rewrite are taken only then") {
+  const std::string transitions = R"(
+    {"id":"silent","from":"p","on":null,"to":"f"},
+    {"id":"plain","from":"p","on":"a","to":"p"},
+    {"id":"rewriting","from":"p","on":"b","to":"p","rewrite":{}})";
+  CHECK(accepted(machine(transitions), {"", "a", "b", "ba"}) == "'' a b ba");
+  CHECK(accepted(machine(transitions, R"("epsilon":"after_rewrite",)"), {"", "a", "b", "ba", "ab"}) == "b ab");
 }

@@ -132,3 +132,13 @@ TEST_CASE("endless ε-growth ends at the bound of the set") {
   CHECK(exploring.latest().after.branches.size() == 16);
   CHECK(exploring.latest().pruned > 0);
 }
+
+TEST_CASE("growth that gets heavier round by round ends, and says so") {
+  Exploring exploring(R"({"machine":1,"name":"m","start":"A","slots":{"s":"text"},"transitions":[
+    {"id":"a","from":"A","on":null,"to":"A","weight":2,"push":{"s":"'a'"}},
+    {"id":"b","from":"A","on":null,"to":"A","weight":2,"push":{"s":"'b'"}}]})",
+                      60);
+  CHECK(exploring.latest().after.branches.size() == 60);
+  CHECK(exploring.latest().after.steps < 2 * most_epsilon_steps);
+  CHECK(std::holds_alternative<Trouble>(exploring.latest().events.back()));
+}

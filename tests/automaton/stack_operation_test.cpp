@@ -141,11 +141,11 @@ TEST_CASE("flush leaves one symbol, which keeps what persists") {
 }
 
 TEST_CASE("a gate is tested on the configuration that is left") {
-  const char* gate = R"("states":{"X":{"gate":{"when":"n = 1","else":"E","push":{"n":"6"}}},"E":{}},)";
-  const char* plain = R"("states":{"X":{"gate":{"when":"n = 1","else":"E"}},"E":{}},)";
-  const char* chain = R"("states":{"X":{"gate":{"when":"n = 1","else":"E","push":{"n":"6"}}},
+  const char* gate = R"("states":{"S":{},"A":{},"B":{},"C":{},"X":{"gate":{"when":"n = 1","else":"E","push":{"n":"6"}}},"E":{}},)";
+  const char* plain = R"("states":{"S":{},"A":{},"B":{},"C":{},"X":{"gate":{"when":"n = 1","else":"E"}},"E":{}},)";
+  const char* chain = R"("states":{"S":{},"A":{},"B":{},"C":{},"X":{"gate":{"when":"n = 1","else":"E","push":{"n":"6"}}},
                                   "E":{"gate":{"when":"n = 2","else":"F","rewrite":{"n":"7"}}},"F":{}},)";
-  const char* circle = R"("states":{"X":{"gate":{"when":"n = 1","else":"E","push":{"n":"6"}}},
+  const char* circle = R"("states":{"S":{},"A":{},"B":{},"C":{},"X":{"gate":{"when":"n = 1","else":"E","push":{"n":"6"}}},
                                    "E":{"gate":{"when":"n = 2","else":"X","pop":1}}},)";
   const char* push = R"("push":{"n":"5"})";
   check({{"it holds", gate, push, "a, x", "X: - 1 5"},
@@ -160,7 +160,7 @@ TEST_CASE("a gate is tested on the configuration that is left") {
 TEST_CASE("a gate stands before ε-transitions too") {
   const auto after = [](const std::string& gate, const std::string& word) {
     Player player(R"({"machine":1,"name":"m","start":"S","slots":{"n":"num","held":"num"},
-      "states":{"X":{"gate":)" +
+      "states":{"S":{},"A":{},"B":{},"X":{"gate":)" +
                   gate + R"(},"E":{"gate":{"when":"n < 3","else":"X"}}},"transitions":[
       {"id":"a","from":"S","on":"a","to":"A","push":{"n":"1"}},
       {"id":"b","from":"S","on":"b","to":"A","push":{"n":"2"}},

@@ -98,7 +98,7 @@ TEST_CASE(
 }
 
 TEST_CASE("pop_until goes back to the previous entry of a state, and is flush where it was never entered") {
-  const std::string text = R"({"machine":1,"name":"m","start":"S","states":{"S":{}},"slots":{"n":"num"},"transitions":[
+  const std::string text = R"({"machine":1,"name":"m","start":"S","slots":{"n":"num"},"transitions":[
     {"id":"a","from":"*","on":"a","to":"A","push":{"n":"1"}},
     {"id":"b","from":"*","on":"b","to":"B","push":{"n":"2"}},
     {"id":"again","from":"*","on":"again","to":"A","push":{"n":"3"}},
@@ -130,7 +130,7 @@ TEST_CASE("pop takes the top off, and the bottom symbol stays, however often it 
 TEST_CASE("a rewrite replaces the top, then ε-transitions are tried; an empty list exposes what is below") {
   const std::string text =
       R"json({"machine":1,"name":"m","start":"A","epsilon":"after_rewrite","slots":{"n":"num","m":"num"},
-    "states":{"B":{"enter":[{"when":"n = 1","rewrite":{"n":"n + 1"}},{"say":"never said"}]},"E":{"enter":[{"rewrite_each":{"n":"[]"}}]}},
+    "states":{"A":{},"C":{},"B":{"enter":[{"when":"n = 1","rewrite":{"n":"n + 1"}},{"say":"never said"}]},"E":{"enter":[{"rewrite_each":{"n":"[]"}}]}},
     "transitions":[
     {"id":"b","from":"A","on":"b","to":"B","push":{"n":"1","m":"5"}},
     {"id":"on","from":"B","on":null,"when":"n = 2","to":"C"},
@@ -168,7 +168,7 @@ TEST_CASE(
 TEST_CASE("a gate that does not hold leads elsewhere, with its own operation") {
   Player player(R"json({"machine":1,"name":"m","start":"A","slots":{"n":"num"},
     "beliefs":{"concepts":{"p":{"word":"pointing"}},"evidence":[{"inputs":["p"],"concepts":["p"],"levels":[0.5,1]}],"overheard":0.8},
-    "states":{"B":{"gate":{"when":"certainty(input) > 0.5","else":"Ask","push":{"n":"4"}},"enter":[{"say":"in B"}]},"Ask":{"enter":[{"say":"Are you pointing?"}]}},
+    "states":{"A":{},"B":{"gate":{"when":"certainty(input) > 0.5","else":"Ask","push":{"n":"4"}},"enter":[{"say":"in B"}]},"Ask":{"enter":[{"say":"Are you pointing?"}]}},
     "transitions":[{"id":"b","from":"A","on":"p","to":"B","push":{"n":"1"},"do":[{"act":"1"}]},{"id":"again","from":"Ask","on":"p","to":"B"}]})json");
   player.beliefs().raise("p");
   player.feed("p");
@@ -191,6 +191,14 @@ TEST_CASE("an ε-cycle that changes nothing is told with its path; one that grow
       R"({"machine":1,"name":"m","start":"S","slots":{"n":"num"},"transitions":[{"id":"in","from":"S","on":"x","to":"A"},{"id":"grow","from":"A","on":null,"to":"A","push":{}}]})");
   growing.feed("x");
   CHECK(growing.all<Trouble>().size() == 1);
+  const auto countdown = [](int from) {
+    Player player(fmt::format(
+        R"({{"machine":1,"name":"m","start":"S","slots":{{"n":"num"}},"transitions":[{{"id":"in","from":"S","on":"x","to":"A","push":{{"n":"{}"}}}},{{"id":"less","from":"A","on":null,"when":"n > 0","to":"A","rewrite":{{"n":"n - 1"}}}}]}})",
+        from));
+    return player.feed("x").all<Trouble>().size();
+  };
+  CHECK(countdown(most_epsilon_steps) == 0);
+  CHECK(countdown(most_epsilon_steps + 1) == 1);
 }
 
 TEST_CASE("a continuation that is filled later is a record that names the inputs it came from") {

@@ -118,7 +118,7 @@ TEST_CASE("parallel transitions are one arrow, but loops with and without input,
       {"id":"2","from":"A","on":"y","to":"A"}, {"id":"3","from":"A","on":null,"to":"B","pop":1},
       {"id":"4","from":"A","on":null,"when":"region = null","to":"A"}, {"id":"5","from":"A","on":"z","to":"A","pop":1},
       {"id":"6","from":"B","on":"x","to":"A"})",
-                                 R"("states":{"B":{"gate":{"when":"size(options) > 1","else":"A","pop":1}}},)"));
+                                 R"("states":{"A":{},"B":{"gate":{"when":"size(options) > 1","else":"A","pop":1}}},)"));
   CHECK(arrows_text(graph) ==
         "! B->A: [not (size(options) > 1)] / pop\nA->B: x | ε / pop\nA->A: y | z / pop\ne A->A: ε [region = "
         "null]\nB->A: x\n");
@@ -161,7 +161,7 @@ TEST_CASE("a run's graph counts what was visited") {
 TEST_CASE("what a gate rejected was taken up to the gate, and from there") {
   const auto machine =
       parse_machine(machine_with(R"({"id":"in","from":"A","on":"x","to":"B"})",
-                                 R"("states":{"B":{"gate":{"when":"region = null","else":"C"}},"C":{}},)"),
+                                 R"("states":{"A":{},"B":{"gate":{"when":"region = null","else":"C"}},"C":{}},)"),
                     "m.json", {});
   const ScratchFolder folder;
   for (const bool gate_known : {true, false}) {
@@ -184,7 +184,7 @@ TEST_CASE("what a gate rejected was taken up to the gate, and from there") {
 
 TEST_CASE("what several gates rejected passed all of them") {
   const auto machine = parse_machine(machine_with(R"({"id":"in","from":"A","on":"x","to":"B"})",
-                                                  R"("states":{"B":{"gate":{"when":"region = null","else":"C"}},
+                                                  R"("states":{"A":{},"B":{"gate":{"when":"region = null","else":"C"}},
                                 "C":{"gate":{"when":"region = null","else":"D"}},"D":{}},)"),
                                      "m.json", {});
   const ScratchFolder folder;
