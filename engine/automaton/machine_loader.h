@@ -11,8 +11,8 @@
 namespace continua {
 
 /// `methods` are the names a machine's terms may use beside the term language: facts of the world.
-/// JFLAP files are read too (automaton/jflap.h). The error is the first problem of the file: "file:line:column: what was
-/// found, what was expected".
+/// JFLAP files are read too (automaton/jflap.h). The error is the first problem of the file: "file:line:column: what
+/// was found, what was expected".
 Result<Machine> load_machine(const std::string& path, const Signature& methods);
 
 /// The same from text; `name` stands for the file in errors.
