@@ -36,13 +36,14 @@ wrappers='
 nlohmann/*     engine/core/located_json.h
 xxhash.h       engine/core/digest.cpp
 Eigen/*        engine/world/*.h engine/world/*.cpp engine/simulation/*
-pugixml.hpp    engine/voxml/catalogue* engine/automaton/jflap* engine/simulation/scene*
+pugixml.hpp    engine/voxml/catalogue* engine/automaton/jflap* engine/simulation/scene* tests/replay/state_graph_test.cpp
 mujoco/*       engine/simulation/*
 EGL/*          engine/simulation/*
 GL/*           engine/simulation/*
 png.h          engine/simulation/*
 httplib.h      replay/inspector_server.cpp
 zlib.h         replay/inspector_server.cpp
+graphviz/*     replay/exporters/graph_layout.cpp
 CLI/*          replay/main.cpp replay/commands/*
 catch2/*       tests/support/*
 rapidcheck*    tests/*

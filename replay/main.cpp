@@ -11,6 +11,7 @@
 #include "replay/commands/command.h"
 #include "replay/commands/export.h"
 #include "replay/commands/import.h"
+#include "replay/commands/machine.h"
 #include "replay/commands/replay.h"
 #include "replay/commands/serve.h"
 #include "replay/commands/validate.h"
@@ -20,7 +21,7 @@ namespace continua {
 namespace {
 
 constexpr std::array commands = {
-    add_replay_command, add_serve_command,  add_export_command,
+    add_replay_command, add_serve_command,  add_export_command,   add_machine_command,
     add_import_command, add_accept_command, add_validate_command,
 };
 

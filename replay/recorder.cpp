@@ -26,24 +26,34 @@ bool is_empty(const Term& term) {
   return term.is_null() || (term.kind() == Term::Kind::list && term.elements().empty());
 }
 
-std::string operation_label(const Operation& operation) {
+// An operation's name, and what the machine file says of it, unless it is none.
+void add_operation(Json& object, const Operation& operation) {
   const auto source = Json::parse(operation.source);
-  return source.begin().key();
+  object["operation"] = source.begin().key();
+  object["content"] = operation.kind == Operation::Kind::none ? Json(nullptr) : source.begin().value();
 }
 
 }  // namespace
 
 Json graph_of(const Machine& machine) {
   Json states = Json::array(), edges = Json::array();
-  for (const auto& state : machine.states) states.push_back({{"id", state.name}, {"accepting", state.accepting}});
+  for (const auto& state : machine.states) {
+    states.push_back({{"id", state.name}, {"accepting", state.accepting}});
+    if (!state.gate) continue;
+    auto& gate = states.back()["gate"];
+    gate = {{"condition", print(state.gate->when)}, {"else", machine.states[state.gate->otherwise].name}};
+    add_operation(gate, state.gate->operation);
+  }
   for (const auto& transition : machine.transitions)
-    for (const auto from : transition.from)
+    for (const auto from : transition.from) {
       edges.push_back({{"id", transition.id},
                        {"from", machine.states[from].name},
                        {"to", machine.states[transition.to].name},
                        {"input", transition.on ? transition.on_text : "ε"},
                        {"condition", transition.when ? Json(print(*transition.when)) : Json(nullptr)},
-                       {"operation", operation_label(transition.operation)}});
+                       {"weight", transition.weight}});
+      add_operation(edges.back(), transition.operation);
+    }
   return {{"states", std::move(states)}, {"start", machine.states[machine.start].name}, {"edges", std::move(edges)}};
 }
 

@@ -7,10 +7,9 @@ namespace continua {
 namespace {
 
 // What must be equal on every machine; RUNLOG.md says so too.
-constexpr std::array<std::string_view, 13> decision_kinds = {"input",   "belief",  "memory",      "transition",
-                                                             "symbol",  "rewrite", "application", "utterance",
-                                                             "gesture", "refusal", "expect",      "act",
-                                                             "branches"};
+constexpr std::array<std::string_view, 13> decision_kinds = {
+    "input",     "belief",  "memory",  "transition", "symbol", "rewrite", "application",
+    "utterance", "gesture", "refusal", "expect",     "act",    "branches"};
 
 // Numbers of records count poses too, and when an act ends is measured: neither is a decision.
 std::string decision_line(std::string_view kind, SimTime t, Json fields) {

@@ -193,9 +193,9 @@ Result<std::map<int, std::size_t>> forced_of(const ReplayOptions& options, const
     if (found == machine.transitions.end()) {
       std::vector<std::string> known;
       for (const auto& transition : machine.transitions) known.push_back(transition.id);
-      return Error{fmt::format("--force {}={}", step, id),
-                   fmt::format("the machine {} has no transition {}{}", machine.name, in_quotes(id),
-                               did_you_mean(id, known))};
+      return Error{
+          fmt::format("--force {}={}", step, id),
+          fmt::format("the machine {} has no transition {}{}", machine.name, in_quotes(id), did_you_mean(id, known))};
     }
     forced[step] = static_cast<std::size_t>(found - machine.transitions.begin());
   }
@@ -238,9 +238,9 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   } else {
     body = std::make_unique<KinematicBody>(scene->initial_snapshot());
   }
-  return Session(std::make_unique<LoadedSession>(LoadedSession{std::move(options), std::move(*trace),
-                                                               std::make_shared<const Machine>(std::move(*machine)),
-                                                               std::move(*scene), std::move(body), std::move(*forced)}));
+  return Session(std::make_unique<LoadedSession>(
+      LoadedSession{std::move(options), std::move(*trace), std::make_shared<const Machine>(std::move(*machine)),
+                    std::move(*scene), std::move(body), std::move(*forced)}));
 }
 
 Session::Session(std::unique_ptr<LoadedSession> loaded) : loaded_(std::move(loaded)) {}

@@ -27,8 +27,9 @@ Acceptance::~Acceptance() = default;
 Result<bool> Acceptance::accepts(const std::vector<std::string>& word) {
   auto& system = work_->system;
   if (!work_->machine->beliefs.evidence.empty() || !work_->machine->beliefs.answers.empty())
-    return Error{work_->machine->name, "has beliefs, so whether it takes an input hangs on more than the word; "
-                                       "expected a machine without"};
+    return Error{work_->machine->name,
+                 "has beliefs, so whether it takes an input hangs on more than the word; "
+                 "expected a machine without"};
   Saturation reached(system);
   reached.close();
   for (const auto& symbol : word) {

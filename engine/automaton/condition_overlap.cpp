@@ -40,15 +40,14 @@ bool is_value(const Term& term) {
 }
 
 const std::map<std::string, std::string, std::less<>>& contraries() {
-  static const std::map<std::string, std::string, std::less<>> table = {{"=", "!="},  {"!=", "="},     {"<", ">="},
-                                                                        {">=", "<"},  {">", "<="},     {"<=", ">"},
-                                                                        {"is", "is not"}, {"is not", "is"}};
+  static const std::map<std::string, std::string, std::less<>> table = {
+      {"=", "!="}, {"!=", "="}, {"<", ">="}, {">=", "<"}, {">", "<="}, {"<=", ">"}, {"is", "is not"}, {"is not", "is"}};
   return table;
 }
 
 const std::map<std::string, std::string, std::less<>>& mirrored() {
-  static const std::map<std::string, std::string, std::less<>> table = {{"=", "="},  {"!=", "!="}, {"<", ">"},
-                                                                        {">=", "<="}, {">", "<"},  {"<=", ">="}};
+  static const std::map<std::string, std::string, std::less<>> table = {{"=", "="},   {"!=", "!="}, {"<", ">"},
+                                                                        {">=", "<="}, {">", "<"},   {"<=", ">="}};
   return table;
 }
 

@@ -36,13 +36,15 @@ class Explorer::Work {
     if (!fire_all(from, &input)) result_.dropped.push_back(branch.id);
   }
 
-  // ε-transitions; those that are reached on the way are tried in their turn.
+  // ε-transitions; those that are reached on the way are tried in their turn, but not endlessly.
   void close() {
+    const auto last = result_.after.steps + most_epsilon_steps + static_cast<int>(limit_);
     for (std::size_t next = 0; next < open_.size(); ++next) {
       const auto i = open_[next];
       if (nodes_[i].pruned) continue;
-      if (nodes_[i].branch.by.size() > most_epsilon_steps) {
-        nodes_[i].events.push_back(Trouble{fmt::format("more than {} ε-transitions in a row", most_epsilon_steps)});
+      if (result_.after.steps > last) {
+        nodes_[i].branch.settled = false;
+        nodes_[i].events.push_back(Trouble{"ε-transitions go on and on; those from here on have not been tried"});
         continue;
       }
       const Node from = nodes_[i];
@@ -130,6 +132,7 @@ class Explorer::Work {
       for (auto one = nodes_.begin(); one != nodes_.end(); ++one)
         if (!one->pruned && (lightest == nodes_.end() || one->branch.weight <= lightest->branch.weight)) lightest = one;
       if (lightest->branch.weight >= node.branch.weight) return;
+      *lightest = Node();
       lightest->pruned = true;
       --kept_;
     }

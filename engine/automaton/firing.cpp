@@ -13,9 +13,11 @@ namespace continua {
 Applicable Firing::applicable() {
   Applicable found;
   const auto& exits = machine_.exits[configuration_.state];
-  for (const auto index : input_ ? exits.on(input_->symbol) : exits.epsilon) {
+  const auto* takers = input_ ? exits.on(input_->symbol) : &exits.epsilon;
+  const bool may_take = !takers;  // by prefix alone
+  for (const auto index : may_take ? exits.by_prefix : *takers) {
     const auto& transition = machine_.transitions[index];
-    if (input_ && !transition.on->contains(input_->symbol)) continue;
+    if (may_take && !transition.on->contains(input_->symbol)) continue;
     const double weight = transition.weight * (input_ ? input_->confidence : 1);
     if (!transition.when) {
       found.candidates.push_back({index, weight});
@@ -179,28 +181,36 @@ void Firing::note(StepEvent event) {
 }
 
 Evaluation Firing::evaluate() {
-  return Evaluation({rules_.begin(), rules_.end()}, [this](const std::string& name) { return look_up(name); });
+  return Evaluation(rules_, [this](Name name) { return look_up(name); });
 }
 
-// Notes which inputs the value came from: they are what the evaluated content is because of.
-const Term* Firing::look_up(const std::string& name) {
-  if (const auto slot = machine_.slot_index.find(name); slot != machine_.slot_index.end())
-    return read(configuration_.stack.top()[slot->second]);
-  if (const auto entry = machine_.register_index.find(name); entry != machine_.register_index.end())
-    return read((*configuration_.memory)[entry->second]);
-  if (const auto definition = machine_.definitions.find(name); definition != machine_.definitions.end())
-    return &definition->second;
-  return moment(name);
-}
-
-// Names of the moment (FORMAT.md). The evaluation copies what it is given before it asks for the next.
-const Term* Firing::moment(const std::string& name) {
-  if (name == "in_state") return &(moment_ = Term::text(machine_.states[configuration_.state].name));
-  if (name == "input") return &(moment_ = input_ ? Term::text(input_->symbol) : Term::null());
-  if (name == "target") return &(moment_ = input_ ? input_->target : Term::null());
-  if (name == "said") return &(moment_ = input_ ? input_->said : Term::null());
-  if (name == "confidence") return &(moment_ = input_ ? Term::number(input_->confidence) : Term::null());
-  if (name == "now") return &(moment_ = input_ ? Term::number(input_->now_s) : Term::null());
+// Notes which inputs a value came from: they are what the evaluated content is because of. The evaluation copies what
+// it is given before it asks for the next.
+const Term* Firing::look_up(Name name) {
+  using From = Binding::From;
+  const auto found = machine_.bindings.find(name);
+  if (found == machine_.bindings.end()) return nullptr;
+  const auto& binding = found->second;
+  switch (binding.from) {
+    case From::slot:
+      return read(configuration_.stack.top()[binding.index]);
+    case From::memory:
+      return read((*configuration_.memory)[binding.index]);
+    case From::definition:
+      return &binding.definition;
+    case From::in_state:
+      return &(moment_ = Term::text(machine_.states[configuration_.state].name));
+    case From::input:
+      return &(moment_ = input_ ? Term::text(input_->symbol) : Term::null());
+    case From::target:
+      return &(moment_ = input_ ? input_->target : Term::null());
+    case From::said:
+      return &(moment_ = input_ ? input_->said : Term::null());
+    case From::confidence:
+      return &(moment_ = input_ ? Term::number(input_->confidence) : Term::null());
+    case From::now:
+      return &(moment_ = input_ ? Term::number(input_->now_s) : Term::null());
+  }
   return nullptr;
 }
 

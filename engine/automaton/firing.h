@@ -7,7 +7,6 @@
 #include <limits>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -49,9 +48,9 @@ struct Entry {
 /// A configuration and an input under which things happen.
 class Firing {
  public:
-  /// `rules` are asked in turn for what names compute. `input`: nullptr for ε. `account` takes what happens; without
+  /// `rules`: what names compute. `input`: nullptr for ε. `account` takes what happens; without
   /// one nothing is put into words. All must outlive the firing.
-  Firing(const Machine& machine, std::span<const Rules* const> rules, Configuration configuration, const Input* input,
+  Firing(const Machine& machine, const RuleTable& rules, Configuration configuration, const Input* input,
          std::vector<StepEvent>* account)
       : machine_(machine),
         rules_(rules),
@@ -84,8 +83,7 @@ class Firing {
 
  private:
   Evaluation evaluate();
-  const Term* look_up(const std::string& name);
-  const Term* moment(const std::string& name);
+  const Term* look_up(Name name);
   const Term* read(const Cell& cell);
   void apply(const Change& change);
   bool perform_and_rewrite(const std::vector<Effect>& effects);
@@ -104,7 +102,7 @@ class Firing {
   bool perform_all(const std::vector<Effect>& effects);
 
   const Machine& machine_;
-  std::span<const Rules* const> rules_;
+  const RuleTable& rules_;
   Configuration configuration_;
   const Input* input_;
   int serial_;  ///< of the input that brought all this about, also once it is used up; 0: none

@@ -17,6 +17,21 @@ void visit_rewrites(const std::vector<Effect>& effects, const auto& visit) {
   }
 }
 
+void bind_names(Machine& machine) {
+  using From = Binding::From;
+  auto& bindings = machine.bindings;
+  for (const auto& [name, index] : machine.slot_index) bindings[Name(name)] = {From::slot, index, {}};
+  for (const auto& [name, index] : machine.register_index) bindings[Name(name)] = {From::memory, index, {}};
+  for (const auto& [name, term] : machine.definitions) bindings[Name(name)] = {From::definition, 0, term};
+  for (const auto& [name, from] : {std::pair("in_state", From::in_state),
+                                   {"input", From::input},
+                                   {"target", From::target},
+                                   {"said", From::said},
+                                   {"confidence", From::confidence},
+                                   {"now", From::now}})
+    bindings.try_emplace(Name(name), Binding{from, 0, {}});
+}
+
 void index_takers(Exits& exits, std::size_t transition, const SymbolSet& on) {
   const auto add = [&](std::vector<std::size_t>& takers) {
     if (takers.empty() || takers.back() != transition) takers.push_back(transition);
@@ -60,6 +75,7 @@ void visit_operations(const Machine& machine, const std::function<void(const Ope
 
 void Machine::index() {
   index_exits(*this);
+  bind_names(*this);
   landmark.assign(states.size(), std::nullopt);
   landmarks = 0;
   visit_operations(*this, [this](const Operation& operation) {

@@ -146,11 +146,19 @@ struct Exits {
   std::unordered_map<std::string, std::vector<std::size_t>, Hash, std::equal_to<>> by_name;
   std::vector<std::size_t> by_prefix;  ///< those that may take a symbol that none names
 
-  /// The transitions to try on an input symbol; of those of `by_prefix` only some contain it.
-  const std::vector<std::size_t>& on(std::string_view symbol) const {
+  /// The transitions that take a symbol which some transition names; nullptr for another one.
+  const std::vector<std::size_t>* on(std::string_view symbol) const {
     const auto found = by_name.find(symbol);
-    return found == by_name.end() ? by_prefix : found->second;
+    return found == by_name.end() ? nullptr : &found->second;
   }
+};
+
+/// What a name in a term of the machine stands for (FORMAT.md).
+struct Binding {
+  enum class From { slot, memory, definition, in_state, input, target, said, confidence, now };
+  From from = From::slot;
+  std::size_t index = 0;  ///< of the slot or register
+  Term definition;
 };
 
 struct Machine {
@@ -169,6 +177,7 @@ struct Machine {
   std::vector<Register> memory;
   std::vector<State> states;
   std::vector<Transition> transitions;
+  std::unordered_map<Name, Binding, Name::Hash> bindings;
   std::vector<Exits> exits;                          ///< one for each state
   std::vector<std::optional<std::size_t>> landmark;  ///< for each state that a pop_until names, its number among them
   std::size_t landmarks = 0;
@@ -183,7 +192,7 @@ struct Machine {
 
   /// Whether a transition's input set names the symbol.
   bool knows_input(std::string_view symbol) const;
-  /// Fills `exits`, `landmark` and `landmarks` from states and transitions, once those are complete.
+  /// Fills `bindings`, `exits`, `landmark` and `landmarks` once everything else is complete.
   void index();
 };
 

@@ -246,7 +246,8 @@ void judge(const Machine& machine, MachineAnalysis& analysis) {
       continue;
     }
     for (std::size_t b = 0; b < leaving[state].size(); ++b)
-      for (std::size_t a = 0; a < b; ++a) judge_conflict(machine, state, leaving[state][a], leaving[state][b], analysis);
+      for (std::size_t a = 0; a < b; ++a)
+        judge_conflict(machine, state, leaving[state][a], leaving[state][b], analysis);
   }
   for (std::size_t i = 0; i < fires.size(); ++i)
     if (!fires[i]) analysis.never_fires.push_back(i);
@@ -256,7 +257,8 @@ void find_dead_ends(const Machine& machine, MachineAnalysis& analysis) {
   const auto contains = [](const auto& list, std::size_t one) {
     return std::find(list.begin(), list.end(), one) != list.end();
   };
-  const bool accepts = std::any_of(machine.states.begin(), machine.states.end(), [](const State& s) { return s.accepting; });
+  const bool accepts =
+      std::any_of(machine.states.begin(), machine.states.end(), [](const State& s) { return s.accepting; });
   std::vector<bool> alive(machine.states.size(), false);
   if (accepts)
     for (StateIndex state = 0; state < alive.size(); ++state) alive[state] = machine.states[state].accepting;

@@ -9,7 +9,7 @@
 namespace continua {
 
 void MachineReader::read_beliefs(const Item& beliefs) {
-  if (!expect_object(beliefs, "beliefs", {"concepts", "evidence", "answers", "overheard", "about"})) return;
+  if (!expect_object(beliefs, "beliefs")) return;
   auto& table = machine_.beliefs;
   const auto concepts = required(beliefs, "concepts", "names and what they are, an object");
   if (!expect_object(concepts, "the concepts")) return;
@@ -23,7 +23,7 @@ void MachineReader::read_beliefs(const Item& beliefs) {
 }
 
 void MachineReader::read_concept(const Item& item, Concept& entry) {
-  if (!expect_object(item, "a concept", {"related", "word", "fixed", "about"})) return;
+  if (!expect_object(item, "a concept")) return;
   entry.related = concepts_named(member(item, "related"), "related concepts");
   if (const auto word = member(item, "word"); word.json) {
     entry.word = name_of(word, "a word");
@@ -34,7 +34,7 @@ void MachineReader::read_concept(const Item& item, Concept& entry) {
 }
 
 void MachineReader::read_evidence(const Item& item) {
-  if (!expect_object(item, "a piece of evidence", {"inputs", "concepts", "levels", "about"})) return;
+  if (!expect_object(item, "a piece of evidence")) return;
   Evidence entry{read_symbols(required(item, "inputs", "input symbols or sets")), {}, {}};
   entry.concepts = concepts_named(required(item, "concepts", "the concepts that it raises"), "concepts");
   const auto levels = required(item, "levels", "certainties, ascending");
@@ -47,7 +47,7 @@ void MachineReader::read_evidence(const Item& item) {
 }
 
 void MachineReader::read_answer(const Item& item) {
-  if (!expect_object(item, "an answer", {"when", "inputs", "about", "set", "raise"})) return;
+  if (!expect_object(item, "an answer")) return;
   Answer entry{std::nullopt, read_symbols(required(item, "inputs", "input symbols or sets")), Term::null(),
                std::nullopt};
   if (const auto when = member(item, "when"); when.json) entry.when = parse(when, Type::truth());

@@ -37,11 +37,11 @@ void MachineReader::read_examples(const Item& examples) {
 
 void MachineReader::read_example(const Item& example) {
   if (member(example, "word").json) {
-    if (!expect_object(example, "an example with a word", {"word", "accepted", "by", "about"})) return;
+    if (!expect_object(example, "an example with a word")) return;
     const auto word = text_of(member(example, "word"), "a word");
     WordExample read;
     read.word = word.find(' ') == std::string::npos ? characters(word) : split(word, " ");
-    read.accepted = truth_of(required(example, "accepted", "whether it is"), "accepted", true);
+    read.accepted = truth_of(required(example, "accepted", "whether it is, true or false"), true);
     read.by_empty_stack = one_of(example, "by", {"final_state", "empty_stack"}) == "empty_stack";
     known_symbols_.insert(read.word.begin(), read.word.end());
     const auto strange = std::find_if(read.word.begin(), read.word.end(),
@@ -51,7 +51,7 @@ void MachineReader::read_example(const Item& example) {
               fmt::format("an accepted word, but no transition takes its symbol {}", in_quotes(*strange)));
     machine_.examples.push_back(std::move(read));
   } else {
-    if (!expect_object(example, "an example", {"input", "ends", "about"})) return;
+    if (!expect_object(example, "an example")) return;
     RunExample read;
     read.inputs = split(text_of(required(example, "input", "symbols separated by \", \""), "symbols"), ", ");
     if (const auto ends = required(example, "ends", "a state"); ends.json) read.ends = state_named(ends);

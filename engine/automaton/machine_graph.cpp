@@ -68,18 +68,15 @@ void MachineReader::read_states(const Item& states) {
       continue;
     }
     mentions_[name].push_back(item);
-    if (!expect_object(item, "a state", {"gate", "enter", "passing", "about", "layout"})) continue;
+    if (!expect_object(item, "a state")) continue;
     read_gate(member(item, "gate"), known->second);
     machine_.states[known->second].enter = read_effects(member(item, "enter"));
-    machine_.states[known->second].passing = truth_of(member(item, "passing"), "passing", false);
+    machine_.states[known->second].passing = truth_of(member(item, "passing"), false);
   }
 }
 
 void MachineReader::read_gate(const Item& gate, StateIndex state) {
-  if (!expect_object(gate, "a gate",
-                     {"when", "else", "push", "push_each", "pop", "rewrite", "rewrite_each", "flush", "pop_until",
-                      "none", "about"}))
-    return;
+  if (!expect_object(gate, "a gate")) return;
   const auto when = parse(required(gate, "when", "the condition on which the state is entered"), Type::truth());
   const auto otherwise = required(gate, "else", "the state to enter where the condition does not hold");
   const auto leads_to = otherwise.json ? state_named(otherwise) : state;
@@ -129,10 +126,7 @@ std::vector<StateIndex> MachineReader::read_origins(const Item& from) {
 }
 
 void MachineReader::read_transition(const Item& item) {
-  if (!expect_object(item, "a transition",
-                     {"id", "from", "on", "when", "to", "push", "push_each", "pop", "rewrite", "rewrite_each", "flush",
-                      "pop_until", "none", "weight", "do", "about"}))
-    return;
+  if (!expect_object(item, "a transition")) return;
   Transition transition;
   transition.id = name_of(required(item, "id", "a name for the transition"), "a name for the transition");
   transition.from = read_origins(required(item, "from", "a state, a list of states or \"*\""));

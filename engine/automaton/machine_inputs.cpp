@@ -11,27 +11,31 @@ namespace {
 
 constexpr std::size_t deepest_set = 100;
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
+bool same_but_for_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 // Whether the one is the other but for a slip of the hand: a letter too many, too few, wrong, two exchanged, or the
 // case. Names that differ in a digit are meant to, and of short names nothing is known.
-bool is_slip(const std::string& a, const std::string& b) {
-  if (std::min(a.size(), b.size()) < 3 || a == b) return false;
-  if (lower(a) == lower(b)) return true;
+bool is_slip(std::string_view a, std::string_view b) {
+  const auto [shorter, longer] = std::minmax({a.size(), b.size()});
+  if (shorter < 3 || longer - shorter > 1 || a == b) return false;
   std::size_t front = 0, back = 0;
-  const auto shorter = std::min(a.size(), b.size());
   while (front < shorter && a[front] == b[front]) ++front;
   while (back < shorter - front && a[a.size() - 1 - back] == b[b.size() - 1 - back]) ++back;
   const auto x = a.substr(front, a.size() - front - back), y = b.substr(front, b.size() - front - back);
-  const auto letters = [](const std::string& part) {
+  const auto letters = [](std::string_view part) {
     return std::all_of(part.begin(), part.end(), [](unsigned char c) { return std::isalpha(c); });
   };
   if (!letters(x) || !letters(y)) return false;
-  return (x.size() <= 1 && y.size() <= 1) || (x.size() == 2 && y.size() == 2 && x[0] == y[1] && x[1] == y[0]);
+  const bool exchanged = x.size() == 2 && y.size() == 2 && x[0] == y[1] && x[1] == y[0];
+  return (x.size() <= 1 && y.size() <= 1) || exchanged || same_but_for_case(x, y);
+}
+
+const std::string* resembling(const std::string& name, const std::vector<std::string>& names) {
+  const auto found = std::find_if(names.begin(), names.end(), [&](const auto& other) { return is_slip(name, other); });
+  return found == names.end() ? nullptr : &*found;
 }
 
 std::string suggestion(const std::string& name) { return fmt::format(" (did you mean {}?)", in_quotes(name)); }
@@ -115,15 +119,14 @@ void MachineReader::find_misspelt_sets() {
 // A state needs no entry in `states`; but one that a single place names, and that is only a slip away from one that
 // others name or that has an entry, is taken for its misspelt name.
 void MachineReader::find_misspelt_states() {
-  std::vector<std::string> known;
+  std::vector<std::string> known, entries;  // named elsewhere; with an entry only
   for (const auto& [name, places] : mentions_)
-    if (places.size() > 1 || is_entry(places[0])) known.push_back(name);
+    if (places.size() > 1 || is_entry(places[0])) (places.size() > 1 ? known : entries).push_back(name);
   for (const auto& [name, places] : mentions_) {
     if (places.size() > 1 || full()) continue;
-    const auto meant = std::find_if(known.begin(), known.end(), [&](const auto& other) {
-      return is_slip(name, other) && (!is_entry(places[0]) || mentions_[other].size() > 1);
-    });
-    if (meant == known.end()) continue;
+    const auto* meant = resembling(name, known);
+    if (!meant && !is_entry(places[0])) meant = resembling(name, entries);
+    if (!meant) continue;
     const auto sentence = fmt::format("nothing else names the state {}{}", in_quotes(name), suggestion(*meant));
     if (is_entry(places[0]))
       problem_at_key(places[0], sentence);

@@ -125,9 +125,7 @@ std::vector<Effect> MachineReader::read_effects(const Item& list) {
 }
 
 std::optional<Effect> MachineReader::read_effect(const Item& object) {
-  if (!expect_object(object, "an effect",
-                     {"when", "say", "gesture", "act", "remember", "rewrite", "rewrite_each", "do", "about"}))
-    return std::nullopt;
+  if (!expect_object(object, "an effect")) return std::nullopt;
   std::vector<std::string> kinds;
   for (const auto* kind : {"say", "gesture", "act", "remember", "rewrite", "rewrite_each", "do"})
     if (member(object, kind).json) kinds.push_back(kind);

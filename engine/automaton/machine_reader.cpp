@@ -36,31 +36,7 @@ MachineReader::MachineReader(const LocatedJson& document, const Signature& metho
 
 Machine MachineReader::read() {
   const Item root{&document_.root(), ""};
-  if (!expect_object(root, "a machine",
-                     {"machine",
-                      "name",
-                      "about",
-                      "start",
-                      "accept",
-                      "choice",
-                      "epsilon",
-                      "rewrite_below",
-                      "minimum_confidence",
-                      "repeat_utterances",
-                      "perspective",
-                      "programs",
-                      "slots",
-                      "bottom",
-                      "memory",
-                      "inputs",
-                      "define",
-                      "wordings",
-                      "beliefs",
-                      "states",
-                      "transitions",
-                      "examples",
-                      "$schema"}))
-    return machine_;
+  if (!expect_object(root, "a machine")) return machine_;
   machine_.document = compact(document_.root());
   for (const auto& [place, key] : document_.duplicates())
     note(place, fmt::format("the key {} a second time in this object", in_quotes(key)));
@@ -93,16 +69,15 @@ void MachineReader::read_header(const Item& root) {
     for (std::size_t i = 0; i < accept.json->size(); ++i)
       machine_.states[state_named(element(accept, i))].accepting = true;
   if (const auto choice = member(root, "choice"); choice.json) {
-    const auto name = text_of(choice, "a policy");
-    if (const auto policy = parse_choice(name))
+    if (const auto policy = parse_choice(text_of(choice, "a policy")))
       machine_.choice = *policy;
-    else
-      problem(choice, fmt::format("unknown policy {}; expected {}", in_quotes(name), choice_names()));
+    else if (choice.json->is_string())
+      mismatch(choice, choice_names());
   }
   if (const auto epsilon = one_of(root, "epsilon", {"always", "after_rewrite"}))
     machine_.epsilon_always = *epsilon == "always";
-  machine_.rewrite_below = truth_of(member(root, "rewrite_below"), "rewrite_below", false);
-  machine_.repeats_utterances = truth_of(member(root, "repeat_utterances"), "repeat_utterances", true);
+  machine_.rewrite_below = truth_of(member(root, "rewrite_below"), false);
+  machine_.repeats_utterances = truth_of(member(root, "repeat_utterances"), true);
   machine_.minimum_confidence = number_of(member(root, "minimum_confidence"), "a confidence", 0, 0, 1);
   machine_.perspective = one_of(root, "perspective", {"human", "avatar"}).value_or("");
 }
@@ -139,9 +114,9 @@ void MachineReader::read_slots(const Item& slots) {
     const auto item = member(slots, name);
     Slot slot{name, Type::term(), false};
     if (value.is_object()) {
-      expect_object(item, "a slot", {"type", "persists", "about"});
+      expect_object(item, "a slot");
       slot.type = read_type(required(item, "type", "the slot's type"));
-      slot.persists = truth_of(member(item, "persists"), "persists", false);
+      slot.persists = truth_of(member(item, "persists"), false);
     } else {
       slot.type = read_type(item);
     }
@@ -160,7 +135,8 @@ void MachineReader::read_bottom(const Item& bottom) {
   std::swap(scope_, known);
   for (const auto& content : read_contents(bottom, false)) {
     if (!content.term) continue;
-    Evaluation evaluation({&term_rules()}, [](const std::string&) { return nullptr; });
+    static const RuleTable rules({&term_rules()});
+    Evaluation evaluation(rules, [](Name) { return nullptr; });
     machine_.bottom[content.slot].value = evaluation.value(*content.term);
     if (evaluation.exhausted)
       problem(member(bottom, machine_.slots[content.slot].name), "the evaluation of this term does not end");
@@ -172,7 +148,7 @@ void MachineReader::read_memory(const Item& memory) {
   if (!expect_object(memory, "memory")) return;
   for (const auto& [name, value] : memory.json->items()) {
     const auto item = member(memory, name);
-    if (!expect_object(item, "a register", {"type", "initial", "about"})) continue;
+    if (!expect_object(item, "a register")) continue;
     Register entry{name, read_type(required(item, "type", "the register's type")), Term::null()};
     entry.initial = empty_value(entry.type);
     if (const auto initial = member(item, "initial"); initial.json)

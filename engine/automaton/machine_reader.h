@@ -1,7 +1,6 @@
 // Reads a machine from a located document: notes every problem with its place, and goes on.
 #pragma once
 
-#include <initializer_list>
 #include <map>
 #include <set>
 #include <string>
@@ -90,13 +89,13 @@ class MachineReader {
   Item member(const Item& object, const std::string& key) const;
   Item required(const Item& object, const std::string& key, const char* what);
   Item element(const Item& array, std::size_t index) const;
-  bool expect_object(const Item& item, const char* what, std::initializer_list<const char*> keys = {});
+  bool expect_object(const Item& item, const char* what);  ///< with the keys that machine_keys() knows for it, or any
   bool expect_array(const Item& item, const char* what);
   std::string text_of(const Item& item, const char* what);
   std::string name_of(const Item& item, const char* what);
   std::optional<std::string> one_of(const Item& object, const std::string& key, const std::vector<std::string>& names);
   double number_of(const Item& item, const char* what, double otherwise, double least, double most);
-  bool truth_of(const Item& item, const char* what, bool otherwise);
+  bool truth_of(const Item& item, bool otherwise);
   bool mismatch(const Item& item, const std::string& expected);
   void problem(const Item& at, std::string sentence);
   /// Of the parser of terms or of types, which read the item's text from its byte `from` on, after `before` bytes of

@@ -49,7 +49,7 @@ void MachineReader::read_definitions(const Item& definitions) {
 // Definitions may use one another in any order: those that this one mentions are read before it. `path` holds the names
 // that are being read.
 void MachineReader::read_definition(const Item& definitions, const std::string& name, std::vector<std::string>& path) {
-  if (read_definitions_.contains(name)) return;
+  if (!read_definitions_.insert(name).second) return;
   const auto item = member(definitions, name);
   const auto text = text_of(item, "a term or a table of terms");
   bool circle = false;
@@ -63,11 +63,11 @@ void MachineReader::read_definition(const Item& definitions, const std::string& 
       read_definition(definitions, other, path);
   }
   path.pop_back();
-  read_definitions_.insert(name);
   // In a circle a name is not known yet, unless it is a variable here that only looks like a definition.
   const bool needs_itself = circle && !parse_term(text, scope_);
   if (needs_itself) problem(item, fmt::format("the definition of {} leads back to itself", in_quotes(name)));
-  const auto term = needs_itself ? std::nullopt : parse(item, Type::term());
+  const bool readable = item.json->is_string() && !needs_itself;
+  const auto term = readable ? parse(item, Type::term()) : std::nullopt;
   declare(item, name, term ? term->type() : Type::term());
   if (term) machine_.definitions.emplace(name, *term);
 }
@@ -84,7 +84,7 @@ void MachineReader::read_wordings(const Item& wordings) {
 }
 
 void MachineReader::read_wording(const Item& item) {
-  if (!expect_object(item, "a wording", {"of", "when", "say", "about"})) return;
+  if (!expect_object(item, "a wording")) return;
   const auto of = required(item, "of", "a lambda, the shape of the term");
   const auto say = required(item, "say", "its words");
   const auto pattern = parse(of, Type::term());

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "automaton/machine_keys.h"
 #include "automaton/machine_reader.h"
 
 namespace continua {
@@ -39,12 +40,13 @@ Item MachineReader::element(const Item& array, std::size_t index) const {
   return {&(*array.json)[index], array.pointer + "/" + std::to_string(index)};
 }
 
-bool MachineReader::expect_object(const Item& item, const char* what, std::initializer_list<const char*> keys) {
+bool MachineReader::expect_object(const Item& item, const char* what) {
   if (!item.json) return false;
   if (!item.json->is_object()) return mismatch(item, fmt::format("{}, an object", what));
-  if (keys.size() == 0) return true;
-  const std::vector<std::string> known(keys.begin(), keys.end());
+  const auto keys = machine_keys().find(what);
+  if (keys == machine_keys().end()) return true;
   for (const auto& [key, value] : item.json->items()) {
+    const auto& known = keys->second;
     if (std::find(known.begin(), known.end(), key) == known.end())
       problem_at_key(member(item, key),
                      fmt::format("unknown key {} of {}{}", in_quotes(key), what, nearest(key, known)));
@@ -90,9 +92,9 @@ double MachineReader::number_of(const Item& item, const char* what, double other
   return otherwise;
 }
 
-bool MachineReader::truth_of(const Item& item, const char* what, bool otherwise) {
+bool MachineReader::truth_of(const Item& item, bool otherwise) {
   if (!item.json) return otherwise;
-  if (!item.json->is_boolean()) return mismatch(item, fmt::format("{}, true or false", what)), otherwise;
+  if (!item.json->is_boolean()) return mismatch(item, "true or false"), otherwise;
   return item.json->get<bool>();
 }
 

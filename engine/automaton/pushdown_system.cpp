@@ -51,6 +51,7 @@ PushdownSystem::PushdownSystem(std::shared_ptr<const Machine> machine)
   initial.stack = Stack();
   Control control;
   control.configuration = std::move(initial);
+  control.settles = machine_->epsilon_always;
   initial_control_ = add(std::move(control));
 }
 
@@ -74,7 +75,7 @@ int PushdownSystem::add(StackSymbol symbol) {
 
 int PushdownSystem::add(Control control) {
   auto key = key_of(control.configuration, machine_->landmarks);
-  key += std::to_string(static_cast<int>(control.motion)) + '\n';
+  key += std::to_string(static_cast<int>(control.motion)) + (control.settles ? "ε\n" : "\n");
   if (control.motion != Motion::none) {
     for (const auto part : {control.transition, control.to, control.count, static_cast<std::size_t>(control.then)})
       key += std::to_string(part) + '\n';
@@ -118,6 +119,7 @@ Firing PushdownSystem::firing(const Control& control, int symbol, int letter) {
 
 std::vector<PushdownRule> PushdownSystem::fire(const Control& control, int symbol, int letter) {
   std::vector<PushdownRule> rules;
+  if (letter == epsilon && !control.settles) return rules;
   auto firing = this->firing(control, symbol, letter);
   for (const auto& candidate : firing.applicable().candidates) {
     const auto& transition = machine_->transitions[candidate.transition];
@@ -132,14 +134,16 @@ std::vector<PushdownRule> PushdownSystem::fire(const Control& control, int symbo
 
 // The control once the operation is done. Parts that would do nothing are left out.
 int PushdownSystem::after_operation(const Control& control, std::size_t transition, const Entry& entry, int letter) {
+  const bool settles = machine_->epsilon_always || entry.operation->is_rewrite();
   if (entry.rejected || machine_->transitions[transition].effects.empty())
-    return entering(control.configuration, entry.state, letter);
-  Control next{control.configuration, Motion::effects, transition, entry.state, letter, 0, {}, {}, 0};
+    return entering(control.configuration, entry.state, letter, settles);
+  Control next{control.configuration, Motion::effects, transition, entry.state, letter, settles, 0, {}, {}, 0};
   return add(std::move(next));
 }
 
-int PushdownSystem::entering(const Configuration& configuration, StateIndex to, int letter) {
+int PushdownSystem::entering(const Configuration& configuration, StateIndex to, int letter, bool settles) {
   Control next;
+  next.settles = settles;
   next.configuration = configuration;
   if (machine_->states[to].enter.empty() && !machine_->landmark[to]) {
     next.configuration.state = to;
@@ -161,7 +165,7 @@ PushdownRule PushdownSystem::carry_on(const Control& control, int symbol) {
       const auto rewrite = firing.perform(machine_->transitions[control.transition].effects);
       auto after = firing.configuration();
       after.stack = Stack();
-      const auto then = entering(after, control.to, control.letter);
+      const auto then = entering(after, control.to, control.letter, control.settles || rewrite);
       return rewrite ? moved(*rewrite, after, symbol, then) : PushdownRule{then, {symbol}, {}};
     }
     case Motion::entry: {
@@ -169,6 +173,7 @@ PushdownRule PushdownSystem::carry_on(const Control& control, int symbol) {
       firing.enter(control.to);
       const auto rewrite = firing.perform(machine_->states[control.to].enter);
       Control next;
+      next.settles = control.settles || rewrite;
       next.configuration = firing.configuration();
       next.configuration.stack = Stack();
       const auto before = next.configuration;

@@ -1,8 +1,8 @@
 // A machine as a pushdown system: what may happen in a control with a symbol on top, found out when it is asked for.
 //
 // Configurations of a machine hold terms, so controls and stack symbols are numbered as they turn up. A control is a
-// state with registers and history; between the parts of a transition (automaton/firing.h) also what is left to do, such
-// as to go on popping. The topmost symbol is all that a rule sees, and a rule puts a word of symbols in its place.
+// state with registers and history; between the parts of a transition (automaton/firing.h) also what is left to do,
+// such as to go on popping. The topmost symbol is all that a rule sees, and a rule puts a word of symbols in its place.
 #pragma once
 
 #include <compare>
@@ -66,6 +66,7 @@ class PushdownSystem {
     std::size_t transition = 0;
     StateIndex to = 0;
     int letter = epsilon;  ///< what `input` is in effects
+    bool settles = true;   ///< ε-transitions are tried now: always, or after a rewrite
     std::size_t count = 0;
     Symbol symbol;
     Change change;
@@ -83,7 +84,7 @@ class PushdownSystem {
   PushdownRule carry_on(const Control& control, int symbol);
   Firing firing(const Control& control, int symbol, int letter);
   int after_operation(const Control& control, std::size_t transition, const Entry& entry, int letter);
-  int entering(const Configuration& configuration, StateIndex to, int letter);
+  int entering(const Configuration& configuration, StateIndex to, int letter, bool settles);
   PushdownRule moved(const Change& change, const Configuration& before, int symbol, int then);
   PushdownRule still(Motion motion, std::size_t count, Symbol symbol, int then);
   PushdownRule popped(std::size_t count, int symbol, int then);

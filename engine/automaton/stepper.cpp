@@ -30,13 +30,13 @@ Stepper::Stepper(std::shared_ptr<const Machine> machine, const Rules& methods) :
                           const auto entry = entries.find(arguments[0].text_value());
                           return entry == entries.end() ? Term::null() : evaluation.value(entry->second);
                         }};
-  rules_ = {&term_rules(), &methods, &own_rules_};
+  rules_.emplace(std::initializer_list<const Rules*>{&term_rules(), &methods, &own_rules_});
 }
 
 Firing Stepper::firing(Configuration configuration, const Input* input, const Beliefs& beliefs,
                        std::vector<StepEvent>* account) {
   beliefs_ = &beliefs;
-  return {*machine_, rules_, std::move(configuration), input, account};
+  return {*machine_, *rules_, std::move(configuration), input, account};
 }
 
 Configuration Stepper::initial() const {
@@ -47,8 +47,8 @@ Configuration Stepper::initial() const {
   configuration.state = machine_->start;
   configuration.stack = configuration.stack.push(bottom_symbol(*machine_), configuration.next_symbol++);
   if (machine_->landmarks > 0)
-    configuration.history = configuration.history.entered(machine_->landmark[machine_->start], machine_->landmarks,
-                                                          configuration.stack);
+    configuration.history =
+        configuration.history.entered(machine_->landmark[machine_->start], machine_->landmarks, configuration.stack);
   return configuration;
 }
 
@@ -116,10 +116,13 @@ void Stepper::settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* a
     if (account) account->push_back(Trouble{std::move(message)});
   };
   std::size_t free_from = 0;  // since this step no draw was made
-  for (int i = 0; i < most_epsilon_steps; ++i) {
+  for (;;) {
     auto found = firing.applicable();
     const auto chosen = chooser.choose(found.candidates);
     if (!chosen) return;
+    if (path.size() == most_epsilon_steps)
+      return trouble(fmt::format("more than {} ε-transitions in a row, the last of them {}", most_epsilon_steps,
+                                 id(path.back())));
     const auto back =
         std::find_if(seen.begin() + static_cast<std::ptrdiff_t>(free_from), seen.end(),
                      [&](const Configuration& earlier) { return earlier.same_as(firing.configuration()); });
@@ -135,7 +138,6 @@ void Stepper::settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* a
     const auto settles = firing.fire(*chosen, std::move(found), chooser.steps);
     if (!settles || !*settles) return;
   }
-  trouble(fmt::format("more than {} ε-transitions in a row, the last of them {}", most_epsilon_steps, id(path.back())));
 }
 
 std::string refusal_reason(const Machine& machine, StateIndex state, const Applicable& found, const Input& input) {

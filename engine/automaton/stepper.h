@@ -54,8 +54,8 @@ class Stepper {
   void settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* account);
 
   std::shared_ptr<const Machine> machine_;
-  std::vector<const Rules*> rules_;
   Rules own_rules_;                   ///< is_input, certainty, wording, tables: read `beliefs_`
+  std::optional<RuleTable> rules_;    ///< once own_rules_ are complete
   const Beliefs* beliefs_ = nullptr;  ///< those of the step under way
 };
 

@@ -69,12 +69,9 @@ Term Evaluation::bounded(Term term) {
   return Term::null();
 }
 
-const Rule* Evaluation::rule(const std::string& name) const {
-  for (const Rules* rules : rules_) {
-    const auto found = rules->find(name);
-    if (found != rules->end()) return &found->second;
-  }
-  return nullptr;
+RuleTable::RuleTable(std::initializer_list<const Rules*> sources) {
+  for (const auto* source : sources)
+    for (const auto& [name, rule] : *source) rules_.emplace(Name(name), &rule);
 }
 
 Term Evaluation::evaluated(const Term& term) {
@@ -163,9 +160,10 @@ Evaluation::Step Evaluation::keep(Redex& redex) {
 }
 
 Evaluation::Step Evaluation::reduce_constant(Redex& redex) {
-  const auto& name = redex.head.name();
-  if (name == "if" || name == "and" || name == "or") return reduce_choice(redex);
-  if (const Rule* found = rule(name)) return reduce_rule(redex, *found);
+  static const Name name_if("if"), name_and("and"), name_or("or");
+  const auto name = redex.head.interned_name();
+  if (name == name_if || name == name_and || name == name_or) return reduce_choice(redex);
+  if (const Rule* found = rules_.find(name)) return reduce_rule(redex, *found);
   const Term* held = lookup_ ? lookup_(name) : nullptr;
   if (!held) return keep(redex);
   redex.head = Term(*held);

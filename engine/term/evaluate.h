@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "term/term.h"
@@ -36,6 +38,19 @@ struct Rule {
 
 using Rules = std::map<std::string, Rule, std::less<>>;
 
+/// Rules of several sources by name; where two have the same, the first counts. The sources must outlive the table.
+class RuleTable {
+ public:
+  explicit RuleTable(std::initializer_list<const Rules*> sources);
+  const Rule* find(Name name) const {
+    const auto found = rules_.find(name);
+    return found == rules_.end() ? nullptr : found->second;
+  }
+
+ private:
+  std::unordered_map<Name, const Rule*, Name::Hash> rules_;
+};
+
 /// The rules of the language's own names: operators, `if`, and functions of lists, terms, texts, places and numbers,
 /// documented in term/FUNCTIONS.md.
 const Rules& term_rules();
@@ -46,9 +61,9 @@ const Signature& term_signature();
 class Evaluation {
  public:
   /// Value of a name that is no function of ours: a slot, a register, a definition. nullptr: it has none.
-  /// Every set of rules is asked in turn; `rules` must outlive the evaluation.
-  using Lookup = std::function<const Term*(const std::string& name)>;
-  Evaluation(std::vector<const Rules*> rules, Lookup lookup) : rules_(std::move(rules)), lookup_(std::move(lookup)) {}
+  /// `rules` must outlive the evaluation.
+  using Lookup = std::function<const Term*(Name name)>;
+  Evaluation(const RuleTable& rules, Lookup lookup) : rules_(rules), lookup_(std::move(lookup)) {}
 
   /// The value of a closed term. Values found by lookup are evaluated where they are not values yet.
   /// Ends after a bounded number of steps, whatever the term; then the value is null and `exhausted` is set.
@@ -87,11 +102,10 @@ class Evaluation {
   Step reduce_rule(Redex& redex, const Rule& rule);
   Step keep(Redex& redex);
   void make_ready(Redex& redex, std::size_t count);
-  const Rule* rule(const std::string& name) const;
   Term bounded(Term term);
   void give_up();
 
-  std::vector<const Rules*> rules_;
+  const RuleTable& rules_;
   Lookup lookup_;
   std::size_t steps_ = 0;
   int depth_ = 0;

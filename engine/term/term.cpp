@@ -30,7 +30,7 @@ struct Pair {
 struct Term::Node {
   Kind kind;
   Type type;
-  std::variant<bool, double, std::string, Place, int, Binder, Pair, std::vector<Term>> held;
+  std::variant<bool, double, std::string, Place, int, Name, Binder, Pair, std::vector<Term>> held;
   int reach = 0;
   std::size_t depth = 1;
   std::size_t size = 1;
@@ -71,11 +71,11 @@ Term Term::place(Place value) {
 
 Term Term::point(double x_m, double y_m, double z_m) { return place({{x_m, y_m, z_m}, {x_m, y_m, z_m}, false}); }
 
-Term Term::constant(std::string name, Type type) {
-  return Term(std::make_shared<const Node>(Node{Kind::constant, std::move(type), std::move(name)}));
+Term Term::constant(std::string_view name, Type type) {
+  return Term(std::make_shared<const Node>(Node{Kind::constant, std::move(type), Name(name)}));
 }
 
-Term Term::entity(std::string name) { return constant(std::move(name), Type::entity()); }
+Term Term::entity(std::string_view name) { return constant(name, Type::entity()); }
 
 Term Term::bound(int index, Type type) {
   require(index >= 0, "a bound variable has an index from 0");
@@ -138,7 +138,11 @@ const Place& Term::place_value() const {
 const std::string& Term::name() const {
   if (kind() == Kind::lambda) return std::get<Binder>(node_->held).hint;
   require(kind() == Kind::constant, "name() of a term that is neither constant nor lambda");
-  return std::get<std::string>(node_->held);
+  return std::get<Name>(node_->held).text();
+}
+Name Term::interned_name() const {
+  require(kind() == Kind::constant, "interned_name() of a term that is no constant");
+  return std::get<Name>(node_->held);
 }
 int Term::index() const {
   require(kind() == Kind::bound, "index() of a term that is no bound variable");
@@ -195,7 +199,7 @@ bool Term::operator==(const Term& other) const {
     case Kind::place:
       return place_value() == other.place_value();
     case Kind::constant:
-      return name() == other.name();
+      return interned_name() == other.interned_name();
     case Kind::bound:
       return index() == other.index();
   }

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "term/name.h"
 #include "term/type.h"
 
 namespace continua {
@@ -51,9 +52,9 @@ class Term {
   /// of a region may come in any order. A place with a coordinate that is not finite is null.
   static Term place(Place value);
   static Term point(double x_m, double y_m, double z_m);
-  static Term constant(std::string name, Type type);
+  static Term constant(std::string_view name, Type type);
   /// The constant of type e that stands for an object of the world.
-  static Term entity(std::string name);
+  static Term entity(std::string_view name);
   static Term bound(int index, Type type);
   /// `hint` is the name to print for the variable; it does not take part in equality.
   static Term lambda(std::string hint, Type variable, Term body);
@@ -72,6 +73,7 @@ class Term {
   const std::string& text_value() const;      ///< REQUIRES text
   const Place& place_value() const;           ///< REQUIRES place
   const std::string& name() const;            ///< REQUIRES constant, or lambda (its hint)
+  Name interned_name() const;                 ///< REQUIRES constant
   int index() const;                          ///< REQUIRES bound
   const Term& body() const;                   ///< REQUIRES lambda
   const Type& variable_type() const;          ///< REQUIRES lambda

@@ -5,10 +5,28 @@
 #include <fstream>
 #include <iostream>
 
+#include "replay/exporters/graph_dot.h"
+#include "replay/exporters/graph_svg.h"
 #include "replay/exporters/json.h"
 
 namespace continua {
 namespace {
+
+Outcome export_dot(const RunIndex& run, std::ostream& out) {
+  const auto graph = state_graph_of(run);
+  if (!graph) return graph.error();
+  out << dot_of(*graph);
+  return std::nullopt;
+}
+
+Outcome export_svg(const RunIndex& run, std::ostream& out) {
+  const auto graph = state_graph_of(run);
+  if (!graph) return graph.error();
+  const auto picture = svg_of(*graph);
+  if (!picture) return picture.error();
+  out << *picture;
+  return std::nullopt;
+}
 
 // An exporter is a function and a row.
 struct Exporter {
@@ -19,6 +37,8 @@ struct Exporter {
 constexpr std::array exporters = {
     Exporter{"json", "one document, every stack snapshot expanded",
              [](const RunIndex& run, std::ostream& out) { return export_json(run, out); }},
+    Exporter{"dot", "the state graph with what the run visited, for Graphviz", export_dot},
+    Exporter{"svg", "the same as a picture", export_svg},
 };
 
 }  // namespace
@@ -53,7 +73,9 @@ void add_export_command(CLI::App& program, Run& run) {
   }
   command->add_option("--to", options->format, described)->required()->check(CLI::IsMember(formats));
   command->add_option("-o,--output", options->output, "a file, or '-'");
-  command->footer("Example: continua export talk.run.jsonl --to json -o talk.json");
+  command->footer(
+      "Examples: continua export talk.run.jsonl --to json -o talk.json\n"
+      "          continua export talk.run.jsonl --to svg -o talk.svg");
   command->callback([options, &run] { run = [options] { return run_export(*options); }; });
 }
 

@@ -56,7 +56,7 @@ FileCheck check_session(std::string_view text, const std::string& path) {
 
 FileCheck check_machine_file(std::string_view text, const std::string& path) {
   const auto machine = parse_machine(text, path, Methods::signature());
-  if (!machine) return {check_machine(text, path, Methods::signature()), {}, ""};
+  if (!machine) return {check_machine(text, path, Methods::signature()), {}, "", exit_impossible};
   return {{},
           {},
           fmt::format("machine, {}, {}", counted(machine->states.size(), "state"),
@@ -90,9 +90,9 @@ constexpr std::array file_kinds = {
     FileKind{[](std::string_view text, const std::string& path) { return is_jflap(text, path); }, check_jflap},
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "trace"); }, check_trace},
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "run"); }, check_run},
-    FileKind{[](std::string_view text, const std::string&) {
-               return begins_with(text, "{") && text.find("\"machine\"") != text.npos &&
-                      text.find("\"transitions\"") != text.npos;
+    FileKind{[](std::string_view text, const std::string& path) {
+               return path.ends_with(".json") || (begins_with(text, "{") && text.find("\"machine\"") != text.npos &&
+                                                  text.find("\"transitions\"") != text.npos);
              },
              check_machine_file},
     FileKind{[](std::string_view text, const std::string&) { return begins_with(text, "<"); }, check_scene},
@@ -105,7 +105,7 @@ int validate(const std::string& path) {
   const auto check = check_file(*text, path);
   for (const auto& problem : check.problems) fmt::print(stderr, "{}\n", problem.text());
   for (const auto& note : check.notes) fmt::print(stderr, "{} (note)\n", note);
-  if (!check.problems.empty()) return exit_no;
+  if (!check.problems.empty()) return check.status;
   fmt::print("{}: {}\n", path, check.summary);
   return exit_done;
 }

@@ -27,8 +27,8 @@ std::string accepted(const std::string& machine, const std::vector<std::string>&
 }
 
 std::string machine(const std::string& transitions, const std::string& more = "") {
-  return R"({"machine":1,"name":"m","start":"p","accept":["f"],"slots":{"s":"text","k":{"type":"text","persists":true}},)" + more +
-         R"("states":{"p":{},"q":{},"f":{}},"transitions":[)" + transitions + "]}";
+  return R"({"machine":1,"name":"m","start":"p","accept":["f"],"slots":{"s":"text","k":{"type":"text","persists":true}},)" +
+         more + R"("states":{"p":{},"q":{},"f":{}},"transitions":[)" + transitions + "]}";
 }
 
 }  // namespace
@@ -102,10 +102,12 @@ TEST_CASE("registers count as long as they are finitely many") {
     {"id":"other","from":"q","on":null,"when":"n != 0","to":"p1"},
     {"id":"up again","from":"p1","on":"a","to":"q","do":[{"remember":{"n":"LIMIT"}}]}]})";
   const auto with = [](std::string text, const std::string& what, const std::string& instead) {
-    for (auto at = text.find(what); at != std::string::npos; at = text.find(what)) text.replace(at, what.size(), instead);
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what))
+      text.replace(at, what.size(), instead);
     return text;
   };
-  CHECK(accepted(with(counter, "LIMIT", "if(n = 2, 0, n + 1)"), {"", "a", "aa", "aaa", "aaaa", "aaaaaa"}) == "'' aaa aaaaaa");
+  CHECK(accepted(with(counter, "LIMIT", "if(n = 2, 0, n + 1)"), {"", "a", "aa", "aaa", "aaaa", "aaaaaa"}) ==
+        "'' aaa aaaaaa");
   const auto endless = with(with(counter, "LIMIT", "n + 1"), R"("on":"a")", R"("on":null)");
   CHECK(accepted(endless, {"b"}).starts_with("m: makes more than 20000 different"));
 }

@@ -53,7 +53,7 @@ class Exploring {
   int serial_ = 0;
 };
 
-const std::string fork = R"({"machine":1,"name":"m","start":"A","slots":{"s":"text"},"transitions":[
+const std::string forking = R"({"machine":1,"name":"m","start":"A","slots":{"s":"text"},"transitions":[
   {"id":"light","from":"A","on":"x","to":"B","weight":1},
   {"id":"heavy","from":"A","on":"x","to":"C","weight":3},
   {"id":"b","from":"B","on":"b","to":"D","push":{"s":"'b'"}},
@@ -63,12 +63,12 @@ const std::string fork = R"({"machine":1,"name":"m","start":"A","slots":{"s":"te
 }  // namespace
 
 TEST_CASE("every applicable transition is taken; the heaviest configuration leads") {
-  CHECK(Exploring(fork).branches() == "A 1 #0 ()");
-  CHECK(Exploring(fork).feed("x").branches() == "C 0.75 #0 (heavy), B 0.25 #1 (light)");
+  CHECK(Exploring(forking).branches() == "A 1 #0 ()");
+  CHECK(Exploring(forking).feed("x").branches() == "C 0.75 #0 (heavy), B 0.25 #1 (light)");
 }
 
 TEST_CASE("a configuration that cannot take what another can is dropped; the lead goes over") {
-  Exploring exploring(fork);
+  Exploring exploring(forking);
   exploring.feed("xb");
   CHECK(exploring.branches() == "D 1 #1 (b)");
   CHECK(exploring.latest().dropped == std::vector<int>{0});
@@ -77,14 +77,14 @@ TEST_CASE("a configuration that cannot take what another can is dropped; the lea
 }
 
 TEST_CASE("what comes out equal is one, with the larger weight") {
-  Exploring exploring(fork);
+  Exploring exploring(forking);
   exploring.feed("xy");
   CHECK(exploring.branches() == "E 1 #0 (both b)");
   CHECK(exploring.latest().merged == 1);
 }
 
 TEST_CASE("an input that no configuration takes is refused and the set stays") {
-  Exploring exploring(fork);
+  Exploring exploring(forking);
   exploring.feed("x");
   const auto before = exploring.branches();
   exploring.feed("z");
@@ -117,7 +117,8 @@ TEST_CASE("the set is bounded; the lightest go first and are counted; ids of sym
   CHECK(exploring.latest().pruned == 4);
   std::vector<int> ids;
   for (const auto& branch : exploring.latest().after.branches) {
-    CHECK(branch.weight == Approx(branch.configuration.stack.top()[0].value.text_value() == "a" ? 0.3 : 0.1).margin(0.1));
+    CHECK(branch.weight ==
+          Approx(branch.configuration.stack.top()[0].value.text_value() == "a" ? 0.3 : 0.1).margin(0.1));
     ids.push_back(branch.configuration.stack.id());
   }
   std::sort(ids.begin(), ids.end());

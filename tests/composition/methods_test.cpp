@@ -67,7 +67,8 @@ class Seen {
     INFO(text);
     auto read = parse_term(text, names_);
     if (!read) FAIL(read.error().text());
-    Evaluation evaluation({&term_rules(), &methods_.rules()}, nullptr);
+    const RuleTable rules({&term_rules(), &methods_.rules()});
+    Evaluation evaluation(rules, nullptr);
     Term value = evaluation.value(*read);
     margin = evaluation.margin;
     return value;
@@ -115,7 +116,8 @@ TEST_CASE("what is not in the world gives null, and so does no world") {
   for (const auto& [name, rule] : blind.rules()) {
     INFO(name);
     const std::vector<Term> arguments(rule.arity, Term::entity("plate"));
-    Evaluation evaluation({}, nullptr);
+    const RuleTable rules({});
+    Evaluation evaluation(rules, nullptr);
     CHECK(rule.compute(arguments, evaluation).is_null());
   }
 }

@@ -1,5 +1,7 @@
 #include "core/located_json.h"
 
+#include <fmt/format.h>
+
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 
@@ -74,6 +76,48 @@ TEST_CASE("deep nesting is refused and does not exhaust the stack") {
   CHECK(error_of(objects).find("nested deeper than 200 levels") != std::string::npos);
   CHECK(error_of(std::string(200, '[') + std::string(200, ']')).empty());
   CHECK(error_of("\"" + std::string(300, '[') + "\\\"" + std::string(300, '[') + "\"").empty());
+}
+
+TEST_CASE("an object with too many members is refused") {
+  std::string object = "{";
+  for (int i = 0; i < 10'001; ++i) object += fmt::format("\"{}\":[{{}},1],", i);
+  object.back() = '}';
+  CHECK(error_of(object).find(": an object with more than 10000 members; expected fewer") != std::string::npos);
+  std::string list = "[";
+  for (int i = 0; i < 10'001; ++i) list += "{\"a\":\":::::\"},";
+  list.back() = ']';
+  CHECK(error_of(list).empty());
+}
+
+TEST_CASE("keys have places, and a key that stands twice is known") {
+  const auto document =
+      LocatedJson::parse("{\"a\": 1,\n  \"b\" : [{}, 2], \"a\": {\"c\": 3}, \"d\": {\"c\": 4}}", "m.json");
+  REQUIRE(document);
+  CHECK(document->key_place("/b") == TextPlace{2, 3});
+  CHECK(document->key_place("/b/1") == TextPlace{2, 14});
+  CHECK(document->key_place("/d/c") == TextPlace{2, 40});
+  REQUIRE(document->duplicates().size() == 1);
+  CHECK(document->duplicates()[0].key == "a");
+  CHECK(document->duplicates()[0].place == TextPlace{2, 18});
+  CHECK(document->place("/a") == TextPlace{2, 23});
+}
+
+TEST_CASE("a byte of a text has a place, whatever escapes stand before it") {
+  const auto document =
+      LocatedJson::parse(R"(["abc", "\"\\\n|", "\u0041\u00e9\u20ac|", "\ud83d\ude00|", "é|", 7])", "m.json");
+  REQUIRE(document);
+  const auto column = [&](const char* pointer, std::size_t byte) {
+    return document->place_in_text(pointer, byte).column;
+  };
+  CHECK(column("/0", 0) == 3);
+  CHECK(column("/0", 2) == 5);
+  CHECK(column("/0", 3) == 6);   // the end
+  CHECK(column("/0", 99) == 6);  // beyond it
+  CHECK(column("/1", 3) == 16);
+  CHECK(column("/2", 6) == 39);
+  CHECK(column("/3", 4) == 56);
+  CHECK(column("/4", 2) == 63);
+  CHECK(column("/5", 3) == 67);  // no text: the value
 }
 
 TEST_CASE("a line of JSON Lines carries its line number") {

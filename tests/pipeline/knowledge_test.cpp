@@ -1,9 +1,10 @@
-// The machines that come with the project load, and their examples end where they say.
+// The machines that come with the project load, and do with their examples what these say.
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <sstream>
 
+#include "automaton/acceptance.h"
 #include "automaton/machine_loader.h"
 #include "composition/methods.h"
 #include "core/located_json.h"
@@ -52,9 +53,29 @@ InputEvent event_of(const std::string& symbol) {
   return event;
 }
 
+void check_run(const std::shared_ptr<const Machine>& machine, const RunExample& example) {
+  CAPTURE(example.inputs);
+  const WorldSnapshot empty_table;
+  Pipeline pipeline(machine, Perspective::human);
+  auto state = pipeline.begin({machine->choice, Random(0), {}, 0}, empty_table).after;
+  for (const auto& symbol : example.inputs) {
+    REQUIRE(symbol_of(event_of(symbol)) == symbol);
+    state = pipeline.tick(state, event_of(symbol), empty_table).after;
+  }
+  CHECK(machine->states[state.configuration.state].name == machine->states[example.ends].name);
+}
+
+void check_word(const std::shared_ptr<const Machine>& machine, const WordExample& example) {
+  CAPTURE(example.word);
+  Acceptance acceptance(machine, example.by_empty_stack ? AcceptBy::empty_stack : AcceptBy::final_state);
+  const auto accepted = acceptance.accepts(example.word);
+  if (!accepted) FAIL(accepted.error().text());
+  CHECK(*accepted == example.accepted);
+}
+
 }  // namespace
 
-TEST_CASE("every machine of the knowledge folder is sound, and its examples end where they say") {
+TEST_CASE("every machine of the knowledge folder is sound, and its examples are true of it") {
   const auto folder = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge/machines";
   int machines = 0;
   for (const auto& file : fs::directory_iterator(folder)) {
@@ -63,19 +84,13 @@ TEST_CASE("every machine of the knowledge folder is sound, and its examples end 
     auto loaded = load_machine(file.path().string(), Methods::signature());
     if (!loaded) FAIL(loaded.error().text());
     const auto machine = std::make_shared<const Machine>(std::move(*loaded));
-    Pipeline pipeline(machine, Perspective::human);
-    const WorldSnapshot empty_table;
-    for (const auto& example : machine->examples) {
-      const auto* run = std::get_if<RunExample>(&example);
-      if (!run) continue;
-      CAPTURE(file.path(), run->inputs);
-      auto state = pipeline.begin({machine->choice, Random(0), {}, 0}, empty_table).after;
-      for (const auto& symbol : run->inputs) {
-        REQUIRE(symbol_of(event_of(symbol)) == symbol);
-        state = pipeline.tick(state, event_of(symbol), empty_table).after;
-      }
-      CHECK(machine->states[state.configuration.state].name == machine->states[run->ends].name);
-    }
+    CAPTURE(file.path());
+    CHECK_FALSE(machine->examples.empty());
+    for (const auto& example : machine->examples)
+      if (const auto* run = std::get_if<RunExample>(&example))
+        check_run(machine, *run);
+      else
+        check_word(machine, std::get<WordExample>(example));
   }
   CHECK(machines > 0);
 }

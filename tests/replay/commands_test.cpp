@@ -2,7 +2,10 @@
 
 #include "core/located_json.h"
 #include "replay/commands/accept.h"
+#include "inspector_log.h"
+#include "replay/commands/export.h"
 #include "replay/commands/import.h"
+#include "replay/commands/machine.h"
 #include "replay/commands/validate.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
@@ -63,6 +66,17 @@ TEST_CASE("validate finds every problem") {
   CHECK(check.problems[1].text() == "x:4: speech has no 'text' or 'alternatives'");
 }
 
+TEST_CASE("a broken machine is told line by line, and cannot be used") {
+  const TemporaryFolder folder;
+  const std::string text = "{\n  \"machine\": 1, \"nam\": \"m\", \"start\": 3 }\n";
+  const auto check = check_file(text, "m.json");
+  REQUIRE(check.problems.size() == 4);
+  CHECK(check.problems[2].text() == "m.json:2:17: unknown key 'nam' of a machine (did you mean 'name'?)");
+  CHECK(check_file("[]", "m.json").problems.at(0).text() == "m.json:1:1: found a list, expected a machine, an object");
+  CHECK(run_validate({{folder.file("m.json", text)}}) == exit_impossible);
+  CHECK(run_validate({{folder.file("m.json", "{")}}) == exit_impossible);
+}
+
 TEST_CASE("validate ends with 0 for valid, 1 for invalid, 2 for unreadable") {
   const TemporaryFolder folder;
   const auto good = folder.file("good.jsonl", trace), bad = folder.file("bad.jsonl", trace + "{}\n");
@@ -107,4 +121,30 @@ TEST_CASE("validate knows JFLAP's files, by name or by root element") {
   CHECK(check_file("\xEF\xBB\xBF" + fa, "x").problems.empty());
   CHECK(check_file("<structure>\n<type>", "x").problems.at(0).text().find("x:2: not valid XML") == 0);
   CHECK(check_file("hello", "x.jff").problems.at(0).text().find("x.jff:1: not valid XML") == 0);
+}
+
+TEST_CASE("machine describes a machine, or draws it") {
+  const TemporaryFolder folder;
+  const auto file = folder.file("m.json", R"({"machine":1,"name":"m","start":"A","transitions":[)"
+                                          R"({"id":"a","from":"A","on":"x","to":"B"}]})");
+  CHECK(run_machine({file, "", false, false, folder.at("m.txt")}) == exit_done);
+  CHECK(read_file(folder.at("m.txt")).value().starts_with("m: "));
+  CHECK(run_machine({file, "", true, false, folder.at("m.dot")}) == exit_done);
+  CHECK(read_file(folder.at("m.dot")).value().starts_with("digraph \"m\" {\n"));
+  CHECK(run_machine({"diana2018", "", false, true, folder.at("d.svg")}) == exit_done);
+  CHECK(read_file(folder.at("d.svg")).value().starts_with("<svg "));
+  CHECK(run_machine({file, "", false, true, folder.at("no/such/folder/m.svg")}) == exit_impossible);
+  CHECK(run_machine({"no such machine", "", false, true, "-"}) == exit_impossible);
+  CHECK(run_machine({folder.file("bad.json", "{}"), "", false, true, "-"}) == exit_impossible);
+}
+
+TEST_CASE("export draws what a run visited") {
+  const TemporaryFolder folder;
+  const auto run = folder.file("small.run.jsonl", small_log().text());
+  CHECK(run_export({run, "dot", folder.at("small.dot")}) == exit_done);
+  CHECK(read_file(folder.at("small.dot")).value().find("1× d") != std::string::npos);
+  CHECK(run_export({run, "svg", folder.at("small.svg")}) == exit_done);
+  CHECK(read_file(folder.at("small.svg")).value().find("1× d") != std::string::npos);
+  CHECK(run_export({folder.file("none.run.jsonl", "{\"kind\":\"run\",\"n\":0,\"t\":0,\"version\":1}\n"), "svg", "-"}) ==
+        exit_impossible);
 }

@@ -154,7 +154,8 @@ TEST_CASE("rules take part by name: without arguments, with them, with null when
   rules["indicated"] = {0, [&](auto, Evaluation&) { return ++calls, Term::entity("block4"); }, false};
   rules["on"] = {1, [](auto a, Evaluation&) { return a[0].is_null() ? Term::point(9, 9, 9) : Term::point(1, 2, 3); },
                  true};
-  Evaluation one({&term_rules(), &rules}, nullptr);
+  const RuleTable table({&term_rules(), &rules});
+  Evaluation one(table, nullptr);
   CHECK(print(one.value(read("put(indicated, on(indicated))"))) == "put(block4, <1, 2, 3>)");
   CHECK(print(one.value(read("on(null)"))) == "<9, 9, 9>");
   CHECK(print(one.value(read("\\x. put(x, on(x))"))) == "\\x. put(x, on(x))");

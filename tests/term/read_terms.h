@@ -41,8 +41,9 @@ inline std::string error_of(std::string_view text) {
 using Slots = std::map<std::string, Term>;
 
 inline Evaluation evaluation(const Slots& slots) {
-  return Evaluation({&term_rules()}, [&slots](const std::string& name) -> const Term* {
-    const auto found = slots.find(name);
+  static const RuleTable rules({&term_rules()});
+  return Evaluation(rules, [&slots](Name name) -> const Term* {
+    const auto found = slots.find(name.text());
     return found == slots.end() ? nullptr : &found->second;
   });
 }

@@ -1,0 +1,22 @@
+// continua machine: what a machine is, and its picture.
+#pragma once
+
+#include <string>
+
+#include "replay/commands/command.h"
+
+namespace continua {
+
+struct MachineOptions {
+  std::string machine;    ///< a name or a path
+  std::string knowledge;  ///< folder; empty: the program's own
+  bool dot = false, svg = false;
+  std::string output = "-";
+};
+
+/// A description on standard output, or a picture to `output`.
+int run_machine(const MachineOptions& options);
+
+void add_machine_command(CLI::App& program, Run& run);
+
+}  // namespace continua
