@@ -1,8 +1,8 @@
 #include <filesystem>
 
 #include "core/located_json.h"
-#include "replay/commands/accept.h"
 #include "inspector_log.h"
+#include "replay/commands/accept.h"
 #include "replay/commands/export.h"
 #include "replay/commands/import.h"
 #include "replay/commands/machine.h"
