@@ -29,10 +29,9 @@ bool is_slip(std::string_view a, std::string_view b) {
     return std::all_of(part.begin(), part.end(), [](unsigned char c) { return std::isalpha(c); });
   };
   if (!letters(x) || !letters(y)) return false;
-  if (same_but_for_case(a, b)) return true;
-  if (front == 0 || back == 0) return false;
   const bool exchanged = x.size() == 2 && y.size() == 2 && x[0] == y[1] && x[1] == y[0];
-  return (x.size() <= 1 && y.size() <= 1) || exchanged;
+  const bool one_letter = x.size() <= 1 && y.size() <= 1 && front > 0 && back > 0;
+  return one_letter || exchanged || same_but_for_case(x, y);
 }
 
 const std::string* resembling(const std::string& name, const std::vector<std::string>& names) {

@@ -119,6 +119,21 @@ TEST_CASE("what is wrong with a machine is told in the order of the file, with l
   }
 }
 
+TEST_CASE("without a list of states, a name that is a slip away from another is taken for it") {
+  const auto errors = [](const std::string& to) {
+    return errors_of(R"({"machine":1,"name":"m","start":"Waiting","transitions":[
+      {"id":"1","from":"Waiting","on":"x","to":"Asking"}, {"id":"2","from":"Asking","on":"x","to":")" +
+                     to + "\"}]}");
+  };
+  const auto slip = [](const std::string& name, const std::string& meant) {
+    return "m:2:99: nothing else names the state '" + name + "' (did you mean '" + meant + "'?)\n";
+  };
+  CHECK(errors("Wating") == slip("Wating", "Waiting"));
+  CHECK(errors("Aksing") == slip("Aksing", "Asking"));
+  CHECK(errors("asking") == slip("asking", "Asking"));
+  for (const auto* meant : {"Elsewhere", "Asking2", "Askings", "Waiting", "Tasking"}) CHECK(errors(meant).empty());
+}
+
 TEST_CASE("a file that holds no machine is told so") {
   CHECK(errors_of("") == "m:1:1: the file is empty; expected a JSON document\n");
   CHECK(errors_of("\xEF\xBB\xBF [1]") == "m:1:2: found a list, expected a machine, an object\n");

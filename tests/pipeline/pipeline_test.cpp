@@ -18,7 +18,7 @@ const char* machine_text = R"json({
     "evidence": [ { "inputs": ["POINT"], "concepts": ["point"], "levels": [0.5, 1] } ],
     "answers": [ { "inputs": ["speech no"], "about": "'gesture right point start'", "set": 0 } ], "overheard": 0.5 },
   "define": { "nearest": "head(sort_by(scene, \\x. distance(position(x), target)))" },
-  "states": { "Asked": { "enter": [ { "say": "This?" }, { "gesture": "reach(indicated)" } ] } },
+  "states": { "Wait": {}, "Asked": { "enter": [ { "say": "This?" }, { "gesture": "reach(indicated)" } ] } },
   "transitions": [
     { "id": "point", "from": ["Wait", "Asked"], "on": "POINT", "to": "Asked", "push": { "indicated": "nearest" } },
     { "id": "yes", "from": "Asked", "on": "speech yes", "to": "Wait", "do": [ { "act": "grasp(indicated)" } ] },
