@@ -6,10 +6,9 @@
 #include <iterator>
 
 #include "automaton/acceptance.h"
-#include "automaton/machine_loader.h"
-#include "composition/methods.h"
 #include "core/characters.h"
 #include "core/located_json.h"
+#include "replay/commands/named_machine.h"
 
 namespace continua {
 namespace {
@@ -52,10 +51,9 @@ int run_accept(const AcceptOptions& options) {
   } else if (words.empty()) {
     return report({"", "found no word; expected WORD or --words (see continua accept --help)"}), exit_impossible;
   }
-  auto machine = load_machine(options.machine, Methods::signature());
+  const auto machine = load_named_machine(options.machine);
   if (!machine) return report(machine.error()), exit_impossible;
-  Acceptance acceptance(std::make_shared<const Machine>(std::move(*machine)),
-                        options.empty_stack ? AcceptBy::empty_stack : AcceptBy::final_state);
+  Acceptance acceptance(*machine, options.empty_stack ? AcceptBy::empty_stack : AcceptBy::final_state);
   std::string verdicts;
   int status = exit_done;
   for (const auto& word : words) {
@@ -71,7 +69,7 @@ int run_accept(const AcceptOptions& options) {
 void add_accept_command(CLI::App& program, Run& run) {
   auto* command = program.add_subcommand("accept", "Tell which words a machine accepts");
   auto options = std::make_shared<AcceptOptions>();
-  command->add_option("MACHINE", options->machine, "a machine, or JFLAP's .jff of type fa or pda")->required();
+  command->add_option("MACHINE", options->machine, "a name of the knowledge folder, or a path; also JFLAP's .jff of type fa or pda")->required();
   command->add_flag("--empty-stack", options->empty_stack, "accept by empty stack instead of by final state");
   command->add_option("--words", options->words_file, "a file with a word a line; '-' is standard input");
 
@@ -86,7 +84,7 @@ void add_accept_command(CLI::App& program, Run& run) {
   command->footer(
       "Prints accept or reject for each word, in a line of its own. Exit status: 0 all accepted, 1 not all.\n"
       "What begins with '-' and is no option is a word; after '--' everything is.\n"
-      "Example: continua accept palindromes.jff abba ab ''");
+      "Example: continua accept palindromes abba ab ''");
   command->callback([command, options, &run] {
     options->words = command->remaining();
     const auto mark = std::find(options->words.begin(), options->words.end(), "--");

@@ -3,10 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "automaton/machine_loader.h"
-#include "composition/methods.h"
 #include "replay/commands/machine_report.h"
-#include "replay/data_paths.h"
+#include "replay/commands/named_machine.h"
 #include "replay/exporters/graph_dot.h"
 #include "replay/exporters/graph_svg.h"
 #include "replay/recorder.h"
@@ -14,17 +12,9 @@
 namespace continua {
 namespace {
 
-Result<Machine> machine_named(const MachineOptions& options) {
-  const auto data = find_data_paths(options.knowledge);
-  if (!data) return data.error();
-  const auto path = resolve_machine(options.machine, *data, ".", "");
-  if (!path) return path.error();
-  return load_machine(*path, Methods::signature());
-}
-
-Result<std::string> answer(const MachineOptions& options, Machine machine) {
-  if (!options.dot && !options.svg) return describe(std::make_shared<const Machine>(std::move(machine)));
-  const auto graph = state_graph_of(graph_of(machine), machine.name);
+Result<std::string> answer(const MachineOptions& options, const std::shared_ptr<const Machine>& machine) {
+  if (!options.dot && !options.svg) return describe(machine);
+  const auto graph = state_graph_of(graph_of(*machine), machine->name);
   if (!graph) return graph.error();
   return options.svg ? svg_of(*graph) : dot_of(*graph);
 }
@@ -32,9 +22,9 @@ Result<std::string> answer(const MachineOptions& options, Machine machine) {
 }  // namespace
 
 int run_machine(const MachineOptions& options) {
-  auto machine = machine_named(options);
+  const auto machine = load_named_machine(options.machine, options.knowledge);
   if (!machine) return report(machine.error()), exit_impossible;
-  const auto text = answer(options, *std::move(machine));
+  const auto text = answer(options, *machine);
   if (!text) return report(text.error()), exit_impossible;
   if (const auto problem = write_file(options.output, *text)) return report(*problem), exit_impossible;
   return exit_done;
