@@ -13,6 +13,8 @@ engine/term/*                 core
 engine/world/*                core
 engine/voxml/*                core term
 engine/automaton/*            core term
+engine/machine_file/*         core term automaton
+engine/analysis/*             core term automaton
 engine/perception/*           core world
 engine/language/*             core term voxml world perception
 engine/moves/*                core term perception language
@@ -36,7 +38,7 @@ wrappers='
 nlohmann/*     engine/core/located_json.h
 xxhash.h       engine/core/digest.cpp
 Eigen/*        engine/world/*.h engine/world/*.cpp engine/simulation/*
-pugixml.hpp    engine/voxml/catalogue* engine/automaton/jflap* engine/simulation/scene* tests/replay/state_graph_test.cpp
+pugixml.hpp    engine/voxml/catalogue* engine/machine_file/jflap* engine/simulation/scene* tests/replay/state_graph_test.cpp
 mujoco/*       engine/simulation/*
 EGL/*          engine/simulation/*
 GL/*           engine/simulation/*

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "automaton/machine_loader.h"
 #include "behaviour/kinematic_body.h"
 #include "core/digest.h"
+#include "machine_file/machine_loader.h"
 #include "pipeline/pipeline.h"
 #include "replay/data_paths.h"
 #include "replay/expectation.h"

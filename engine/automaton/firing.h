@@ -1,7 +1,7 @@
 // The parts of a step: which transitions apply, what one of them does to the topmost symbol, what it and the state it
 // enters do beside. Each part sees the head of the configuration alone, that is state, topmost symbol and registers,
 // and ends with at most one change of the stack; so it can be carried out on a real stack (automaton/stepper.h), on
-// many (automaton/exploration.h) or on an unknown one (automaton/acceptance.h).
+// many (automaton/exploration.h) or on an unknown one (analysis/acceptance.h).
 #pragma once
 
 #include <limits>

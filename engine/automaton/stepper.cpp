@@ -121,8 +121,8 @@ void Stepper::settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* a
     const auto chosen = chooser.choose(found.candidates);
     if (!chosen) return;
     if (path.size() == most_epsilon_steps)
-      return trouble(fmt::format("more than {} ε-transitions in a row, the last of them {}", most_epsilon_steps,
-                                 id(path.back())));
+      return trouble(
+          fmt::format("more than {} ε-transitions in a row, the last of them {}", most_epsilon_steps, id(path.back())));
     const auto back =
         std::find_if(seen.begin() + static_cast<std::ptrdiff_t>(free_from), seen.end(),
                      [&](const Configuration& earlier) { return earlier.same_as(firing.configuration()); });

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <iterator>
 
-#include "automaton/acceptance.h"
+#include "analysis/acceptance.h"
 #include "core/characters.h"
 #include "core/located_json.h"
 #include "replay/commands/named_machine.h"
@@ -69,7 +69,10 @@ int run_accept(const AcceptOptions& options) {
 void add_accept_command(CLI::App& program, Run& run) {
   auto* command = program.add_subcommand("accept", "Tell which words a machine accepts");
   auto options = std::make_shared<AcceptOptions>();
-  command->add_option("MACHINE", options->machine, "a name of the knowledge folder, or a path; also JFLAP's .jff of type fa or pda")->required();
+  command
+      ->add_option("MACHINE", options->machine,
+                   "a name of the knowledge folder, or a path; also JFLAP's .jff of type fa or pda")
+      ->required();
   command->add_flag("--empty-stack", options->empty_stack, "accept by empty stack instead of by final state");
   command->add_option("--words", options->words_file, "a file with a word a line; '-' is standard input");
 

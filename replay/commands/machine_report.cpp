@@ -7,8 +7,8 @@
 #include <set>
 #include <vector>
 
-#include "automaton/acceptance.h"
-#include "automaton/machine_analysis.h"
+#include "analysis/acceptance.h"
+#include "analysis/machine_analysis.h"
 #include "replay/commands/command.h"
 
 namespace continua {

@@ -1,7 +1,7 @@
 #include "replay/commands/named_machine.h"
 
-#include "automaton/machine_loader.h"
 #include "composition/methods.h"
+#include "machine_file/machine_loader.h"
 #include "replay/data_paths.h"
 
 namespace continua {

@@ -4,10 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <array>
 
-#include "automaton/jflap.h"
-#include "automaton/machine_loader.h"
 #include "composition/methods.h"
 #include "core/located_json.h"
+#include "machine_file/jflap.h"
+#include "machine_file/machine_loader.h"
 #include "replay/run_index.h"
 #include "replay/session_import.h"
 #include "replay/trace_file.h"

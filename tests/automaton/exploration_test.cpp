@@ -5,7 +5,7 @@
 
 #include <fmt/ranges.h>
 
-#include "automaton/machines.h"
+#include "support/machines.h"
 
 using namespace continua;
 

@@ -7,7 +7,7 @@
 #include "automaton/stack_operation.h"
 #include "reference/naive_exploration.h"
 #include "reference/naive_machines.h"
-#include "small_engine.h"
+#include "support/small_engine.h"
 
 using namespace continua;
 

@@ -4,8 +4,8 @@
 
 #include "reference/naive_exploration.h"
 #include "reference/naive_machines.h"
-#include "small_engine.h"
-#include "twin_samples.h"
+#include "support/small_engine.h"
+#include "support/twin_samples.h"
 
 using namespace continua;
 

@@ -1,7 +1,7 @@
 // Corner cases of the operations and of gates: one machine, an operation at the input x, and what it leaves.
 #include "automaton/stack_operation.h"
 
-#include "machines.h"
+#include "support/machines.h"
 
 using namespace continua;
 
@@ -141,11 +141,14 @@ TEST_CASE("flush leaves one symbol, which keeps what persists") {
 }
 
 TEST_CASE("a gate is tested on the configuration that is left") {
-  const char* gate = R"("states":{"S":{},"A":{},"B":{},"C":{},"X":{"gate":{"when":"n = 1","else":"E","push":{"n":"6"}}},"E":{}},)";
+  const char* gate =
+      R"("states":{"S":{},"A":{},"B":{},"C":{},"X":{"gate":{"when":"n = 1","else":"E","push":{"n":"6"}}},"E":{}},)";
   const char* plain = R"("states":{"S":{},"A":{},"B":{},"C":{},"X":{"gate":{"when":"n = 1","else":"E"}},"E":{}},)";
-  const char* chain = R"("states":{"S":{},"A":{},"B":{},"C":{},"X":{"gate":{"when":"n = 1","else":"E","push":{"n":"6"}}},
+  const char* chain =
+      R"("states":{"S":{},"A":{},"B":{},"C":{},"X":{"gate":{"when":"n = 1","else":"E","push":{"n":"6"}}},
                                   "E":{"gate":{"when":"n = 2","else":"F","rewrite":{"n":"7"}}},"F":{}},)";
-  const char* circle = R"("states":{"S":{},"A":{},"B":{},"C":{},"X":{"gate":{"when":"n = 1","else":"E","push":{"n":"6"}}},
+  const char* circle =
+      R"("states":{"S":{},"A":{},"B":{},"C":{},"X":{"gate":{"when":"n = 1","else":"E","push":{"n":"6"}}},
                                    "E":{"gate":{"when":"n = 2","else":"X","pop":1}}},)";
   const char* push = R"("push":{"n":"5"})";
   check({{"it holds", gate, push, "a, x", "X: - 1 5"},

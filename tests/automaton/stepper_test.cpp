@@ -1,6 +1,6 @@
 #include "automaton/stepper.h"
 
-#include "machines.h"
+#include "support/machines.h"
 
 using namespace continua;
 

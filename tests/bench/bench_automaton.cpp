@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "automaton/acceptance.h"
-#include "automaton/machine_loader.h"
+#include "analysis/acceptance.h"
 #include "automaton/stepper.h"
 #include "core/located_json.h"
+#include "machine_file/machine_loader.h"
 
 namespace continua {
 namespace {

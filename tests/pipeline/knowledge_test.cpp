@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <sstream>
 
-#include "automaton/acceptance.h"
-#include "automaton/machine_loader.h"
+#include "analysis/acceptance.h"
 #include "composition/methods.h"
 #include "core/located_json.h"
+#include "machine_file/machine_loader.h"
 #include "pipeline/pipeline.h"
 #include "support/catch.h"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "automaton/machine_loader.h"
+#include "machine_file/machine_loader.h"
 #include "support/catch.h"
 
 using namespace continua;

@@ -4,8 +4,8 @@
 #include <pugixml.hpp>
 #include <set>
 
-#include "automaton/machine_loader.h"
 #include "inspector_log.h"
+#include "machine_file/machine_loader.h"
 #include "replay/exporters/graph_dot.h"
 #include "replay/exporters/graph_svg.h"
 #include "replay/recorder.h"

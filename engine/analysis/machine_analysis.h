@@ -1,0 +1,47 @@
+// What a machine is and what is wrong with it: its class (semantics §1, Special cases), conflicts, states and
+// transitions that can never play a part.
+//
+// A machine that reads nothing but its input symbols, stack and registers, with finitely many values, is decided: all
+// heads (state, registers, topmost symbol) that some word reaches are found by saturation (analysis/saturation.h). Of
+// others, which read the world or what inputs carry, the graph and the text of conditions are judged; then a conflict
+// is a possible one, and what is reported unreachable still is.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "automaton/machine.h"
+
+namespace continua {
+
+/// Two transitions that apply in one configuration.
+struct Conflict {
+  StateIndex state = 0;
+  std::size_t first = 0, second = 0;  ///< transitions, in file order
+  std::optional<std::string>
+      input;            ///< one that both take, or that one takes while the other is an ε-transition; none: both ε
+  std::string witness;  ///< what is on top and in the registers, or what must hold; "" is anything
+  std::optional<std::string> word;  ///< input symbols that lead there, joined by spaces, where such were found
+};
+
+struct MachineAnalysis {
+  bool decided = false;             ///< else judged by graph and text
+  std::string undecided;            ///< why not
+  bool uses_stack = false;          ///< some operation changes it
+  bool deterministic = true;        ///< no conflicts, and no weight but 1
+  std::vector<Conflict> conflicts;  ///< one for each pair and state
+  std::vector<StateIndex> unreachable;
+  std::vector<StateIndex> dead_ends;     ///< reachable; from there no accepting state is, or, without such, no other
+  std::vector<std::size_t> never_fires;  ///< transitions
+  std::vector<std::vector<std::size_t>> epsilon_cycles;  ///< transitions that come back to where they began; if decided
+  bool weighted = false;                                 ///< some weight is not 1
+
+  /// "DFA", "NFA", "DPDA" or "NPDA".
+  std::string class_name() const;
+};
+
+MachineAnalysis analyse(const std::shared_ptr<const Machine>& machine);
+
+}  // namespace continua

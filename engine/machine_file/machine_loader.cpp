@@ -1,0 +1,34 @@
+#include "machine_file/machine_loader.h"
+
+#include "machine_file/jflap.h"
+#include "machine_file/machine_reader.h"
+
+namespace continua {
+
+Result<Machine> parse_machine(std::string_view text, const std::string& name, const Signature& methods) {
+  auto document = LocatedJson::parse(text, name);
+  if (!document) return document.error();
+  MachineReader reader(*document, methods);
+  auto machine = reader.read();
+  if (auto problems = reader.problems(); !problems.empty()) return problems.front();
+  return machine;
+}
+
+Result<Machine> load_machine(const std::string& path, const Signature& methods) {
+  auto text = read_file(path);
+  if (!text) return text.error();
+  if (!is_jflap(*text, path)) return parse_machine(*text, path, methods);
+  const auto machine = machine_of_jflap(*text, path);
+  if (!machine) return machine.error();
+  return parse_machine(compact(*machine), path, methods);
+}
+
+std::vector<Error> check_machine(std::string_view text, const std::string& name, const Signature& methods) {
+  auto document = LocatedJson::parse(text, name);
+  if (!document) return {document.error()};
+  MachineReader reader(*document, methods);
+  reader.read();
+  return reader.problems();
+}
+
+}  // namespace continua

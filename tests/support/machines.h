@@ -1,0 +1,91 @@
+// A small vocabulary for tests of the automaton: machines as text, inputs as words, and what happened as text.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "automaton/stepper.h"
+#include "machine_file/machine_loader.h"
+#include "support/catch.h"
+#include "term/term_text.h"
+
+namespace continua {
+
+inline const Rules no_methods;
+
+inline std::shared_ptr<const Machine> machine_of(const std::string& text) {
+  auto machine = parse_machine(text, "m.json", {});
+  if (!machine) FAIL(machine.error().text());
+  return std::make_shared<const Machine>(std::move(*machine));
+}
+
+/// A machine that is fed one symbol after another and tells where it is.
+class Player {
+ public:
+  explicit Player(const std::string& text, std::optional<Choice> choice = std::nullopt, std::uint64_t seed = 1)
+      : machine_(machine_of(text)),
+        stepper_(machine_, no_methods),
+        beliefs_(machine_->beliefs),
+        chooser_{choice.value_or(machine_->choice), Random(seed), {}, 0} {
+    take(stepper_.begin(beliefs_, chooser_));
+  }
+
+  /// Offers symbols, separated by ", ".
+  Player& feed(const std::string& symbols, double confidence = 1) {
+    for (std::size_t at = 0; at <= symbols.size();) {
+      const auto comma = std::min(symbols.find(", ", at), symbols.size());
+      Input input;
+      input.serial = ++serial_;
+      input.symbol = symbols.substr(at, comma - at);
+      input.target = Term::point(serial_, 0, 0);
+      input.confidence = confidence;
+      take(stepper_.step(configuration_, input, beliefs_, chooser_));
+      at = comma + 2;
+    }
+    return *this;
+  }
+
+  std::string state() const { return machine_->states[configuration_.state].name; }
+  /// The value of a slot of the topmost symbol, printed.
+  std::string slot(const std::string& name) const {
+    return print(configuration_.stack.top()[machine_->slot_index.at(name)].value);
+  }
+  std::size_t depth() const { return configuration_.stack.depth(); }
+  const Configuration& configuration() const { return configuration_; }
+  Beliefs& beliefs() { return beliefs_; }
+  /// What the latest step did.
+  const std::vector<StepEvent>& events() const { return events_; }
+
+  template <class Event>
+  std::vector<Event> all() const {
+    std::vector<Event> found;
+    for (const auto& event : events_)
+      if (const auto* one = std::get_if<Event>(&event)) found.push_back(*one);
+    return found;
+  }
+  /// The ids of the transitions that the latest step fired.
+  std::string fired() const {
+    std::string ids;
+    for (const auto& one : all<Fired>()) ids += (ids.empty() ? "" : " ") + machine_->transitions[one.transition].id;
+    return ids;
+  }
+
+ private:
+  void take(Step step) {
+    configuration_ = std::move(step.after);
+    events_ = std::move(step.events);
+  }
+
+  std::shared_ptr<const Machine> machine_;
+  Stepper stepper_;
+  Beliefs beliefs_;
+  Chooser chooser_;
+  Configuration configuration_;
+  std::vector<StepEvent> events_;
+  int serial_ = 0;
+};
+
+}  // namespace continua
