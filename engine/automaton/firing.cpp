@@ -209,7 +209,7 @@ const Term* Firing::look_up(Name name) {
     case From::confidence:
       return &(moment_ = input_ ? Term::number(input_->confidence) : Term::null());
     case From::now:
-      return &(moment_ = input_ ? Term::number(input_->now_s) : Term::null());
+      return &(moment_ = now_s_ ? Term::number(*now_s_) : Term::null());
   }
   return nullptr;
 }

@@ -57,6 +57,7 @@ class Firing {
         configuration_(std::move(configuration)),
         input_(input),
         serial_(input ? input->serial : 0),
+        now_s_(input ? std::optional(input->now_s) : std::nullopt),
         account_(account) {}
 
   const Configuration& configuration() const { return configuration_; }
@@ -105,7 +106,9 @@ class Firing {
   const RuleTable& rules_;
   Configuration configuration_;
   const Input* input_;
-  int serial_;  ///< of the input that brought all this about, also once it is used up; 0: none
+  // Of the input that brought all this about, also once it is used up; 0 and nullopt: there was none.
+  int serial_;
+  std::optional<double> now_s_;
   std::vector<StepEvent>* account_;
   std::set<int> because_;  ///< inputs that what is being computed came from
   Change rewrite_;

@@ -201,6 +201,16 @@ TEST_CASE("an ε-cycle that changes nothing is told with its path; one that grow
   CHECK(countdown(most_epsilon_steps + 1) == 1);
 }
 
+TEST_CASE("time goes on during the ε-transitions that an input brings about; the input itself is used up") {
+  Player player(
+      R"json({"machine":1,"name":"m","start":"A","memory":{"since":{"type":"num"},"seen":{"type":"text"}},"transitions":[
+    {"id":"in","from":"A","on":"x","to":"B"},
+    {"id":"on","from":"B","on":null,"to":"C","do":[{"remember":{"since":"now","seen":"if(input = null, 'nothing', input)"}}]}]})json");
+  player.feed("x");
+  CHECK(print(player.configuration().memory->at(0).value) == "0");
+  CHECK(print(player.configuration().memory->at(1).value) == "'nothing'");
+}
+
 TEST_CASE("a continuation that is filled later is a record that names the inputs it came from") {
   Player player(
       R"json({"machine":1,"name":"m","start":"A","programs":{"put":"num -> num -> t"},"slots":{"action":"term","goal":"num"},"transitions":[
