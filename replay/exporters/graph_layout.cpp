@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <graphviz/gvc.h>
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 
@@ -24,13 +25,45 @@ extern "C" int keep_message(char* message) {
   return 0;
 }
 
+// Which edges close a cycle, as a search from `first` in depth finds them. They are laid the other way round: where
+// Graphviz has to turn edges itself, it loses memory.
+std::vector<bool> closing_cycles(std::size_t node_count, const std::vector<LayoutEdge>& edges, std::size_t first) {
+  std::vector<std::vector<std::size_t>> leaving(node_count);
+  for (std::size_t i = 0; i < edges.size(); ++i) leaving[edges[i].from].push_back(i);
+  std::vector<std::size_t> next(node_count, 0);  // of its edges, which is to be followed
+  std::vector<bool> seen(node_count, false), open(node_count, false), closing(edges.size(), false);
+  std::vector<std::size_t> path;
+  const auto enter = [&](std::size_t node) {
+    seen[node] = open[node] = true;
+    path.push_back(node);
+  };
+  for (std::size_t root = 0; root <= node_count; ++root) {
+    const auto from = root == 0 ? first : root - 1;
+    if (!seen[from]) enter(from);
+    while (!path.empty()) {
+      const auto node = path.back();
+      if (next[node] == leaving[node].size()) {
+        open[node] = false;
+        path.pop_back();
+        continue;
+      }
+      const auto edge = leaving[node][next[node]++];
+      const auto to = edges[edge].to;
+      // The first is to stand left of all that it leads to or that leads to it.
+      closing[edge] = open[to] || to == first;
+      if (!seen[to]) enter(to);
+    }
+  }
+  return closing;
+}
+
 // A label is a cell without text, since Graphviz would measure text with whatever fonts there are.
-std::string document_of(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& edges, std::size_t first,
+std::string document_of(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& edges,
                         const char* effort) {
   std::string text =
       "digraph { rankdir=LR nodesep=0.15 ranksep=0.2 node [shape=box fixedsize=true label=\"\"]"
       " edge [arrowhead=none headclip=false tailclip=false]\n";
-  text += fmt::format("graph [{}] {{rank=source {}}}\n", effort, first);
+  text += fmt::format("graph [{}]\n", effort);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     text += fmt::format("{} [width={:.4f} height={:.4f}]\n", i, nodes[i].width / points_per_inch,
                         nodes[i].height / points_per_inch);
@@ -105,10 +138,14 @@ long ranks_passed(Agraph_t* graph) {
 
 }  // namespace
 
-Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& edges, std::size_t first) {
+Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& given, std::size_t first) {
+  auto edges = given;
+  const auto turned = closing_cycles(nodes.size(), edges, first);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (turned[i]) std::swap(edges[i].from, edges[i].to);
   graphviz_message.clear();
   agseterrf(keep_message);
-  const Work ranking(document_of(nodes, edges, first, " phase=1 nslimit1=2"));
+  const Work ranking(document_of(nodes, edges, " phase=1 nslimit1=2"));
   if (!ranking.graph()) return Error{"", "Graphviz could not rank its states: " + graphviz_message};
   const auto effort = ranks_passed(ranking.graph());
   if (effort > most)
@@ -116,9 +153,12 @@ Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<L
                  fmt::format("is too entangled to be drawn: its arrows pass {} ranks of states, expected at most {}; "
                              "as dot text it can be given to other layouts",
                              effort, most)};
-  const Work work(document_of(nodes, edges, first, effort > most_in_full_quality ? draft : ""));
+  const Work work(document_of(nodes, edges, effort > most_in_full_quality ? draft : ""));
   if (!work.graph()) return Error{"", "Graphviz could not lay it out: " + graphviz_message};
-  return layout_of(work.graph(), nodes.size(), edges);
+  auto layout = layout_of(work.graph(), nodes.size(), edges);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (turned[i]) std::reverse(layout.edges[i].curve.begin(), layout.edges[i].curve.end());
+  return layout;
 }
 
 }  // namespace continua
