@@ -4,6 +4,7 @@
 #include <graphviz/gvc.h>
 #include <algorithm>
 #include <cstdlib>
+#include <deque>
 #include <string>
 
 extern "C" gvplugin_library_t gvplugin_dot_layout_LTX_library;
@@ -25,36 +26,29 @@ extern "C" int keep_message(char* message) {
   return 0;
 }
 
-// Which edges close a cycle, as a search from `first` in depth finds them. They are laid the other way round: where
-// Graphviz has to turn edges itself, it loses memory.
-std::vector<bool> closing_cycles(std::size_t node_count, const std::vector<LayoutEdge>& edges, std::size_t first) {
-  std::vector<std::vector<std::size_t>> leaving(node_count);
-  for (std::size_t i = 0; i < edges.size(); ++i) leaving[edges[i].from].push_back(i);
-  std::vector<std::size_t> next(node_count, 0);  // of its edges, which is to be followed
-  std::vector<bool> seen(node_count, false), open(node_count, false), closing(edges.size(), false);
-  std::vector<std::size_t> path;
-  const auto enter = [&](std::size_t node) {
-    seen[node] = open[node] = true;
-    path.push_back(node);
+// Which edges are laid the other way round, so that no cycle is left: those that lead back to what is nearer to
+// `first`, and all that lead to it. Where Graphviz has to turn edges itself, it loses memory.
+std::vector<bool> turned_edges(std::size_t node_count, const std::vector<LayoutEdge>& edges, std::size_t first) {
+  std::vector<std::vector<std::size_t>> followers(node_count);
+  for (const auto& edge : edges) followers[edge.from].push_back(edge.to);
+  std::vector<std::size_t> rank(node_count, 0);  // its place in a search in breadth from 1; what `first` does not
+  std::size_t next = node_count;                 // lead to comes before all that it leads to
+  const auto search = [&](std::size_t root) {
+    std::deque<std::size_t> waiting;
+    const auto reach = [&](std::size_t node) {
+      if (rank[node] != 0) return;
+      rank[node] = ++next;
+      waiting.push_back(node);
+    };
+    for (reach(root); !waiting.empty(); waiting.pop_front())
+      for (const auto node : followers[waiting.front()]) reach(node);
   };
-  for (std::size_t root = 0; root <= node_count; ++root) {
-    const auto from = root == 0 ? first : root - 1;
-    if (!seen[from]) enter(from);
-    while (!path.empty()) {
-      const auto node = path.back();
-      if (next[node] == leaving[node].size()) {
-        open[node] = false;
-        path.pop_back();
-        continue;
-      }
-      const auto edge = leaving[node][next[node]++];
-      const auto to = edges[edge].to;
-      // The first is to stand left of all that it leads to or that leads to it.
-      closing[edge] = open[to] || to == first;
-      if (!seen[to]) enter(to);
-    }
-  }
-  return closing;
+  search(first);
+  next = 0;
+  for (std::size_t i = 0; i < node_count; ++i) search(i);
+  std::vector<bool> turned;
+  for (const auto& edge : edges) turned.push_back(edge.to == first || rank[edge.to] < rank[edge.from]);
+  return turned;
 }
 
 // A label is a cell without text, since Graphviz would measure text with whatever fonts there are.
@@ -140,7 +134,7 @@ long ranks_passed(Agraph_t* graph) {
 
 Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& given, std::size_t first) {
   auto edges = given;
-  const auto turned = closing_cycles(nodes.size(), edges, first);
+  const auto turned = turned_edges(nodes.size(), edges, first);
   for (std::size_t i = 0; i < edges.size(); ++i)
     if (turned[i]) std::swap(edges[i].from, edges[i].to);
   graphviz_message.clear();
