@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 #include <graphviz/gvc.h>
+#include <algorithm>
 #include <cstdlib>
+#include <deque>
 #include <string>
 
 extern "C" gvplugin_library_t gvplugin_dot_layout_LTX_library;
@@ -24,13 +26,38 @@ extern "C" int keep_message(char* message) {
   return 0;
 }
 
+// Which edges are laid the other way round, so that no cycle is left: those that lead back to what is nearer to
+// `first`, and all that lead to it. Where Graphviz has to turn edges itself, it loses memory.
+std::vector<bool> turned_edges(std::size_t node_count, const std::vector<LayoutEdge>& edges, std::size_t first) {
+  std::vector<std::vector<std::size_t>> followers(node_count);
+  for (const auto& edge : edges) followers[edge.from].push_back(edge.to);
+  std::vector<std::size_t> rank(node_count, 0);  // its place in a search in breadth from 1; what `first` does not
+  std::size_t next = node_count;                 // lead to comes before all that it leads to
+  const auto search = [&](std::size_t root) {
+    std::deque<std::size_t> waiting;
+    const auto reach = [&](std::size_t node) {
+      if (rank[node] != 0) return;
+      rank[node] = ++next;
+      waiting.push_back(node);
+    };
+    for (reach(root); !waiting.empty(); waiting.pop_front())
+      for (const auto node : followers[waiting.front()]) reach(node);
+  };
+  search(first);
+  next = 0;
+  for (std::size_t i = 0; i < node_count; ++i) search(i);
+  std::vector<bool> turned;
+  for (const auto& edge : edges) turned.push_back(edge.to == first || rank[edge.to] < rank[edge.from]);
+  return turned;
+}
+
 // A label is a cell without text, since Graphviz would measure text with whatever fonts there are.
-std::string document_of(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& edges, std::size_t first,
+std::string document_of(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& edges,
                         const char* effort) {
   std::string text =
       "digraph { rankdir=LR nodesep=0.15 ranksep=0.2 node [shape=box fixedsize=true label=\"\"]"
       " edge [arrowhead=none headclip=false tailclip=false]\n";
-  text += fmt::format("graph [{}] {{rank=source {}}}\n", effort, first);
+  text += fmt::format("graph [{}]\n", effort);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     text += fmt::format("{} [width={:.4f} height={:.4f}]\n", i, nodes[i].width / points_per_inch,
                         nodes[i].height / points_per_inch);
@@ -105,10 +132,14 @@ long ranks_passed(Agraph_t* graph) {
 
 }  // namespace
 
-Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& edges, std::size_t first) {
+Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& given, std::size_t first) {
+  auto edges = given;
+  const auto turned = turned_edges(nodes.size(), edges, first);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (turned[i]) std::swap(edges[i].from, edges[i].to);
   graphviz_message.clear();
   agseterrf(keep_message);
-  const Work ranking(document_of(nodes, edges, first, " phase=1 nslimit1=2"));
+  const Work ranking(document_of(nodes, edges, " phase=1 nslimit1=2"));
   if (!ranking.graph()) return Error{"", "Graphviz could not rank its states: " + graphviz_message};
   const auto effort = ranks_passed(ranking.graph());
   if (effort > most)
@@ -116,9 +147,12 @@ Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<L
                  fmt::format("is too entangled to be drawn: its arrows pass {} ranks of states, expected at most {}; "
                              "as dot text it can be given to other layouts",
                              effort, most)};
-  const Work work(document_of(nodes, edges, first, effort > most_in_full_quality ? draft : ""));
+  const Work work(document_of(nodes, edges, effort > most_in_full_quality ? draft : ""));
   if (!work.graph()) return Error{"", "Graphviz could not lay it out: " + graphviz_message};
-  return layout_of(work.graph(), nodes.size(), edges);
+  auto layout = layout_of(work.graph(), nodes.size(), edges);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (turned[i]) std::reverse(layout.edges[i].curve.begin(), layout.edges[i].curve.end());
+  return layout;
 }
 
 }  // namespace continua

@@ -31,8 +31,9 @@ struct Layout {
   std::vector<PlacedEdge> edges;
 };
 
-/// `first` is laid leftmost. Large graphs get straight lines; what would take minutes is an error. The same input gives
-/// the same layout. Not to be called from two threads at once: Graphviz keeps its state in variables of its own.
+/// All arrows of `first` are laid to its right. Large graphs get straight lines; what would take minutes is an error.
+/// The same input gives the same layout. Not to be called from two threads at once: Graphviz keeps its state in
+/// variables of its own.
 Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& edges, std::size_t first);
 
 }  // namespace continua

@@ -252,11 +252,11 @@ TEST_CASE("the same graph gives the same bytes") {
 
 TEST_CASE("a picture that would take minutes is refused") {
   StateGraph graph{"big", 0, {}, {}};
-  const std::size_t count = 300;
+  const std::size_t count = 100;
   for (std::size_t i = 0; i < count; ++i) graph.states.push_back({std::to_string(i), false, "", std::nullopt});
-  for (std::size_t i = 0; i + 1 < count; ++i)
-    for (const auto to : {i + 1, i * i % count, (7 * i + 3) % count, (i * i * i + 5) % count})
-      if (to != i) graph.edges.push_back({i, to, "t", "x", false, false, "", "", 1, std::nullopt});
+  for (std::size_t from = 0; from < count; ++from)
+    for (auto to = from + 1; to < count; ++to)
+      graph.edges.push_back({from, to, "t", "x", false, false, "", "", 1, std::nullopt});
   const auto svg = svg_of(graph);
   REQUIRE_FALSE(svg.ok());
   CHECK(svg.error().text().starts_with("big: is too entangled to be drawn"));
