@@ -98,7 +98,8 @@ TEST_CASE(
 }
 
 TEST_CASE("pop_until goes back to the previous entry of a state, and is flush where it was never entered") {
-  const std::string text = R"({"machine":1,"name":"m","start":"S","states":{"S":{},"A":{},"B":{},"C":{}},"slots":{"n":"num"},"transitions":[
+  const std::string text =
+      R"({"machine":1,"name":"m","start":"S","states":{"S":{},"A":{},"B":{},"C":{}},"slots":{"n":"num"},"transitions":[
     {"id":"a","from":"*","on":"a","to":"A","push":{"n":"1"}},
     {"id":"b","from":"*","on":"b","to":"B","push":{"n":"2"}},
     {"id":"again","from":"*","on":"again","to":"A","push":{"n":"3"}},
