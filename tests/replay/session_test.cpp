@@ -2,8 +2,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
+
+#include <fmt/format.h>
 
 #include "core/digest.h"
 #include "core/located_json.h"
@@ -134,6 +137,73 @@ TEST_CASE("an expectation that is not met is counted and logged with what there 
   CHECK(summary.expectations == 3);
   CHECK(summary.expectations_met == 2);
   CHECK(of_kind(records_of(out.str()), "expect").back()["found"] == Json{{"state", "Done"}, {"holding", "null"}});
+}
+
+TEST_CASE("a branch that was not taken can be taken") {
+  const Folder folder;
+  folder.write("fork.json", R"json({"machine":1,"name":"fork","start":"A","transitions":[
+    {"id":"heavy","from":"A","on":"speech go","to":"B","weight":2},
+    {"id":"light","from":"A","on":"speech go","to":"C"},
+    {"id":"back","from":["B","C"],"on":"speech back","to":"A"}]})json");
+  folder.write("fork.jsonl", R"json({"kind":"trace","version":1,"scene":"staircase","machine":"fork.json"}
+{"t":1,"kind":"speech","text":"go"}
+{"t":2,"kind":"speech","text":"back"}
+{"t":3,"kind":"speech","text":"go"}
+)json");
+  const auto run = [&](const std::map<int, std::string>& forced, ReplaySummary& summary) {
+    auto options = kinematic();
+    options.forced = forced;
+    auto session = Session::load(folder.file("fork.jsonl"), options);
+    if (!session) return session.error().text();
+    std::ostringstream out;
+    summary = session->run(out);
+    std::string taken;
+    for (const auto& record : of_kind(records_of(out.str()), "transition"))
+      taken += fmt::format("{}:{}{} ", record["step"].get<int>(), record["id"].get<std::string>(),
+                           record["forced"].get<bool>() ? "!" : "");
+    return taken;
+  };
+  ReplaySummary summary;
+  CHECK(run({}, summary) == "1:heavy 2:back 3:heavy ");
+  CHECK(run({{3, "light"}}, summary) == "1:heavy 2:back 3:light! ");
+  CHECK(summary.not_forced.empty());
+  CHECK(run({{1, "light"}, {2, "heavy"}, {9, "light"}}, summary) == "1:light! 2:back 3:heavy ");
+  CHECK(summary.not_forced == std::map<int, std::string>{{2, "heavy"}, {9, "light"}});
+  CHECK(run({{1, "lihgt"}}, summary) ==
+        "--force 1=lihgt: the machine fork has no transition 'lihgt' (did you mean 'light'?)");
+}
+
+TEST_CASE("explore carries all branches along; what one does is done, what the others are is told") {
+  const Folder folder;
+  folder.write("hearing.json", R"json({"machine":1,"name":"hearing","start":"A","choice":"explore",
+    "states":{"A":{},"B":{"enter":[{"say":"B"}]},"C":{"enter":[{"say":"C"}]},"D":{"enter":[{"say":"D"}]}},"transitions":[
+    {"id":"likely","from":"A","on":"speech go","to":"B","weight":3},
+    {"id":"less","from":"A","on":"speech go","to":"C"},
+    {"id":"on","from":"C","on":"speech on","to":"D"}]})json");
+  folder.write("hearing.jsonl", R"json({"kind":"trace","version":1,"scene":"staircase","machine":"hearing.json"}
+{"t":1,"kind":"speech","text":"go"}
+{"t":2,"kind":"expect","state":"B"}
+{"t":3,"kind":"speech","text":"on"}
+{"t":4,"kind":"expect","state":"D"}
+)json");
+  const auto records = records_of(log_of(folder.file("hearing.jsonl")));
+  std::string said;
+  for (const auto& record : of_kind(records, "utterance")) said += record["text"].get<std::string>();
+  CHECK(said == "BD");
+  const auto branches = of_kind(records, "branches");
+  REQUIRE(branches.size() == 2);
+  CHECK(branches[0]["branches"].size() == 2);
+  CHECK(branches[0]["branches"][0]["state"] == "B");
+  CHECK(branches[0]["branches"][1]["weight"] == 0.25);
+  CHECK(branches[1]["dropped"] == Json::parse("[0]"));
+  for (const auto& record : of_kind(records, "expect")) CHECK(record["met"] == true);
+  CHECK(records.front()["most_branches"] == 64);
+
+  auto options = kinematic();
+  options.forced = {{1, "less"}};
+  const auto refused = Session::load(folder.file("hearing.jsonl"), options);
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.error().where == "--force");
 }
 
 TEST_CASE("what cannot be replayed is told in a line that names file, line and expectation") {
