@@ -10,10 +10,12 @@ namespace {
 constexpr int samples = 32;  ///< of a piece, where its crossing is looked for
 constexpr int halvings = 20;
 
-Point between(const Point& a, const Point& b, double t) { return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t}; }
+PagePoint between(const PagePoint& a, const PagePoint& b, double t) {
+  return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
+}
 
 // De Casteljau: the part of the piece from `t` on.
-std::array<Point, 4> rest_of(const Point* piece, double t) {
+std::array<PagePoint, 4> rest_of(const PagePoint* piece, double t) {
   const auto a = between(piece[0], piece[1], t), b = between(piece[1], piece[2], t), c = between(piece[2], piece[3], t);
   const auto d = between(a, b, t), e = between(b, c, t);
   return {between(d, e, t), e, c, piece[3]};
@@ -21,7 +23,7 @@ std::array<Point, 4> rest_of(const Point* piece, double t) {
 
 }  // namespace
 
-double Pill::distance(const Point& p) const {
+double Pill::distance(const PagePoint& p) const {
   const double radius = std::min(width, height) / 2;
   const double x = std::abs(p.x - centre.x) - (width / 2 - radius),
                y = std::abs(p.y - centre.y) - (height / 2 - radius);

@@ -9,15 +9,15 @@ namespace continua {
 
 /// A box with rounded ends.
 struct Pill {
-  Point centre;
+  PagePoint centre;
   double width = 0, height = 0;
 
   /// Distance to its outline; negative inside.
-  double distance(const Point& p) const;
+  double distance(const PagePoint& p) const;
 };
 
 /// 1 + 3 k points.
-using Curve = std::vector<Point>;
+using Curve = std::vector<PagePoint>;
 
 /// What of the curve comes after it is first further than `distance` from the pill; empty if it never is.
 Curve after_leaving(const Curve& curve, const Pill& pill, double distance);

@@ -75,7 +75,7 @@ std::string document_of(const std::vector<LayoutNode>& nodes, const std::vector<
 
 // Takes what Graphviz worked out, whose y goes up.
 Layout layout_of(Agraph_t* graph, std::size_t node_count, const std::vector<LayoutEdge>& edges) {
-  const auto point = [](const pointf& p) { return Point{p.x, -p.y}; };
+  const auto point = [](const pointf& p) { return PagePoint{p.x, -p.y}; };
   Layout layout;
   std::vector<Agnode_t*> found;
   for (std::size_t i = 0; i < node_count; ++i) {

@@ -9,7 +9,7 @@
 
 namespace continua {
 
-struct Point {
+struct PagePoint {
   double x = 0, y = 0;
 };
 
@@ -23,11 +23,11 @@ struct LayoutEdge {
 };
 
 struct PlacedEdge {
-  std::vector<Point> curve;  ///< from centre to centre; Bézier: 1 + 3 k points
-  Point label;               ///< its centre
+  std::vector<PagePoint> curve;  ///< from centre to centre; Bézier: 1 + 3 k points
+  PagePoint label;               ///< its centre
 };
 struct Layout {
-  std::vector<Point> nodes;  ///< centres
+  std::vector<PagePoint> nodes;  ///< centres
   std::vector<PlacedEdge> edges;
 };
 

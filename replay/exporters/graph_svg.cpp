@@ -111,7 +111,7 @@ class Drawing {
     canvas_.begin_group(kind_of(what, arrow.visits) + (arrow.rejected ? " rejected" : ""), title);
   }
 
-  void draw_label(const Arrow& arrow, const Point& centre) {
+  void draw_label(const Arrow& arrow, const PagePoint& centre) {
     begin("label", arrow);
     canvas_.text(arrow.lines, centre, label_line, width_of(arrow));
     canvas_.end_group();
@@ -127,7 +127,7 @@ class Drawing {
   }
 
   // Where a curve comes to the pill.
-  static Point entry_of(const Curve& curve, const Pill& pill, double grown) {
+  static PagePoint entry_of(const Curve& curve, const Pill& pill, double grown) {
     const auto before = before_entering(curve, pill, grown);
     return before.empty() ? pill.centre : before.back();
   }
@@ -145,15 +145,15 @@ class Drawing {
           {{x - half, edge}, {x - 2 * half, bow}, {x + 2 * half, bow}, {x + half + 1, edge + up * head_length}},
           {x + half, edge});
       canvas_.end_group();
-      labels_.emplace_back(loops[i], Point{x, edge + up * (outer + height_of(*loops[i]) / 2 + 2)});
+      labels_.emplace_back(loops[i], PagePoint{x, edge + up * (outer + height_of(*loops[i]) / 2 + 2)});
       inner = outer + height_of(*loops[i]) + loop_gap;
     }
   }
 
   void draw_start() {
     const auto& [centre, width, height] = boxes_[graph_.start].pill;
-    const Point tip{centre.x - width / 2 - boxes_[graph_.start].grown, centre.y};
-    const Point base{tip.x - head_length, tip.y}, from{tip.x - start_length, tip.y};
+    const PagePoint tip{centre.x - width / 2 - boxes_[graph_.start].grown, centre.y};
+    const PagePoint base{tip.x - head_length, tip.y}, from{tip.x - start_length, tip.y};
     canvas_.begin_group("arrow start", "start");
     canvas_.arrow({from, from, base, base}, tip);
     canvas_.end_group();
@@ -178,7 +178,7 @@ class Drawing {
   std::vector<Arrow> arrows_;
   std::vector<Box> boxes_;  ///< of the states, then that of every state, if anything comes from there
   std::vector<PlacedEdge> placed_;
-  std::vector<std::pair<const Arrow*, Point>> labels_;
+  std::vector<std::pair<const Arrow*, PagePoint>> labels_;
   SvgCanvas canvas_;
 };
 

@@ -61,7 +61,7 @@ std::string escaped(std::string_view text) {
 // To a tenth of a pixel.
 std::string number(double value) { return fmt::format("{}", std::round(value * 10) / 10 + 0.0); }
 
-std::string pair(const Point& p) { return number(p.x) + "," + number(p.y); }
+std::string pair(const PagePoint& p) { return number(p.x) + "," + number(p.y); }
 
 }  // namespace
 
@@ -71,7 +71,7 @@ void SvgCanvas::begin_group(std::string_view kind, std::string_view title) {
 
 void SvgCanvas::end_group() { body_ += "</g>\n"; }
 
-void SvgCanvas::arrow(const Curve& line, const Point& tip) {
+void SvgCanvas::arrow(const Curve& line, const PagePoint& tip) {
   if (line.empty()) return;
   body_ += "<path class=\"line\" d=\"M" + pair(line[0]);
   for (std::size_t i = 1; i < line.size(); ++i) body_ += (i % 3 == 1 ? " C" : " ") + pair(line[i]);
@@ -85,14 +85,14 @@ void SvgCanvas::arrow(const Curve& line, const Point& tip) {
 
 void SvgCanvas::pill(std::string_view kind, const Pill& pill, double grown) {
   const double width = pill.width + 2 * grown, height = pill.height + 2 * grown;
-  const Point corner{pill.centre.x - width / 2, pill.centre.y - height / 2};
+  const PagePoint corner{pill.centre.x - width / 2, pill.centre.y - height / 2};
   body_ += fmt::format(R"(<rect class="{}" x="{}" y="{}" width="{}" height="{}" rx="{}"/>)", kind, number(corner.x),
                        number(corner.y), number(width), number(height), number(height / 2));
   reach(corner);
   reach({corner.x + width, corner.y + height});
 }
 
-void SvgCanvas::text(const std::vector<std::string>& lines, const Point& centre, double line_height, double width) {
+void SvgCanvas::text(const std::vector<std::string>& lines, const PagePoint& centre, double line_height, double width) {
   const double height = line_height * static_cast<double>(lines.size()), top = centre.y - height / 2;
   body_ += "<text>";
   for (std::size_t i = 0; i < lines.size(); ++i)
@@ -112,7 +112,7 @@ std::string SvgCanvas::document(std::string_view title) const {
       number(high_.y - low_.y + 2 * margin), escaped(title), style, body_);
 }
 
-void SvgCanvas::reach(const Point& p) {
+void SvgCanvas::reach(const PagePoint& p) {
   low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
   high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
 }

@@ -17,19 +17,19 @@ class SvgCanvas {
   void end_group();
 
   /// A line with an arrow's head from its end to `tip`.
-  void arrow(const Curve& line, const Point& tip);
+  void arrow(const Curve& line, const PagePoint& tip);
   void pill(std::string_view kind, const Pill& pill, double grown);
   /// Lines below each other, centred about `centre`; `width` is how wide they may come out.
-  void text(const std::vector<std::string>& lines, const Point& centre, double line_height, double width);
+  void text(const std::vector<std::string>& lines, const PagePoint& centre, double line_height, double width);
 
   /// The whole document.
   std::string document(std::string_view title) const;
 
  private:
-  void reach(const Point& p);
+  void reach(const PagePoint& p);
 
   std::string body_;
-  Point low_{1e9, 1e9}, high_{-1e9, -1e9};  ///< of all that is drawn
+  PagePoint low_{1e9, 1e9}, high_{-1e9, -1e9};  ///< of all that is drawn
 };
 
 }  // namespace continua
