@@ -120,3 +120,16 @@ TEST_CASE("ε-transitions that are tried only after a rewrite are taken only the
   CHECK(accepted(machine(transitions), {"", "a", "b", "ba"}) == "'' a b ba");
   CHECK(accepted(machine(transitions, R"("epsilon":"after_rewrite",)"), {"", "a", "b", "ba", "ab"}) == "b ab");
 }
+
+TEST_CASE("a transition that a gate turns away does nothing beside") {
+  const auto gated = [](const std::string& holds) {
+    return R"({"machine":1,"name":"m","start":"p","accept":["f"],"slots":{},"memory":{"n":{"type":"num","initial":"0"}},
+      "states":{"p":{},"q":{"gate":{"when":")" +
+           holds + R"(","else":"r"}},"r":{},"f":{}},"transitions":[
+      {"id":"in","from":"p","on":"a","to":"q","do":[{"remember":{"n":"1"}}]},
+      {"id":"changed","from":["q","r"],"on":"b","when":"n = 1","to":"f"},
+      {"id":"unchanged","from":["q","r"],"on":"c","when":"n = 0","to":"f"}]})";
+  };
+  CHECK(accepted(gated("n = 0"), {"ab", "ac"}) == "ab");
+  CHECK(accepted(gated("n = 9"), {"ab", "ac"}) == "ac");
+}
