@@ -134,6 +134,7 @@ class Loop {
     recorder_.engine(tick.events, t);
     for (const auto& event : tick.events) {
       if (const auto* commanded = std::get_if<Commanded>(&event)) body_.command(commanded->command);
+      if (const auto* explored = std::get_if<Explored>(&event)) summary_.pruned += explored->pruned;
       if (const auto* step = std::get_if<StepEvent>(&event))
         if (const auto* said = std::get_if<Said>(step)) said_since_input_.push_back(said->text);
     }

@@ -43,7 +43,7 @@ Result<bool> Acceptance::accepts(const std::vector<std::string>& word) {
     return Error{work_->machine->name,
                  fmt::format("makes more than {} different stack symbols or registers' values, so acceptance cannot be "
                              "decided; expected a machine whose symbols are finitely many",
-                             PushdownSystem::most_values)};
+                             system.most_values())};
   return false;
 }
 

@@ -69,7 +69,7 @@ int PushdownSystem::add(StackSymbol symbol) {
   append_key(key, symbol.symbol);
   const auto [known, fresh] = symbol_ids_.emplace(std::move(key), static_cast<int>(symbols_.size()));
   if (fresh) symbols_.push_back(std::move(symbol));
-  if (symbols_.size() > most_values) overflowed_ = true;
+  if (symbols_.size() > most_values()) overflowed_ = true;
   return known->second;
 }
 
@@ -85,7 +85,7 @@ int PushdownSystem::add(Control control) {
   }
   const auto [known, fresh] = control_ids_.emplace(std::move(key), static_cast<int>(controls_.size()));
   if (fresh) controls_.push_back(std::move(control));
-  if (controls_.size() > most_values) overflowed_ = true;
+  if (controls_.size() > most_values()) overflowed_ = true;
   return known->second;
 }
 

@@ -28,8 +28,8 @@ struct PushdownRule {
 class PushdownSystem {
  public:
   static constexpr int epsilon = -1;
-  /// More controls or symbols than this are taken for endlessly many.
-  static constexpr std::size_t most_values = 20000;
+  /// More controls or symbols than this are taken for endlessly many: 20,000, and some for each state and transition.
+  std::size_t most_values() const { return 20000 + 4 * (machine_->states.size() + machine_->transitions.size()); }
 
   /// REQUIRES a machine without beliefs. Facts of the world are null.
   explicit PushdownSystem(std::shared_ptr<const Machine> machine);

@@ -53,16 +53,16 @@ Result<std::vector<std::string>> outputs_of(const ReplayCommandOptions& options)
 }
 
 std::string line_of(const std::string& trace, const ReplaySummary& summary, const std::string& output) {
-  const auto optional = [](int count, const char* what) {
-    return count ? fmt::format(", {} {}", count, what) : std::string();
+  const auto optional = [](int count, const char* noun, const char* more = "") {
+    return count ? fmt::format(", {}{}", counted(static_cast<std::size_t>(count), noun), more) : std::string();
   };
-  return fmt::format("{}: {:.1f} s, {} inputs, {} utterances, {} of {} acts done, {} inputs refused{}{} -> {}",
-                     fs::path(trace).filename().string(), summary.end.seconds(), summary.inputs, summary.utterances,
-                     summary.acts_done, summary.acts, summary.refusals,
-                     summary.expectations
-                         ? fmt::format(", {} of {} expectations met", summary.expectations_met, summary.expectations)
-                         : "",
-                     optional(summary.problems, "problems"), output);
+  return fmt::format(
+      "{}: {:.1f} s, {} inputs, {} utterances, {} of {} acts done, {} inputs refused{}{}{} -> {}",
+      fs::path(trace).filename().string(), summary.end.seconds(), summary.inputs, summary.utterances, summary.acts_done,
+      summary.acts, summary.refusals,
+      summary.expectations ? fmt::format(", {} of {} expectations met", summary.expectations_met, summary.expectations)
+                           : "",
+      optional(summary.pruned, "configuration", " pruned"), optional(summary.problems, "problem"), output);
 }
 
 // Several replays at once, and what they tell of themselves; lines come out in the order of the traces.

@@ -200,6 +200,9 @@ TEST_CASE("explore carries all branches along; what one does is done, what the o
   CHECK(records.front()["most_branches"] == 64);
 
   auto options = kinematic();
+  options.most_branches = 1;
+  std::ostringstream out;
+  CHECK(Session::load(folder.file("hearing.jsonl"), options)->run(out).pruned == 1);
   options.forced = {{1, "less"}};
   const auto refused = Session::load(folder.file("hearing.jsonl"), options);
   REQUIRE_FALSE(refused.ok());
