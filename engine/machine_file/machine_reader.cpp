@@ -95,7 +95,11 @@ void MachineReader::declare(const Item& at, const std::string& name, const Type&
   if (name.empty())
     problem_at_key(at, "found '', expected a name");
   else if (is_word || !scope_.emplace(name, type).second)
-    problem_at_key(at, fmt::format("the name {} is taken already", in_quotes(name)));
+    problem_at_key(at, fmt::format("the name {} is taken by {}; expected another", in_quotes(name),
+                                   is_word || term_signature().contains(name) ? "the term language"
+                                   : methods_.contains(name)                  ? "a fact of the world"
+                                   : moment_signature().contains(name)        ? "what every term may read"
+                                                                              : "an earlier declaration"));
 }
 
 void MachineReader::read_programs(const Item& programs) {

@@ -95,6 +95,16 @@ TEST_CASE("every machine of the knowledge folder is sound, and its examples are 
   CHECK(machines > 0);
 }
 
+TEST_CASE("the example of the format's page is a sound machine") {
+  const auto page = read_file((fs::path(CONTINUA_SOURCE_DIR) / "engine/automaton/FORMAT.md").string()).value();
+  const std::string begin = "```json\n";
+  const auto from = page.find(begin) + begin.size();
+  const auto machine =
+      parse_machine(page.substr(from, page.find("```", from) - from), "FORMAT.md", Methods::signature());
+  if (!machine) FAIL(machine.error().text());
+  CHECK(machine->transitions.size() == 3);
+}
+
 TEST_CASE("the machine of the recorded system has its states and transitions") {
   const auto path = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge/machines/diana2018.json";
   const auto machine = load_machine(path.string(), Methods::signature());
