@@ -1,0 +1,62 @@
+// From a reading to what it means here and now, in continuation-passing style (paper §3, semantics §2): each noun phrase
+// and pro-form is a computation that gives its referent to the rest of the sentence. Where there is none, or more than
+// one, the rest of the sentence is captured as a term that still waits for it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "language/reading.h"
+#include "language/reference.h"
+#include "term/raising.h"
+
+namespace continua {
+
+/// Something that the meaning still waits for: a variable of it.
+struct Gap {
+  enum class Why {
+    unsaid,   ///< nothing says what it is: "put the knife", "put it there" without pointing
+    several,  ///< more than one thing is meant by the words
+    none,     ///< nothing is: "the blue plate" where none is blue
+  };
+  Why why = Why::unsaid;
+  Type type = Type::entity();
+  std::vector<std::string> choices;  ///< why == several: the referents, likeliest first
+  std::string words;                 ///< of the noun, without its determiner ("blue plate"); empty if unsaid
+};
+
+/// What a noun phrase or pro-form was taken to mean, for the log.
+struct Resolution {
+  enum class By { words, focus, pointed, topic, presence };  ///< presence: you, me
+  Term phrase;             ///< as in the reading: the(\x. knife(x)), it, there
+  std::string words;       ///< "the knife"
+  Term value;              ///< knife, <0.1, 0.2, 0>; null where it stays open
+  By by = By::words;
+  Reference reference;     ///< of noun phrases
+};
+
+/// An application and what its parts drew on, so that the log can name who said or showed it.
+struct Applying {
+  Application application;
+  std::vector<Resolution::By> by;
+};
+
+struct Interpretation {
+  /// The reading's term with objects and places in place of its noun phrases; a lambda for each gap, in their order,
+  /// then those that the reading itself has (whose gaps are unsaid).
+  /// A noun phrase alone gives its referent, or \x. x with the gap that says why not.
+  Term meaning;
+  std::vector<Gap> gaps;
+  std::vector<Resolution> resolutions;  ///< in the order of their effects: arguments before functions
+  std::vector<Applying> applied;        ///< in order, each by cpsApply
+};
+
+/// `utterance_words` are those that the reading's spans count.
+Interpretation interpret(const Reading& reading, const std::vector<std::string>& utterance_words,
+                         const Context& context, const Meanings& meanings, const RaisingRules& raising);
+
+/// The first of readings of one fragment whose noun phrases all find something, else the first: the world decides
+/// between "the block on the plate" as one thing and as a thing and a place.
+std::size_t preferred(const std::vector<Interpretation>& interpretations);
+
+}  // namespace continua

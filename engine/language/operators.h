@@ -1,0 +1,37 @@
+// The words whose meaning depends on what is being talked about: determiners and pro-forms. A lexicon declares them as
+// data (language/LEXICON.md); what C++ knows is what they ask for, not how they are called.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace continua {
+
+/// A determiner: a constant of type (e -> t) -> e, or (e -> t) -> e* for several objects.
+struct Determiner {
+  bool definite = false;  ///< presupposes that one thing (or one group) is meant: more are a question, none is told
+  bool many = false;      ///< all that fit are meant: those, all
+  bool deictic = false;   ///< goes with pointing: this, that
+  bool other = false;     ///< not the one in focus: another
+  int count = 0;          ///< so many are meant: two; 0: says nothing
+};
+
+/// A word that stands for something said, shown or present.
+struct Proform {
+  enum class Source {
+    focus,    ///< it, them: what is being talked about
+    pointed,  ///< here, there: where the human points
+    topic,    ///< one: the noun that was last used; a constant of type e -> t
+    other,    ///< a constant of type e -> t: true of all but the one in focus, or but what the noun phrase around is about
+    avatar,   ///< you
+    human,    ///< me
+  };
+  Source source = Source::focus;
+};
+
+struct Operators {
+  std::map<std::string, Determiner, std::less<>> determiners;
+  std::map<std::string, Proform, std::less<>> proforms;
+};
+
+}  // namespace continua

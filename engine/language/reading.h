@@ -1,0 +1,49 @@
+// What the parser makes of an utterance: fragments, each with its readings.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "term/term.h"
+
+namespace continua {
+
+/// Words of an utterance, [begin, end), counted in its words.
+struct WordSpan {
+  std::size_t begin = 0, end = 0;
+  std::size_t size() const { return end - begin; }
+};
+
+/// A part of a reading's term and the words it came from: the noun phrases and the nouns in it.
+struct Phrase {
+  Term term;  ///< occurs in the reading's term
+  WordSpan words;
+};
+
+/// One way to understand some words. The term still says `the(\x. cup(x) and blue(x))` and `it`: what is meant by them
+/// is found by interpretation (language/interpretation.h). What a command lacks is a variable:
+/// "put the knife" is \v. put(the(\x. knife(x)), v) of type loc -> t.
+struct Reading {
+  Term term;
+  std::string category;         ///< of the words as a whole: "S", "NP", "S/PP"
+  std::string move;             ///< what kind of move that is, as the lexicon says: V, N, P, y, n, …
+  double cost = 0;              ///< smaller is likelier
+  std::vector<Phrase> phrases;  ///< in order of their words, longer ones first
+};
+
+/// Words that belong together, with their readings, the likeliest first; never without one.
+struct Fragment {
+  WordSpan words;
+  std::vector<Reading> readings;
+};
+
+struct Utterance {
+  std::vector<std::string> words;     ///< as said, in lower case, without punctuation
+  std::vector<Fragment> fragments;    ///< in order of their words; empty if nothing was understood
+  std::vector<std::size_t> unknown;   ///< words that the lexicon does not have
+  std::vector<std::size_t> unused;    ///< known words that fit nowhere
+  bool cut = false;                   ///< words after the first most_words were not read
+};
+
+}  // namespace continua

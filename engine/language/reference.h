@@ -1,0 +1,56 @@
+// Which objects a noun phrase can mean (semantics §3; paper §2.1): its conditions over the world, pointing, and what is
+// being talked about give ranked referents, and for each other object the condition that ruled it out.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "language/operators.h"
+#include "term/evaluate.h"
+#include "world/world_snapshot.h"
+
+namespace continua {
+
+/// What an utterance or a gesture is understood against.
+struct Context {
+  const WorldSnapshot* world = nullptr;  ///< never null in use
+  std::optional<Vec3> pointed_W;         ///< where the human points, on the table
+  std::vector<std::string> focus;        ///< objects being talked about, the most salient first
+  std::vector<std::string> among;        ///< if not empty: only these are asked about
+  Term topic;                            ///< what "one" stands for, of type e -> t; null if nothing was named yet
+};
+
+/// How words are evaluated: facts of the world as rules, definitions of the lexicon by lookup.
+struct Meanings {
+  const RuleTable* rules = nullptr;
+  Evaluation::Lookup lookup;
+  const Operators* operators = nullptr;
+};
+
+struct Referent {
+  std::string object;
+  double weight = 1;  ///< of all referents' weights, which sum to 1
+};
+
+struct RuledOut {
+  std::string object;
+  std::string reason;  ///< the condition that it does not meet: "not blue(plate)"
+};
+
+struct Reference {
+  std::vector<Referent> referents;  ///< the likeliest first; ties in the scene's order
+  std::vector<RuledOut> ruled_out;  ///< in the scene's order
+  double margin = std::numeric_limits<double>::infinity();  ///< metres: how near the nearest decision was
+};
+
+/// Referents of `condition`, a term of type e -> t such as \x. cup(x) and located(x, left(the(\y. plate(y)))).
+/// `determiner` tells whether pointing counts. A nested noun phrase need not single out one thing by itself: it is
+/// enough that one of its referents fits ("the block right of the red block").
+Reference refer(const Term& condition, const Determiner& determiner, const Context& context, const Meanings& meanings);
+
+/// Referents of pointing alone.
+Reference refer_to_pointed(const Context& context);
+
+}  // namespace continua
