@@ -17,7 +17,7 @@
 // of the table; no other relation to one holds. A point or region is a landmark too: at, in and on it is where A's
 // centre is within it, or misses it by less than `contact_m`. Nothing stands in a relation to itself.
 //
-// Source of the sides: the referring expressions of EMRE, tests/emre/README.md.
+// Source of the sides: the referring expressions of EMRE; tests/emre/README.md, which also tells the sizes of its things.
 #pragma once
 
 #include <optional>
