@@ -5,12 +5,9 @@
 
 #include "core/random.h"
 #include "term/evaluate.h"
-#include "world/world_snapshot.h"
+#include "world/relations.h"
 
 namespace continua {
-
-/// Tolerance of touching: lengths below it are no gap and no overlap. 1.2 mm.
-inline constexpr double touching_m = 1.2e-3;
 
 class Methods {
  public:
