@@ -23,6 +23,7 @@ Input to_input(const InputEvent& event, int serial) {
 Pipeline::Pipeline(std::shared_ptr<const Machine> machine, Perspective perspective, std::size_t most_branches)
     : machine_(std::move(machine)),
       perspective_(perspective),
+      methods_(perspective),
       stepper_(machine_, methods_.rules()),
       explorer_(stepper_, most_branches) {}
 
