@@ -43,6 +43,18 @@ bool is_object(const mjModel& model, int body) {
   return model.body_jntnum[body] == 1 && model.jnt_type[model.body_jntadr[body]] == mjJNT_FREE;
 }
 
+/// The box site that shows an object's hollow, in the object's frame; nothing where the object has none.
+Result<std::optional<Box>> interior_of(const mjModel& model, int body, const std::string& path) {
+  const std::string name = name_of(model, mjOBJ_BODY, body) + "_interior";
+  const int site = id_of(model, mjOBJ_SITE, name);
+  if (site < 0) return std::optional<Box>();
+  const mjtNum *p = model.site_pos + 3 * site, *q = model.site_quat + 4 * site, *size = model.site_size + 3 * site;
+  if (model.site_bodyid[site] != body || model.site_type[site] != mjGEOM_BOX || q[0] != 1)
+    return Error{path, fmt::format("site '{}': expected a box of that body, along its axes", name)};
+  const Vec3 center(p[0], p[1], p[2]), half(size[0], size[1], size[2]);
+  return std::optional(Box{center - half, center + half});
+}
+
 Result<std::vector<SceneObject>> objects_of(const mjModel& model, const std::string& path) {
   std::vector<SceneObject> objects;
   for (int body = 1; body < model.nbody; ++body) {
@@ -57,7 +69,9 @@ Result<std::vector<SceneObject>> objects_of(const mjModel& model, const std::str
                                "its frame, expected at the origin",
                                name, c.x(), c.y(), c.z())};
     }
-    objects.push_back({name, body, attributes_of(model, name), (bounds.max - bounds.min) / 2});
+    const auto interior = interior_of(model, body, path);
+    if (!interior) return interior.error();
+    objects.push_back({name, body, attributes_of(model, name), (bounds.max - bounds.min) / 2, *interior});
   }
   return objects;
 }
@@ -179,7 +193,7 @@ Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverri
 }
 
 ObjectState observed(const SceneObject& object, const Pose& pose) {
-  ObjectState state{object.name, object.attributes, object.half_extents_m, on_grid(pose.p_WB), 0};
+  ObjectState state{object.name, object.attributes, object.half_extents_m, on_grid(pose.p_WB), 0, object.interior};
   const Eigen::Matrix3d R_WB = pose.R_WB.toRotationMatrix();
   // An x axis that points up or down has no heading: y tells it then.
   const bool x_is_level = std::abs(R_WB(2, 0)) < 0.7;
@@ -187,6 +201,7 @@ ObjectState observed(const SceneObject& object, const Pose& pose) {
   if (R_WB(2, 2) < 0.98) {
     const Eigen::Matrix3d R_YW = Eigen::AngleAxisd(-state.yaw, Vec3::UnitZ()).toRotationMatrix();
     state.half_extents_m = on_grid(Vec3((R_YW * R_WB).cwiseAbs() * object.half_extents_m));
+    state.interior.reset();
   }
   return state;
 }

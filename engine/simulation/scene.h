@@ -30,6 +30,7 @@ struct SceneObject {
   int body = 0;  ///< MuJoCo's id
   std::map<std::string, std::string> attributes;
   Vec3 half_extents_m = Vec3::Zero();
+  std::optional<Box> interior = {};  ///< in its own frame
 };
 
 /// A value: copies share what never changes.
