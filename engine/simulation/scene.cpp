@@ -103,6 +103,24 @@ void place(const mjModel& model, const SceneObject& object, const ObjectOverride
   q[6] = std::sin(*wanted.yaw / 2);
 }
 
+/// The height on which an object shall stand whose bottom is wanted at `bottom_m`: that of the highest thing under its
+/// centre, where what was measured is only a little off; nothing where it shall hang in the air or lie off the table.
+std::optional<double> standing_height(const ObjectState& object, const WorldSnapshot& world) {
+  constexpr double off_m = 0.02;
+  const double bottom_m = object.p_WO.z() - object.half_extents_m.z();
+  const auto under = [&](const Box& box) {
+    return object.p_WO.x() > box.min.x() && object.p_WO.x() < box.max.x() && object.p_WO.y() > box.min.y() &&
+           object.p_WO.y() < box.max.y();
+  };
+  if (!under(world.table)) return std::nullopt;
+  double height = world.table.max.z();
+  for (const auto& other : world.objects) {
+    const double top = other.bounds_W().max.z();
+    if (other.name != object.name && under(other.bounds_W()) && top <= bottom_m + off_m) height = std::max(height, top);
+  }
+  return bottom_m <= height + off_m ? std::optional(height) : std::nullopt;
+}
+
 /// Puts the arm where the scene's numbers `arm_home` say, if it has an arm.
 void place_arm(const mjModel& model, std::vector<double>& qpos) {
   const int home = id_of(model, mjOBJ_NUMERIC, "arm_home");
@@ -189,6 +207,7 @@ Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverri
       if (object.name == wanted.object) place(**model, object, wanted, scene.initial_qpos_);
     }
   }
+  scene.stand(overrides);
   return scene;
 }
 
@@ -204,6 +223,20 @@ ObjectState observed(const SceneObject& object, const Pose& pose) {
     state.interior.reset();
   }
   return state;
+}
+
+void Scene::stand(const std::vector<ObjectOverride>& overrides) {
+  for (const auto& wanted : overrides) {
+    const WorldSnapshot world = initial_snapshot();
+    const ObjectState* object = wanted.z_m ? world.find(wanted.object) : nullptr;
+    const auto height = object ? standing_height(*object, world) : std::nullopt;
+    if (!height) continue;
+    const auto of_name = [&](const SceneObject& one) { return one.name == wanted.object; };
+    const auto found = std::find_if(objects_.begin(), objects_.end(), of_name);
+    double& z = initial_qpos_[static_cast<std::size_t>(model_->jnt_qposadr[model_->body_jntadr[found->body]]) + 2];
+    const double standing = *height + object->half_extents_m.z();
+    if (std::abs(z - standing) > position_grid_m) z = standing;
+  }
 }
 
 WorldSnapshot Scene::initial_snapshot() const {

@@ -25,7 +25,7 @@ struct ObjectState {
 
   /// Axis-aligned bounding box in W, yaw taken into account.
   Box bounds_W() const;
-  /// The same of the interior.
+  /// The interior as a box along W's axes: if the object is turned, the largest one of its proportions that fits in it.
   std::optional<Box> interior_W() const;
 };
 
