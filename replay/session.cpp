@@ -110,7 +110,7 @@ class Loop {
     header.graph = graph_of(*loaded_.machine);
     if (loaded_.language->lexicon) {
       header.lexicon_name = loaded_.machine->lexicon;
-      header.lexicon_digest = loaded_.language->lexicon->digest();
+      header.lexicon_digest = loaded_.language->lexicon->digest;
     }
     header.scene_name = std::filesystem::path(loaded_.scene.path()).stem().string();
     header.scene_digest = digest(loaded_.scene.text());

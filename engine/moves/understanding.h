@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "language/parser.h"
 #include "language/vocabulary.h"
 #include "moves/move.h"
 #include "term/raising.h"

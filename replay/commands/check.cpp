@@ -86,7 +86,7 @@ class Checking {
     if (!lexicon) return trouble(lexicon.error());
     std::vector<std::string> problems;
     for (const auto& problem : check_examples(**lexicon)) problems.push_back(problem.text());
-    verdict(path, (*lexicon)->examples().size(), "example", problems);
+    verdict(path, (*lexicon)->examples.size(), "example", problems);
   }
 
   void machine(const fs::path& path) {
