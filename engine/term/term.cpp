@@ -128,16 +128,17 @@ Term Term::lambda(std::string hint, Type variable, Term body) {
 }
 
 Term Term::apply(Term function, Term argument) {
+  auto type = result_type(function.type(), argument.type());
+  if (!type) return Term();
   const auto reach = std::max(function.reach(), argument.reach());
   const auto depth = std::max(function.depth(), argument.depth()) + 1;
   const auto size = saturated(function.size() + argument.size() + 1);
-  auto type = result_type(function.type(), argument.type());
   auto digest = digester(Kind::apply);
   digest.add(function.digest());
   digest.add(argument.digest());
   Pair application{std::move(function), std::move(argument)};
   return Term(std::make_shared<const Node>(
-      Node{Kind::apply, std::move(type), std::move(application), digest.digest(), reach, depth, size}));
+      Node{Kind::apply, std::move(*type), std::move(application), digest.digest(), reach, depth, size}));
 }
 
 Term Term::list(std::vector<Term> elements, Type element) {
@@ -224,46 +225,6 @@ Term::Spine Term::spine() const {
 const TermDigest& Term::digest() const {
   static const TermDigest null = digester(Kind::null).digest();
   return node_ ? node_->digest : null;
-}
-
-namespace {
-
-// Rebuilds `term`, found below `depth` binders of where the walk began, with `leaf(variable, depth)` in place of
-// each variable that reaches out of them. Parts without such a variable are shared, not rebuilt.
-template <class Leaf>
-Term replaced(const Term& term, int depth, const Leaf& leaf) {
-  if (term.reach() <= depth) return term;
-  switch (term.kind()) {
-    case Term::Kind::bound:
-      return leaf(term, depth);
-    case Term::Kind::lambda:
-      return Term::lambda(term.name(), term.variable_type(), replaced(term.body(), depth + 1, leaf));
-    case Term::Kind::apply:
-      return Term::apply(replaced(term.function(), depth, leaf), replaced(term.argument(), depth, leaf));
-    case Term::Kind::list: {
-      std::vector<Term> elements;
-      elements.reserve(term.elements().size());
-      for (const auto& each : term.elements()) elements.push_back(replaced(each, depth, leaf));
-      return Term::list(std::move(elements), term.type().element());
-    }
-    default:
-      return term;
-  }
-}
-
-Term raised(const Term& term, int by) {
-  if (by == 0) return term;
-  return replaced(term, 0,
-                  [by](const Term& variable, int) { return Term::bound(variable.index() + by, variable.type()); });
-}
-
-}  // namespace
-
-Term instantiate(const Term& body, const Term& argument) {
-  return replaced(body, 0, [&](const Term& variable, int depth) {
-    if (variable.index() == depth) return raised(argument, depth);
-    return Term::bound(variable.index() - 1, variable.type());
-  });
 }
 
 const Term* first_place(const Term& term) {

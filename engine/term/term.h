@@ -64,7 +64,8 @@ class Term {
   static Term bound(int index, Type type);
   /// `hint` is the name to print for the variable; it does not take part in equality.
   static Term lambda(std::string hint, Type variable, Term body);
-  /// Total: applying what is no function gives a term of type `term`, whose value is null.
+  /// Null where the types do not go together (result_type() in unify.h): what is no function is applied, or a function
+  /// to an argument of another type than it takes. Null itself and what is of type `term` may be applied to anything.
   static Term apply(Term function, Term argument);
   static Term list(std::vector<Term> elements, Type element);
 
@@ -122,9 +123,6 @@ struct Term::Spine {
   Term head;
   std::vector<Term> arguments;
 };
-
-/// `body` with its variable 0 replaced by `argument`, the others lowered by one; no variable is captured.
-Term instantiate(const Term& body, const Term& argument);
 
 /// `term` if it is a place, else the first place inside it, from left to right; nullptr if there is none.
 const Term* first_place(const Term& term);

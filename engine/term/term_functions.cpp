@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "term/raising.h"
 #include "term/rules.h"
 #include "term/term_text.h"
 
@@ -24,15 +25,17 @@ bool is_open(const Term& term) {
   return term.kind() == Term::Kind::lambda || term.type().kind() == Type::Kind::function;
 }
 
-bool takes(const Term& function, const Term& argument) {
-  return argument.is_null() || consistent(function.type().from(), argument.type());
-}
-
 Term fill(Arguments a, Evaluation& evaluation) {
   if (!is_open(a[0])) return a[0];
-  if (!takes(a[0], a[1])) return Term::null();
-  Term result = evaluation.apply(a[0], a[1]);
-  evaluation.applications.push_back({a[0], a[1], result, ""});
+  const Type& wanted = a[0].type().from();
+  Raised lifted{a[1], ""};
+  if (!fits(a[1], wanted)) {
+    auto raised_argument = evaluation.raising() ? raised(a[1], wanted, *evaluation.raising(), evaluation) : std::nullopt;
+    if (!raised_argument) return Term::null();
+    lifted = std::move(*raised_argument);
+  }
+  Term result = evaluation.apply(a[0], lifted.term);
+  evaluation.applications.push_back({a[0], a[1], result, lifted.rule});
   return result;
 }
 
