@@ -77,8 +77,8 @@ std::optional<Configuration> Stepper::advance(const Configuration& before, const
   return std::move(firing).take();
 }
 
-Term Stepper::value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs) {
-  return firing(configuration, &input, beliefs, nullptr).value(term);
+Cell Stepper::value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs) {
+  return firing(configuration, &input, beliefs, nullptr).compute(term);
 }
 
 bool Stepper::offer(Firing& firing, const Input& input, Chooser& chooser, std::vector<StepEvent>* account) {

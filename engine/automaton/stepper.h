@@ -41,8 +41,8 @@ class Stepper {
   std::optional<Configuration> advance(const Configuration& before, const Input& input, const Beliefs& beliefs,
                                        Chooser& chooser);
 
-  /// The value of a term of the machine in a configuration.
-  Term value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs);
+  /// The value of a term of the machine in a configuration, and the inputs it came from.
+  Cell value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs);
 
   /// For those who choose and keep configurations themselves. `input`, `beliefs` and `account` must outlive it, and
   /// firings of one stepper must not overlap under different beliefs.

@@ -23,6 +23,7 @@ Input to_input(const InputEvent& event, int serial) {
 Pipeline::Pipeline(std::shared_ptr<const Machine> machine, Perspective perspective, std::size_t most_branches)
     : machine_(std::move(machine)),
       perspective_(perspective),
+      methods_(perspective),
       stepper_(machine_, methods_.rules()),
       explorer_(stepper_, most_branches) {}
 
@@ -84,8 +85,9 @@ void Pipeline::update_beliefs(EngineState& state, const Input& input, std::vecto
   };
   for (const auto& answer : machine_->beliefs.answers) {
     if (!answer.inputs.contains(input.symbol)) continue;
-    if (answer.when && !stepper_.value(*answer.when, state.configuration, input, state.beliefs).is_true()) continue;
-    const auto about = stepper_.value(answer.about, state.configuration, input, state.beliefs);
+    if (answer.when && !stepper_.value(*answer.when, state.configuration, input, state.beliefs).value.is_true())
+      continue;
+    const auto about = stepper_.value(answer.about, state.configuration, input, state.beliefs).value;
     if (about.kind() != Term::Kind::text) continue;
     note(answer.set ? state.beliefs.set(about.text_value(), *answer.set) : state.beliefs.raise(about.text_value()));
   }

@@ -15,9 +15,6 @@ constexpr double never = -std::numeric_limits<double>::infinity();
 constexpr std::array<std::string_view, 12> names = {"left", "right", "in_front", "behind",   "on",    "in",
                                                     "at",   "near",  "beside",   "touching", "under", "between"};
 
-// How far two boxes reach into each other along each axis; below 0 it is the gap between them.
-Vec3 depth_of(const Box& a, const Box& b) { return a.max.cwiseMin(b.max) - a.min.cwiseMax(b.min); }
-
 // The gap between two boxes seen from above; 0 where they overlap.
 double gap_above(const Box& a, const Box& b) {
   const Vec3 depth = depth_of(a, b);
@@ -56,7 +53,7 @@ double between_by(const Box& a, const Box& first, const Box& second) {
 }
 
 double inside_by(const Box& a, const ObjectState* container) {
-  const std::optional<Box> hollow = container ? std::nullopt : std::nullopt;
+  const auto hollow = container ? container->interior_W() : std::nullopt;
   if (!hollow) return never;
   const Vec3 center = a.center();
   return std::min({center.x() - hollow->min.x(), hollow->max.x() - center.x(), center.y() - hollow->min.y(),
@@ -103,7 +100,6 @@ double holds_of_participant(Relation relation, const Box& a, const Landmark& lan
   switch (relation) {
     case Relation::left:
     case Relation::right:
-      return (a.center() - table.center()).dot(side_W(relation, *landmark.who));
     case Relation::in_front:  // what is on their side of things is in front of them
       return (a.center() - table.center()).dot(side_W(relation, *landmark.who));
     case Relation::at:
@@ -149,6 +145,8 @@ std::optional<Landmark> Landmark::named(std::string_view name, const WorldSnapsh
   return std::nullopt;
 }
 
+bool is_side(Relation relation) { return relation <= Relation::behind; }
+
 Vec3 side_W(Relation side, Perspective perspective) {
   const double human = perspective == Perspective::human ? 1 : -1;
   switch (side) {
@@ -161,9 +159,10 @@ Vec3 side_W(Relation side, Perspective perspective) {
     case Relation::behind:
       return {0, human, 0};
     default:
-      require(false, "a side");
-      return Vec3::Zero();
+      break;
   }
+  require(false, "only sides have a direction");
+  return Vec3::Zero();
 }
 
 double holds_by(Relation relation, const ObjectState& object, std::span<const Landmark> landmarks, const Box& table,

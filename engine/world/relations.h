@@ -17,7 +17,8 @@
 // of the table; no other relation to one holds. A point or region is a landmark too: at, in and on it is where A's
 // centre is within it, or misses it by less than `contact_m`. Nothing stands in a relation to itself.
 //
-// Source of the sides: the referring expressions of EMRE, tests/emre/README.md.
+// Source of the sides: the referring expressions of EMRE; tests/emre/README.md, which also tells the sizes of its
+// things.
 #pragma once
 
 #include <optional>
@@ -61,8 +62,10 @@ struct Landmark {
   std::optional<Perspective> who = {};  ///< of a participant
 };
 
+/// left, right, in_front or behind
+bool is_side(Relation relation);
 /// Unit vector toward the side that a perspective calls left, right, in front or behind. What is in front of something
-/// is on the side of whose perspective it is. REQUIRES one of these four.
+/// is nearer to whose perspective it is. REQUIRES is_side(side)
 Vec3 side_W(Relation side, Perspective perspective);
 
 /// By how many metres the relation holds; it does where this is above 0, and fails by as much below. It is -infinity

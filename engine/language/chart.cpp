@@ -1,0 +1,155 @@
+#include "language/chart.h"
+
+#include <algorithm>
+
+#include "language/reduction.h"
+
+namespace continua {
+namespace {
+
+using Slash = Category::Slash;
+
+// What prefers short arguments to long ones, per word, and what it costs to pass over words inside of a phrase.
+constexpr double cost_per_word = 0.01, cost_of_passing = 0.1;
+constexpr int most_unary = 2;
+
+bool is_function(const Category& category, Slash slash) { return !category.is_atom() && category.slash() == slash; }
+
+}  // namespace
+
+Chart::Chart(const std::vector<std::string>& words, const Vocabulary& vocabulary)
+    : vocabulary_(vocabulary), lexicon_(vocabulary.lexicon()) {
+  look_up(words);
+  const auto count = words.size();
+  cells_.resize(count);
+  for (std::size_t begin = 0; begin < count; ++begin) cells_[begin].resize(std::min(longest_span, count - begin));
+  for (std::size_t end = 1; end <= count; ++end)
+    for (std::size_t size = 1; size <= std::min(longest_span, end); ++size) fill(end - size, end);
+}
+
+const std::vector<std::size_t>& Chart::at(std::size_t begin, std::size_t end) const {
+  return cells_[begin][end - begin - 1];
+}
+
+void Chart::look_up(const std::vector<std::string>& words) {
+  words_.resize(words.size());
+  skippable_.resize(words.size());
+  for (std::size_t begin = 0; begin < words.size(); ++begin) {
+    std::string text;
+    const auto most = std::min(vocabulary_.most_words(), words.size() - begin);
+    for (std::size_t count = 1; count <= most; ++count) {
+      text += (count > 1 ? " " : "") + words[begin + count - 1];
+      const auto* entry = vocabulary_.find(text);
+      words_[begin].push_back({});
+      if (!entry) continue;
+      words_[begin].back().push_back(entry);
+      if (entry->skip) skippable_[begin].push_back({count, *entry->skip});
+    }
+  }
+}
+
+void Chart::fill(std::size_t begin, std::size_t end) {
+  span_ = {begin, end};
+  cell_ = &cells_[begin][end - begin - 1];
+  candidates_.clear();
+  if (end - begin <= words_[begin].size())
+    for (const auto* entry : words_[begin][end - begin - 1])
+      for (const auto& sense : entry->senses)
+        candidates_.push_back({sense.category, sense.cost, Rule::word, 0, 0, &sense.term});
+  for (std::size_t middle = begin + 1; middle < end; ++middle) {
+    const auto &lefts = at(begin, middle), &rights = at(middle, end);
+    for (const auto left : lefts)
+      for (const auto right : rights) combine(left, right);
+    for (const auto& [count, cost] : skippable_[middle])
+      if (middle + count == end)
+        for (const auto left : lefts)
+          candidates_.push_back({entries_[left].category, entries_[left].cost + cost + cost_of_passing, Rule::skip, left, left});
+  }
+  add_candidates();
+  change_categories();
+}
+
+void Chart::combine(std::size_t left, std::size_t right) {
+  const auto &a = entries_[left], &b = entries_[right];
+  const auto &x = a.category, &y = b.category;
+  const double cost = a.cost + b.cost;
+  const auto add = [&](Category category, Rule rule, const Entry& argument) {
+    const auto words = static_cast<double>(argument.words.size());
+    candidates_.push_back({std::move(category), cost + cost_per_word * words, rule, left, right});
+  };
+  if (is_function(x, Slash::forward) && a.rule != Rule::compose_forward) {
+    if (Agreement agreement; agreement.agree(x.argument(), y))
+      add(agreement.settled_one(x.result()), Rule::apply_forward, b);
+    if (x.composes() && is_function(y, Slash::forward) && y.composes())
+      if (Agreement agreement; agreement.agree(x.argument(), y.result()))
+        add(Category::function(agreement.settled_one(x.result()), Slash::forward,
+                               agreement.settled_other(y.argument())),
+            Rule::compose_forward, b);
+  }
+  if (is_function(y, Slash::backward) && b.rule != Rule::compose_backward) {
+    if (Agreement agreement; agreement.agree(y.argument(), x))
+      add(agreement.settled_one(y.result()), Rule::apply_backward, a);
+    if (y.composes() && is_function(x, Slash::backward) && x.composes())
+      if (Agreement agreement; agreement.agree(y.argument(), x.result()))
+        add(Category::function(agreement.settled_one(y.result()), Slash::backward,
+                               agreement.settled_other(x.argument())),
+            Rule::compose_backward, a);
+  }
+}
+
+Term Chart::term_of(const Candidate& candidate) const {
+  if (candidate.rule == Rule::word) return *candidate.word;
+  const auto &left = entries_[candidate.left].term, &right = entries_[candidate.right].term;
+  switch (candidate.rule) {
+    case Rule::apply_forward:
+      return applied(left, right);
+    case Rule::apply_backward:
+      return applied(right, left);
+    case Rule::compose_forward:
+      return composed(left, right, type_of(candidate.category.argument(), lexicon_.atoms));
+    case Rule::compose_backward:
+      return composed(right, left, type_of(candidate.category.argument(), lexicon_.atoms));
+    default:
+      return left;
+  }
+}
+
+void Chart::add_candidates() {
+  std::stable_sort(candidates_.begin(), candidates_.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  for (const auto& candidate : candidates_) {
+    if (cell_->size() >= most_entries) return;
+    const auto of_category = std::count_if(cell_->begin(), cell_->end(), [&](std::size_t number) {
+      return entries_[number].category == candidate.category;
+    });
+    if (static_cast<std::size_t>(of_category) >= most_of_category) continue;
+    const int unary = candidate.rule == Rule::skip ? entries_[candidate.left].unary : 0;
+    add({candidate.category, term_of(candidate), candidate.cost, span_, candidate.rule, candidate.left,
+         candidate.right, unary});
+  }
+}
+
+bool Chart::add(Entry entry) {
+  if (entry.term.is_null()) return false;
+  for (const auto number : *cell_)
+    if (entries_[number].category == entry.category && entries_[number].term == entry.term) return false;
+  cell_->push_back(entries_.size());
+  entries_.push_back(std::move(entry));
+  return true;
+}
+
+void Chart::change_categories() {
+  for (std::size_t i = 0; i < cell_->size() && cell_->size() < 2 * most_entries; ++i) {
+    const auto number = (*cell_)[i];
+    if (entries_[number].unary >= most_unary) continue;
+    for (const auto& rule : lexicon_.rules) {
+      const auto& from = entries_[number];
+      Agreement agreement;
+      if (!agreement.agree(rule.from, from.category)) continue;
+      add({agreement.settled_one(rule.to), applied(rule.term, from.term), from.cost + rule.cost, span_, Rule::unary,
+           number, number, from.unary + 1});
+    }
+  }
+}
+
+}  // namespace continua

@@ -1,0 +1,79 @@
+// All ways to build phrases from neighbouring words: a chart (CKY) over combinatory categorial grammar, with
+// application, harmonic composition, the lexicon's unary rules, and words that may be left out.
+//
+// Each derivation that only repeats another in a different order is left out (Eisner, Efficient normal-form parsing for
+// combinatory categorial grammar, 1996); what still means the same is one entry. Spans and entries of a span are
+// bounded, so time grows linearly with the number of words.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "language/reading.h"
+#include "language/vocabulary.h"
+
+namespace continua {
+
+class Chart {
+ public:
+  enum class Rule { word, apply_forward, apply_backward, compose_forward, compose_backward, unary, skip };
+
+  struct Entry {
+    Category category;
+    Term term;
+    double cost = 0;
+    WordSpan words;
+    Rule rule = Rule::word;
+    /// What it was made of, by number; with one part, `right` is `left`.
+    std::size_t left = 0, right = 0;
+    int unary = 0;  ///< unary rules at its top
+  };
+
+  /// Longest phrase, in words; most entries of a span, and of one category among them.
+  static constexpr std::size_t longest_span = 40, most_entries = 40, most_of_category = 8;
+
+  Chart(const std::vector<std::string>& words, const Vocabulary& vocabulary);
+
+  const Entry& entry(std::size_t number) const { return entries_[number]; }
+  /// Numbers of the entries of these words, cheapest first except that unary rules come last.
+  const std::vector<std::size_t>& at(std::size_t begin, std::size_t end) const;
+  /// The end of the longest span from `begin` that may have entries.
+  std::size_t last_end(std::size_t begin) const { return begin + cells_[begin].size(); }
+
+  struct Skippable {
+    std::size_t count;  ///< words
+    double cost;
+  };
+  /// What may be left out from this word on.
+  const std::vector<Skippable>& skippable(std::size_t begin) const { return skippable_[begin]; }
+
+ private:
+  struct Candidate {
+    Category category;
+    double cost;
+    Rule rule;
+    std::size_t left, right;
+    const Term* word = nullptr;
+  };
+
+  void look_up(const std::vector<std::string>& words);
+  void fill(std::size_t begin, std::size_t end);
+  void combine(std::size_t left, std::size_t right);
+  void add_candidates();
+  bool add(Entry entry);
+  void change_categories();
+  Term term_of(const Candidate& candidate) const;
+
+  const Vocabulary& vocabulary_;
+  const Lexicon& lexicon_;
+  std::vector<std::vector<std::vector<std::size_t>>> cells_;  ///< by begin and length - 1
+  std::vector<std::vector<std::vector<const WordEntry*>>> words_;
+  std::vector<std::vector<Skippable>> skippable_;
+  std::vector<Entry> entries_;
+  std::vector<Candidate> candidates_;
+  std::vector<std::size_t>* cell_ = nullptr;  ///< that is being filled
+  WordSpan span_;
+};
+
+}  // namespace continua

@@ -1,0 +1,96 @@
+// The words of a language and what they mean: data, read from a folder of JSON files (language/LEXICON.md).
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/result.h"
+#include "language/category.h"
+#include "language/operators.h"
+#include "term/term_text.h"
+#include "world/world_snapshot.h"
+
+namespace continua {
+
+/// One use of a word. Its term is closed, in normal form and of the category's type.
+struct WordSense {
+  Category category;
+  Term term;
+  double cost = 0;
+};
+
+/// A word, or several with spaces between them.
+struct WordEntry {
+  std::vector<WordSense> senses;
+  std::optional<double> skip;  ///< the cost of leaving it out, where it may be left out
+};
+
+/// How a value of an attribute becomes a word: its sense is that of `term` applied to the value's constant.
+struct WordTemplate {
+  Category category;
+  Term term;
+  double cost = 0;
+  bool plural = false;
+};
+
+/// An attribute that scenes state of objects, such as color.
+struct WordAttribute {
+  std::string name;
+  Term meaning;  ///< of type text* -> e -> t: the attribute has one of these values
+  std::vector<WordTemplate> words;
+  /// Values that can always be spoken of, each with those that mean the same; the first of a group names its constant.
+  std::vector<std::vector<std::string>> values;
+};
+
+/// A phrase of one category may be used as one of another.
+struct UnaryRule {
+  std::string name;
+  Category from, to;
+  Term term;  ///< of type type(from) -> type(to)
+  double cost = 0;
+};
+
+/// A sentence and how it has to be read.
+struct LexiconExample {
+  std::string where;  ///< file:line:column
+  std::string say;
+  std::optional<std::vector<Term>> readings;   ///< all of the only fragment, the likeliest first
+  std::optional<std::vector<Term>> fragments;  ///< the first of each
+  std::optional<Term> reading;                 ///< the first of the only fragment
+  std::optional<std::string> move;             ///< of the first reading
+  std::optional<std::vector<Type>> missing;    ///< what the first reading lacks, in order
+  std::vector<std::string> unknown;
+};
+
+/// Words by their text, several words with a space between them.
+using WordTable = std::map<std::string, WordEntry, std::less<>>;
+
+struct Lexicon {
+  Atoms atoms;
+  Signature names;  ///< types of all names that readings may contain, the term language's and the facts included
+  Operators operators;
+  std::map<std::string, Term, std::less<>> definitions;  ///< names that compute
+  WordTable words;
+  std::vector<WordAttribute> attributes;
+  std::vector<std::pair<std::string, std::string>> plurals;  ///< ending of the singular and of the plural; first wins
+  std::vector<UnaryRule> rules;
+  std::vector<LexiconExample> examples;
+  std::vector<ObjectState> sample;  ///< the objects in whose scene the examples are read
+  std::string digest;               ///< of its files
+};
+
+/// Reads all *.json of the folder. `facts` are the names that terms may use beside the term language and what the lexicon
+/// declares: facts of the world. The error is the first problem.
+Result<Lexicon> load_lexicon(const std::string& folder, const Signature& facts);
+
+/// Every problem of the folder, "file:line:column: what was found, what was expected", file by file.
+std::vector<Error> check_lexicon(const std::string& folder, const Signature& facts);
+
+/// The examples that are not read as they say, each with its place.
+std::vector<Error> check_examples(const Lexicon& lexicon);
+
+}  // namespace continua

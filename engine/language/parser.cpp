@@ -1,0 +1,197 @@
+#include "language/parser.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "language/chart.h"
+#include "language/reduction.h"
+#include "language/words.h"
+
+namespace continua {
+namespace {
+
+// What an utterance costs beside the costs of its readings.
+constexpr double cost_of_fragment = 2, cost_of_missing = 1, cost_of_unused = 4;
+
+// What an entry lacks to be of an atom that can stand alone.
+struct Root {
+  const Atom* atom = nullptr;
+  std::vector<Type> missing;  ///< in the order in which its term takes them
+};
+
+std::optional<Root> root_of(const Chart::Entry& entry, const Atoms& atoms) {
+  if (entry.unary > 0) return std::nullopt;
+  Root root;
+  const Category* category = &entry.category;
+  for (; !category->is_atom(); category = &category->result()) {
+    const auto& argument = category->argument();
+    if (category->slash() != Category::Slash::forward || !argument.is_atom()) return std::nullopt;
+    const auto& atom = atoms.find(argument.name().text())->second;
+    if (!atom.open) return std::nullopt;
+    root.missing.push_back(atom.types.front());
+  }
+  root.atom = &atoms.find(category->name().text())->second;
+  return root.atom->move.empty() ? std::nullopt : std::optional(root);
+}
+
+// A lambda for each missing argument.
+Term opened(Term term, const std::vector<Type>& missing) {
+  const auto count = static_cast<int>(missing.size());
+  for (int i = 0; i < count; ++i) {
+    const bool is_lambda = term.kind() == Term::Kind::lambda;
+    const auto variable = Term::bound(count - 1 - i, missing[static_cast<std::size_t>(i)]);
+    term = is_lambda ? instantiate(term.body(), variable) : Term::apply(term, variable);
+  }
+  term = normal(term);
+  for (auto type = missing.rbegin(); type != missing.rend(); ++type) term = Term::lambda("x", *type, term);
+  return term;
+}
+
+// One part of an utterance without sentence ends and unknown words.
+class Segment {
+ public:
+  Segment(const std::vector<std::string>& words, const std::vector<std::size_t>& positions,
+          const Vocabulary& vocabulary)
+      : words_(words), positions_(positions), vocabulary_(vocabulary), chart_(words, vocabulary) {}
+
+  void read_into(Utterance& utterance) {
+    cover();
+    for (std::size_t at = 0; at < words_.size();) {
+      const auto& step = best_[at];
+      if (step.fragment)
+        utterance.fragments.push_back(fragment(at, step.end));
+      else if (step.unused)
+        utterance.unused.push_back(positions_[at]);
+      at = step.end;
+    }
+  }
+
+ private:
+  struct Step {
+    double cost = std::numeric_limits<double>::infinity();
+    std::size_t end = 0;
+    bool fragment = false, unused = false;
+  };
+
+  // From the last word to the first, the cheapest way to cover what follows.
+  void cover() {
+    best_.assign(words_.size() + 1, Step());
+    best_.back().cost = 0;
+    const auto offer = [&](std::size_t begin, Step step) {
+      step.cost += best_[step.end].cost;
+      if (step.cost < best_[begin].cost) best_[begin] = step;
+    };
+    for (std::size_t begin = words_.size(); begin-- > 0;) {
+      for (auto end = chart_.last_end(begin); end > begin; --end)
+        if (const auto cost = cost_of(begin, end)) offer(begin, {*cost + cost_of_fragment, end, true, false});
+      for (const auto& [count, cost] : chart_.skippable(begin)) offer(begin, {cost, begin + count, false, false});
+      offer(begin, {words_[begin] == "," ? 0 : cost_of_unused, begin + 1, false, words_[begin] != ","});
+    }
+  }
+
+  std::optional<double> cost_of(std::size_t begin, std::size_t end) const {
+    std::optional<double> least;
+    for (const auto number : chart_.at(begin, end)) {
+      const auto& entry = chart_.entry(number);
+      const auto root = root_of(entry, vocabulary_.lexicon().atoms);
+      if (!root) continue;
+      const double cost = entry.cost + cost_of_missing * static_cast<double>(root->missing.size());
+      if (!least || cost < *least) least = cost;
+    }
+    return least;
+  }
+
+  // The readings that lack as little as any does, the cheapest first.
+  Fragment fragment(std::size_t begin, std::size_t end) const {
+    struct Found {
+      std::size_t number;
+      Root root;
+    };
+    std::vector<Found> found;
+    for (const auto number : chart_.at(begin, end))
+      if (auto root = root_of(chart_.entry(number), vocabulary_.lexicon().atoms)) found.push_back({number, *root});
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    for (const auto& each : found) least = std::min(least, each.root.missing.size());
+    std::erase_if(found, [&](const Found& each) { return each.root.missing.size() > least; });
+    std::stable_sort(found.begin(), found.end(), [&](const Found& a, const Found& b) {
+      return chart_.entry(a.number).cost < chart_.entry(b.number).cost;
+    });
+    Fragment result{span(begin, end), {}};
+    for (const auto& each : found)
+      if (result.readings.size() < most_readings) add_reading(result.readings, each.number, each.root);
+    return result;
+  }
+
+  void add_reading(std::vector<Reading>& readings, std::size_t number, const Root& root) const {
+    const auto& entry = chart_.entry(number);
+    Reading reading;
+    reading.term = with_nice_variables(opened(entry.term, root.missing));
+    reading.category = entry.category.text();
+    reading.move = root.atom->move;
+    reading.cost = entry.cost + cost_of_missing * static_cast<double>(root.missing.size());
+    const bool known = std::any_of(readings.begin(), readings.end(), [&](const Reading& other) {
+      return other.term == reading.term && other.move == reading.move;
+    });
+    if (known) return;
+    collect_phrases(number, reading);
+    std::stable_sort(reading.phrases.begin(), reading.phrases.end(), [](const Phrase& a, const Phrase& b) {
+      return a.words.begin != b.words.begin ? a.words.begin < b.words.begin : a.words.size() > b.words.size();
+    });
+    readings.push_back(std::move(reading));
+  }
+
+  void collect_phrases(std::size_t number, Reading& reading) const {
+    const auto& entry = chart_.entry(number);
+    if (entry.rule != Chart::Rule::skip && entry.category.is_atom() &&
+        vocabulary_.lexicon().atoms.find(entry.category.name().text())->second.phrase) {
+      const auto words = span(entry.words.begin, entry.words.end);
+      const bool known = std::any_of(reading.phrases.begin(), reading.phrases.end(), [&](const Phrase& other) {
+        return other.words.begin == words.begin && other.words.end == words.end && other.term == entry.term;
+      });
+      if (!known && occurs(entry.term, reading.term))
+        reading.phrases.push_back({with_nice_variables(entry.term), words});
+    }
+    if (entry.rule == Chart::Rule::word) return;
+    collect_phrases(entry.left, reading);
+    if (entry.right != entry.left) collect_phrases(entry.right, reading);
+  }
+
+  // Words of the utterance, from words of the segment.
+  WordSpan span(std::size_t begin, std::size_t end) const {
+    while (end > begin + 1 && words_[end - 1] == ",") --end;
+    return {positions_[begin], positions_[end - 1] + 1};
+  }
+
+  const std::vector<std::string>& words_;
+  const std::vector<std::size_t>& positions_;
+  const Vocabulary& vocabulary_;
+  Chart chart_;
+  std::vector<Step> best_;
+};
+
+}  // namespace
+
+Utterance read(std::string_view text, const Vocabulary& vocabulary) {
+  Utterance utterance;
+  std::vector<std::string> words;
+  std::vector<std::size_t> positions;
+  const auto end_segment = [&] {
+    if (!words.empty()) Segment(words, positions, vocabulary).read_into(utterance);
+    words.clear();
+    positions.clear();
+  };
+  for (const auto& word : words_of(text, most_words, &utterance.cut)) {
+    if (!word.comma) utterance.words.push_back(word.text);
+    if (word.comma || vocabulary.knows(word.text)) {
+      words.push_back(word.text);
+      positions.push_back(utterance.words.size() - 1);
+    } else {
+      utterance.unknown.push_back(utterance.words.size() - 1);
+    }
+    if (word.ends_after) end_segment();
+  }
+  end_segment();
+  return utterance;
+}
+
+}  // namespace continua
