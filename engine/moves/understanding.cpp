@@ -1,5 +1,6 @@
 #include "moves/understanding.h"
 
+#include <optional>
 #include <utility>
 
 namespace continua {
@@ -31,6 +32,15 @@ Term last_noun(const Reading& reading) {
   return noun ? noun->term : Term::null();
 }
 
+// Of "which block is red?" what is asked for: a condition that stands as a program's argument.
+std::optional<Term> asked_for(const Reading& reading) {
+  const auto arguments = reading.term.spine().arguments;
+  const bool is_condition = arguments.size() == 1 && arguments[0].closed() &&
+                            arguments[0].kind() == Term::Kind::lambda &&
+                            arguments[0].type() == Type::function(Type::entity(), Type::truth());
+  return is_condition && reading.term.type() == Type::truth() ? std::optional(arguments[0]) : std::nullopt;
+}
+
 }  // namespace
 
 Understanding::Understanding(const Language& language, const WorldSnapshot& world, const RuleTable& rules)
@@ -54,6 +64,7 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
   move.noun = last_noun(reading);
   for (const auto& resolution : move.interpretation.resolutions)
     if (resolution.by == Resolution::By::words) move.reference = resolution.reference;
+  if (const auto question = asked_for(reading)) move.reference = refer(*question, Determiner{}, context, meanings());
   for (auto word = part.words.begin; word < part.words.end; ++word) move.words.push_back(utterance.words[word]);
   const auto around = surroundings(utterance, fragment);
   move.unknown = words_at(utterance, utterance.unknown, around);
