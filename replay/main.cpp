@@ -22,7 +22,7 @@ namespace continua {
 namespace {
 
 constexpr std::array commands = {
-    add_replay_command, add_serve_command, add_export_command,   add_machine_command,
+    add_replay_command, add_serve_command, add_export_command, add_machine_command,
     add_import_command, add_check_command, add_accept_command, add_validate_command,
 };
 

@@ -85,9 +85,9 @@ Json json_of(const Gap& gap) {
 }  // namespace
 
 std::optional<std::vector<std::string>> referents_of(const Move& move) {
-  const bool has = move.kind == deixis ||
-                   std::any_of(move.interpretation.resolutions.begin(), move.interpretation.resolutions.end(),
-                               [](const Resolution& each) { return each.by == Resolution::By::words; });
+  const bool has =
+      move.kind == deixis || std::any_of(move.interpretation.resolutions.begin(), move.interpretation.resolutions.end(),
+                                         [](const Resolution& each) { return each.by == Resolution::By::words; });
   return has ? std::optional(names(move.reference)) : std::nullopt;
 }
 

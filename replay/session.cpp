@@ -247,9 +247,9 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   } else {
     body = std::make_unique<KinematicBody>(scene->initial_snapshot());
   }
-  return Session(std::make_unique<LoadedSession>(
-      LoadedSession{std::move(options), std::move(*trace), std::make_shared<const Machine>(std::move(*machine)),
-                    std::make_shared<const Language>(std::move(*language)), std::move(*scene), std::move(body), std::move(*forced)}));
+  return Session(std::make_unique<LoadedSession>(LoadedSession{
+      std::move(options), std::move(*trace), std::make_shared<const Machine>(std::move(*machine)),
+      std::make_shared<const Language>(std::move(*language)), std::move(*scene), std::move(body), std::move(*forced)}));
 }
 
 Session::Session(std::unique_ptr<LoadedSession> loaded) : loaded_(std::move(loaded)) {}

@@ -21,8 +21,9 @@ struct Step {
 
 class Stepper {
  public:
-  /// `methods` are facts of the world, read anew at every step; they must outlive the stepper.
-  Stepper(std::shared_ptr<const Machine> machine, const Rules& methods);
+  /// `methods` are facts of the world, read anew at every step; `raising` is how `fill` lifts arguments. Both must
+  /// outlive the stepper.
+  Stepper(std::shared_ptr<const Machine> machine, const Rules& methods, const RaisingRules* raising = nullptr);
 
   const Machine& machine() const { return *machine_; }
 

@@ -9,9 +9,18 @@ namespace {
 
 using Slash = Category::Slash;
 
-// What prefers short arguments to long ones, per word, and what it costs to pass over words inside of a phrase.
-constexpr double cost_per_word = 0.01, cost_of_passing = 0.1;
+// Per word of an argument: short arguments are likelier than long ones, but "leftmost" is said of all that follows.
+constexpr double cost_per_word = 0.01, cost_per_word_before = 0.001;
+// Of passing over words inside of a phrase.
+constexpr double cost_of_passing = 0.1;
 constexpr int most_unary = 2;
+
+bool is_modifier(const Category& category) { return category.argument() == category.result(); }
+
+double cost_of(const Category& function, std::size_t words) {
+  if (function.slash() == Slash::backward) return cost_per_word_before * static_cast<double>(words);
+  return is_modifier(function) ? 0 : cost_per_word * static_cast<double>(words);
+}
 
 bool is_function(const Category& category, Slash slash) { return !category.is_atom() && category.slash() == slash; }
 
@@ -63,7 +72,8 @@ void Chart::fill(std::size_t begin, std::size_t end) {
     for (const auto& [count, cost] : skippable_[middle])
       if (middle + count == end)
         for (const auto left : lefts)
-          candidates_.push_back({entries_[left].category, entries_[left].cost + cost + cost_of_passing, Rule::skip, left, left});
+          candidates_.push_back(
+              {entries_[left].category, entries_[left].cost + cost + cost_of_passing, Rule::skip, left, left});
   }
   add_candidates();
   change_categories();
@@ -72,28 +82,28 @@ void Chart::fill(std::size_t begin, std::size_t end) {
 void Chart::combine(std::size_t left, std::size_t right) {
   const auto &a = entries_[left], &b = entries_[right];
   const auto &x = a.category, &y = b.category;
-  const double cost = a.cost + b.cost;
-  const auto add = [&](Category category, Rule rule, const Entry& argument) {
-    const auto words = static_cast<double>(argument.words.size());
-    candidates_.push_back({std::move(category), cost + cost_per_word * words, rule, left, right});
+  const auto add = [&](Category category, Rule rule, const Entry& function) {
+    const auto words = (&function == &a ? b : a).words.size();
+    candidates_.push_back(
+        {std::move(category), a.cost + b.cost + cost_of(function.category, words), rule, left, right});
   };
   if (is_function(x, Slash::forward) && a.rule != Rule::compose_forward) {
     if (Agreement agreement; agreement.agree(x.argument(), y))
-      add(agreement.settled_one(x.result()), Rule::apply_forward, b);
+      add(agreement.settled_one(x.result()), Rule::apply_forward, a);
     if (x.composes() && is_function(y, Slash::forward) && y.composes())
       if (Agreement agreement; agreement.agree(x.argument(), y.result()))
         add(Category::function(agreement.settled_one(x.result()), Slash::forward,
                                agreement.settled_other(y.argument())),
-            Rule::compose_forward, b);
+            Rule::compose_forward, a);
   }
   if (is_function(y, Slash::backward) && b.rule != Rule::compose_backward) {
     if (Agreement agreement; agreement.agree(y.argument(), x))
-      add(agreement.settled_one(y.result()), Rule::apply_backward, a);
+      add(agreement.settled_one(y.result()), Rule::apply_backward, b);
     if (y.composes() && is_function(x, Slash::backward) && x.composes())
       if (Agreement agreement; agreement.agree(y.argument(), x.result()))
         add(Category::function(agreement.settled_one(y.result()), Slash::backward,
                                agreement.settled_other(x.argument())),
-            Rule::compose_backward, a);
+            Rule::compose_backward, b);
   }
 }
 
@@ -124,8 +134,8 @@ void Chart::add_candidates() {
     });
     if (static_cast<std::size_t>(of_category) >= most_of_category) continue;
     const int unary = candidate.rule == Rule::skip ? entries_[candidate.left].unary : 0;
-    add({candidate.category, term_of(candidate), candidate.cost, span_, candidate.rule, candidate.left,
-         candidate.right, unary});
+    add({candidate.category, term_of(candidate), candidate.cost, span_, candidate.rule, candidate.left, candidate.right,
+         unary});
   }
 }
 

@@ -14,6 +14,9 @@ namespace {
 // What an utterance costs beside the costs of its readings.
 constexpr double cost_of_fragment = 2, cost_of_missing = 1, cost_of_unused = 4;
 
+// Readings that cost so much more than the cheapest are no readings.
+constexpr double largest_difference = 0.5;
+
 // What an entry lacks to be of an atom that can stand alone.
 struct Root {
   const Atom* atom = nullptr;
@@ -26,7 +29,7 @@ std::optional<Root> root_of(const Chart::Entry& entry, const Atoms& atoms) {
   const Category* category = &entry.category;
   for (; !category->is_atom(); category = &category->result()) {
     const auto& argument = category->argument();
-    if (category->slash() != Category::Slash::forward || !argument.is_atom()) return std::nullopt;
+    if (category->slash() != Category::Slash::forward || !category->composes() || !argument.is_atom()) return std::nullopt;
     const auto& atom = atoms.find(argument.name().text())->second;
     if (!atom.open) return std::nullopt;
     root.missing.push_back(atom.types.front());
@@ -118,8 +121,11 @@ class Segment {
       return chart_.entry(a.number).cost < chart_.entry(b.number).cost;
     });
     Fragment result{span(begin, end), {}};
-    for (const auto& each : found)
-      if (result.readings.size() < most_readings) add_reading(result.readings, each.number, each.root);
+    for (const auto& each : found) {
+      const bool likely =
+          chart_.entry(each.number).cost <= chart_.entry(found.front().number).cost + largest_difference;
+      if (likely && result.readings.size() < most_readings) add_reading(result.readings, each.number, each.root);
+    }
     return result;
   }
 
@@ -183,10 +189,10 @@ Utterance read(std::string_view text, const Vocabulary& vocabulary) {
   };
   for (const auto& word : words_of(text, most_words, &utterance.cut)) {
     if (!word.comma) utterance.words.push_back(word.text);
-    if (word.comma || vocabulary.knows(word.text)) {
+    if (word.comma ? !words.empty() : vocabulary.knows(word.text)) {
       words.push_back(word.text);
       positions.push_back(utterance.words.size() - 1);
-    } else {
+    } else if (!word.comma) {
       utterance.unknown.push_back(utterance.words.size() - 1);
     }
     if (word.ends_after) end_segment();

@@ -28,7 +28,10 @@ class Reducer {
       return term.kind() == Term::Kind::apply && term.function().kind() == Term::Kind::apply &&
              is_and(term.function().function());
     };
-    if (function.kind() == Term::Kind::apply && is_and(function.function()) && is_pair(argument)) {
+    const bool is_conjunction = function.kind() == Term::Kind::apply && is_and(function.function());
+    if (is_conjunction && function.argument().is_true()) return argument;
+    if (is_conjunction && argument.is_true()) return function.argument();
+    if (is_conjunction && is_pair(argument)) {
       const auto first = apply(function, argument.function().argument());
       return Term::apply(Term::apply(function.function(), first), argument.argument());
     }

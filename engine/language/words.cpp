@@ -35,11 +35,10 @@ std::vector<SpokenWord> words_of(std::string_view text, std::size_t most, bool* 
       continue;
     }
     inside = false;
-    if (words.empty()) continue;
-    if (c == '.' || c == '?' || c == '!' || c == ';' || c == ':')
-      words.back().ends_after = true;
-    else if (c == ',' && !words.back().comma)
+    if (c == ',' && (words.empty() || !words.back().comma))
       words.push_back({",", true, false});
+    else if (!words.empty() && (c == '.' || c == '?' || c == '!' || c == ';' || c == ':'))
+      words.back().ends_after = true;
   }
   return words;
 }

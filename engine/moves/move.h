@@ -13,7 +13,7 @@ namespace continua {
 inline constexpr const char* deixis = "δ";
 
 struct Move {
-  std::string kind;               ///< δ, ω, α, N, V, P, y, n or another of the lexicon's; empty: not understood
+  std::string kind;                  ///< δ, ω, α, N, V, P, y, n or another of the lexicon's; empty: not understood
   std::vector<std::string> words;    ///< of speech: those of this move
   std::vector<Reading> readings;     ///< of speech: the likeliest first
   std::size_t chosen = 0;            ///< the reading that was interpreted

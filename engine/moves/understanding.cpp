@@ -37,8 +37,7 @@ Understanding::Understanding(const Language& language, const WorldSnapshot& worl
     : language_(language), rules_(rules), vocabulary_(language.lexicon, world) {}
 
 Meanings Understanding::meanings() const {
-  return {&rules_, [this](Name name) { return vocabulary_.definition(name.text()); },
-          &language_.lexicon->operators};
+  return {&rules_, [this](Name name) { return vocabulary_.definition(name.text()); }, &language_.lexicon->operators};
 }
 
 Move Understanding::understood(const Utterance& utterance, std::size_t fragment, const Context& context) const {

@@ -1,5 +1,5 @@
-// From what was said or shown to moves: words are read once, then each of their moves is interpreted in the context that
-// those before it have left.
+// From what was said or shown to moves: words are read once, then each of their moves is interpreted in the context
+// that those before it have left.
 #pragma once
 
 #include <memory>

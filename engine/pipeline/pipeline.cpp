@@ -12,9 +12,7 @@ namespace {
 
 const RaisingRules* raising_of(const Language* language) { return language ? &language->raising : nullptr; }
 
-bool is_recent(const Pointed& pointed, SimTime now) {
-  return (now - pointed.t).seconds() <= pointing_lasts_s;
-}
+bool is_recent(const Pointed& pointed, SimTime now) { return (now - pointed.t).seconds() <= pointing_lasts_s; }
 
 std::string kind_of(const Input& input, const Machine& machine) {
   const auto found = std::find_if(machine.moves.begin(), machine.moves.end(),

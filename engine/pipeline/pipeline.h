@@ -42,8 +42,8 @@ struct Perceived {
   std::string symbol;
 };
 
-/// What the input was taken to mean; for each move of an utterance one. What it applied follows, then what the automaton
-/// did with it.
+/// What the input was taken to mean; for each move of an utterance one. What it applied follows, then what the
+/// automaton did with it.
 struct Understood {
   Move move;
   std::vector<int> because;  ///< serials of the inputs that it draws on

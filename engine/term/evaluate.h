@@ -23,7 +23,7 @@ namespace continua {
 /// they have is known from the terms.
 struct Application {
   Term function;
-  Term argument;     ///< as it was given, not raised
+  Term argument;  ///< as it was given, not raised
   Term result;
   std::string rule;  ///< name of the raising rule that lifted the argument, or empty
 };

@@ -38,8 +38,8 @@ Term with_variables(const Term& term, int depth, const Leaf& leaf) {
 
 Term raised(const Term& term, int by) {
   if (by == 0) return term;
-  return with_variables(term, 0,
-                  [by](const Term& variable, int) { return Term::bound(variable.index() + by, variable.type()); });
+  return with_variables(
+      term, 0, [by](const Term& variable, int) { return Term::bound(variable.index() + by, variable.type()); });
 }
 
 Term without(const Term& term, const Term& part, int depth) {

@@ -14,8 +14,8 @@ Term instantiate(const Term& body, const Term& argument);
 /// instantiate(abstracted(term, part), part) = term.
 Term abstracted(const Term& term, const Term& part);
 
-/// `by`, a closed term, in place of each occurrence of the closed term `part`. Where that is applied, a lambda takes its
-/// argument at once: with \x. cup(x) for `one`, \y. one(y) becomes \y. cup(y).
+/// `by`, a closed term, in place of each occurrence of the closed term `part`. Where that is applied, a lambda takes
+/// its argument at once: with \x. cup(x) for `one`, \y. one(y) becomes \y. cup(y).
 Term replaced(const Term& term, const Term& part, const Term& by);
 
 /// Is the closed term `part` a part of `term`, or `term` itself?

@@ -68,8 +68,10 @@ TermDigest digest_of(const Place& place) {
 Term::Term() = default;
 
 Term Term::truth(bool value) {
-  static const Term yes(std::make_shared<const Node>(Node{Kind::truth, Type::truth(), true, digest_of(Kind::truth, 1)}));
-  static const Term no(std::make_shared<const Node>(Node{Kind::truth, Type::truth(), false, digest_of(Kind::truth, 0)}));
+  static const Term yes(
+      std::make_shared<const Node>(Node{Kind::truth, Type::truth(), true, digest_of(Kind::truth, 1)}));
+  static const Term no(
+      std::make_shared<const Node>(Node{Kind::truth, Type::truth(), false, digest_of(Kind::truth, 0)}));
   return value ? yes : no;
 }
 

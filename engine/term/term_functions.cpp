@@ -30,7 +30,8 @@ Term fill(Arguments a, Evaluation& evaluation) {
   const Type& wanted = a[0].type().from();
   Raised lifted{a[1], ""};
   if (!fits(a[1], wanted)) {
-    auto raised_argument = evaluation.raising() ? raised(a[1], wanted, *evaluation.raising(), evaluation) : std::nullopt;
+    auto raised_argument =
+        evaluation.raising() ? raised(a[1], wanted, *evaluation.raising(), evaluation) : std::nullopt;
     if (!raised_argument) return Term::null();
     lifted = std::move(*raised_argument);
   }
@@ -103,12 +104,18 @@ Term lower(Arguments a, Evaluation&) {
 void add_term_functions(Rules& rules, Signature& signature) {
   const auto open = [](Arguments a, Evaluation&) { return Term::truth(is_open(a[0])); };
   const auto text = [](Arguments a, Evaluation&) { return Term::text(characters(a[0])); };
+  const auto type = [](Arguments a, Evaluation&) { return Term::text(a[0].type().text()); };
+  const auto missing = [](Arguments a, Evaluation&) {
+    return is_open(a[0]) ? Term::text(a[0].type().from().text()) : Term::null();
+  };
   const auto starts_with = [](Arguments a, Evaluation&) {
     return Term::truth(a[0].text_value().starts_with(a[1].text_value()));
   };
   add_functions(
       {
           {"open", "term -> t", open},
+          {"missing", "term -> text", missing},
+          {"type", "term -> text", type},
           {"fill", "term -> term -> term", fill},
           {"program", "term -> text", program},
           {"argument", "term -> num -> term", argument},

@@ -130,7 +130,8 @@ std::string Unifier::described(const Type& type) {
 std::optional<Type> result_type(const Type& function, const Type& argument) {
   if (function == Type::term() || function.kind() == Type::Kind::variable) return Type::term();
   if (function.kind() != Type::Kind::function) return std::nullopt;
-  if (!function.polymorphic()) return consistent(function.from(), argument) ? std::optional(function.to()) : std::nullopt;
+  if (!function.polymorphic())
+    return consistent(function.from(), argument) ? std::optional(function.to()) : std::nullopt;
   Unifier unifier;
   const Type own = unifier.instance(function);
   if (!unifier.unify(own.from(), unifier.instance(argument)) && !unifier.gave_up()) return std::nullopt;

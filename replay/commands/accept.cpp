@@ -103,7 +103,9 @@ void add_accept_command(CLI::App& program, Run& run) {
                    "a name of the knowledge folder, or a path; also JFLAP's .jff of type fa or pda")
       ->required();
   command->add_flag("--empty-stack", options->empty_stack, "accept by empty stack instead of by final state");
-  command->add_option("--run", options->runs, "run logs; the moves of each are a word")->type_name("RUN")->allow_extra_args(false);
+  command->add_option("--run", options->runs, "run logs; the moves of each are a word")
+      ->type_name("RUN")
+      ->allow_extra_args(false);
   command->add_option("--words", options->words_file, "a file with a word a line; '-' is standard input");
 
   // A word that begins with '-' looks like an option. So that all words stay in order, WORD takes none of them: they

@@ -13,7 +13,7 @@ namespace continua {
 struct AcceptOptions {
   std::string machine;
   std::vector<std::string> words;
-  std::string words_file;  ///< a word a line; "-" is standard input; empty: none
+  std::string words_file;         ///< a word a line; "-" is standard input; empty: none
   std::vector<std::string> runs;  ///< run logs: the moves of each are a word
   bool empty_stack = false;
 };

@@ -129,13 +129,16 @@ int run_check(const CheckOptions& options) {
 }
 
 void add_check_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("check", "Run the examples of machines and lexicons, and traces' expectations");
+  auto* command =
+      program.add_subcommand("check", "Run the examples of machines and lexicons, and traces' expectations");
   auto options = std::make_shared<CheckOptions>();
   command->add_option("PATH", options->paths,
                       "machines, folders of lexicon/, traces, or folders of them; the knowledge folder if left out");
   command->add_option("--knowledge", options->knowledge, "folder to use instead of engine/knowledge");
-  command->add_flag("!--no-physics", options->physics, "replay traces in the kinematic world, where every act succeeds");
-  command->footer("Exit status: 0 all is true, 1 something is not, 2 a file cannot be used.\nExample: continua check traces");
+  command->add_flag("!--no-physics", options->physics,
+                    "replay traces in the kinematic world, where every act succeeds");
+  command->footer(
+      "Exit status: 0 all is true, 1 something is not, 2 a file cannot be used.\nExample: continua check traces");
   command->callback([options, &run] { run = [options] { return run_check(*options); }; });
 }
 

@@ -15,7 +15,8 @@ struct CheckOptions {
 };
 
 /// Runs the examples of machines and lexicons, and the expectations of traces; a line for each file on standard output,
-/// what is not true on standard error. exit_done if all is true, exit_no if not, exit_impossible if a file cannot be used.
+/// what is not true on standard error. exit_done if all is true, exit_no if not, exit_impossible if a file cannot be
+/// used.
 int run_check(const CheckOptions& options);
 
 void add_check_command(CLI::App& program, Run& run);

@@ -67,8 +67,8 @@ TEST_CASE("objects that a trace places stand on the table, or on what is under t
     double x, y, z, stands;
   };
   const Row rows[] = {
-      {0.2, 0.2, 0.05, 0.05},    {0.2, 0.2, 0.033, 0.05}, {0.2, 0.2, 0.068, 0.05},  {0.2, 0.2, -0.3, 0.05},
-      {0.2, 0.2, 0.2, 0.2},      {0.2, 1.2, -0.3, -0.3},  {-0.2, 0.0, 0.072, 0.07}, {-0.2, 0.0, 0.055, 0.07},
+      {0.2, 0.2, 0.05, 0.05},    {0.2, 0.2, 0.033, 0.05},      {0.2, 0.2, 0.068, 0.05},  {0.2, 0.2, -0.3, 0.05},
+      {0.2, 0.2, 0.2, 0.2},      {0.2, 1.2, -0.3, -0.3},       {-0.2, 0.0, 0.072, 0.07}, {-0.2, 0.0, 0.055, 0.07},
       {-0.25, 0.0, 0.069, 0.07}, {0.2, 0.2, 0.05005, 0.05005},
   };
   for (const auto& row : rows) {
@@ -85,8 +85,8 @@ TEST_CASE("the description for viewers has every part of a cup, and a removed cu
     return found;
   };
   CHECK(parts(loaded("place_setting"), "cup_blue") ==
-        std::map<std::string, int>{{"box", 13},     {"capsule", 0}, {"cylinder", 1},
-                                   {"ellipsoid", 0}, {"plane", 0},   {"sphere", 0}});
+        std::map<std::string, int>{
+            {"box", 13}, {"capsule", 0}, {"cylinder", 1}, {"ellipsoid", 0}, {"plane", 0}, {"sphere", 0}});
   const Scene rest = loaded("place_setting", {{"cup", {}, {}, {}, {}, true}});
   CHECK(parts(rest, "cup")["box"] == 0);
   CHECK(parts(rest, "cup_blue")["box"] == 13);

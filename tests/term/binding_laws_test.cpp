@@ -114,8 +114,7 @@ TEST_CASE("instantiating does what substituting for a named variable does") {
     const Type outer = generate.type(1), inner = generate.type(1);
     const Term body = generate.term(generate.type(2), {outer, inner}, 4);
     const Term argument = generate.term(inner, {outer}, 2);
-    const Named substitute =
-        substituted(named(body, {"x", "(argument)"}), "(argument)", named(argument, {"x"}));
+    const Named substitute = substituted(named(body, {"x", "(argument)"}), "(argument)", named(argument, {"x"}));
     RC_ASSERT(instantiate(body, argument) == numbered(substitute, {"x"}));
     RC_CLASSIFY(mentions(body, 0) && argument.reach() > 0, "could be captured");
   });

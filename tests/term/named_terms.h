@@ -1,4 +1,5 @@
-// Terms with named variables, substituted and reduced by the book: what numbered binders and evaluation are held against.
+// Terms with named variables, substituted and reduced by the book: what numbered binders and evaluation are held
+// against.
 #pragma once
 
 #include <algorithm>
@@ -112,7 +113,8 @@ inline std::optional<Named> reduced_once(const Named& term);
 inline std::optional<Named> chosen(const Named& term) {
   std::vector<Named> arguments;
   Named head = term;
-  for (; head.kind == Named::Kind::apply; head = Named(head.parts[0])) arguments.insert(arguments.begin(), head.parts[1]);
+  for (; head.kind == Named::Kind::apply; head = Named(head.parts[0]))
+    arguments.insert(arguments.begin(), head.parts[1]);
   if (head.kind != Named::Kind::leaf || head.leaf.kind() != Term::Kind::constant) return std::nullopt;
   const auto name = head.leaf.name();
   if (!(name == "if" && arguments.size() == 3) && !((name == "and" || name == "or") && arguments.size() == 2))

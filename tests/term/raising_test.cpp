@@ -28,16 +28,15 @@ const Signature& names() {
 // A cup holds things, a plate carries them; of other things nothing is known.
 const Rules& facts() {
   static const Rules rules = {{"attribute", {2, [](auto a, Evaluation&) {
-                                 const auto& object = a[0].name();
-                                 if (object == "cup") return Term::text("containment");
-                                 return object == "plate" ? Term::text("support") : Term::null();
-                               }}}};
+                                               const auto& object = a[0].name();
+                                               if (object == "cup") return Term::text("containment");
+                                               return object == "plate" ? Term::text("support") : Term::null();
+                                             }}}};
   return rules;
 }
 
 const RaisingRules& shipped() {
-  static const RaisingRules rules =
-      load_raising(CONTINUA_SOURCE_DIR "/engine/knowledge/raising.json", names()).value();
+  static const RaisingRules rules = load_raising(CONTINUA_SOURCE_DIR "/engine/knowledge/raising.json", names()).value();
   return rules;
 }
 
@@ -80,8 +79,8 @@ TEST_CASE("what fits is not raised") {
 TEST_CASE("what no rule raises gives null") {
   CHECK(filled("fill(grasp, <0, 0, 0>)") == "null");
   CHECK(filled("fill(put(knife), 3)") == "null");
-  CHECK(filled("fill(grasp, true)") == "null");         // no event: no theme
-  CHECK(filled("fill(grasp, sweep(v))") == "null");     // its theme is no object
+  CHECK(filled("fill(grasp, true)") == "null");      // no event: no theme
+  CHECK(filled("fill(grasp, sweep(v))") == "null");  // its theme is no object
   CHECK(filled("fill(grasp, \\b. put(b, v))") == "null");
   const RuleTable without({&term_rules()});
   Evaluation evaluation(without, nullptr);

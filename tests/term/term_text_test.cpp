@@ -73,7 +73,10 @@ TEST_CASE("a variable keeps its name unless that would mean something else") {
 
 TEST_CASE("for people a lambda is a λ") {
   CHECK(print(read("\\x y. put(x, on(y))"), Lambda::greek) == "λx y. put(x, on(y))");
-  CHECK(print(read("map(objects, \\x. `\\\\`)", {{"objects", Type::list(Type::entity())}, {"\\", Type::entity()}, {"map", Type::parse("'a* -> ('a -> 'b) -> 'b*").value()}}), Lambda::greek) == "map(objects, λx. `\\\\`)");
+  CHECK(print(read("map(objects, \\x. `\\\\`)", {{"objects", Type::list(Type::entity())},
+                                                 {"\\", Type::entity()},
+                                                 {"map", Type::parse("'a* -> ('a -> 'b) -> 'b*").value()}}),
+              Lambda::greek) == "map(objects, λx. `\\\\`)");
 }
 
 TEST_CASE("a name is what the innermost lambda says") {
