@@ -103,10 +103,14 @@ class Interpreter {
   }
 
   // A variable is a constant with a name of its own until the lambda around it is built.
-  Term variable(std::string hint, const Type& type) {
-    if (hint.empty()) hint = type == Type::location() ? "v" : type == Type::entity() ? "x" : "f";
-    while (!names_.insert(hint).second) hint += '\'';
-    return Term::constant(hint, type);
+  Term variable(const std::string& hint, const Type& type) {
+    std::string name = hint.empty() ? usual_name(type) : hint;
+    while (!names_.insert(name).second) name += '\'';
+    return Term::constant(name, type);
+  }
+  static std::string usual_name(const Type& type) {
+    if (type.kind() == Type::Kind::function) return "f";
+    return type == Type::location() ? "v" : "x";
   }
   static Term abstraction(const Term& variable, const Term& term) {
     return Term::lambda(variable.name(), variable.type(), abstracted(term, variable));

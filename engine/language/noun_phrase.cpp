@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "language/pointing.h"
+#include "term/substitution.h"
 
 namespace continua {
 namespace {
