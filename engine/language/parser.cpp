@@ -5,8 +5,8 @@
 
 #include "language/chart.h"
 #include "language/reduction.h"
-#include "term/substitution.h"
 #include "language/words.h"
+#include "term/substitution.h"
 
 namespace continua {
 namespace {
