@@ -167,7 +167,7 @@ Evaluation::Step Evaluation::reduce_constant(Redex& redex) {
   if (name == name_if || name == name_and || name == name_or) return reduce_choice(redex);
   if (const Rule* found = rules_.find(name)) return reduce_rule(redex, *found);
   const Term* held = lookup_ ? lookup_(name) : nullptr;
-  if (!held) return keep(redex);
+  if (!held || !consistent(redex.head.type(), held->type())) return keep(redex);
   redex.head = Term(*held);
   return Step::again;
 }

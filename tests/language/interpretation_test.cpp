@@ -338,7 +338,7 @@ TEST_CASE("a reading that finds something is preferred") {
 TEST_CASE("what is too much is not interpreted, and ends") {
   Scene scene;
   std::string text = "plate";
-  for (int i = 0; i < 40; ++i) text = "the(\\x. near(x, beside(" + text + ")))";
+  for (int i = 0; i < 20; ++i) text = "the(\\x. near(x, beside(" + text + ")))";
   scene.interpreted("grasp(" + text + ")");
   Reading reading;
   reading.term = scene.read("plate");

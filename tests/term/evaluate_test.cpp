@@ -79,6 +79,13 @@ TEST_CASE("definitions are evaluated where they are used, and may be functions")
   CHECK(value("factorial(5)") == "120");
 }
 
+TEST_CASE("a name may be an object, and with another type something that has a value") {
+  const Slots held = {{"block1", read("\\x. x = block1")}};
+  const Term noun = Term::constant("block1", Type::function(Type::entity(), Type::truth()));
+  CHECK(print(evaluation(held).value(Term::apply(noun, read("block1")))) == "true");
+  CHECK(print(evaluation(held).value(Term::apply(noun, read("block4")))) == "false");
+}
+
 TEST_CASE("a function is filled by what supplies its argument, and that is kept") {
   auto one = evaluation(slots());
   CHECK(print(one.value(read("fill(content, head(objects))"))) == "put(block1, on(block4))");
