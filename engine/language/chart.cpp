@@ -70,9 +70,9 @@ void Chart::fill(std::size_t begin, std::size_t end) {
     for (const auto left : lefts)
       for (const auto right : rights) combine(left, right);
     for (const auto& [count, cost] : skippable_[middle])
-      if (middle + count == end)
+      if (middle + count == end && cost == 0)
         for (const auto left : lefts)
-          candidates_.push_back({entries_[left].category, entries_[left].cost + cost + cost_of_passing, Rule::skip, left, left});
+          candidates_.push_back({entries_[left].category, entries_[left].cost + cost_of_passing, Rule::skip, left, left});
   }
   add_candidates();
   change_categories();

@@ -1,5 +1,5 @@
 // All ways to build phrases from neighbouring words: a chart (CKY) over combinatory categorial grammar, with
-// application, harmonic composition, the lexicon's unary rules, and words that may be left out.
+// application, harmonic composition, the lexicon's unary rules, and words that may be left out at no cost.
 //
 // Each derivation that only repeats another in a different order is left out (Eisner, Efficient normal-form parsing for
 // combinatory categorial grammar, 1996); what still means the same is one entry. Spans and entries of a span are
