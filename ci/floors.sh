@@ -17,7 +17,7 @@ engine/machine_file/*         core term automaton
 engine/analysis/*             core term automaton
 engine/perception/*           core world
 engine/language/*             core term voxml world perception
-engine/moves/*                core term perception language
+engine/moves/*                core term world perception language
 engine/composition/*          core term world voxml moves automaton
 engine/behaviour/*            core term world voxml moves composition
 engine/pipeline/*             core term world voxml automaton perception language moves composition behaviour
@@ -30,7 +30,8 @@ replay/line_scan.h            core
 replay/explain*               core replay/run_*
 replay/exporters/*            core replay/run_* replay/exporters/*
 replay/inspector_api*         core replay/run_* replay/line_scan.h replay/exporters/*
-replay/recorder*              pipeline core term world voxml automaton perception language moves composition behaviour replay/trace_file.h replay/run_*
+replay/reading_record*        core term language moves
+replay/recorder*              replay/reading_record.h pipeline core term world voxml automaton perception language moves composition behaviour replay/trace_file.h replay/run_*
 '
 
 # Third-party headers and the only files that may include them.

@@ -36,7 +36,8 @@ Checked check(const Expectation& expectation, const Situation& situation) {
   compare("state", expectation.state, situation.machine.states[situation.configuration.state].name);
   compare("says", expectation.says, situation.said.empty() ? std::string(nothing) : situation.said.back());
   compare("indicated", expectation.indicated, slot_text(situation, "indicated"));
-  compare("referents", expectation.referents, slot_list(situation, "options"));
+  compare("referents", expectation.referents,
+          situation.machine.lexicon.empty() ? slot_list(situation, "options") : situation.referents);
   compare("act", expectation.act, situation.last_act.empty() ? std::string(nothing) : situation.last_act);
   compare("holding", expectation.holding, situation.world.held.empty() ? std::string(nothing) : situation.world.held);
   compare("stack_depth", expectation.stack_depth, static_cast<std::int64_t>(situation.configuration.stack.depth()));

@@ -15,8 +15,9 @@ struct Situation {
   const Machine& machine;
   const Configuration& configuration;
   WorldSnapshot world;
-  std::vector<std::string> said;  ///< since the last input, in order
-  std::string last_act;           ///< the program asked for last, or empty
+  std::vector<std::string> said;       ///< since the last input, in order
+  std::string last_act;                ///< the program asked for last, or empty
+  std::vector<std::string> referents;  ///< of the last noun phrase or pointing
 };
 
 struct Checked {

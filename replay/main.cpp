@@ -8,6 +8,7 @@
 
 #include "core/located_json.h"
 #include "replay/commands/accept.h"
+#include "replay/commands/check.h"
 #include "replay/commands/command.h"
 #include "replay/commands/export.h"
 #include "replay/commands/import.h"
@@ -21,8 +22,8 @@ namespace continua {
 namespace {
 
 constexpr std::array commands = {
-    add_replay_command, add_serve_command,  add_export_command,   add_machine_command,
-    add_import_command, add_accept_command, add_validate_command,
+    add_replay_command, add_serve_command, add_export_command, add_machine_command,
+    add_import_command, add_check_command, add_accept_command, add_validate_command,
 };
 
 std::vector<std::string> options_of(const CLI::App& command) {

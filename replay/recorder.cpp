@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "replay/reading_record.h"
+
 namespace continua {
 namespace {
 
@@ -78,6 +80,12 @@ void Recorder::engine(const std::vector<EngineEvent>& events, SimTime t) {
 }
 
 void Recorder::one(const Perceived& perceived) { input_record_[perceived.serial] = latest_input_; }
+
+void Recorder::one(const Understood& understood) {
+  const auto& [move, because] = understood;
+  if (const auto referents = referents_of(move)) last_referents_ = *referents;
+  cause_ = write("reading", reading_fields(move, inputs(because)));
+}
 
 void Recorder::one(const BeliefChange& change) {
   write("belief", {{"concept", change.name}, {"value", change.value}, {"was", change.was}});

@@ -40,9 +40,12 @@ class Recorder {
   const std::map<int, Act>& acts() const { return acts_; }
   const std::string& last_utterance() const { return last_utterance_; }
   const std::string& last_act() const { return last_act_; }
+  /// What the last noun phrase or pointing can mean, the likeliest first.
+  const std::vector<std::string>& last_referents() const { return last_referents_; }
 
  private:
   void one(const Perceived& perceived);
+  void one(const Understood& understood);
   void one(const BeliefChange& change);
   void one(const StepEvent& step);
   void one(const Explored& explored);
@@ -77,6 +80,7 @@ class Recorder {
   std::map<int, Act> acts_;  ///< by command
   std::optional<RestSpan> lasting_rest_;
   std::string last_utterance_, last_act_;
+  std::vector<std::string> last_referents_;
 };
 
 }  // namespace continua

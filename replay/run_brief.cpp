@@ -59,6 +59,20 @@ std::string expect_text(const Json& record) {
   return met ? "met: " + expected : fmt::format("not met: expected {}; found {}", expected, found);
 }
 
+// "V put(plate, in_front(avatar))", "N cup or cup_blue", "not understood: glorp"
+std::string reading_text(const Json& record) {
+  const auto move = text_of(record, "move");
+  if (move.empty()) return "not understood: " + text_of(record, "words");
+  const auto& referents = member(record, "referents");
+  if (text_of(record, "meaning").empty() || move == "N") {
+    std::string objects;
+    for (const auto& object : referents)
+      objects += (objects.empty() ? "" : " or ") + (object.is_string() ? object.get<std::string>() : compact(object));
+    if (!objects.empty() || referents.is_array()) return joined({move, objects.empty() ? "nothing" : objects});
+  }
+  return joined({move, text_of(record, "meaning")});
+}
+
 struct Teller {
   const char* kind;
   std::string (*tell)(const Json&);
@@ -70,6 +84,7 @@ const std::array tellers{
              return joined({text_of(member(r, "trace"), "name"), "on", text_of(member(r, "machine"), "name")});
            }},
     Teller{"input", input_text},
+    Teller{"reading", reading_text},
     Teller{"observed",
            [](const Json& r) {
              return joined({text_of(r, "channel"), text_of(r, "content")});

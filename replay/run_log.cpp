@@ -7,13 +7,13 @@ namespace continua {
 namespace {
 
 // What must be equal on every machine; RUNLOG.md says so too.
-constexpr std::array<std::string_view, 13> decision_kinds = {
-    "input",     "belief",  "memory",  "transition", "symbol", "rewrite", "application",
-    "utterance", "gesture", "refusal", "expect",     "act",    "branches"};
+constexpr std::array<std::string_view, 14> decision_kinds = {
+    "input",   "reading", "belief", "memory",      "transition", "symbol", "rewrite",
+    "gesture", "refusal", "expect", "application", "utterance",  "act",    "branches"};
 
-// Numbers of records count poses too, and when an act ends is measured: neither is a decision.
+// Numbers of records count poses too, and when an act ends is measured, as are margins and weights: none is a decision.
 std::string decision_line(std::string_view kind, SimTime t, Json fields) {
-  for (const char* field : {"because", "margin", "result"}) fields.erase(field);
+  for (const char* field : {"because", "margin", "result", "weights", "resolved"}) fields.erase(field);
   Json line{{"kind", kind}, {"fields", std::move(fields)}};
   if (kind != "act") line["t"] = t.seconds();
   return compact(line);

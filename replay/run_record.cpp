@@ -20,6 +20,8 @@ Json run_fields(const RunHeader& header) {
       {"fingerprint", header.fingerprint},
       {"machine",
        {{"name", header.machine_name}, {"digest", header.machine_digest}, {"document", header.machine_document}}},
+      {"lexicon", header.lexicon_name.empty() ? Json(nullptr)
+                                              : Json{{"name", header.lexicon_name}, {"digest", header.lexicon_digest}}},
       {"graph", header.graph},
       {"scene", std::move(scene)}};
 }

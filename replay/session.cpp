@@ -12,6 +12,7 @@
 #include "pipeline/pipeline.h"
 #include "replay/data_paths.h"
 #include "replay/expectation.h"
+#include "replay/language_loading.h"
 #include "replay/recorder.h"
 #include "replay/run_record.h"
 #include "replay/trace_file.h"
@@ -25,6 +26,7 @@ struct LoadedSession {
   ReplayOptions options;
   Trace trace;
   std::shared_ptr<const Machine> machine;
+  std::shared_ptr<const Language> language;
   Scene scene;
   std::unique_ptr<Body> body;
   std::map<int, std::size_t> forced;  ///< step → transition
@@ -60,7 +62,7 @@ class Loop {
         seed_(loaded.options.seed.value_or(loaded.trace.header.seed)),
         log_(out),
         recorder_(log_, *loaded.machine),
-        pipeline_(loaded.machine, perspective_, most_branches()),
+        pipeline_(loaded.machine, loaded.language, perspective_, most_branches()),
         body_(*loaded.body) {}
 
   ReplaySummary run() {
@@ -106,6 +108,10 @@ class Loop {
     header.machine_digest = digest(loaded_.machine->document);
     header.machine_document = Json::parse(loaded_.machine->document);
     header.graph = graph_of(*loaded_.machine);
+    if (loaded_.language->lexicon) {
+      header.lexicon_name = loaded_.machine->lexicon;
+      header.lexicon_digest = loaded_.language->lexicon->digest;
+    }
     header.scene_name = std::filesystem::path(loaded_.scene.path()).stem().string();
     header.scene_digest = digest(loaded_.scene.text());
     header.scene_mjcf = loaded_.scene.text();
@@ -122,7 +128,7 @@ class Loop {
   void take(const TraceEvent& event, const Observed& observed) { recorder_.observed(event, observed); }
   void take(const TraceEvent& event, const Expectation& expectation) {
     const auto checked = check(expectation, {pipeline_.machine(), state_->configuration, body_.snapshot(),
-                                             said_since_input_, recorder_.last_act()});
+                                             said_since_input_, recorder_.last_act(), recorder_.last_referents()});
     recorder_.expectation(event, checked.met, checked.found);
     ++summary_.expectations;
     summary_.expectations_met += checked.met;
@@ -228,6 +234,8 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   if (!machine_path) return machine_path.error();
   auto machine = load_machine(*machine_path, Methods::signature());
   if (!machine) return machine.error();
+  auto language = load_language(*data, *machine);
+  if (!language) return language.error();
   auto forced = forced_of(options, *machine);
   if (!forced) return forced.error();
 
@@ -239,9 +247,9 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   } else {
     body = std::make_unique<KinematicBody>(scene->initial_snapshot());
   }
-  return Session(std::make_unique<LoadedSession>(
-      LoadedSession{std::move(options), std::move(*trace), std::make_shared<const Machine>(std::move(*machine)),
-                    std::move(*scene), std::move(body), std::move(*forced)}));
+  return Session(std::make_unique<LoadedSession>(LoadedSession{
+      std::move(options), std::move(*trace), std::make_shared<const Machine>(std::move(*machine)),
+      std::make_shared<const Language>(std::move(*language)), std::move(*scene), std::move(body), std::move(*forced)}));
 }
 
 Session::Session(std::unique_ptr<LoadedSession> loaded) : loaded_(std::move(loaded)) {}

@@ -68,9 +68,13 @@ class Reading {
   }
 
   void read_name(const std::string& name) {
-    static constexpr std::array<std::string_view, 4> carried = {"target", "said", "confidence", "now"};
+    using From = Binding::From;
     static constexpr std::array<std::string_view, 3> own = {"input", "in_state", "is_input"};
-    if (std::find(carried.begin(), carried.end(), name) != carried.end()) return note(name, "which inputs carry");
+    static constexpr std::array carried = {From::carried, From::confidence, From::now};
+    const auto binding = machine_.bindings.find(Name(name));
+    if (binding != machine_.bindings.end() &&
+        std::find(carried.begin(), carried.end(), binding->second.from) != carried.end())
+      return note(name, "which inputs carry");
     if (const auto definition = machine_.definitions.find(name); definition != machine_.definitions.end()) {
       if (visited_.insert(name).second) read(definition->second);
     } else if (const auto table = machine_.tables.find(name); table != machine_.tables.end()) {

@@ -141,7 +141,11 @@ bool Firing::perform_one(const Gesture& gesture) {
 bool Firing::perform_one(const Act& act) {
   if (!account_) return false;
   auto cell = compute(act.term);
-  if (!cell.value.is_null()) note(Acted{std::move(cell.value), std::move(cell.because)});
+  if (cell.value.kind() == Term::Kind::list) {
+    for (const auto& each : cell.value.elements()) note(Acted{each, cell.because});
+  } else if (!cell.value.is_null()) {
+    note(Acted{std::move(cell.value), std::move(cell.because)});
+  }
   return false;
 }
 bool Firing::perform_one(const Remember& remember) {
@@ -165,7 +169,6 @@ void Firing::begin_because() {
   if (serial_ > 0) because_.insert(serial_);
 }
 
-// A value, with the inputs it came from: those of what was read, and the one under way.
 Cell Firing::compute(const Term& term) {
   begin_because();
   auto evaluation = evaluate();
@@ -202,10 +205,8 @@ const Term* Firing::look_up(Name name) {
       return &(moment_ = Term::text(machine_.states[configuration_.state].name));
     case From::input:
       return &(moment_ = input_ ? Term::text(input_->symbol) : Term::null());
-    case From::target:
-      return &(moment_ = input_ ? input_->target : Term::null());
-    case From::said:
-      return &(moment_ = input_ ? input_->said : Term::null());
+    case From::carried:
+      return &(moment_ = input_ ? input_->*binding.carried : Term::null());
     case From::confidence:
       return &(moment_ = input_ ? Term::number(input_->confidence) : Term::null());
     case From::now:

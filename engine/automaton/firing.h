@@ -10,18 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "automaton/input.h"
 #include "automaton/step_event.h"
 
 namespace continua {
-
-/// What the automaton is offered.
-struct Input {
-  int serial = 0;  ///< names the input in `because`
-  std::string symbol;
-  Term target, said;  ///< payload: loc, text; null where it has none
-  double confidence = 1;
-  double now_s = 0;
-};
 
 /// The transitions of a head that may fire, and those that its conditions refuse.
 struct Applicable {
@@ -72,6 +64,8 @@ class Firing {
   void forget_input();
 
   Term value(const Term& term);
+  /// A value, with the inputs it came from: those of what was read, and the one under way.
+  Cell compute(const Term& term);
 
   // The parts of `fire`, for those who keep the stack elsewhere.
 
@@ -90,7 +84,6 @@ class Firing {
   bool perform_and_rewrite(const std::vector<Effect>& effects);
   void begin_because();
   std::vector<int> because() const { return {because_.begin(), because_.end()}; }
-  Cell compute(const Term& term);
   void note(StepEvent event);
 
   // Whether the effect was a rewrite, whose change is then in `rewrite_`.

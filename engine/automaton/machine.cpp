@@ -20,16 +20,17 @@ void visit_rewrites(const std::vector<Effect>& effects, const auto& visit) {
 void bind_names(Machine& machine) {
   using From = Binding::From;
   auto& bindings = machine.bindings;
-  for (const auto& [name, index] : machine.slot_index) bindings[Name(name)] = {From::slot, index, {}};
-  for (const auto& [name, index] : machine.register_index) bindings[Name(name)] = {From::memory, index, {}};
-  for (const auto& [name, term] : machine.definitions) bindings[Name(name)] = {From::definition, 0, term};
+  for (const auto& [name, index] : machine.slot_index) bindings[Name(name)] = {From::slot, index, {}, nullptr};
+  for (const auto& [name, index] : machine.register_index) bindings[Name(name)] = {From::memory, index, {}, nullptr};
+  for (const auto& [name, term] : machine.definitions) bindings[Name(name)] = {From::definition, 0, term, nullptr};
   for (const auto& [name, from] : {std::pair("in_state", From::in_state),
                                    {"input", From::input},
-                                   {"target", From::target},
-                                   {"said", From::said},
                                    {"confidence", From::confidence},
                                    {"now", From::now}})
-    bindings.try_emplace(Name(name), Binding{from, 0, {}});
+    bindings.try_emplace(Name(name), Binding{from, 0, {}, nullptr});
+  for (const auto& carried : carried_terms())
+    if (!carried.understood || !machine.lexicon.empty())
+      bindings.try_emplace(Name(carried.name), Binding{From::carried, 0, {}, carried.term});
 }
 
 void index_takers(Exits& exits, std::size_t transition, const SymbolSet& on) {

@@ -13,6 +13,7 @@
 #include "automaton/beliefs.h"
 #include "automaton/choice.h"
 #include "automaton/configuration.h"
+#include "automaton/input.h"
 #include "automaton/symbol_set.h"
 #include "term/term_text.h"
 
@@ -155,10 +156,24 @@ struct Exits {
 
 /// What a name in a term of the machine stands for (FORMAT.md).
 struct Binding {
-  enum class From { slot, memory, definition, in_state, input, target, said, confidence, now };
+  enum class From { slot, memory, definition, in_state, input, carried, confidence, now };
   From from = From::slot;
   std::size_t index = 0;  ///< of the slot or register
   Term definition;
+  Term Input::*carried = nullptr;
+};
+
+/// What the human's moves are called: a name (a terminal of the paper's Table 1, such as δ) and the inputs it covers.
+struct MoveKind {
+  std::string name;
+  SymbolSet inputs;
+};
+
+/// What speech is understood against, besides the world: terms over slots and registers.
+struct ContextTerms {
+  std::optional<Term> focus;  ///< e*: objects being talked about, the most salient first
+  std::optional<Term> among;  ///< e*: objects that were asked about
+  std::optional<Term> topic;  ///< e -> t: the noun that "one" stands for
 };
 
 struct Machine {
@@ -185,6 +200,10 @@ struct Machine {
   std::map<std::string, std::map<std::string, Term, std::less<>>, std::less<>> tables;
   std::vector<Wording> wordings;
   BeliefTable beliefs;
+  std::string lexicon;  ///< with which speech is read; empty: words are only symbols
+  ContextTerms context;
+  std::vector<MoveKind> moves;
+  SymbolSet ignored;  ///< inputs that no transition is offered
   Signature programs;
   std::vector<Example> examples;
 

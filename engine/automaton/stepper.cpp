@@ -10,7 +10,8 @@
 
 namespace continua {
 
-Stepper::Stepper(std::shared_ptr<const Machine> machine, const Rules& methods) : machine_(std::move(machine)) {
+Stepper::Stepper(std::shared_ptr<const Machine> machine, const Rules& methods, const RaisingRules* raising)
+    : machine_(std::move(machine)) {
   own_rules_["is_input"] = {
       1, [this](std::span<const Term> arguments, Evaluation&) {
         return Term::truth(arguments[0].kind() == Term::Kind::text && machine_->knows_input(arguments[0].text_value()));
@@ -30,7 +31,7 @@ Stepper::Stepper(std::shared_ptr<const Machine> machine, const Rules& methods) :
                           const auto entry = entries.find(arguments[0].text_value());
                           return entry == entries.end() ? Term::null() : evaluation.value(entry->second);
                         }};
-  rules_.emplace(std::initializer_list<const Rules*>{&term_rules(), &methods, &own_rules_});
+  rules_.emplace(std::initializer_list<const Rules*>{&term_rules(), &methods, &own_rules_}, raising);
 }
 
 Firing Stepper::firing(Configuration configuration, const Input* input, const Beliefs& beliefs,
@@ -77,8 +78,8 @@ std::optional<Configuration> Stepper::advance(const Configuration& before, const
   return std::move(firing).take();
 }
 
-Term Stepper::value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs) {
-  return firing(configuration, &input, beliefs, nullptr).value(term);
+Cell Stepper::value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs) {
+  return firing(configuration, &input, beliefs, nullptr).compute(term);
 }
 
 bool Stepper::offer(Firing& firing, const Input& input, Chooser& chooser, std::vector<StepEvent>* account) {

@@ -21,8 +21,9 @@ struct Step {
 
 class Stepper {
  public:
-  /// `methods` are facts of the world, read anew at every step; they must outlive the stepper.
-  Stepper(std::shared_ptr<const Machine> machine, const Rules& methods);
+  /// `methods` are facts of the world, read anew at every step; `raising` is how `fill` lifts arguments. Both must
+  /// outlive the stepper.
+  Stepper(std::shared_ptr<const Machine> machine, const Rules& methods, const RaisingRules* raising = nullptr);
 
   const Machine& machine() const { return *machine_; }
 
@@ -41,8 +42,8 @@ class Stepper {
   std::optional<Configuration> advance(const Configuration& before, const Input& input, const Beliefs& beliefs,
                                        Chooser& chooser);
 
-  /// The value of a term of the machine in a configuration.
-  Term value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs);
+  /// The value of a term of the machine in a configuration, and the inputs it came from.
+  Cell value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs);
 
   /// For those who choose and keep configurations themselves. `input`, `beliefs` and `account` must outlive it, and
   /// firings of one stepper must not overlap under different beliefs.

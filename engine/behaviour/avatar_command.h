@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/result.h"
 #include "core/sim_time.h"
+#include "world/relations.h"
 #include "world/world_snapshot.h"
 
 namespace continua {
@@ -25,13 +27,11 @@ enum class Capability {
 };
 
 /// Where something shall go. Resolved when the act begins, for a landmark may have moved since it was said.
-/// Sides are the avatar's, who looks along -y: its left is +x, its front (toward itself, as one says
-/// "in front of the cup" of what stands between the cup and oneself) is +y.
 struct Goal {
-  enum class Relation { at, on, left_of, right_of, in_front_of, behind };
-  Relation relation = Relation::at;
-  std::string landmark;      ///< for every relation but `at`
-  Vec3 p_WG = Vec3::Zero();  ///< for `at`: the point of the table under the object's centre
+  std::optional<Relation> relation;                 ///< to the landmarks; without it, p_WG is the goal
+  std::vector<std::string> landmarks;               ///< objects or participants, landmarks_of(relation) many
+  Perspective perspective = Perspective::avatar;    ///< whose sides are meant
+  Vec3 p_WG = Vec3::Zero();                         ///< the point of the table under the object's centre
 };
 
 struct AvatarCommand {
@@ -50,13 +50,12 @@ struct ActReport {
   SimTime t;
   Status status = Status::done;
   double position_error_m = 0;  ///< put, slide: distance of the object from its goal on the table plane once released
-  std::string reason;           ///< a sentence, when it was not done
+  std::string reason;           ///< a sentence, when it was not done, or not just so
   std::vector<std::string> moved_aside = {};  ///< other objects that were put elsewhere to make room, in order
 };
 
 std::string text(Capability what);
 std::string text(ActReport::Status status);
-std::string text(Goal::Relation relation);
 
 /// Poses of the bodies that moved by more than the grid since they were last told. At most one per 1/30 s.
 struct PoseSample {
@@ -76,10 +75,27 @@ struct WorldReport {
   std::vector<RestSpan> rests;
 };
 
-/// Where the object's centre comes to lie when `command` succeeds in `world`, on the grid. `command.what` is put or
-/// slide. `at` and sides keep the bottom on what is under it: the table, or for `on` the landmark's top. Sides touch
-/// the landmark. REQUIRES that object and landmark are in `world`.
-Vec3 goal_position(const AvatarCommand& command, const WorldSnapshot& world);
+/// The first thing that the command is about and that is not there; nothing if all are.
+std::optional<std::string> missing_thing(const AvatarCommand& command, const WorldSnapshot& world);
+
+/// Where and how an object comes to be.
+struct Placement {
+  Vec3 p_WO = Vec3::Zero();  ///< its centre, on the grid
+  bool upright = false;      ///< it is stood on its end, its longest side vertical
+};
+
+/// Whose business it is that something already stands where an object shall go.
+enum class Occupied {
+  avoided,  ///< the nearest place to the ideal one at which the object overlaps nothing, on the table
+  cleared,  ///< the body finds room itself, and is told the ideal place of a point, of a side and of what is on something
+};
+
+/// Where the object comes to lie when `command`, a put or slide, succeeds in `world`. Beside another thing (left,
+/// right, in_front, behind, touching) it ideally touches it, at or beside it, near or between it keeps a distance; `in`
+/// it stands on the hollow's floor, lying if it fits so, else upright; before a participant it is near the edge of the
+/// table. A side of the object itself is a step that way. Whatever place is chosen, world/relations says of it that the
+/// relation holds. The error's sentence is the reason why there is no such place. REQUIRES that nothing is missing.
+Result<Placement> placement(const AvatarCommand& command, const WorldSnapshot& world, Occupied occupied);
 
 /// A world with an avatar in it. One command runs at a time; further ones queue in order.
 class Body {

@@ -4,42 +4,31 @@
 
 #include <fmt/format.h>
 
+#include "behaviour/standing.h"
+
 namespace continua {
 
 namespace {
 
 using Status = ActReport::Status;
 
-// Things whose faces are this near touch.
-constexpr double contact_m = 0.005;
+bool is_move(Capability what) { return what == Capability::put || what == Capability::slide; }
+bool needs_object(Capability what) { return what == Capability::grasp || what == Capability::lift || is_move(what); }
 
-/// Area in which two boxes overlap, seen from above.
-double overlap_area(const Box& a, const Box& b) {
-  const double x = std::min(a.max.x(), b.max.x()) - std::max(a.min.x(), b.min.x());
-  const double y = std::min(a.max.y(), b.max.y()) - std::max(a.min.y(), b.min.y());
-  return x > 0 && y > 0 ? x * y : 0;
+ObjectState& object_of(WorldSnapshot& world, std::string_view name) {
+  const auto found = std::find_if(world.objects.begin(), world.objects.end(),
+                                  [&](const ObjectState& one) { return one.name == name; });
+  require(found != world.objects.end(), "an object of the world has a place in it");
+  return *found;
 }
 
-/// Index of the object that bears `world.objects[i]`: of those it touches from above, the one it overlaps most. -1: the
-/// table.
-int support_of(std::size_t i, const WorldSnapshot& world) {
-  const Box box = world.objects[i].bounds_W();
-  int support = -1;
-  double most = 0;
-  for (std::size_t j = 0; j < world.objects.size(); ++j) {
-    const Box below = world.objects[j].bounds_W();
-    if (j == i || std::abs(box.min.z() - below.max.z()) > contact_m) continue;
-    const double area = overlap_area(box, below);
-    if (area > most) {
-      most = area;
-      support = static_cast<int>(j);
-    }
-  }
-  return support;
-}
-
-bool moves_things(Capability what) {
-  return what == Capability::grasp || what == Capability::lift || what == Capability::put || what == Capability::slide;
+/// How an object is turned that lay like `lying` and may stand on its end now.
+Eigen::Quaterniond turn_of(const ObjectState& now, const ObjectState* lying) {
+  const Eigen::Quaterniond yaw(Eigen::AngleAxisd(now.yaw, Vec3::UnitZ()));
+  if (!lying) return yaw;
+  constexpr double quarter_turn = 1.5707963267948966;
+  const bool x_upright = lying->half_extents_m.x() >= lying->half_extents_m.y();
+  return yaw * Eigen::AngleAxisd(quarter_turn, x_upright ? Vec3::UnitY() : Vec3(-Vec3::UnitX()));
 }
 
 }  // namespace
@@ -60,8 +49,9 @@ WorldReport KinematicBody::advance(SimTime t) {
   PoseSample moved{t, {}};
   for (std::size_t i = 0; i < world_.objects.size(); ++i) {
     const ObjectState& now = world_.objects[i];
-    if (now.p_WO == before.objects[i].p_WO) continue;
-    moved.bodies[now.name] = {now.p_WO, Eigen::Quaterniond(Eigen::AngleAxisd(now.yaw, Vec3::UnitZ()))};
+    if (now.p_WO == before.objects[i].p_WO && now.half_extents_m == before.objects[i].half_extents_m) continue;
+    const auto lying = lying_.find(now.name);
+    moved.bodies[now.name] = {now.p_WO, turn_of(now, lying == lying_.end() ? nullptr : &lying->second)};
   }
   if (!moved.bodies.empty()) report.poses.push_back(std::move(moved));
   return report;
@@ -75,51 +65,62 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
     return end;
   };
 
-  const bool needs_landmark = (command.what == Capability::put || command.what == Capability::slide) &&
-                              command.goal.relation != Goal::Relation::at;
-  for (const auto& name : {command.object, needs_landmark ? command.goal.landmark : std::string()}) {
-    if (!name.empty() && !world_.find(name)) return failed(Status::unreachable, fmt::format("there is no '{}'", name));
-  }
-  if (needs_landmark && (command.goal.landmark.empty() || command.goal.landmark == command.object))
-    return failed(Status::blocked, "a goal beside or on something needs another object");
+  if (const auto name = missing_thing(command, world_))
+    return failed(Status::unreachable, fmt::format("there is no '{}'", *name));
   if (command.what == Capability::ungrasp) {
     release();
     return end;
   }
-  if (!moves_things(command.what)) return end;
+  if (!needs_object(command.what)) return end;
 
-  const std::string object = command.object.empty() ? world_.held : command.object;
-  if (object.empty()) return failed(Status::blocked, "there is nothing to move");
-  if (object != world_.held) release();
-  world_.held = object;
-  if (command.what == Capability::grasp) return end;
-
-  if (command.what == Capability::lift) {
-    shift(object, Vec3(0, 0, command.height_m));
+  AvatarCommand handling = command;
+  if (handling.object.empty()) handling.object = world_.held;
+  if (handling.object.empty()) return failed(Status::blocked, "there is nothing to move");
+  const WorldSnapshot before = world_;
+  if (handling.object != world_.held) release();
+  if (is_move(command.what)) {
+    end = move(handling);
+    if (end.status != Status::done) world_ = before;
     return end;
   }
-  AvatarCommand moving = command;
-  moving.object = object;
-  shift(object, goal_position(moving, world_) - world_.find(object)->p_WO);
+  world_.held = handling.object;
+  if (command.what == Capability::lift) shift(handling.object, Vec3(0, 0, command.height_m));
+  return end;
+}
+
+ActReport KinematicBody::move(const AvatarCommand& command) {
+  ActReport end;
+  const auto stood = lying_.find(command.object);
+  WorldSnapshot laid = world_;
+  if (stood != lying_.end()) {
+    ObjectState& object = object_of(laid, command.object);
+    object.half_extents_m = stood->second.half_extents_m;
+    object.interior = stood->second.interior;
+  }
+  const auto place = placement(command, laid, Occupied::avoided);
+  if (!place) {
+    end.status = Status::blocked;
+    end.reason = place.error().sentence;
+    return end;
+  }
+  shift(command.object, place->p_WO - world_.find(command.object)->p_WO);
+  ObjectState& object = object_of(world_, command.object);
+  const ObjectState lying = *laid.find(command.object);
+  const ObjectState shaped = place->upright ? stood_on_end(lying) : lying;
+  object.half_extents_m = shaped.half_extents_m;
+  object.interior = shaped.interior;
+  lying_.erase(command.object);
+  if (place->upright) {
+    lying_.emplace(command.object, lying);
+    end.reason = fmt::format("{} stands on its end", command.object);
+  }
   world_.held.clear();
   return end;
 }
 
 void KinematicBody::shift(const std::string& object, const Vec3& by_W) {
-  // Who moves is settled before anything does: what stands on something that moves, and so on up.
-  std::vector<bool> moves(world_.objects.size(), false);
-  std::vector<int> supports;
-  for (std::size_t i = 0; i < world_.objects.size(); ++i) {
-    supports.push_back(support_of(i, world_));
-    moves[i] = world_.objects[i].name == object;
-  }
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-      if (moves[i] || supports[i] < 0 || !moves[static_cast<std::size_t>(supports[i])]) continue;
-      moves[i] = changed = true;
-    }
-  }
+  // Who moves is settled before anything does.
+  const auto moves = carried_with(object, world_);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     if (moves[i]) world_.objects[i].p_WO = on_grid(Vec3(world_.objects[i].p_WO + by_W));
   }
@@ -128,19 +129,7 @@ void KinematicBody::shift(const std::string& object, const Vec3& by_W) {
 void KinematicBody::release() {
   const ObjectState* held = world_.find(world_.held);
   world_.held.clear();
-  if (!held) return;
-  const Box box = held->bounds_W();
-  // It comes to stand on that whose footprint it overlaps most.
-  double floor = world_.table.max.z(), most = 0;
-  for (const auto& other : world_.objects) {
-    const Box below = other.bounds_W();
-    if (other.name == held->name || below.max.z() > box.min.z() + contact_m) continue;
-    const double area = overlap_area(box, below);
-    if (area < most || area == 0 || (area == most && below.max.z() < floor)) continue;
-    most = area;
-    floor = below.max.z();
-  }
-  shift(held->name, Vec3(0, 0, floor - box.min.z()));
+  if (held) shift(held->name, Vec3(0, 0, height_below(*held, world_) - held->bounds_W().min.z()));
 }
 
 }  // namespace continua

@@ -5,9 +5,11 @@
 
 namespace continua {
 
-/// Acts are done at the instant of the `advance` after their command, in order; objects stand where acts leave them.
-/// What stands on an object moves along with it. An act about something that is not in the world is `unreachable`, one
-/// that cannot mean anything (an object onto itself, a lift of nothing) is `blocked`; the world is then as before.
+/// Acts are done at the instant of the `advance` after their command, in order; objects stand where acts leave them,
+/// never in one another. What stands on or in an object moves along with it. What fits into a hollow on its end alone is
+/// stood up, which the report tells; it lies again where it is put next. An act about something that is not in the world
+/// is `unreachable`, one that cannot be done (no room, an object onto itself, a lift of nothing) is `blocked`; the world
+/// is then as before.
 class KinematicBody : public Body {
  public:
   explicit KinematicBody(WorldSnapshot world) : world_(std::move(world)) {}
@@ -20,12 +22,14 @@ class KinematicBody : public Body {
  private:
   /// Does the act and says how it went, but for its id and time.
   ActReport act(const AvatarCommand& command);
+  ActReport move(const AvatarCommand& command);
   /// Shifts an object and all that stands on it.
   void shift(const std::string& object, const Vec3& by_W);
   /// Lets go of what is held, which falls straight down.
   void release();
 
   WorldSnapshot world_;
+  std::map<std::string, ObjectState> lying_;  // those that stand on their end, as they were before
   std::vector<AvatarCommand> waiting_;
 };
 

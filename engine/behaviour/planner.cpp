@@ -32,18 +32,6 @@ constexpr std::array programs = {
     Program{"point", Capability::point, Takes::last_is_thing_or_place},
 };
 
-struct Side {
-  std::string_view name;
-  Goal::Relation avatars, humans;
-};
-constexpr std::array sides = {
-    Side{"on", Goal::Relation::on, Goal::Relation::on},
-    Side{"left", Goal::Relation::left_of, Goal::Relation::right_of},
-    Side{"right", Goal::Relation::right_of, Goal::Relation::left_of},
-    Side{"in_front", Goal::Relation::in_front_of, Goal::Relation::behind},
-    Side{"behind", Goal::Relation::behind, Goal::Relation::in_front_of},
-};
-
 bool is_thing(const Term& term) { return term.kind() == Term::Kind::constant && term.type() == Type::entity(); }
 
 Vec3 center(const Place& place) {
@@ -52,11 +40,14 @@ Vec3 center(const Place& place) {
 
 std::optional<Goal> goal_of(const Term& term, Perspective perspective) {
   const auto [head, arguments] = term.spine();
-  if (head.kind() == Term::Kind::constant && arguments.size() == 1 && is_thing(arguments[0]))
-    for (const auto& side : sides)
-      if (side.name == head.name())
-        return Goal{perspective == Perspective::avatar ? side.avatars : side.humans, arguments[0].name(), Vec3::Zero()};
-  if (const Term* place = first_place(term)) return Goal{Goal::Relation::at, "", center(place->place_value())};
+  const auto relation = head.kind() == Term::Kind::constant ? relation_named(head.name()) : std::nullopt;
+  if (relation && arguments.size() == landmarks_of(*relation) &&
+      std::all_of(arguments.begin(), arguments.end(), is_thing)) {
+    Goal goal{relation, {}, perspective};
+    for (const auto& landmark : arguments) goal.landmarks.push_back(landmark.name());
+    return goal;
+  }
+  if (const Term* place = first_place(term)) return Goal{{}, {}, perspective, center(place->place_value())};
   return std::nullopt;
 }
 
@@ -76,9 +67,11 @@ Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspe
   }
   command.what = known->what;
   const auto wrong = [&] { return Error{"", fmt::format("{} lacks an object or a place", print(program))}; };
-  const std::size_t count =
+  const std::size_t most =
       known->takes == Takes::thing_and_goal || known->takes == Takes::last_is_thing_or_place ? 2 : 1;
-  if (arguments.size() != count) return wrong();
+  // Who points with what may be left out.
+  const std::size_t least = known->takes == Takes::last_is_thing_or_place ? 1 : most;
+  if (arguments.size() < least || arguments.size() > most) return wrong();
   if (known->takes == Takes::thing || known->takes == Takes::thing_and_goal) {
     if (!is_thing(arguments[0])) return wrong();
     command.object = arguments[0].name();

@@ -22,9 +22,6 @@ Box box_of(const Place& place) {
   return {{place.min[0], place.min[1], place.min[2]}, {place.max[0], place.max[1], place.max[2]}};
 }
 
-// How far two boxes reach into each other along each axis; below 0 it is the gap between them.
-Vec3 depth_of(const Box& a, const Box& b) { return a.max.cwiseMin(b.max) - a.min.cwiseMax(b.min); }
-
 // By how much `other` rests on more than `share` of the top of `box`, in metres; it does where this is above 0.
 double resting(const Box& other, const Box& box, double share) {
   const double gap = other.min.z() - box.max.z();
@@ -59,10 +56,10 @@ Box standing_at(double x, double y, const ObjectState& object, const WorldSnapsh
 
 }  // namespace
 
-Methods::Methods() { add_rules(); }
+Methods::Methods(Perspective perspective) : perspective_(perspective) { add_rules(); }
 
 const Signature& Methods::signature() {
-  static const Signature signature = Methods().add_rules();
+  static const Signature signature = Methods(Perspective::human).add_rules();
   return signature;
 }
 
@@ -122,6 +119,38 @@ Term Methods::free_place(const Term& entity, const Term& place, Evaluation& eval
   return Term::null();
 }
 
+std::optional<Landmark> Methods::landmark(const Term& term) const {
+  if (term.kind() == Term::Kind::place) return Landmark::place(box_of(term.place_value()));
+  if (term.kind() != Term::Kind::constant) return std::nullopt;
+  return Landmark::named(term.name(), *world_);
+}
+
+// `place` is a point or region, or a relation to landmarks: left(plate), between(block1, <0, 0, 0>).
+Term Methods::located(const Term& entity, const Term& place, Evaluation& evaluation) const {
+  const auto* found = object(entity);
+  if (!found) return Term::null();
+  const auto [head, arguments] = place.spine();
+  auto relation = head.kind() == Term::Kind::constant ? relation_named(head.name()) : std::nullopt;
+  std::vector<Landmark> landmarks;
+  for (const auto& each : arguments)
+    if (auto named = landmark(each)) landmarks.push_back(*named);
+  if (place.kind() == Term::Kind::place) {
+    relation = Relation::at;
+    landmarks = {Landmark::place(box_of(place.place_value()))};
+  } else if (!relation || landmarks.size() != arguments.size() || landmarks.size() != landmarks_of(*relation)) {
+    return Term::null();
+  }
+  const double by = holds_by(*relation, *found, landmarks, world_->table, perspective_);
+  evaluation.note_margin(std::abs(by));
+  return Term::truth(by > 0);
+}
+
+Term Methods::offset(const ObjectState& object, const std::string& side) const {
+  const auto named = relation_named(side);
+  if (!named || !is_side(*named)) return Term::null();
+  return Term::number(on_grid((object.p_WO - world_->table.center()).dot(side_W(*named, perspective_))));
+}
+
 Signature Methods::add_rules() {
   // A function of one object that is in the world.
   const auto of_object = [this](auto compute) {
@@ -150,12 +179,17 @@ Signature Methods::add_rules() {
           {"volume", "e -> num",
            of_object([](const ObjectState& o, Arguments) { return Term::number(8 * o.half_extents_m.prod()); })},
           {"closest", "e -> loc -> loc", [this](Arguments a, Evaluation&) { return closest(a[0], a[1]); }},
+          {"offset", "e -> text -> num",
+           of_object([this](const ObjectState& o, Arguments a) { return offset(o, a[1].text_value()); })},
           {"clear", "e -> num -> t",
            [this](Arguments a, Evaluation& e) { return clear(a[0], a[1].number_value(), e); }},
           {"fits", "e -> loc -> e* -> t", [this](Arguments a, Evaluation& e) { return fits(a[0], a[1], a[2], e); }},
           {"free_place", "e -> loc -> loc", [this](Arguments a, Evaluation& e) { return free_place(a[0], a[1], e); }},
       },
       rules_, signature);
+  // Its place may be a term that is no literal, left(plate), so it is no function of add_functions.
+  signature.emplace("located", Type::parse("e -> loc -> t").value());
+  rules_["located"] = {2, [this](Arguments a, Evaluation& e) { return located(a[0], a[1], e); }};
   return signature;
 }
 

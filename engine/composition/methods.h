@@ -3,18 +3,19 @@
 // gives null.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "core/random.h"
 #include "term/evaluate.h"
-#include "world/world_snapshot.h"
+#include "world/relations.h"
 
 namespace continua {
 
-/// Tolerance of touching: lengths below it are no gap and no overlap. 1.2 mm.
-inline constexpr double touching_m = 1.2e-3;
-
 class Methods {
  public:
-  Methods();
+  /// `perspective` is whose left, right, front and behind the functions speak of.
+  explicit Methods(Perspective perspective);
   Methods(const Methods&) = delete;  // its rules know where it is
   Methods& operator=(const Methods&) = delete;
 
@@ -34,8 +35,12 @@ class Methods {
   Term clear(const Term& entity, double share, Evaluation& evaluation) const;
   Term fits(const Term& entity, const Term& place, const Term& except, Evaluation& evaluation) const;
   Term free_place(const Term& entity, const Term& region, Evaluation& evaluation) const;
+  std::optional<Landmark> landmark(const Term& term) const;
+  Term located(const Term& entity, const Term& place, Evaluation& evaluation) const;
+  Term offset(const ObjectState& object, const std::string& side) const;
   Signature add_rules();
 
+  Perspective perspective_;
   Rules rules_;
   const WorldSnapshot* world_ = nullptr;
   Random* random_ = nullptr;

@@ -187,8 +187,6 @@ Type type_of(const Category& category, const Atoms& atoms, std::size_t choice) {
   return types[std::min(choice, types.size() - 1)];
 }
 
-const Category& target(const Category& category) {
-  return category.is_atom() ? category : target(category.result());
-}
+const Category& target(const Category& category) { return category.is_atom() ? category : target(category.result()); }
 
 }  // namespace continua

@@ -38,8 +38,8 @@ class Category {
   static Category function(Category result, Slash slash, Category argument, bool composes = true);
 
   bool is_atom() const;
-  Name name() const;                ///< REQUIRES is_atom()
-  const Category& result() const;   ///< REQUIRES !is_atom(), like those below
+  Name name() const;               ///< REQUIRES is_atom()
+  const Category& result() const;  ///< REQUIRES !is_atom(), like those below
   const Category& argument() const;
   Slash slash() const;
   bool composes() const;

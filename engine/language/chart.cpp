@@ -73,7 +73,8 @@ void Chart::fill(std::size_t begin, std::size_t end) {
     for (const auto& [count, cost, known] : skippable_[middle])
       if (middle + count == end && (cost == 0 || !known))
         for (const auto left : lefts)
-          candidates_.push_back({entries_[left].category, entries_[left].cost + cost + cost_of_passing, Rule::skip, left, left});
+          candidates_.push_back(
+              {entries_[left].category, entries_[left].cost + cost + cost_of_passing, Rule::skip, left, left});
   }
   add_candidates();
   change_categories();
@@ -134,8 +135,8 @@ void Chart::add_candidates() {
     });
     if (static_cast<std::size_t>(of_category) >= most_of_category) continue;
     const int unary = candidate.rule == Rule::skip ? entries_[candidate.left].unary : 0;
-    add({candidate.category, term_of(candidate), candidate.cost, span_, candidate.rule, candidate.left,
-         candidate.right, unary});
+    add({candidate.category, term_of(candidate), candidate.cost, span_, candidate.rule, candidate.left, candidate.right,
+         unary});
   }
 }
 

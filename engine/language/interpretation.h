@@ -1,6 +1,6 @@
-// From a reading to what it means here and now, in continuation-passing style (paper §3, semantics §2): each noun phrase
-// and pro-form is a computation that gives its referent to the rest of the sentence. Where there is none, or more than
-// one, the rest of the sentence is captured as a term that still waits for it.
+// From a reading to what it means here and now, in continuation-passing style (paper §3, semantics §2): each noun
+// phrase and pro-form is a computation that gives its referent to the rest of the sentence. Where there is none, or
+// more than one, the rest of the sentence is captured as a term that still waits for it.
 #pragma once
 
 #include <string>
@@ -28,11 +28,11 @@ struct Gap {
 /// What a noun phrase or pro-form was taken to mean, for the log.
 struct Resolution {
   enum class By { words, focus, pointed, topic, presence };  ///< presence: you, me
-  Term phrase;             ///< as in the reading: the(\x. knife(x)), it, there
-  std::string words;       ///< "the knife"
-  Term value;              ///< knife, <0.1, 0.2, 0>; null where it stays open
+  Term phrase;                                               ///< as in the reading: the(\x. knife(x)), it, there
+  std::string words;                                         ///< "the knife"
+  Term value;                                                ///< knife, <0.1, 0.2, 0>; null where it stays open
   By by = By::words;
-  Reference reference;     ///< of noun phrases
+  Reference reference;  ///< of noun phrases
 };
 
 /// An application and what its parts drew on, so that the log can name who said or showed it.

@@ -83,8 +83,8 @@ struct Lexicon {
   std::string digest;               ///< of its files
 };
 
-/// Reads all *.json of the folder. `facts` are the names that terms may use beside the term language and what the lexicon
-/// declares: facts of the world. The error is the first problem.
+/// Reads all *.json of the folder. `facts` are the names that terms may use beside the term language and what the
+/// lexicon declares: facts of the world. The error is the first problem.
 Result<Lexicon> load_lexicon(const std::string& folder, const Signature& facts);
 
 /// Every problem of the folder, "file:line:column: what was found, what was expected", file by file.

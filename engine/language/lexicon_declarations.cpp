@@ -32,13 +32,15 @@ void LexiconReader::read_atoms() {
       if (!expect_object(item, "a category", {"type", "also", "move", "open", "phrase", "features", "about"})) return;
       Atom atom;
       atom.types.push_back(read_type(required(item, "type", "the type of its terms")));
-      each_element(member(item, "also"), "further types", [&](const Item& each) { atom.types.push_back(read_type(each)); });
+      each_element(member(item, "also"), "further types",
+                   [&](const Item& each) { atom.types.push_back(read_type(each)); });
       atom.move = text_of(member(item, "move"), "a move");
       atom.open = truth_of(member(item, "open"), false);
       atom.phrase = truth_of(member(item, "phrase"), false);
       atom.features = texts_of(member(item, "features"), "its features");
       if (name.empty() || name.find_first_of("/\\()[]* ") != std::string::npos)
-        problem_at_key(item, fmt::format("found {}, expected a name without any of /\\()[]* and spaces", in_quotes(name)));
+        problem_at_key(item,
+                       fmt::format("found {}, expected a name without any of /\\()[]* and spaces", in_quotes(name)));
       else if (!lexicon_.atoms.emplace(name, std::move(atom)).second)
         problem_at_key(item, fmt::format("the category '{}' is declared in an earlier file", name));
     });
@@ -47,11 +49,10 @@ void LexiconReader::read_atoms() {
 
 void LexiconReader::read_names() {
   each_section("names", [&](const Item& section) {
-    each_member(section, "names with their types",
-                [&](const std::string& names, const Item& item) {
-                  const auto type = read_type(item);
-                  for (const auto& name : alternatives(names)) declare(item, name, type);
-                });
+    each_member(section, "names with their types", [&](const std::string& names, const Item& item) {
+      const auto type = read_type(item);
+      for (const auto& name : alternatives(names)) declare(item, name, type);
+    });
   });
   each_section("define", [&](const Item& section) {
     each_member(section, "definitions", [&](const std::string& name, const Item& item) {

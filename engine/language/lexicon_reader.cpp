@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::size_t most_problems = 1000;
 
-const std::vector<std::string> sections = {"about", "categories", "names",  "define", "determiners", "proforms", "words",
-                                           "skip",  "attributes", "plural", "unary",  "examples",    "sample"};
+const std::vector<std::string> sections = {"about",    "categories", "names", "define",     "determiners",
+                                           "proforms", "words",      "skip",  "attributes", "plural",
+                                           "unary",    "examples",   "sample"};
 
 std::string found(const Json& json) {
   if (json.is_string()) return in_quotes(json.get<std::string>());

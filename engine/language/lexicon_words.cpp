@@ -38,7 +38,8 @@ WordEntry& LexiconReader::entry(const Item& at, const std::string& word) {
   std::string text;
   for (const auto& part : parts) text += (text.empty() ? "" : " ") + part.text;
   if (text.empty() || text != word)
-    problem_at_key(at, fmt::format("found {}, expected words in lower case with single spaces between them", in_quotes(word)));
+    problem_at_key(
+        at, fmt::format("found {}, expected words in lower case with single spaces between them", in_quotes(word)));
   return lexicon_.words[word];
 }
 
@@ -87,7 +88,8 @@ void LexiconReader::read_attribute(const std::string& name, const Item& item) {
     if (!expect_object(each, "a template of words", {"category", "term", "cost", "plural", "about"})) return;
     const auto category = read_category(required(each, "category", "the category of the word"));
     if (!category) return;
-    const auto term = read_term(required(each, "term", "its meaning, given the value's condition"), *category, condition);
+    const auto term =
+        read_term(required(each, "term", "its meaning, given the value's condition"), *category, condition);
     if (!term) return;
     attribute.words.push_back(
         {*category, *term, read_cost(member(each, "cost")), truth_of(member(each, "plural"), false)});

@@ -22,7 +22,8 @@ struct Proform {
     focus,    ///< it, them: what is being talked about
     pointed,  ///< here, there: where the human points
     topic,    ///< one: the noun that was last used; a constant of type e -> t
-    other,    ///< a constant of type e -> t: true of all but the one in focus, or but what the noun phrase around is about
+    other,    ///< a constant of type e -> t: true of all but the one in focus, or but what the noun phrase around is
+              ///< about
     avatar,   ///< you
     human,    ///< me
   };

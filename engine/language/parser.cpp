@@ -5,6 +5,7 @@
 
 #include "language/chart.h"
 #include "language/reduction.h"
+#include "term/substitution.h"
 #include "language/words.h"
 
 namespace continua {

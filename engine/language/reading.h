@@ -39,11 +39,11 @@ struct Fragment {
 };
 
 struct Utterance {
-  std::vector<std::string> words;     ///< as said, in lower case, without punctuation
-  std::vector<Fragment> fragments;    ///< in order of their words; empty if nothing was understood
-  std::vector<std::size_t> unknown;   ///< words that the lexicon does not have
-  std::vector<std::size_t> unused;    ///< known words that fit nowhere
-  bool cut = false;                   ///< words after the first most_words were not read
+  std::vector<std::string> words;    ///< as said, in lower case, without punctuation
+  std::vector<Fragment> fragments;   ///< in order of their words; empty if nothing was understood
+  std::vector<std::size_t> unknown;  ///< words that the lexicon does not have
+  std::vector<std::size_t> unused;   ///< known words that fit nowhere
+  bool cut = false;                  ///< words after the first most_words were not read
 };
 
 }  // namespace continua

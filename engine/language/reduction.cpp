@@ -15,6 +15,10 @@ class Reducer {
   // f(a) of terms in normal form.
   Term apply(const Term& function, const Term& argument) {
     if (!spend(function.size() + argument.size())) return Term();
+    if (is_group_for_one(function.type(), argument.type())) {
+      const Type one_of = Type::function(argument.type(), argument.type().element());
+      return apply(function, Term::apply(Term::constant("each", one_of), argument));
+    }
     if (function.kind() == Term::Kind::lambda) return substituted(function.body(), 0, argument);
     static const Name conjunction("and");
     const auto is_and = [](const Term& term) {
@@ -51,6 +55,12 @@ class Reducer {
   bool gave_up() const { return steps_ <= 0; }
 
  private:
+  // Several objects where one is taken: what is said is meant of each.
+  static bool is_group_for_one(const Type& function, const Type& argument) {
+    return function.kind() == Type::Kind::function && argument.kind() == Type::Kind::list &&
+           !consistent(function.from(), argument) && consistent(function.from(), argument.element());
+  }
+
   bool spend(std::size_t size) {
     if (size > largest_term) steps_ = 0;
     return steps_ > 0 && --steps_ > 0;

@@ -40,8 +40,8 @@ struct RuledOut {
 };
 
 struct Reference {
-  std::vector<Referent> referents;  ///< the likeliest first; ties in the scene's order
-  std::vector<RuledOut> ruled_out;  ///< in the scene's order
+  std::vector<Referent> referents;                          ///< the likeliest first; ties in the scene's order
+  std::vector<RuledOut> ruled_out;                          ///< in the scene's order
   double margin = std::numeric_limits<double>::infinity();  ///< metres: how near the nearest decision was
 };
 

@@ -11,11 +11,9 @@ namespace continua {
 namespace {
 
 // Names of the moment that every term may read; FORMAT.md documents them.
-const Signature& moment_signature() {
-  static const Signature names = {
+Signature moment_names() {
+  Signature names = {
       {"input", Type::text_type()},
-      {"target", Type::location()},
-      {"said", Type::text_type()},
       {"confidence", Type::number()},
       {"now", Type::number()},
       {"in_state", Type::text_type()},
@@ -23,6 +21,13 @@ const Signature& moment_signature() {
       {"certainty", Type::function(Type::text_type(), Type::number())},
       {"wording", Type::function(Type::term(), Type::text_type())},
   };
+  for (const auto& carried : carried_terms())
+    if (!carried.understood) names.emplace(carried.name, *Type::parse(carried.type));
+  return names;
+}
+
+const Signature& moment_signature() {
+  static const Signature names = moment_names();
   return names;
 }
 
@@ -40,6 +45,7 @@ Machine MachineReader::read() {
   machine_.document = compact(document_.root());
   for (const auto& [place, key] : document_.duplicates())
     note(place, fmt::format("the key {} a second time in this object", in_quotes(key)));
+  read_lexicon(member(root, "lexicon"));
   read_programs(member(root, "programs"));
   read_slots(member(root, "slots"));
   read_bottom(member(root, "bottom"));
@@ -48,6 +54,9 @@ Machine MachineReader::read() {
   read_state_names(root);
   read_definitions(member(root, "define"));
   read_header(root);
+  read_context(member(root, "context"));
+  read_moves(member(root, "moves"));
+  if (const auto ignored = member(root, "ignore"); ignored.json) machine_.ignored = read_symbols(ignored);
   read_beliefs(member(root, "beliefs"));
   read_wordings(member(root, "wordings"));
   read_states(member(root, "states"));
@@ -80,6 +89,32 @@ void MachineReader::read_header(const Item& root) {
   machine_.repeats_utterances = truth_of(member(root, "repeat_utterances"), true);
   machine_.minimum_confidence = number_of(member(root, "minimum_confidence"), "a confidence", 0, 0, 1);
   machine_.perspective = one_of(root, "perspective", {"human", "avatar"}).value_or("");
+}
+
+// What is understood can be read by the terms of machines that understand.
+void MachineReader::read_lexicon(const Item& lexicon) {
+  if (!lexicon.json) return;
+  machine_.lexicon = name_of(lexicon, "the name of a lexicon");
+  for (const auto& carried : carried_terms())
+    if (carried.understood) scope_.emplace(carried.name, *Type::parse(carried.type));
+}
+
+void MachineReader::read_context(const Item& context) {
+  if (!expect_object(context, "a context")) return;
+  const auto read = [&](const char* key, const Type& type, std::optional<Term>& term) {
+    if (const auto item = member(context, key); item.json) term = parse(item, type);
+  };
+  read("focus", Type::list(Type::entity()), machine_.context.focus);
+  read("among", Type::list(Type::entity()), machine_.context.among);
+  read("topic", Type::function(Type::entity(), Type::truth()), machine_.context.topic);
+  if (machine_.lexicon.empty())
+    problem_at_key(context, "nothing is understood without a lexicon; expected \"lexicon\"");
+}
+
+void MachineReader::read_moves(const Item& moves) {
+  if (!expect_object(moves, "moves and their inputs")) return;
+  for (const auto& [name, value] : moves.json->items())
+    machine_.moves.push_back({name, read_symbols(member(moves, name))});
 }
 
 Type MachineReader::read_type(const Item& item) {

@@ -32,6 +32,9 @@ class MachineReader {
   void read_slots(const Item& slots);
   void read_memory(const Item& memory);
   void read_bottom(const Item& bottom);
+  void read_lexicon(const Item& lexicon);
+  void read_context(const Item& context);
+  void read_moves(const Item& moves);
   Type read_type(const Item& item);
   void declare(const Item& at, const std::string& name, const Type& type);
   StateIndex add_state(const std::string& name);

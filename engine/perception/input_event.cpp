@@ -1,5 +1,7 @@
 #include "perception/input_event.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -76,6 +78,38 @@ std::string symbol_of(const InputEvent& event) {
       break;
   }
   return symbol;
+}
+
+InputEvent event_of(std::string_view symbol) {
+  static constexpr std::array<std::string_view, 2> hands = {"left", "right"};
+  static constexpr std::array<std::string_view, 6> directions = {"left", "right", "front", "back", "up", "down"};
+  static constexpr std::array<std::string_view, 3> phases = {"start", "stop", "stroke"};
+  const auto is_one_of = [](const auto& names, std::string_view word) {
+    return std::find(names.begin(), names.end(), word) != names.end();
+  };
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0; at < symbol.size();) {
+    const auto end = std::min(symbol.find(' ', at), symbol.size());
+    if (end > at) words.push_back(symbol.substr(at, end - at));
+    at = end + 1;
+  }
+  InputEvent event;
+  if (words.empty() || words.front() == text(Modality::speech)) {
+    event.text = words.empty() ? "" : symbol.substr(symbol.find(' ') + 1);
+    return event;
+  }
+  event.modality = words.front() == text(Modality::pointing) ? Modality::pointing : Modality::gesture;
+  words.erase(words.begin());
+  if (words.size() > 1 && is_one_of(phases, words.back())) event.phase = words.back(), words.pop_back();
+  if (words.size() > 1 && is_one_of(directions, words.back())) event.direction = words.back(), words.pop_back();
+  const bool named = event.modality == Modality::gesture;
+  if (words.size() > (named ? 1 : 0) && is_one_of(hands, words.front())) {
+    event.hand = words.front();
+    words.erase(words.begin());
+  }
+  for (const auto word : words) append(event.name, std::string(word));
+  if (!event.name.empty()) event.name.erase(0, 1);
+  return event;
 }
 
 std::optional<Vec3> place_of(const InputEvent& event) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/sim_time.h"
@@ -51,6 +52,9 @@ struct InputEvent {
 ///   gesture   "gesture" + hand + name + direction + phase, those that are there ("gesture right point start")
 ///   pointing  "pointing" + hand ("pointing right")
 std::string symbol_of(const InputEvent& event);
+
+/// An event without a place that has this symbol.
+InputEvent event_of(std::string_view symbol);
 
 /// Where the event points on the plane of the table (z = 0): its target, else where its ray meets that plane.
 std::optional<Vec3> place_of(const InputEvent& event);

@@ -1,34 +1,43 @@
 #include "pipeline/pipeline.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
+
+#include "pipeline/inputs.h"
+#include "pipeline/situation.h"
 
 namespace continua {
 namespace {
 
-Term point_term(const Vec3& p_W) { return Term::point(p_W.x(), p_W.y(), p_W.z()); }
+const RaisingRules* raising_of(const Language* language) { return language ? &language->raising : nullptr; }
 
-Input to_input(const InputEvent& event, int serial) {
-  Input input;
-  input.serial = serial;
-  input.symbol = symbol_of(event);
-  if (const auto place = place_of(event)) input.target = point_term(*place);
-  if (event.modality == Modality::speech) input.said = Term::text(event.text);
-  input.confidence = event.confidence;
-  input.now_s = event.t.seconds();
-  return input;
+bool is_recent(const Pointed& pointed, SimTime now) { return (now - pointed.t).seconds() <= pointing_lasts_s; }
+
+std::string kind_of(const Input& input, const Machine& machine) {
+  const auto found = std::find_if(machine.moves.begin(), machine.moves.end(),
+                                  [&](const MoveKind& kind) { return kind.inputs.contains(input.symbol); });
+  return found == machine.moves.end() ? std::string() : found->name;
 }
 
 }  // namespace
 
-Pipeline::Pipeline(std::shared_ptr<const Machine> machine, Perspective perspective, std::size_t most_branches)
+Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const Language> language,
+                   Perspective perspective, std::size_t most_branches)
     : machine_(std::move(machine)),
+      language_(std::move(language)),
       perspective_(perspective),
-      stepper_(machine_, methods_.rules()),
-      explorer_(stepper_, most_branches) {}
+      methods_(perspective),
+      facts_({&term_rules(), &methods_.rules()}, raising_of(language_.get())),
+      stepper_(machine_, methods_.rules(), raising_of(language_.get())),
+      explorer_(stepper_, most_branches) {
+  require(machine_->lexicon.empty() || language_, "a machine with a lexicon needs a language");
+}
 
 Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world) {
-  Tick tick{EngineState{{}, {}, Beliefs(machine_->beliefs), std::move(chooser), "", 0, 0}, {}};
+  Tick tick{EngineState{{}, {}, Beliefs(machine_->beliefs), std::move(chooser), "", {}, 0, 0}, {}};
   methods_.see(&world, &tick.after.chooser.random);
+  if (!machine_->lexicon.empty()) understanding_.emplace(*language_, world, facts_);
   begin(tick.after, tick.events);
   return tick;
 }
@@ -63,7 +72,7 @@ Tick Pipeline::tick(const EngineState& before, const InputEvent& event, const Wo
   EngineState& state = tick.after;
   methods_.see(&world, &state.chooser.random);
 
-  const Input input = to_input(event, ++state.inputs);
+  Input input = to_input(event, ++state.inputs);
   tick.events.push_back(Perceived{input.serial, input.symbol});
   if (input.confidence < machine_->minimum_confidence) {
     tick.events.push_back(StepEvent(RefusedInput{state.configuration.state,
@@ -73,9 +82,70 @@ Tick Pipeline::tick(const EngineState& before, const InputEvent& event, const Wo
                                                  {}}));
     return tick;
   }
-  update_beliefs(state, input, tick.events);
-  step(state, input, tick.events);
+  if (understanding_ && event.modality == Modality::speech) {
+    hear(state, event, std::move(input), world, tick.events);
+  } else {
+    see(state, event, input, world, tick.events);
+    offer(state, input, tick.events);
+  }
   return tick;
+}
+
+// Each move of an utterance is understood in what the ones before it have left.
+void Pipeline::hear(EngineState& state, const InputEvent& event, Input input, const WorldSnapshot& world,
+                    std::vector<EngineEvent>& events) {
+  const auto utterance = understanding_->read(event.text);
+  if (utterance.fragments.empty()) {
+    events.push_back(Understood{understanding_->not_understood(utterance), {input.serial}});
+    return offer(state, input, events);
+  }
+  for (std::size_t fragment = 0; fragment < utterance.fragments.size(); ++fragment) {
+    const auto situation = situation_now(state, input, world);
+    auto move = understanding_->understood(utterance, fragment, situation.context);
+    carry(move, input);
+    events.push_back(Understood{move, sources(move, input.serial, situation)});
+    for (const auto& applying : move.interpretation.applied)
+      events.push_back(StepEvent(Applied{applying.application, sources(applying, input.serial, situation)}));
+    offer(state, input, events);
+  }
+}
+
+// Gestures and pointing. That the human points at something else than before is a move too.
+void Pipeline::see(EngineState& state, const InputEvent& event, Input& input, const WorldSnapshot& world,
+                   std::vector<EngineEvent>& events) {
+  Move move;
+  move.kind = kind_of(input, *machine_);
+  if (!understanding_) {
+    if (!move.kind.empty()) events.push_back(Understood{std::move(move), {input.serial}});
+    return;
+  }
+  const auto before = state.pointed;
+  if (const auto place_W = place_of(event)) state.pointed = Pointed{*place_W, event.t, input.serial, ""};
+  const auto situation = situation_now(state, input, world);
+  if (situation.context.pointed_W) {
+    const auto pointed = refer_to_pointed(situation.context);
+    if (!pointed.referents.empty()) state.pointed->object = pointed.referents.front().object;
+    const bool elsewhere = !before || before->object != state.pointed->object || !is_recent(*before, event.t);
+    if (event.modality == Modality::pointing && elsewhere) move.kind = deixis;
+    if (move.kind == deixis) move.reference = pointed;
+  }
+  carry(move, input);
+  if (!move.kind.empty()) events.push_back(Understood{move, sources(move, input.serial, situation)});
+}
+
+Situation Pipeline::situation_now(const EngineState& state, Input& input, const WorldSnapshot& world) {
+  auto situation = situation_of(stepper_, state.configuration, input, state.beliefs, world);
+  if (state.pointed && is_recent(*state.pointed, SimTime::from_seconds(input.now_s))) {
+    situation.context.pointed_W = state.pointed->place_W;
+    situation.pointed = {state.pointed->serial};
+    input.pointed = point_term(state.pointed->place_W);
+  }
+  return situation;
+}
+
+void Pipeline::offer(EngineState& state, const Input& input, std::vector<EngineEvent>& events) {
+  update_beliefs(state, input, events);
+  if (!machine_->ignored.contains(input.symbol)) step(state, input, events);
 }
 
 void Pipeline::update_beliefs(EngineState& state, const Input& input, std::vector<EngineEvent>& events) {
@@ -84,8 +154,9 @@ void Pipeline::update_beliefs(EngineState& state, const Input& input, std::vecto
   };
   for (const auto& answer : machine_->beliefs.answers) {
     if (!answer.inputs.contains(input.symbol)) continue;
-    if (answer.when && !stepper_.value(*answer.when, state.configuration, input, state.beliefs).is_true()) continue;
-    const auto about = stepper_.value(answer.about, state.configuration, input, state.beliefs);
+    if (answer.when && !stepper_.value(*answer.when, state.configuration, input, state.beliefs).value.is_true())
+      continue;
+    const auto about = stepper_.value(answer.about, state.configuration, input, state.beliefs).value;
     if (about.kind() != Term::Kind::text) continue;
     note(answer.set ? state.beliefs.set(about.text_value(), *answer.set) : state.beliefs.raise(about.text_value()));
   }

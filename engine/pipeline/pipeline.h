@@ -10,9 +10,19 @@
 #include "automaton/exploration.h"
 #include "behaviour/planner.h"
 #include "composition/methods.h"
+#include "moves/understanding.h"
 #include "perception/input_event.h"
+#include "pipeline/situation.h"
 
 namespace continua {
+
+/// Where the human pointed last.
+struct Pointed {
+  Vec3 place_W = Vec3::Zero();
+  SimTime t;
+  int serial = 0;      ///< of the input that told it
+  std::string object;  ///< the likeliest one there, or empty
+};
 
 /// All that the engine remembers between ticks: a value.
 struct EngineState {
@@ -21,6 +31,7 @@ struct EngineState {
   Beliefs beliefs;
   Chooser chooser;
   std::string last_utterance;
+  std::optional<Pointed> pointed;
   int inputs = 0;  ///< ticks so far; the running number of the latest is its `because`
   int commands = 0;
 };
@@ -29,6 +40,13 @@ struct EngineState {
 struct Perceived {
   int serial = 0;
   std::string symbol;
+};
+
+/// What the input was taken to mean; for each move of an utterance one. What it applied follows, then what the
+/// automaton did with it.
+struct Understood {
+  Move move;
+  std::vector<int> because;  ///< serials of the inputs that it draws on
 };
 
 /// What the body is told, following the Gestured or Acted it carries out.
@@ -49,7 +67,7 @@ struct Explored {
   int merged = 0, pruned = 0;
 };
 
-using EngineEvent = std::variant<Perceived, BeliefChange, StepEvent, Explored, Commanded, Unplanned>;
+using EngineEvent = std::variant<Perceived, Understood, BeliefChange, StepEvent, Explored, Commanded, Unplanned>;
 
 struct Tick {
   EngineState after;
@@ -58,10 +76,14 @@ struct Tick {
 
 inline constexpr std::size_t default_most_branches = 64;
 
+/// So long after the human pointed somewhere words still go with it.
+inline constexpr double pointing_lasts_s = 2;
+
 class Pipeline {
  public:
-  /// `most_branches`: so many configurations are carried along under `explore`.
-  Pipeline(std::shared_ptr<const Machine> machine, Perspective perspective,
+  /// `language`: what the machine understands speech by; REQUIRED if the machine names a lexicon. `most_branches`: so
+  /// many configurations are carried along under `explore`.
+  Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const Language> language, Perspective perspective,
            std::size_t most_branches = default_most_branches);
 
   /// Before the first input; the chooser's policy decides for the whole run. `world` is what the machine may read.
@@ -73,13 +95,22 @@ class Pipeline {
  private:
   void begin(EngineState& state, std::vector<EngineEvent>& events);
   void step(EngineState& state, const Input& input, std::vector<EngineEvent>& events);
+  void hear(EngineState& state, const InputEvent& event, Input input, const WorldSnapshot& world,
+            std::vector<EngineEvent>& events);
+  void see(EngineState& state, const InputEvent& event, Input& input, const WorldSnapshot& world,
+           std::vector<EngineEvent>& events);
+  Situation situation_now(const EngineState& state, Input& input, const WorldSnapshot& world);
+  void offer(EngineState& state, const Input& input, std::vector<EngineEvent>& events);
   void explored(EngineState& state, ExplorationStep step, std::vector<EngineEvent>& events);
   void update_beliefs(EngineState& state, const Input& input, std::vector<EngineEvent>& events);
   void behave(EngineState& state, std::vector<StepEvent> steps, std::vector<EngineEvent>& events);
 
   std::shared_ptr<const Machine> machine_;
+  std::shared_ptr<const Language> language_;
   Perspective perspective_;
   Methods methods_;
+  RuleTable facts_;
+  std::optional<Understanding> understanding_;  ///< once the run has begun, of machines with a lexicon
   Stepper stepper_;
   Explorer explorer_;
 };

@@ -70,12 +70,14 @@ void Avatar::decide() {
   phases_.clear();
   stage_ = Stage::act;
   if (command_.object.empty() && !is_gesture(command_.what)) command_.object = world.held;
-  const bool beside = is_move(command_.what) && command_.goal.relation != Goal::Relation::at;
-  for (const std::string& name : {command_.object, beside ? command_.goal.landmark : std::string()}) {
-    if (!name.empty() && !world.find(name)) return cannot(Status::unreachable, fmt::format("there is no '{}'", name));
+  if (const auto name = missing_thing(command_, world))
+    return cannot(Status::unreachable, fmt::format("there is no '{}'", *name));
+  if (is_move(command_.what) && !command_.object.empty()) {
+    if (command_.goal.relation == Relation::in)
+      return cannot(Status::blocked, "the hand cannot put one thing into another");
+    const auto place = placement(command_, world, Occupied::cleared);
+    if (!place) return cannot(Status::blocked, place.error().sentence);
   }
-  if (beside && (command_.goal.landmark.empty() || command_.goal.landmark == command_.object))
-    return cannot(Status::blocked, "a goal beside or on something needs another object");
 
   if (is_gesture(command_.what)) {
     if (!solve_ik(physics_.arm(), gesture_pose(world), physics_.arm().home).reached)
@@ -96,13 +98,17 @@ void Avatar::decide() {
   begin_phase();
 }
 
+std::string Avatar::landmark() const {
+  return command_.goal.landmarks.empty() ? std::string() : command_.goal.landmarks.front();
+}
+
 Task Avatar::task(const WorldSnapshot& world) const {
   Task task;
   task.object = command_.object;
   if (is_move(command_.what)) {
-    task.p_WG = goal_position(command_, world);
+    task.p_WG = placement(command_, world, Occupied::cleared).value().p_WO;
     task.near_m = 0.9 * set_down_error_m;
-    if (command_.goal.relation != Goal::Relation::at) task.landmark = command_.goal.landmark;
+    task.landmark = landmark();
   }
   if (command_.what == Capability::lift) task.raise_m = command_.height_m;
   return task;

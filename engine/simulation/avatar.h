@@ -43,6 +43,7 @@ class Avatar {
   void decide();
   void decide_handling(const WorldSnapshot& world);
   Task task(const WorldSnapshot& world) const;
+  std::string landmark() const;  // what the goal was said beside, or empty
   void begin_handling(const Handling& handling, bool in_hand);
   void phases_done();
   bool try_again();

@@ -124,7 +124,7 @@ bool Avatar::move_to(Phase phase, const WorldSnapshot& world) {
       constexpr double above_m = 0.01, drag_m = 0.001;
       const Vec3 first_at = handling_.set_down->first_W();
       const bool may_slide = command_.what == Capability::slide || stage_ == Stage::preparation;
-      along_table_ = may_slide && way_is_free(world.objects[object_], first_at, command_.goal.landmark, world);
+      along_table_ = may_slide && way_is_free(world.objects[object_], first_at, landmark(), world);
       const Pose at_goal = hand_for_object(first_at + Vec3(0, 0, along_table_ ? drag_m : above_m), true);
       return along_table_ ? go({at_goal}, loaded) : go(way_over(from, at_goal, world, base_W), loaded);
     }

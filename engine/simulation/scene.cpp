@@ -43,6 +43,18 @@ bool is_object(const mjModel& model, int body) {
   return model.body_jntnum[body] == 1 && model.jnt_type[model.body_jntadr[body]] == mjJNT_FREE;
 }
 
+/// The box site that shows an object's hollow, in the object's frame; nothing where the object has none.
+Result<std::optional<Box>> interior_of(const mjModel& model, int body, const std::string& path) {
+  const std::string name = name_of(model, mjOBJ_BODY, body) + "_interior";
+  const int site = id_of(model, mjOBJ_SITE, name);
+  if (site < 0) return std::optional<Box>();
+  const mjtNum *p = model.site_pos + 3 * site, *q = model.site_quat + 4 * site, *size = model.site_size + 3 * site;
+  if (model.site_bodyid[site] != body || model.site_type[site] != mjGEOM_BOX || q[0] != 1)
+    return Error{path, fmt::format("site '{}': expected a box of that body, along its axes", name)};
+  const Vec3 center(p[0], p[1], p[2]), half(size[0], size[1], size[2]);
+  return std::optional(Box{center - half, center + half});
+}
+
 Result<std::vector<SceneObject>> objects_of(const mjModel& model, const std::string& path) {
   std::vector<SceneObject> objects;
   for (int body = 1; body < model.nbody; ++body) {
@@ -57,7 +69,9 @@ Result<std::vector<SceneObject>> objects_of(const mjModel& model, const std::str
                                "its frame, expected at the origin",
                                name, c.x(), c.y(), c.z())};
     }
-    objects.push_back({name, body, attributes_of(model, name), (bounds.max - bounds.min) / 2});
+    const auto interior = interior_of(model, body, path);
+    if (!interior) return interior.error();
+    objects.push_back({name, body, attributes_of(model, name), (bounds.max - bounds.min) / 2, *interior});
   }
   return objects;
 }
@@ -87,6 +101,24 @@ void place(const mjModel& model, const SceneObject& object, const ObjectOverride
   q[3] = std::cos(*wanted.yaw / 2);
   q[4] = q[5] = 0;
   q[6] = std::sin(*wanted.yaw / 2);
+}
+
+/// The height on which an object shall stand whose bottom is wanted at `bottom_m`: that of the highest thing under its
+/// centre, where what was measured is only a little off; nothing where it shall hang in the air or lie off the table.
+std::optional<double> standing_height(const ObjectState& object, const WorldSnapshot& world) {
+  constexpr double off_m = 0.02;
+  const double bottom_m = object.p_WO.z() - object.half_extents_m.z();
+  const auto under = [&](const Box& box) {
+    return object.p_WO.x() > box.min.x() && object.p_WO.x() < box.max.x() && object.p_WO.y() > box.min.y() &&
+           object.p_WO.y() < box.max.y();
+  };
+  if (!under(world.table)) return std::nullopt;
+  double height = world.table.max.z();
+  for (const auto& other : world.objects) {
+    const double top = other.bounds_W().max.z();
+    if (other.name != object.name && under(other.bounds_W()) && top <= bottom_m + off_m) height = std::max(height, top);
+  }
+  return bottom_m <= height + off_m ? std::optional(height) : std::nullopt;
 }
 
 /// Puts the arm where the scene's numbers `arm_home` say, if it has an arm.
@@ -175,11 +207,12 @@ Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverri
       if (object.name == wanted.object) place(**model, object, wanted, scene.initial_qpos_);
     }
   }
+  scene.stand(overrides);
   return scene;
 }
 
 ObjectState observed(const SceneObject& object, const Pose& pose) {
-  ObjectState state{object.name, object.attributes, object.half_extents_m, on_grid(pose.p_WB), 0};
+  ObjectState state{object.name, object.attributes, object.half_extents_m, on_grid(pose.p_WB), 0, object.interior};
   const Eigen::Matrix3d R_WB = pose.R_WB.toRotationMatrix();
   // An x axis that points up or down has no heading: y tells it then.
   const bool x_is_level = std::abs(R_WB(2, 0)) < 0.7;
@@ -187,8 +220,23 @@ ObjectState observed(const SceneObject& object, const Pose& pose) {
   if (R_WB(2, 2) < 0.98) {
     const Eigen::Matrix3d R_YW = Eigen::AngleAxisd(-state.yaw, Vec3::UnitZ()).toRotationMatrix();
     state.half_extents_m = on_grid(Vec3((R_YW * R_WB).cwiseAbs() * object.half_extents_m));
+    state.interior.reset();
   }
   return state;
+}
+
+void Scene::stand(const std::vector<ObjectOverride>& overrides) {
+  for (const auto& wanted : overrides) {
+    const WorldSnapshot world = initial_snapshot();
+    const ObjectState* object = wanted.z_m ? world.find(wanted.object) : nullptr;
+    const auto height = object ? standing_height(*object, world) : std::nullopt;
+    if (!height) continue;
+    const auto of_name = [&](const SceneObject& one) { return one.name == wanted.object; };
+    const auto found = std::find_if(objects_.begin(), objects_.end(), of_name);
+    double& z = initial_qpos_[static_cast<std::size_t>(model_->jnt_qposadr[model_->body_jntadr[found->body]]) + 2];
+    const double standing = *height + object->half_extents_m.z();
+    if (std::abs(z - standing) > position_grid_m) z = standing;
+  }
 }
 
 WorldSnapshot Scene::initial_snapshot() const {

@@ -20,9 +20,11 @@ namespace continua {
 struct ObjectOverride {
   std::string object;
   std::optional<double> x_m, y_m;  ///< of its centre, in W
-  std::optional<double> z_m;       ///< of its centre; without it, it stands on the table if x or y is given
-  std::optional<double> yaw;       ///< radians
-  bool removed = false;            ///< not in the scene at all
+  /// Of its centre; without it, it stands on the table if x or y is given. At most 2 cm from standing on the table or
+  /// on what is under it, or lower than the table under it, it stands there; otherwise it falls.
+  std::optional<double> z_m;
+  std::optional<double> yaw;  ///< radians
+  bool removed = false;       ///< not in the scene at all
 };
 
 struct SceneObject {
@@ -30,6 +32,7 @@ struct SceneObject {
   int body = 0;  ///< MuJoCo's id
   std::map<std::string, std::string> attributes;
   Vec3 half_extents_m = Vec3::Zero();
+  std::optional<Box> interior = {};  ///< in its own frame
 };
 
 /// A value: copies share what never changes.
@@ -57,6 +60,8 @@ class Scene {
 
  private:
   friend Result<Scene> load_scene(const std::string&, const std::vector<ObjectOverride>&);
+
+  void stand(const std::vector<ObjectOverride>& overrides);
 
   std::shared_ptr<const mjModel_> model_;
   std::vector<double> initial_qpos_;

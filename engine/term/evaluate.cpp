@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "term/substitution.h"
+
 namespace continua {
 namespace {
 
@@ -69,7 +71,7 @@ Term Evaluation::bounded(Term term) {
   return Term::null();
 }
 
-RuleTable::RuleTable(std::initializer_list<const Rules*> sources) {
+RuleTable::RuleTable(std::initializer_list<const Rules*> sources, const RaisingRules* raising) : raising_(raising) {
   for (const auto* source : sources)
     for (const auto& [name, rule] : *source) rules_.emplace(Name(name), &rule);
 }

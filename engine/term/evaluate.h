@@ -19,9 +19,12 @@
 
 namespace continua {
 
-/// One application of a continuation, as the log keeps it (semantics §2: every application is a record).
+/// One application of a continuation, as the log keeps it (semantics §2: every application is a record). What types
+/// they have is known from the terms.
 struct Application {
-  Term function, argument, result;
+  Term function;
+  Term argument;  ///< as it was given, not raised
+  Term result;
   std::string rule;  ///< name of the raising rule that lifted the argument, or empty
 };
 
@@ -38,17 +41,23 @@ struct Rule {
 
 using Rules = std::map<std::string, Rule, std::less<>>;
 
-/// Rules of several sources by name; where two have the same, the first counts. The sources must outlive the table.
+struct RaisingRule;  // term/raising.h
+using RaisingRules = std::vector<RaisingRule>;
+
+/// Rules of several sources by name; where two have the same, the first counts. Beside them, how `fill` raises an
+/// argument of the wrong type, if it does. The sources and `raising` must outlive the table.
 class RuleTable {
  public:
-  explicit RuleTable(std::initializer_list<const Rules*> sources);
+  explicit RuleTable(std::initializer_list<const Rules*> sources, const RaisingRules* raising = nullptr);
   const Rule* find(Name name) const {
     const auto found = rules_.find(name);
     return found == rules_.end() ? nullptr : found->second;
   }
+  const RaisingRules* raising() const { return raising_; }
 
  private:
   std::unordered_map<Name, const Rule*, Name::Hash> rules_;
+  const RaisingRules* raising_;
 };
 
 /// The rules of the language's own names: operators, `if`, and functions of lists, terms, texts, places and numbers,
@@ -71,6 +80,8 @@ class Evaluation {
   /// Applies a function value to a value.
   Term apply(const Term& function, const Term& argument);
 
+  /// For rules: how arguments are raised; nullptr: they are not.
+  const RaisingRules* raising() const { return rules_.raising(); }
   /// For rules: allows `steps` more of work, or sets `exhausted`; the rule then gives null.
   bool spend(std::size_t steps);
   /// For rules: a decision would have been another one had a length or number been different by `distance`.

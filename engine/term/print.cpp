@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "term/lexer.h"
+#include "term/substitution.h"
 #include "term/term_text.h"
 
 namespace continua {
@@ -34,41 +35,25 @@ const Infix* infix(const std::string& name) {
   return found == infixes.end() ? nullptr : &*found;
 }
 
-// Does `term` contain this constant, or the variable of the binder `outward` levels above it?
-bool mentions(const Term& term, const std::string& constant) {
+bool mentions_name(const Term& term, const std::string& constant) {
   switch (term.kind()) {
     case Term::Kind::constant:
       return term.name() == constant;
     case Term::Kind::lambda:
-      return mentions(term.body(), constant);
+      return mentions_name(term.body(), constant);
     case Term::Kind::apply:
-      return mentions(term.function(), constant) || mentions(term.argument(), constant);
+      return mentions_name(term.function(), constant) || mentions_name(term.argument(), constant);
     case Term::Kind::list:
       return std::any_of(term.elements().begin(), term.elements().end(),
-                         [&](const Term& each) { return mentions(each, constant); });
+                         [&](const Term& each) { return mentions_name(each, constant); });
     default:
       return false;
   }
 }
-bool mentions(const Term& term, int outward) {
-  if (term.reach() <= outward) return false;
-  switch (term.kind()) {
-    case Term::Kind::bound:
-      return term.index() == outward;
-    case Term::Kind::lambda:
-      return mentions(term.body(), outward + 1);
-    case Term::Kind::apply:
-      return mentions(term.function(), outward) || mentions(term.argument(), outward);
-    case Term::Kind::list:
-      return std::any_of(term.elements().begin(), term.elements().end(),
-                         [&](const Term& each) { return mentions(each, outward); });
-    default:
-      return false;
-  }
-}
-
 class Printer {
  public:
+  explicit Printer(Lambda lambda) : lambda_(lambda) {}
+
   // Appends `term`, in parentheses when it binds less tightly than `least`.
   void print(const Term& term, int least) {
     switch (term.kind()) {
@@ -149,7 +134,7 @@ class Printer {
   void lambda(const Term& term, int least) {
     const auto outer = scope_.size();
     if (least > 0) out_ += '(';
-    out_ += '\\';
+    out_ += lambda_ == Lambda::greek ? "λ" : "\\";
     const Term* body = &term;
     for (; body->kind() == Term::Kind::lambda; body = &body->body()) {
       if (body != &term) out_ += ' ';
@@ -166,7 +151,7 @@ class Printer {
   std::string unused(const std::string& hint, const Term& body) const {
     std::string name = is_plain_name(hint) && !is_keyword(hint) ? hint : "x";
     const auto taken = [&] {
-      if (name == "box" || mentions(body, name)) return true;  // box(…) is how regions print
+      if (name == "box" || mentions_name(body, name)) return true;  // box(…) is how regions print
       for (std::size_t i = 0; i < scope_.size(); ++i)
         if (scope_[i] == name && mentions(body, static_cast<int>(scope_.size() - i))) return true;
       return false;
@@ -227,14 +212,15 @@ class Printer {
     out_ += close;
   }
 
+  Lambda lambda_;
   std::string out_;
   std::vector<std::string> scope_;
 };
 
 }  // namespace
 
-std::string print(const Term& term) {
-  Printer printer;
+std::string print(const Term& term, Lambda lambda) {
+  Printer printer(lambda);
   printer.print(term, 0);
   return printer.take();
 }

@@ -14,6 +14,7 @@ struct Language {
     add_list_functions(rules, signature);
     add_term_functions(rules, signature);
     add_place_functions(rules, signature);
+    signature.emplace("each", Type::parse("'a* -> 'a").value());  // has no rule: a reading says it
   }
 };
 
@@ -27,7 +28,7 @@ Term::Kind relied_on(const Type& parameter) {
   if (parameter.kind() == Type::Kind::list) return Term::Kind::list;
   if (parameter == Type::number()) return Term::Kind::number;
   if (parameter == Type::text_type()) return Term::Kind::text;
-  if (parameter == Type::location()) return Term::Kind::place;
+  if (parameter == Type::location() || parameter == Type::region()) return Term::Kind::place;
   return Term::Kind::null;
 }
 

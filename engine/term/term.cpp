@@ -1,6 +1,7 @@
 #include "term/term.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -31,27 +32,60 @@ struct Term::Node {
   Kind kind;
   Type type;
   std::variant<bool, double, std::string, Place, int, Name, Binder, Pair, std::vector<Term>> held;
+  TermDigest digest;
   int reach = 0;
   std::size_t depth = 1;
   std::size_t size = 1;
 };
 
+namespace {
+
+// The numbers of Term::Kind are part of every digest.
+TermDigester digester(Term::Kind kind) { return TermDigester(static_cast<std::uint64_t>(kind)); }
+
+TermDigest digest_of(Term::Kind kind, std::uint64_t word) {
+  auto all = digester(kind);
+  all.add(word, 0);
+  return all.digest();
+}
+
+TermDigest digest_of(Term::Kind kind, std::string_view bytes) {
+  auto all = digester(kind);
+  all.add(bytes);
+  return all.digest();
+}
+
+TermDigest digest_of(const Place& place) {
+  auto all = digester(Term::Kind::place);
+  all.add(place.region ? 1 : 0, 0);
+  for (std::size_t i = 0; i < 3; ++i)
+    all.add(std::bit_cast<std::uint64_t>(place.min[i]), std::bit_cast<std::uint64_t>(place.max[i]));
+  return all.digest();
+}
+
+}  // namespace
+
 Term::Term() = default;
 
 Term Term::truth(bool value) {
-  static const Term yes(std::make_shared<const Node>(Node{Kind::truth, Type::truth(), true}));
-  static const Term no(std::make_shared<const Node>(Node{Kind::truth, Type::truth(), false}));
+  static const Term yes(
+      std::make_shared<const Node>(Node{Kind::truth, Type::truth(), true, digest_of(Kind::truth, 1)}));
+  static const Term no(
+      std::make_shared<const Node>(Node{Kind::truth, Type::truth(), false, digest_of(Kind::truth, 0)}));
   return value ? yes : no;
 }
 
 Term Term::number(double value) {
   if (!std::isfinite(value)) return Term();
-  return Term(std::make_shared<const Node>(Node{Kind::number, Type::number(), value + 0.0}));
+  value += 0.0;
+  const auto digest = digest_of(Kind::number, std::bit_cast<std::uint64_t>(value));
+  return Term(std::make_shared<const Node>(Node{Kind::number, Type::number(), value, digest}));
 }
 
 Term Term::text(std::string value) {
   const auto size = 1 + value.size() / 16;
-  return Term(std::make_shared<const Node>(Node{Kind::text, Type::text_type(), std::move(value), 0, 1, size}));
+  const auto digest = digest_of(Kind::text, value);
+  return Term(std::make_shared<const Node>(Node{Kind::text, Type::text_type(), std::move(value), digest, 0, 1, size}));
 }
 
 namespace {
@@ -66,50 +100,62 @@ Term Term::place(Place value) {
     if (!std::isfinite(value.min[i]) || !std::isfinite(value.max[i])) return Term();
     if (value.max[i] < value.min[i]) std::swap(value.min[i], value.max[i]);
   }
-  return Term(std::make_shared<const Node>(Node{Kind::place, Type::location(), value}));
+  return Term(std::make_shared<const Node>(Node{Kind::place, Type::location(), value, digest_of(value)}));
 }
 
 Term Term::point(double x_m, double y_m, double z_m) { return place({{x_m, y_m, z_m}, {x_m, y_m, z_m}, false}); }
 
 Term Term::constant(std::string_view name, Type type) {
-  return Term(std::make_shared<const Node>(Node{Kind::constant, std::move(type), Name(name)}));
+  const auto digest = digest_of(Kind::constant, name);
+  return Term(std::make_shared<const Node>(Node{Kind::constant, std::move(type), Name(name), digest}));
 }
 
 Term Term::entity(std::string_view name) { return constant(name, Type::entity()); }
 
 Term Term::bound(int index, Type type) {
   require(index >= 0, "a bound variable has an index from 0");
-  return Term(std::make_shared<const Node>(Node{Kind::bound, std::move(type), index, index + 1}));
+  const auto digest = digest_of(Kind::bound, static_cast<std::uint64_t>(index));
+  return Term(std::make_shared<const Node>(Node{Kind::bound, std::move(type), index, digest, index + 1}));
 }
 
 Term Term::lambda(std::string hint, Type variable, Term body) {
   auto type = Type::function(variable, body.type());
   const auto reach = std::max(0, body.reach() - 1);
   const auto depth = body.depth() + 1, size = saturated(body.size() + 1);
+  auto digest = digester(Kind::lambda);
+  digest.add(body.digest());
   Binder binder{std::move(hint), std::move(variable), std::move(body)};
-  return Term(std::make_shared<const Node>(Node{Kind::lambda, std::move(type), std::move(binder), reach, depth, size}));
+  return Term(std::make_shared<const Node>(
+      Node{Kind::lambda, std::move(type), std::move(binder), digest.digest(), reach, depth, size}));
 }
 
 Term Term::apply(Term function, Term argument) {
+  auto type = result_type(function.type(), argument.type());
+  if (!type) return Term();
   const auto reach = std::max(function.reach(), argument.reach());
   const auto depth = std::max(function.depth(), argument.depth()) + 1;
   const auto size = saturated(function.size() + argument.size() + 1);
-  auto type = result_type(function.type(), argument.type());
+  auto digest = digester(Kind::apply);
+  digest.add(function.digest());
+  digest.add(argument.digest());
   Pair application{std::move(function), std::move(argument)};
-  return Term(
-      std::make_shared<const Node>(Node{Kind::apply, std::move(type), std::move(application), reach, depth, size}));
+  return Term(std::make_shared<const Node>(
+      Node{Kind::apply, std::move(*type), std::move(application), digest.digest(), reach, depth, size}));
 }
 
 Term Term::list(std::vector<Term> elements, Type element) {
   int reach = 0;
   std::size_t depth = 0, size = 1;
+  auto digest = digester(Kind::list);
   for (const auto& each : elements) {
+    digest.add(each.digest());
     reach = std::max(reach, each.reach());
     depth = std::max(depth, each.depth());
     size = saturated(size + each.size());
   }
+  digest.add(elements.size(), 0);
   return Term(std::make_shared<const Node>(
-      Node{Kind::list, Type::list(std::move(element)), std::move(elements), reach, depth + 1, size}));
+      Node{Kind::list, Type::list(std::move(element)), std::move(elements), digest.digest(), reach, depth + 1, size}));
 }
 
 Term::Kind Term::kind() const { return node_ ? node_->kind : Kind::null; }
@@ -178,72 +224,9 @@ Term::Spine Term::spine() const {
   return spine;
 }
 
-bool Term::operator==(const Term& other) const {
-  if (node_ == other.node_) return true;
-  if (kind() != other.kind() || size() != other.size() || reach() != other.reach()) return false;
-  switch (kind()) {
-    case Kind::null:
-      return true;
-    case Kind::lambda:
-      return body() == other.body();
-    case Kind::apply:
-      return argument() == other.argument() && function() == other.function();
-    case Kind::list:
-      return elements() == other.elements();
-    case Kind::truth:
-      return truth_value() == other.truth_value();
-    case Kind::number:
-      return number_value() == other.number_value();
-    case Kind::text:
-      return text_value() == other.text_value();
-    case Kind::place:
-      return place_value() == other.place_value();
-    case Kind::constant:
-      return interned_name() == other.interned_name();
-    case Kind::bound:
-      return index() == other.index();
-  }
-  return false;
-}
-
-namespace {
-
-// Rebuilds `term`, found below `depth` binders of where the walk began, with `leaf(variable, depth)` in place of
-// each variable that reaches out of them. Parts without such a variable are shared, not rebuilt.
-template <class Leaf>
-Term replaced(const Term& term, int depth, const Leaf& leaf) {
-  if (term.reach() <= depth) return term;
-  switch (term.kind()) {
-    case Term::Kind::bound:
-      return leaf(term, depth);
-    case Term::Kind::lambda:
-      return Term::lambda(term.name(), term.variable_type(), replaced(term.body(), depth + 1, leaf));
-    case Term::Kind::apply:
-      return Term::apply(replaced(term.function(), depth, leaf), replaced(term.argument(), depth, leaf));
-    case Term::Kind::list: {
-      std::vector<Term> elements;
-      elements.reserve(term.elements().size());
-      for (const auto& each : term.elements()) elements.push_back(replaced(each, depth, leaf));
-      return Term::list(std::move(elements), term.type().element());
-    }
-    default:
-      return term;
-  }
-}
-
-Term raised(const Term& term, int by) {
-  if (by == 0) return term;
-  return replaced(term, 0,
-                  [by](const Term& variable, int) { return Term::bound(variable.index() + by, variable.type()); });
-}
-
-}  // namespace
-
-Term instantiate(const Term& body, const Term& argument) {
-  return replaced(body, 0, [&](const Term& variable, int depth) {
-    if (variable.index() == depth) return raised(argument, depth);
-    return Term::bound(variable.index() - 1, variable.type());
-  });
+const TermDigest& Term::digest() const {
+  static const TermDigest null = digester(Kind::null).digest();
+  return node_ ? node_->digest : null;
 }
 
 const Term* first_place(const Term& term) {

@@ -1,5 +1,10 @@
 // Terms: what conditions, stack contents, commands and the log are written in. Immutable values that share
 // structure, with numbered binders (de Bruijn indices), so that alpha-equivalent terms are equal. Semantics §2.
+//
+// Every node carries a digest of all that counts for equality, made from those of its parts when it is built. So
+// terms are compared and hashed in constant time, which is what hash-consing is for. A table of all nodes would be
+// shared and locked, and its addresses would differ from run to run; content addressing needs none, and equal terms
+// have equal keys in every thread and process.
 #pragma once
 
 #include <array>
@@ -11,6 +16,7 @@
 #include <vector>
 
 #include "term/name.h"
+#include "term/term_digest.h"
 #include "term/type.h"
 
 namespace continua {
@@ -58,7 +64,8 @@ class Term {
   static Term bound(int index, Type type);
   /// `hint` is the name to print for the variable; it does not take part in equality.
   static Term lambda(std::string hint, Type variable, Term body);
-  /// Total: applying what is no function gives a term of type `term`, whose value is null.
+  /// Null where the types do not go together (result_type() in unify.h): what is no function is applied, or a function
+  /// to an argument of another type than it takes. Null itself and what is of type `term` may be applied to anything.
   static Term apply(Term function, Term argument);
   static Term list(std::vector<Term> elements, Type element);
 
@@ -85,10 +92,16 @@ class Term {
   struct Spine;
   Spine spine() const;
 
-  /// Structural equality, which is alpha-equivalence. Types take no part in it: `head` of a list of objects and
+  /// Of the structure up to alpha-equivalence. Hints and types take no part in it: `head` of a list of objects and
   /// `head` of a list of numbers are the same name.
-  bool operator==(const Term& other) const;
-  /// The very same node; then also equal, and found out at once.
+  const TermDigest& digest() const;
+  /// Equal digests. O(1), as is the hash.
+  bool operator==(const Term& other) const { return node_ == other.node_ || digest() == other.digest(); }
+  std::size_t hash() const { return static_cast<std::size_t>(digest().low); }
+  struct Hash {
+    std::size_t operator()(const Term& term) const { return term.hash(); }
+  };
+  /// The very same node: hints and types are the same too.
   bool same_node(const Term& other) const { return node_ == other.node_; }
 
   /// No bound variable reaches outside of it.
@@ -110,9 +123,6 @@ struct Term::Spine {
   Term head;
   std::vector<Term> arguments;
 };
-
-/// `body` with its variable 0 replaced by `argument`, the others lowered by one; no variable is captured.
-Term instantiate(const Term& body, const Term& argument);
 
 /// `term` if it is a place, else the first place inside it, from left to right; nullptr if there is none.
 const Term* first_place(const Term& term);

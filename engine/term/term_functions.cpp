@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "term/raising.h"
 #include "term/rules.h"
 #include "term/term_text.h"
 
@@ -24,15 +25,18 @@ bool is_open(const Term& term) {
   return term.kind() == Term::Kind::lambda || term.type().kind() == Type::Kind::function;
 }
 
-bool takes(const Term& function, const Term& argument) {
-  return argument.is_null() || consistent(function.type().from(), argument.type());
-}
-
 Term fill(Arguments a, Evaluation& evaluation) {
   if (!is_open(a[0])) return a[0];
-  if (!takes(a[0], a[1])) return Term::null();
-  Term result = evaluation.apply(a[0], a[1]);
-  evaluation.applications.push_back({a[0], a[1], result, ""});
+  const Type& wanted = a[0].type().from();
+  Raised lifted{a[1], ""};
+  if (!fits(a[1], wanted)) {
+    auto raised_argument =
+        evaluation.raising() ? raised(a[1], wanted, *evaluation.raising(), evaluation) : std::nullopt;
+    if (!raised_argument) return Term::null();
+    lifted = std::move(*raised_argument);
+  }
+  Term result = evaluation.apply(a[0], lifted.term);
+  evaluation.applications.push_back({a[0], a[1], result, lifted.rule});
   return result;
 }
 
@@ -100,12 +104,18 @@ Term lower(Arguments a, Evaluation&) {
 void add_term_functions(Rules& rules, Signature& signature) {
   const auto open = [](Arguments a, Evaluation&) { return Term::truth(is_open(a[0])); };
   const auto text = [](Arguments a, Evaluation&) { return Term::text(characters(a[0])); };
+  const auto type = [](Arguments a, Evaluation&) { return Term::text(a[0].type().text()); };
+  const auto missing = [](Arguments a, Evaluation&) {
+    return is_open(a[0]) ? Term::text(a[0].type().from().text()) : Term::null();
+  };
   const auto starts_with = [](Arguments a, Evaluation&) {
     return Term::truth(a[0].text_value().starts_with(a[1].text_value()));
   };
   add_functions(
       {
           {"open", "term -> t", open},
+          {"missing", "term -> text", missing},
+          {"type", "term -> text", type},
           {"fill", "term -> term -> term", fill},
           {"program", "term -> text", program},
           {"argument", "term -> num -> term", argument},

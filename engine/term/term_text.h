@@ -41,8 +41,11 @@ Result<Term> parse_term(std::string_view text, const Signature& names);
 /// The names that the text mentions, those of bound variables included; none where it cannot be read.
 std::set<std::string> names_in(std::string_view text);
 
+/// How a lambda prints: as \, or as λ for people. Both are read.
+enum class Lambda { backslash, greek };
+
 /// In the notation above, operators infix, numbers in their shortest form that reads back equal.
 /// Bound variables print their hint, primed where it would be captured.
-std::string print(const Term& term);
+std::string print(const Term& term, Lambda lambda = Lambda::backslash);
 
 }  // namespace continua

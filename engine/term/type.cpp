@@ -23,8 +23,8 @@ namespace {
 
 constexpr int deepest_nesting = 64;
 
-const std::array<const Type*, 6>& built_in() {
-  static const std::array<const Type*, 6> types = {&Type::entity(), &Type::location(),  &Type::truth(),
+const std::array<const Type*, 7>& built_in() {
+  static const std::array<const Type*, 7> types = {&Type::entity(), &Type::location(),  &Type::region(), &Type::truth(),
                                                    &Type::number(), &Type::text_type(), &Type::term()};
   return types;
 }
@@ -57,6 +57,7 @@ Type Type::variable(int index) { return Type(std::make_shared<const Node>(Node{K
   }
 CONTINUA_BUILT_IN_TYPE(entity, "e")
 CONTINUA_BUILT_IN_TYPE(location, "loc")
+CONTINUA_BUILT_IN_TYPE(region, "region")
 CONTINUA_BUILT_IN_TYPE(truth, "t")
 CONTINUA_BUILT_IN_TYPE(number, "num")
 CONTINUA_BUILT_IN_TYPE(text_type, "text")
@@ -103,6 +104,8 @@ bool Type::operator==(const Type& other) const {
 }
 
 bool consistent(const Type& a, const Type& b) {
+  if (a.kind() == Type::Kind::base && a == b) return true;
+  const auto is_place = [](const Type& type) { return type == Type::location() || type == Type::region(); };
   const auto open = [](const Type& type) { return type.kind() == Type::Kind::variable || type == Type::term(); };
   if (open(a) || open(b)) return true;
   if (a.kind() != b.kind()) return false;
@@ -112,7 +115,7 @@ bool consistent(const Type& a, const Type& b) {
     case Type::Kind::function:
       return consistent(a.from(), b.from()) && consistent(a.to(), b.to());
     default:
-      return a == b;
+      return is_place(a) && is_place(b);
   }
 }
 

@@ -26,6 +26,7 @@ class Type {
 
   static const Type& entity();     ///< e
   static const Type& location();   ///< loc
+  static const Type& region();     ///< region, a place with an extent; to the checker the same as loc
   static const Type& truth();      ///< t
   static const Type& number();     ///< num
   static const Type& text_type();  ///< text
@@ -56,7 +57,8 @@ class Type {
   std::shared_ptr<const Node> node_;
 };
 
-/// May a value of the one type stand where the other is expected? `term` and type variables go with everything.
+/// May a value of the one type stand where the other is expected? `term` and type variables go with everything, and
+/// `region` goes with `loc` both ways: whether a place has an extent is seen from its value (term/raising.h).
 bool consistent(const Type& a, const Type& b);
 
 }  // namespace continua

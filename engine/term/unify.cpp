@@ -86,7 +86,7 @@ bool Unifier::unify(const Type& a, const Type& b) {
     case Type::Kind::function:
       return unify(left.from(), right.from()) && unify(left.to(), right.to());
     default:
-      return left == right;
+      return consistent(left, right);
   }
 }
 
@@ -127,12 +127,14 @@ std::string Unifier::described(const Type& type) {
   return {};
 }
 
-Type result_type(const Type& function, const Type& argument) {
-  if (function.kind() != Type::Kind::function) return Type::term();
-  if (!function.polymorphic()) return function.to();
+std::optional<Type> result_type(const Type& function, const Type& argument) {
+  if (function == Type::term() || function.kind() == Type::Kind::variable) return Type::term();
+  if (function.kind() != Type::Kind::function) return std::nullopt;
+  if (!function.polymorphic())
+    return consistent(function.from(), argument) ? std::optional(function.to()) : std::nullopt;
   Unifier unifier;
   const Type own = unifier.instance(function);
-  unifier.unify(own.from(), unifier.instance(argument));
+  if (!unifier.unify(own.from(), unifier.instance(argument)) && !unifier.gave_up()) return std::nullopt;
   return unifier.resolved(own.to());
 }
 

@@ -36,7 +36,8 @@ class Unifier {
   std::size_t steps_ = 0;
 };
 
-/// Type of a function of type `function` applied to something of type `argument`; `term` when it is no function.
-Type result_type(const Type& function, const Type& argument);
+/// Type of something of type `function` applied to something of type `argument`; none where it is no function, or takes
+/// something else. What is of type `term`, or of a type variable's, may be a function: then it is `term`.
+std::optional<Type> result_type(const Type& function, const Type& argument);
 
 }  // namespace continua

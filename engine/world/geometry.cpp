@@ -4,6 +4,8 @@
 
 namespace continua {
 
+Vec3 depth_of(const Box& a, const Box& b) { return a.max.cwiseMin(b.max) - a.min.cwiseMax(b.min); }
+
 // Dividing whole steps by their number per metre gives the double nearest to the decimal, which multiplying does not.
 double on_grid(double length_m) {
   const double steps_per_m = std::round(1 / position_grid_m);

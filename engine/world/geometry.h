@@ -24,6 +24,9 @@ struct Box {
   Vec3 center() const { return (min + max) / 2; }
 };
 
+/// How far two boxes reach into each other along each axis; below 0 it is the gap between them.
+Vec3 depth_of(const Box& a, const Box& b);
+
 /// The grid on which decisions see the world: positions are rounded to a tenth of a millimetre, so that the
 /// noise of floating point on another machine does not reach a decision.
 inline constexpr double position_grid_m = 1e-4;

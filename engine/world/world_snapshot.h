@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,9 +19,14 @@ struct ObjectState {
   Vec3 half_extents_m = Vec3::Zero();             ///< of its bounding box, in its own frame
   Vec3 p_WO = Vec3::Zero();                       ///< centre of its bounding box, on the grid
   double yaw = 0;                                 ///< radians
+  /// The hollow of a container, open at its top: from p_WO, along the object's own axes. None where nothing can be put
+  /// in, as into a cup that lies on its side.
+  std::optional<Box> interior = {};
 
   /// Axis-aligned bounding box in W, yaw taken into account.
   Box bounds_W() const;
+  /// The interior as a box along W's axes: if the object is turned, the largest one of its proportions that fits in it.
+  std::optional<Box> interior_W() const;
 };
 
 struct WorldSnapshot {

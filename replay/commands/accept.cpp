@@ -1,5 +1,6 @@
 #include "replay/commands/accept.h"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
@@ -9,6 +10,7 @@
 #include "core/characters.h"
 #include "core/located_json.h"
 #include "replay/commands/named_machine.h"
+#include "replay/run_index.h"
 
 namespace continua {
 namespace {
@@ -29,17 +31,35 @@ void append_lines(std::string_view text, std::vector<std::string>& words) {
   }
 }
 
+std::vector<std::string> between_spaces(std::string_view text) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto end = std::min(text.find(' ', at), text.size());
+    if (end > at) parts.emplace_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return parts;
+}
+
 }  // namespace
 
 std::vector<std::string> symbols_of_word(std::string_view word) {
-  if (word.find(' ') == std::string_view::npos) return characters(word);
-  std::vector<std::string> symbols;
-  for (std::size_t at = 0; at < word.size();) {
-    const auto end = std::min(word.find(' ', at), word.size());
-    if (end > at) symbols.emplace_back(word.substr(at, end - at));
-    at = end + 1;
+  return word.find(' ') == std::string_view::npos ? characters(word) : between_spaces(word);
+}
+
+Result<std::string> moves_of_run(const std::string& path, const Machine& machine) {
+  const auto run = RunIndex::open(path);
+  if (!run) return run.error();
+  std::string moves;
+  for (const auto n : run->of_kind("reading")) {
+    const auto record = run->record(n);
+    if (!record) return record.error();
+    const auto move = record->value("move", Json());
+    if (!move.is_string() || !machine.knows_input(move.get<std::string>())) continue;
+    if (!moves.empty()) moves += ' ';
+    moves += move.get<std::string>();
   }
-  return symbols;
+  return moves;
 }
 
 int run_accept(const AcceptOptions& options) {
@@ -48,19 +68,28 @@ int run_accept(const AcceptOptions& options) {
     const auto text = read_words(options.words_file);
     if (!text) return report(text.error()), exit_impossible;
     append_lines(*text, words);
-  } else if (words.empty()) {
-    return report({"", "found no word; expected WORD or --words (see continua accept --help)"}), exit_impossible;
+  } else if (words.empty() && options.runs.empty()) {
+    return report({"", "found no word; expected WORD, --words or --run (see continua accept --help)"}), exit_impossible;
   }
   const auto machine = load_named_machine(options.machine);
   if (!machine) return report(machine.error()), exit_impossible;
   Acceptance acceptance(*machine, options.empty_stack ? AcceptBy::empty_stack : AcceptBy::final_state);
   std::string verdicts;
   int status = exit_done;
-  for (const auto& word : words) {
-    const auto verdict = acceptance.accepts(symbols_of_word(word));
-    if (!verdict) return report({options.machine, verdict.error().text()}), exit_impossible;
-    verdicts += *verdict ? "accept\n" : "reject\n";
+  const auto judge = [&](const std::vector<std::string>& word, const std::string& remark) -> Outcome {
+    const auto verdict = acceptance.accepts(word);
+    if (!verdict) return Error{options.machine, verdict.error().text()};
+    verdicts += (*verdict ? "accept" : "reject") + remark + "\n";
     if (!*verdict) status = exit_no;
+    return std::nullopt;
+  };
+  for (const auto& word : words)
+    if (const auto problem = judge(symbols_of_word(word), "")) return report(*problem), exit_impossible;
+  for (const auto& run : options.runs) {
+    const auto moves = moves_of_run(run, **machine);
+    if (!moves) return report(moves.error()), exit_impossible;
+    if (const auto problem = judge(between_spaces(*moves), fmt::format(" {}: {}", run, *moves)))
+      return report(*problem), exit_impossible;
   }
   if (const auto problem = write_file("-", verdicts)) return report(*problem), exit_impossible;
   return status;
@@ -74,6 +103,9 @@ void add_accept_command(CLI::App& program, Run& run) {
                    "a name of the knowledge folder, or a path; also JFLAP's .jff of type fa or pda")
       ->required();
   command->add_flag("--empty-stack", options->empty_stack, "accept by empty stack instead of by final state");
+  command->add_option("--run", options->runs, "run logs; the moves of each are a word")
+      ->type_name("RUN")
+      ->allow_extra_args(false);
   command->add_option("--words", options->words_file, "a file with a word a line; '-' is standard input");
 
   // A word that begins with '-' looks like an option. So that all words stay in order, WORD takes none of them: they
@@ -87,7 +119,9 @@ void add_accept_command(CLI::App& program, Run& run) {
   command->footer(
       "Prints accept or reject for each word, in a line of its own. Exit status: 0 all accepted, 1 not all.\n"
       "What begins with '-' and is no option is a word; after '--' everything is.\n"
-      "Example: continua accept palindromes abba ab ''");
+      "--run leaves out moves that the machine does not know.\n"
+      "Example: continua accept palindromes abba ab ''\n"
+      "         continua accept table_1 --run talk.run.jsonl");
   command->callback([command, options, &run] {
     options->words = command->remaining();
     const auto mark = std::find(options->words.begin(), options->words.end(), "--");

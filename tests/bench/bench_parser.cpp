@@ -49,8 +49,9 @@ void read_repeated(benchmark::State& state, const std::string& text) {
 }
 
 BENCHMARK_CAPTURE(read_text, one_breath, "put the knife in the blue cup");
-BENCHMARK_CAPTURE(read_text, twenty_words,
-                  "the green block right of the plate, behind the other green block and in front of the two red blocks");
+BENCHMARK_CAPTURE(
+    read_text, twenty_words,
+    "the green block right of the plate, behind the other green block and in front of the two red blocks");
 BENCHMARK_CAPTURE(read_text, no_commas,
                   "put the green block right of the plate behind the other green block in front of the red cup");
 BENCHMARK_CAPTURE(read_repeated, sentences, "put the knife in the blue cup.")->RangeMultiplier(2)->Range(1, 16);

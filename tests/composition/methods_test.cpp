@@ -56,11 +56,16 @@ WorldSnapshot world_of(std::vector<ObjectState> objects) {
 // Evaluates texts in a world.
 class Seen {
  public:
-  explicit Seen(WorldSnapshot world, std::uint64_t seed = 1) : world_(std::move(world)), random_(seed) {
+  explicit Seen(WorldSnapshot world, std::uint64_t seed = 1, Perspective perspective = Perspective::human)
+      : world_(std::move(world)), random_(seed), methods_(perspective) {
     methods_.see(&world_, &random_);
     names_.insert(Methods::signature().begin(), Methods::signature().end());
     for (const auto& object : world_.objects) names_.emplace(object.name, Type::entity());
-    names_.emplace("ghost", Type::entity());
+    for (const auto* each : {"ghost", "avatar", "human"}) names_.emplace(each, Type::entity());
+    for (const auto* each : {"left", "right", "in_front", "behind", "on", "over"})
+      names_.emplace(each, Type::parse("e -> loc").value());
+    for (const auto* each : {"in", "near"}) names_.emplace(each, Type::parse("term -> loc").value());
+    names_.emplace("between", Type::parse("e -> term -> loc").value());
   }
 
   Term term(std::string_view text) {
@@ -112,7 +117,7 @@ TEST_CASE("what is not in the world gives null, and so does no world") {
     CHECK(seen.value(text) == "null");
   CHECK(Seen(world_of({})).value("[held, head(scene)]") == "[null, null]");
 
-  const Methods blind;
+  const Methods blind(Perspective::human);
   for (const auto& [name, rule] : blind.rules()) {
     INFO(name);
     const std::vector<Term> arguments(rule.arity, Term::entity("plate"));
@@ -178,6 +183,36 @@ TEST_CASE("a free place is where the object fits, within the region, the same fo
                   ", box(<0.1, -0.2, 0>, <0.5, 0.2, 0>))"));
   }
   CHECK(seen.value("free_place(block1, box(<0.29, -0.01, 0>, <0.31, 0.01, 0>))") == "null");
+}
+
+TEST_CASE("a thing is located where a place term says, as the perspective sees it") {
+  const auto world = world_of({cube("block1", 0.1, 0, 0, 0.05), cube("block2", 0.1, 0.3, 0.02, 0.05),
+                               cube("block3", 0.1, -0.3, 0, 0.05), cube("block4", 0.1, 0.3, 0.02, 0.15)});
+  Seen human(world), avatar(world, 1, Perspective::avatar);
+  CHECK(human.is("located(block2, right(block1))"));
+  CHECK(human.margin == Approx(0.08));
+  CHECK(human.value("located(block2, left(block1))") == "false");
+  CHECK(avatar.value("located(block2, left(block1))") == "true");
+  CHECK(avatar.value("located(block2, right(block1))") == "false");
+  for (const auto* term :
+       {"located(block1, between(block2, block3))", "located(block4, on(block2))", "located(block2, left(avatar))",
+        "located(block2, <0.305, 0.015, 0>)", "located(block2, near(<0.4, 0.02, 0>))",
+        "located(block2, box(<0.2, 0, 0>, <0.4, 0.1, 0>))", "located(block2, in(box(<0.2, 0, 0>, <0.4, 0.1, 0>)))",
+        "located(block1, between(block3, <0.3, 0, 0>))"}) {
+    INFO(term);
+    CHECK(human.is(term));
+    CHECK(avatar.is(term));
+  }
+  for (const auto* term : {"located(ghost, on(block1))", "located(block1, on(ghost))", "located(block1, over(block2))",
+                           "located(block1, null)", "located(block1, on(null))", "offset(block2, 'over')",
+                           "offset(block2, 'on')", "offset(ghost, 'left')"}) {
+    INFO(term);
+    CHECK(human.value(term) == "null");
+  }
+  CHECK(human.value("map([left, right], \\side. located(block2, side(block1)))") == "[false, true]");
+  CHECK(human.value("\\v. located(block2, left(v))") == "\\v. located(block2, left(v))");
+  CHECK(human.value("map(['left', 'right', 'in_front', 'behind'], offset(block2))") == "[-0.3, 0.3, -0.02, 0.02]");
+  CHECK(avatar.value("map(['left', 'right', 'in_front', 'behind'], offset(block2))") == "[0.3, -0.3, 0.02, -0.02]");
 }
 
 TEST_CASE("candidates of a region are found with methods and functions together") {

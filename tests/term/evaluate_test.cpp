@@ -1,6 +1,7 @@
 #include "term/evaluate.h"
 
 #include "read_terms.h"
+#include "term/substitution.h"
 
 namespace continua {
 namespace {

@@ -1,16 +1,9 @@
-#include <cstdlib>
-
 #include "generate_terms.h"
+#include "law.h"
+#include "term/substitution.h"
 
 namespace continua {
 namespace {
-
-// The same terms in every run; RC_PARAMS="seed=2 max_success=20000" asks for others.
-void law(const std::string& what, const auto& property) {
-  setenv("RC_PARAMS", "seed=1 max_success=300", 0);
-  INFO(what);
-  CHECK(rc::check(what, property));
-}
 
 Term value_of_term(const Term& term) { return evaluation({}).value(term); }
 

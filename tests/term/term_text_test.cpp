@@ -71,6 +71,14 @@ TEST_CASE("a variable keeps its name unless that would mean something else") {
   CHECK(print(Term::constant("null", e)) == "`null`");
 }
 
+TEST_CASE("for people a lambda is a λ") {
+  CHECK(print(read("\\x y. put(x, on(y))"), Lambda::greek) == "λx y. put(x, on(y))");
+  CHECK(print(read("map(objects, \\x. `\\\\`)", {{"objects", Type::list(Type::entity())},
+                                                 {"\\", Type::entity()},
+                                                 {"map", Type::parse("'a* -> ('a -> 'b) -> 'b*").value()}}),
+              Lambda::greek) == "map(objects, λx. `\\\\`)");
+}
+
 TEST_CASE("a name is what the innermost lambda says") {
   CHECK(read("\\block1. put(block1, region)") == read("\\x. put(x, region)"));
   CHECK(read("\\x. \\x. on(x)") == read("\\a b. on(b)"));

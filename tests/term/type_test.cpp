@@ -41,6 +41,10 @@ TEST_CASE("the dynamic type goes with everything") {
   CHECK(consistent(type("e -> term"), type("e -> loc*")));
   CHECK(consistent(type("term*"), type("loc*")));
   CHECK_FALSE(consistent(type("term*"), type("loc")));
+  CHECK(consistent(type("region* -> t"), type("loc* -> t")));
+  CHECK(consistent(type("loc"), type("region")));
+  CHECK_FALSE(consistent(type("e"), type("region")));
+  CHECK_FALSE(type("loc") == type("region"));
   CHECK_FALSE(consistent(type("e -> t"), type("loc -> t")));
 }
 
@@ -64,6 +68,12 @@ TEST_CASE("applying a polymorphic function gives the type its argument decides")
   CHECK(result_type(type("'a* -> 'a"), type("loc*")) == type("loc"));
   CHECK(result_type(type("'a -> 'b -> 'a"), type("e")) == type("term -> e"));
   CHECK(result_type(type("term"), type("e")) == type("term"));
+  CHECK(result_type(type("e -> t"), type("term")) == type("t"));
+  CHECK(result_type(type("loc -> t"), type("region")) == type("t"));
+  CHECK_FALSE(result_type(type("e"), type("e")));
+  CHECK_FALSE(result_type(type("e -> t"), type("loc")));
+  CHECK_FALSE(result_type(type("'a* -> 'a"), type("loc")));
+  CHECK_FALSE(result_type(type("('a -> 'a) -> t"), type("e -> loc")));
 }
 
 }  // namespace continua

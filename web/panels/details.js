@@ -48,6 +48,30 @@ function applicationFields(record) {
   return h('dl', {}, part('function'), part('argument'), part('result'), record.rule && line('raised by', record.rule));
 }
 
+const whyMissing = {unsaid: 'not said', several: 'may be', none: 'there is none'};
+
+function readingFields(record) {
+  const fields = [];
+  const term = (name, value, type) => fields.push(line(name, h('span', {class: 'term'}, shown(value)), type && h('span', {class: 'type'}, ` : ${type}`)));
+  fields.push(line('move', record.move ?? 'not understood'));
+  if (record.words) fields.push(line('words', `“${record.words}”`));
+  if (record.reading) term('says', record.reading);
+  if (record.meaning) term('means', record.meaning, record.type);
+  for (const gap of record.missing ?? [])
+    fields.push(line('missing', `${gap.type}${gap.words ? `, “${gap.words}”` : ''}: ${whyMissing[gap.why] ?? gap.why} ${(gap.choices ?? []).join(', ')}`));
+  if (record.referents) fields.push(line('referents', record.referents.join(', ') || 'none'));
+  for (const words of ['unknown', 'unused']) if (record[words]) fields.push(line(`${words} words`, record[words].join(', ')));
+  const ruledOut = (one) => h('ul', {class: 'candidates'}, one.ruled_out.map((each) => h('li', {}, h('b', {}, each.object), ' ', shown(each.reason))));
+  const phrases = [...(record.resolved ?? []), ...(record.ruled_out ? [{words: 'pointing', by: 'pointed', referents: record.referents, ruled_out: record.ruled_out}] : [])];
+  return [h('dl', {}, fields),
+    phrases.map((one) => h('details', {open: phrases.length < 3, 'data-testid': 'resolved'},
+      h('summary', {}, `“${one.words || shown(one.phrase)}” `, h('b', {}, one.referents ? one.referents.join(', ') || 'nothing' : shown(one.value)), ` by ${one.by}`),
+      one.ruled_out?.length > 0 && ruledOut(one))),
+    record.parses?.length > 1 && h('details', {}, h('summary', {}, `${record.parses.length} readings`),
+      h('ol', {class: 'candidates'}, record.parses.map((one, rank) =>
+        h('li', {class: rank === record.rank ? 'chosen' : null}, h('span', {class: 'term'}, shown(one.reading)), ` ${one.category}, cost ${one.cost}`))))];
+}
+
 // Whatever the log says, field by field: what every kind that has no view of its own gets.
 function plainFields(record) {
   const fields = [];
@@ -63,7 +87,7 @@ function plainFields(record) {
 // The sentence above says all there is.
 const nothingMore = () => null;
 
-const views = {transition: transitionFields, application: applicationFields, refusal: refusalFields, utterance: nothingMore, gesture: nothingMore};
+const views = {transition: transitionFields, application: applicationFields, reading: readingFields, refusal: refusalFields, utterance: nothingMore, gesture: nothingMore};
 
 export function mountDetails(app) {
   const {data} = app;

@@ -1,0 +1,41 @@
+// What the automaton is offered: a symbol, and what comes with it.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "term/term.h"
+
+namespace continua {
+
+/// Terms that an input does not carry are null.
+struct Input {
+  int serial = 0;  ///< names the input in `because`
+  std::string symbol;
+  double confidence = 1;
+  double now_s = 0;
+
+  Term target;   ///< loc: where it points
+  Term said;     ///< text: its words
+  Term pointed;  ///< loc: where the human pointed last, if that was just now
+
+  // Of what was understood, by machines with a lexicon (automaton/FORMAT.md, Understanding).
+  Term move;       ///< text: what kind of move it is: 'V', 'N', 'δ', …
+  Term reading;    ///< what the words say, noun phrases included: put(the(\x. knife(x)), there)
+  Term meaning;    ///< what they mean here and now: \v: loc. put(knife, v)
+  Term choices;    ///< e**: for each argument that `meaning` lacks, the objects it may be
+  Term wanted;     ///< text*: for each, the words that were to name it; '' where nothing was said
+  Term referents;  ///< e*: what the noun phrase or the pointing can mean, the likeliest first
+  Term noun;       ///< e -> t: the last noun of the words
+};
+
+/// A term that inputs carry, as machines know it.
+struct Carried {
+  const char* name;
+  const char* type;
+  Term Input::*term;
+  bool understood = false;  ///< known only to machines with a lexicon
+};
+std::span<const Carried> carried_terms();
+
+}  // namespace continua

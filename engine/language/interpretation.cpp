@@ -1,0 +1,308 @@
+#include "language/interpretation.h"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "language/referring.h"
+#include "term/continuation.h"
+#include "term/substitution.h"
+
+namespace continua {
+namespace {
+
+using By = Resolution::By;
+
+// A computation of a term runs on the stack, in proportion to the number of its parts.
+constexpr std::size_t most_parts = 1000;
+// "those blocks on those plates" are as many commands as there are pairs.
+constexpr std::size_t most_commands = 100;
+
+/// A term and what it draws on.
+struct Value {
+  Term term;
+  std::vector<By> by;
+};
+
+/// What a sentence comes to: its meaning, in which variables stand for what is still open, the outermost first.
+struct Answer {
+  struct Open {
+    Gap gap;
+    Term variable;
+  };
+  Term meaning;
+  std::vector<Open> open;
+};
+
+using Rest = Continuation<Value, Answer>;
+using Meaning = Comp<Value, Answer>;
+using Function = std::function<Value(Value)>;
+
+std::vector<By> together(const std::vector<By>& a, const std::vector<By>& b) {
+  std::vector<By> all = a;
+  for (const auto each : b)
+    if (std::find(all.begin(), all.end(), each) == all.end()) all.push_back(each);
+  return all;
+}
+
+// One answer for each of several objects, as one: the list of what they come to, below the same gaps.
+Answer together(std::vector<Answer> answers) {
+  std::vector<Term> meanings;
+  for (const auto& each : answers) {
+    if (each.meaning.kind() == Term::Kind::list)
+      meanings.insert(meanings.end(), each.meaning.elements().begin(), each.meaning.elements().end());
+    else
+      meanings.push_back(each.meaning);
+  }
+  Answer all = std::move(answers.front());
+  Type type = meanings.empty() ? Type::term() : meanings.front().type();
+  all.meaning = Term::list(std::move(meanings), std::move(type));
+  return all;
+}
+
+class Interpreter {
+ public:
+  Interpreter(const Reading& reading, const std::vector<std::string>& words, const Context& context,
+              const Meanings& meanings, const RaisingRules& raising)
+      : reading_(reading), referring_(reading, words, context, meanings), meanings_(meanings), raising_(raising) {
+    collect_names(reading.term);
+    for (const auto& object : context.world->objects) names_.insert(object.name);
+  }
+
+  Interpretation run() {
+    const Term& term = reading_.term;
+    if (!term.closed() || term.size() > most_parts) return {};
+    const Answer answer = referring_.is_noun(term) ? noun(term)(finish({})) : sentence(term);
+    result_.meaning = answer.meaning;
+    for (auto open = answer.open.rbegin(); open != answer.open.rend(); ++open) {
+      result_.meaning = abstraction(open->variable, result_.meaning);
+      result_.gaps.insert(result_.gaps.begin(), open->gap);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void collect_names(const Term& term) {
+    switch (term.kind()) {
+      case Term::Kind::constant:
+        names_.insert(term.name());
+        break;
+      case Term::Kind::lambda:
+        return collect_names(term.body());
+      case Term::Kind::apply:
+        collect_names(term.function());
+        return collect_names(term.argument());
+      case Term::Kind::list:
+        for (const auto& each : term.elements()) collect_names(each);
+        break;
+      default:
+        break;
+    }
+  }
+
+  // A variable is a constant with a name of its own until the lambda around it is built.
+  Term variable(const std::string& hint, const Type& type) {
+    std::string name = hint.empty() ? usual_name(type) : hint;
+    while (!names_.insert(name).second) name += '\'';
+    return Term::constant(name, type);
+  }
+  static std::string usual_name(const Type& type) {
+    if (type.kind() == Type::Kind::function) return "f";
+    return type == Type::location() ? "v" : "x";
+  }
+  static Term abstraction(const Term& variable, const Term& term) {
+    return Term::lambda(variable.name(), variable.type(), abstracted(term, variable));
+  }
+
+  // What the reading itself lacks is open below all that its phrases leave open.
+  Answer sentence(Term term) {
+    std::vector<Answer::Open> own;
+    while (term.type().kind() == Type::Kind::function) {
+      const bool is_lambda = term.kind() == Term::Kind::lambda;
+      const Type type = term.type().from();
+      own.push_back({Gap{Gap::Why::unsaid, type, {}, ""}, variable(is_lambda ? term.name() : "", type)});
+      enclosing_.push_back(own.back().variable);
+      term = is_lambda ? instantiate(term.body(), enclosing_.back()) : Term::apply(term, enclosing_.back());
+    }
+    return meaning_of(term, Type::term())(finish(own));
+  }
+  static Rest finish(std::vector<Answer::Open> own) {
+    return [own = std::move(own)](const Value& value) { return Answer{value.term, own}; };
+  }
+
+  // intTerm(f(x)) = cpsApply(intTerm(f), intTerm(x)); `wanted` is the type that the term's surroundings ask for.
+  Meaning meaning_of(const Term& term, const Type& wanted) {
+    if (referring_.is_phrase(term, enclosing_)) return phrase([this, term] { return referring_.meant(term); }, wanted);
+    switch (term.kind()) {
+      case Term::Kind::apply: {
+        if (is_each(term.function())) return each(term.argument(), wanted);
+        const Type& function = term.function().type();
+        const Type argument = function.kind() == Type::Kind::function ? Type(function.from()) : Type::term();
+        const Meaning applied = meaning_of(term.function(), function);
+        return cpsApply<Value, Value, Answer>(functions(applied), meaning_of(term.argument(), argument));
+      }
+      case Term::Kind::lambda:
+        return lambda(term);
+      case Term::Kind::list:
+        return list(term);
+      default:
+        return unit<Answer>(Value{term, {}});
+    }
+  }
+
+  // The computed function as one of values.
+  Comp<Function, Answer> functions(Meaning function) {
+    return [this, function = std::move(function)](const Continuation<Function, Answer>& k) {
+      return function([this, k](const Value& f) { return k([this, f](const Value& x) { return application(f, x); }); });
+    };
+  }
+
+  Value application(const Value& function, const Value& argument) {
+    const Type& type = function.term.type();
+    Term raised_argument = argument.term;
+    std::string rule;
+    if (type.kind() == Type::Kind::function && !fits(argument.term, type.from())) {
+      Evaluation evaluation(*meanings_.rules, meanings_.lookup);
+      if (auto lifted = raised(argument.term, type.from(), raising_, evaluation)) {
+        raised_argument = std::move(lifted->term);
+        rule = std::move(lifted->rule);
+      }
+    }
+    Value result{Term::apply(function.term, raised_argument), together(function.by, argument.by)};
+    result_.applied.push_back({{function.term, argument.term, result.term, std::move(rule)}, result.by});
+    return result;
+  }
+
+  // A lambda inside of the reading, whose phrases are found outside of it.
+  Meaning lambda(const Term& term) {
+    const Term own = variable(term.name(), term.variable_type());
+    enclosing_.push_back(own);
+    const Meaning body = meaning_of(instantiate(term.body(), own), Type::term());
+    enclosing_.pop_back();
+    return [body, own](const Rest& k) {
+      return body([k, own](const Value& value) { return k(Value{abstraction(own, value.term), value.by}); });
+    };
+  }
+
+  // From the first element to the last. What one command speaks of is in focus for the next.
+  Meaning list(const Term& term) {
+    std::vector<Meaning> elements;
+    for (const auto& each : term.elements()) elements.push_back(meaning_of(each, Type::term()));
+    return [this, elements = std::move(elements), type = term.type().element()](const Rest& k) {
+      return elements_from(0, elements, {Term::list({}, type), {}}, k);
+    };
+  }
+  Answer elements_from(std::size_t at, const std::vector<Meaning>& elements, const Value& done, const Rest& k) {
+    if (at == elements.size()) return k(done);
+    if (at > 0) referring_.focus_on(std::exchange(spoken_of_, {}));
+    return elements[at]([this, at, &elements, done, k](const Value& next) {
+      const Type type = done.term.type().element();
+      auto values = done.term.elements();
+      if (next.term.kind() == Term::Kind::list && type.kind() != Type::Kind::list)
+        values.insert(values.end(), next.term.elements().begin(), next.term.elements().end());
+      else
+        values.push_back(next.term);
+      return elements_from(at + 1, elements, {Term::list(std::move(values), type), together(done.by, next.by)}, k);
+    });
+  }
+
+  // each(those(\x. block(x))) gives them to the rest of the sentence one after the other; so does a list.
+  Meaning each(const Term& group, const Type& wanted) {
+    if (referring_.is_phrase(group, enclosing_)) return meaning_of(group, wanted);
+    return [this, all = meaning_of(group, group.type()), type = group.type()](const Rest& k) {
+      return all([this, k, type](const Value& value) {
+        if (value.term.kind() == Term::Kind::list && !value.term.elements().empty() && affords(value.term.elements().size()))
+          return for_each(value.term.elements(), value.by, k);
+        const Type element = type.kind() == Type::Kind::list ? Type(type.element()) : Type::term();
+        return k(Value{Term::apply(Term::constant("each", Type::function(type, element)), value.term), value.by});
+      });
+    };
+  }
+  static bool is_each(const Term& term) {
+    static const Name each("each");
+    return term.kind() == Term::Kind::constant && term.interned_name() == each;
+  }
+
+  Meaning noun(const Term& term) {
+    return phrase([this, term] { return referring_.meant_by_noun(term); }, Type::term());
+  }
+
+  // A phrase gives its value to the rest of the sentence. Of several that are meant together it gives the list, where
+  // a list can be used, else the rest is done for each. Where nothing or too much is meant, the rest is captured: it is
+  // done with a variable, for which the meaning then waits.
+  Meaning phrase(std::function<Meant()> find, const Type& wanted) {
+    struct Found {
+      bool done = false;
+      Meant meant;
+      Term variable;
+    };
+    auto found = std::make_shared<Found>();
+    return [this, find = std::move(find), found, wanted](const Rest& k) {
+      Meant& meant = found->meant;
+      if (!std::exchange(found->done, true)) meant = resolved(find());
+      std::vector<By> by = {meant.resolution.by};
+      const bool separately = meant.plural && !consistent(wanted, Type::list(Type::entity()));
+      if (!meant.gap && separately && !affords(meant.values.size())) {
+        meant.gap = Gap{Gap::Why::several, meant.values.front().type(), {}, meant.resolution.words};
+        for (const auto& each : meant.values) meant.gap->choices.push_back(each.name());
+      }
+      if (meant.gap) {
+        if (found->variable.is_null()) found->variable = variable("", separately ? Type::entity() : meant.gap->type);
+        meant.gap->type = found->variable.type();
+        Answer answer = k(Value{found->variable, {}});
+        answer.open.insert(answer.open.begin(), {*meant.gap, found->variable});
+        return answer;
+      }
+      if (!meant.plural) return k(Value{meant.values.front(), by});
+      if (!separately) return k(Value{meant.resolution.value, by});
+      return for_each(meant.values, by, k);
+    };
+  }
+
+  bool affords(std::size_t times) const { return commands_ * times <= most_commands; }
+  Answer for_each(const std::vector<Term>& values, const std::vector<By>& by, const Rest& k) {
+    std::vector<Answer> answers;
+    commands_ *= values.size();
+    for (const auto& each : values) answers.push_back(k(Value{each, by}));
+    commands_ /= values.size();
+    return together(std::move(answers));
+  }
+
+  Meant resolved(Meant meant) {
+    if (!meant.gap)
+      for (const auto& value : meant.values)
+        if (value.kind() == Term::Kind::constant && meant.resolution.by != By::presence)
+          spoken_of_.push_back(value.name());
+    result_.resolutions.push_back(meant.resolution);
+    return meant;
+  }
+
+  const Reading& reading_;
+  Referring referring_;
+  const Meanings& meanings_;
+  const RaisingRules& raising_;
+  std::set<std::string> names_;         // taken, so that no variable has them
+  std::vector<Term> enclosing_;         // variables of the lambdas around
+  std::vector<std::string> spoken_of_;  // objects, since the command began
+  std::size_t commands_ = 1;            // for which the rest of the sentence is being done
+  Interpretation result_;
+};
+
+}  // namespace
+
+Interpretation interpret(const Reading& reading, const std::vector<std::string>& utterance_words,
+                         const Context& context, const Meanings& meanings, const RaisingRules& raising) {
+  return Interpreter(reading, utterance_words, context, meanings, raising).run();
+}
+
+std::size_t preferred(const std::vector<Interpretation>& interpretations) {
+  const auto found_all = [](const Interpretation& one) {
+    return std::none_of(one.gaps.begin(), one.gaps.end(), [](const Gap& gap) { return gap.why == Gap::Why::none; });
+  };
+  const auto first = std::find_if(interpretations.begin(), interpretations.end(), found_all);
+  return first == interpretations.end() ? 0 : static_cast<std::size_t>(first - interpretations.begin());
+}
+
+}  // namespace continua

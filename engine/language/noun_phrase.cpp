@@ -1,0 +1,225 @@
+#include "language/noun_phrase.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "language/pointing.h"
+#include "term/substitution.h"
+
+namespace continua {
+namespace {
+
+constexpr std::size_t most_evaluations = 100000;
+constexpr std::size_t exhausted_evaluation = most_evaluations / 50;  // what one that ran out of steps counts for
+constexpr std::size_t most_conjuncts = 1000;
+constexpr int deepest_phrase = 50;
+
+// `term` with what `change` gives for its parts, outer parts first; parts of what it gives are not visited.
+Term rewritten(const Term& term, const std::function<std::optional<Term>(const Term&)>& change) {
+  if (auto changed = change(term)) return *std::move(changed);
+  switch (term.kind()) {
+    case Term::Kind::lambda: {
+      Term body = rewritten(term.body(), change);
+      return body.same_node(term.body()) ? term : Term::lambda(term.name(), term.variable_type(), std::move(body));
+    }
+    case Term::Kind::apply: {
+      Term function = rewritten(term.function(), change), argument = rewritten(term.argument(), change);
+      if (function.same_node(term.function()) && argument.same_node(term.argument())) return term;
+      return Term::apply(std::move(function), std::move(argument));
+    }
+    case Term::Kind::list: {
+      std::vector<Term> elements;
+      for (const auto& each : term.elements()) elements.push_back(rewritten(each, change));
+      return Term::list(std::move(elements), term.type().element());
+    }
+    default:
+      return term;
+  }
+}
+
+// The parts that must all be true, each with the variable of `condition` free.
+std::vector<Term> conjuncts(const Term& condition) {
+  std::vector<Term> found, open = {condition.kind() == Term::Kind::lambda
+                                       ? condition.body()
+                                       : Term::apply(condition, Term::bound(0, Type::entity()))};
+  for (std::size_t steps = 0; !open.empty() && steps < most_conjuncts; ++steps) {
+    const Term next = std::move(open.back());
+    open.pop_back();
+    const auto [head, arguments] = next.spine();
+    if (head.kind() == Term::Kind::constant && head.name() == "and" && arguments.size() == 2) {
+      open.push_back(arguments[1]);
+      open.push_back(arguments[0]);
+    } else if (next.kind() == Term::Kind::apply && next.function().kind() == Term::Kind::lambda) {
+      open.push_back(instantiate(next.function().body(), next.argument()));
+    } else {
+      found.push_back(next);
+    }
+  }
+  found.insert(found.end(), open.rbegin(), open.rend());
+  return found;
+}
+
+Term negated(const Term& condition) {
+  static const Term negation = Term::constant("not", core_signature().at("not"));
+  return Term::apply(negation, condition);
+}
+
+// \x. true, and \x. x != object
+Term everything() { return Term::lambda("x", Type::entity(), Term::truth(true)); }
+Term all_but(const std::string& object) {
+  static const Term differs = Term::constant("!=", Type::parse("e -> e -> t").value());
+  return Term::lambda("x", Type::entity(),
+                      Term::apply(Term::apply(differs, Term::bound(0, Type::entity())), Term::entity(object)));
+}
+
+// Where someone who points at a place may mean: three standard deviations to each side.
+Term pointed_region(const Vec3& p_W) {
+  const Vec3 p = on_grid(p_W);
+  constexpr double reach_m = 3 * hand_sd_m;
+  return Term::place({{p.x() - reach_m, p.y() - reach_m, p.z()}, {p.x() + reach_m, p.y() + reach_m, p.z()}, true});
+}
+
+}  // namespace
+
+NounPhraseSearch::NounPhraseSearch(const Context& context, const Meanings& meanings, std::optional<Vec3> pointed_W)
+    : context_(context), meanings_(meanings), pointed_W_(std::move(pointed_W)) {}
+
+const Determiner* NounPhraseSearch::determiner_of(const Term& phrase) const {
+  if (phrase.kind() != Term::Kind::apply || phrase.function().kind() != Term::Kind::constant) return nullptr;
+  const auto found = meanings_.operators->determiners.find(phrase.function().name());
+  return found == meanings_.operators->determiners.end() ? nullptr : &found->second;
+}
+
+const Proform* NounPhraseSearch::proform_of(const Term& constant) const {
+  if (constant.kind() != Term::Kind::constant) return nullptr;
+  const auto found = meanings_.operators->proforms.find(constant.name());
+  return found == meanings_.operators->proforms.end() ? nullptr : &found->second;
+}
+
+Term NounPhraseSearch::resolved(const Term& term) const {
+  return rewritten(term, [this](const Term& part) -> std::optional<Term> {
+    const auto* proform = proform_of(part);
+    if (!proform) return std::nullopt;
+    switch (proform->source) {
+      case Proform::Source::focus: {
+        if (part.type().kind() != Type::Kind::list)
+          return context_.focus.empty() ? Term::null() : Term::entity(context_.focus.front());
+        std::vector<Term> objects;
+        for (const auto& each : context_.focus) objects.push_back(Term::entity(each));
+        return Term::list(std::move(objects), Type::entity());
+      }
+      case Proform::Source::pointed:
+        return context_.pointed_W ? pointed_region(*context_.pointed_W) : Term::null();
+      case Proform::Source::topic:
+        return context_.topic.is_null() ? everything() : context_.topic;
+      case Proform::Source::avatar:
+        return Term::entity("avatar");
+      case Proform::Source::human:
+        return Term::entity("human");
+      case Proform::Source::other:
+        break;
+    }
+    return std::nullopt;
+  });
+}
+
+Fitting NounPhraseSearch::fitting(const std::vector<const ObjectState*>& objects, const Term& condition,
+                                  const std::string& other) {
+  const auto parts = conjuncts(condition);
+  Fitting fitting;
+  for (const auto* object : objects) {
+    const Term name = Term::entity(object->name);
+    const auto failing = std::find_if(parts.begin(), parts.end(), [&](const Term& part) {
+      return !holds(instantiate(part, name), object->name, other);
+    });
+    if (failing == parts.end())
+      fitting.objects.push_back(object);
+    else
+      fitting.ruled_out.push_back({object->name, print(negated(instantiate(*failing, name)))});
+  }
+  return fitting;
+}
+
+// The first noun phrase inside stands for each of its referents in turn, until one makes the condition true; for all
+// of them together, where it is said of several.
+bool NounPhraseSearch::holds(const Term& condition, const std::string& about, const std::string& other) {
+  std::optional<Term> phrase;
+  const auto with_phrase_as = [&](const Term& value) {
+    bool replaced = false;
+    return rewritten(condition, [&](const Term& part) -> std::optional<Term> {
+      if (replaced || !part.closed() || !determiner_of(part)) return std::nullopt;
+      replaced = true;
+      phrase = part;
+      return value;
+    });
+  };
+  with_phrase_as(Term::null());
+  if (!phrase) return is_true(condition, other);
+  std::vector<Term> others;
+  for (const auto& each : referents(*phrase, about))
+    if (each.name() != about) others.push_back(each);
+  if (phrase->type().kind() == Type::Kind::list)
+    return holds(with_phrase_as(Term::list(std::move(others), Type::entity())), about, other);
+  return std::any_of(others.begin(), others.end(),
+                     [&](const Term& each) { return holds(with_phrase_as(each), about, other); });
+}
+
+bool NounPhraseSearch::is_true(const Term& condition, const std::string& other) {
+  if (evaluations_ > most_evaluations) return false;
+  ++evaluations_;
+  const Term ready = rewritten(condition, [&](const Term& part) -> std::optional<Term> {
+    if (!proform_of(part)) return std::nullopt;
+    return other.empty() ? everything() : all_but(other);
+  });
+  Evaluation evaluation(*meanings_.rules, meanings_.lookup);
+  const bool result = evaluation.value(ready).is_true();
+  if (evaluation.exhausted) evaluations_ += exhausted_evaluation;
+  margin_ = std::min(margin_, evaluation.margin);
+  return result;
+}
+
+const std::vector<Term>& NounPhraseSearch::referents(const Term& phrase, const std::string& about) {
+  const auto [found, added] =
+      found_.try_emplace(Term::list({phrase, Term::entity(about)}, Type::entity()), std::vector<Term>());
+  if (!added || depth_ >= deepest_phrase) return found->second;
+  auto& referents = found->second;
+  ++depth_;
+  const Determiner& determiner = *determiner_of(phrase);
+  std::vector<const ObjectState*> objects;
+  for (const auto& each : context_.world->objects)
+    if (!determiner.other || each.name != about) objects.push_back(&each);
+  Fitting fits = fitting(objects, phrase.argument(), about);
+  if (determiner.deictic && pointed_W_) keep_pointed(*pointed_W_, fits, margin_);
+  --depth_;
+  for (const auto* each : fits.objects) referents.push_back(Term::entity(each->name));
+  return referents;
+}
+
+std::vector<double> keep_pointed(const Vec3& pointed_W, Fitting& fitting, double& margin) {
+  struct Candidate {
+    const ObjectState* object;
+    double density;
+  };
+  std::vector<Candidate> candidates;
+  for (const auto* each : fitting.objects) candidates.push_back({each, pointing_density(pointed_W, *each)});
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.density > b.density; });
+  fitting.objects.clear();
+  std::vector<double> densities;
+  for (const auto& [object, density] : candidates) {
+    const auto& best = candidates.front();
+    if (object != best.object)
+      margin = std::min(margin, pointing_margin(pointed_W, *object, *best.object, least_share));
+    if (density < least_share * best.density) {
+      fitting.ruled_out.push_back({object->name, "not pointed at"});
+      continue;
+    }
+    if (!fitting.objects.empty())
+      margin = std::min(margin, pointing_margin(pointed_W, *fitting.objects.back(), *object, 1));
+    fitting.objects.push_back(object);
+    densities.push_back(density);
+  }
+  return densities;
+}
+
+}  // namespace continua

@@ -1,0 +1,57 @@
+// Whether conditions with noun phrases inside hold of objects: what reference (language/reference.h) is made of.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "language/reference.h"
+
+namespace continua {
+
+/// The objects that fit a noun phrase's words, in the scene's order.
+struct Fitting {
+  std::vector<const ObjectState*> objects;
+  std::vector<RuledOut> ruled_out;
+};
+
+/// Finds what noun phrases fit, one search for a noun phrase and all those inside it. The work is bounded: past the
+/// bound, nothing more is true.
+class NounPhraseSearch {
+ public:
+  /// `pointed_W` counts for deictic noun phrases inside; all must outlive the search.
+  NounPhraseSearch(const Context& context, const Meanings& meanings, std::optional<Vec3> pointed_W);
+
+  /// Of `objects`, those of which `condition` (e -> t) is true. `other` is the object that the words "other" exclude.
+  Fitting fitting(const std::vector<const ObjectState*>& objects, const Term& condition, const std::string& other);
+
+  /// `term` with what its pro-forms stand for; those that mean "other" stay.
+  Term resolved(const Term& term) const;
+
+  /// How near the nearest decision was, metres.
+  double margin() const { return margin_; }
+
+ private:
+  const Determiner* determiner_of(const Term& phrase) const;
+  const Proform* proform_of(const Term& constant) const;
+  bool holds(const Term& condition, const std::string& about, const std::string& other);
+  bool is_true(const Term& condition, const std::string& other);
+  const std::vector<Term>& referents(const Term& phrase, const std::string& about);
+
+  const Context& context_;
+  const Meanings& meanings_;
+  std::optional<Vec3> pointed_W_;
+  std::unordered_map<Term, std::vector<Term>, Term::Hash> found_;  // by [noun phrase, the object it is said about]
+  std::size_t evaluations_ = 0;
+  int depth_ = 0;
+  double margin_ = std::numeric_limits<double>::infinity();
+};
+
+/// Leaves out of `fitting` what pointing speaks against, the likeliest first; returns the densities of those that stay.
+/// Lowers `margin` to how near that was.
+std::vector<double> keep_pointed(const Vec3& pointed_W, Fitting& fitting, double& margin);
+
+}  // namespace continua

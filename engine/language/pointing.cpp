@@ -1,0 +1,63 @@
+#include "language/pointing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace continua {
+namespace {
+
+constexpr double full_turn = 6.283185307179586;
+
+// Where the place lies from an object, and how far it is expected to lie.
+struct Aim {
+  double x, y;
+  double variance_x, variance_y;
+};
+
+double variance(double extent_m) { return hand_sd_m * hand_sd_m + extent_m * extent_m / 36; }
+
+Aim aim(const Vec3& pointed_W, const ObjectState& object) {
+  const Box bounds = object.bounds_W();
+  const Vec3 offset = on_grid(pointed_W) - bounds.center(), extent = bounds.max - bounds.min;
+  return {offset.x(), offset.y(), variance(extent.x()), variance(extent.y())};
+}
+
+// An upper bound of how much the logarithm of the density changes when the offset changes by d: a·d + b·d².
+struct Steepness {
+  double a, b;
+  Steepness operator+(const Steepness& other) const { return {a + other.a, b + other.b}; }
+};
+
+Steepness steepness(const Aim& aim) {
+  const double least = std::min(aim.variance_x, aim.variance_y);
+  return {std::hypot(aim.x / aim.variance_x, aim.y / aim.variance_y), 1 / (2 * least)};
+}
+
+// How far place and objects may move before the logarithm changes by `gap`. An offset changes by twice what both move.
+double movement(double gap, const Steepness& of) {
+  return (std::sqrt(of.a * of.a + 4 * of.b * std::abs(gap)) - of.a) / (4 * of.b);
+}
+
+}  // namespace
+
+double pointing_density(const Vec3& pointed_W, const ObjectState& object) {
+  const Aim at = aim(pointed_W, object);
+  const double square = at.x * at.x / at.variance_x + at.y * at.y / at.variance_y;
+  return std::exp(-square / 2) / (full_turn * std::sqrt(at.variance_x * at.variance_y)) + astray_per_m2;
+}
+
+bool is_pointed_at(const Vec3& pointed_W, const ObjectState& object) {
+  return pointing_density(pointed_W, object) > 2 * astray_per_m2;
+}
+
+double pointing_margin(const Vec3& pointed_W, const ObjectState& a, const ObjectState& b, double ratio) {
+  const double gap = std::log(pointing_density(pointed_W, a) / pointing_density(pointed_W, b) / ratio);
+  return movement(gap, steepness(aim(pointed_W, a)) + steepness(aim(pointed_W, b)));
+}
+
+double pointing_margin(const Vec3& pointed_W, const ObjectState& object) {
+  const double gap = std::log(pointing_density(pointed_W, object) / (2 * astray_per_m2));
+  return movement(gap, steepness(aim(pointed_W, object)));
+}
+
+}  // namespace continua

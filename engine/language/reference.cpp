@@ -1,0 +1,97 @@
+#include "language/reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "language/noun_phrase.h"
+#include "language/pointing.h"
+
+namespace continua {
+namespace {
+
+std::size_t place_in(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+// Referents with their shares, a millionth apart, so that the last bits of an exponential reach no log; equal ones by
+// how much they are in focus, then in the scene's order.
+std::vector<Referent> ranked(const Fitting& fitting, const std::vector<double>& densities, const Context& context) {
+  double sum = 0;
+  for (const double each : densities) sum += each;
+  std::vector<Referent> referents;
+  for (const auto& each : context.world->objects) {
+    const auto found = std::find(fitting.objects.begin(), fitting.objects.end(), &each);
+    if (found == fitting.objects.end()) continue;
+    const double share = densities[static_cast<std::size_t>(found - fitting.objects.begin())] / sum;
+    referents.push_back({each.name, std::round(share * 1e6) / 1e6});
+  }
+  std::stable_sort(referents.begin(), referents.end(), [&](const Referent& a, const Referent& b) {
+    if (a.weight != b.weight) return a.weight > b.weight;
+    return place_in(context.focus, a.object) < place_in(context.focus, b.object);
+  });
+  return referents;
+}
+
+std::vector<RuledOut> in_scene_order(std::vector<RuledOut> ruled_out, const WorldSnapshot& world) {
+  const auto place = [&world](const RuledOut& each) { return world.find(each.object); };
+  std::stable_sort(ruled_out.begin(), ruled_out.end(),
+                   [&](const RuledOut& a, const RuledOut& b) { return place(a) < place(b); });
+  return ruled_out;
+}
+
+// The objects that are asked about; the others are ruled out.
+std::vector<const ObjectState*> asked_about(const Context& context, std::vector<RuledOut>& ruled_out) {
+  std::vector<const ObjectState*> objects;
+  for (const auto& each : context.world->objects) {
+    if (context.among.empty() || place_in(context.among, each.name) < context.among.size())
+      objects.push_back(&each);
+    else
+      ruled_out.push_back({each.name, "not asked about"});
+  }
+  return objects;
+}
+
+}  // namespace
+
+Reference refer(const Term& condition, const Determiner& determiner, const Context& context, const Meanings& meanings) {
+  const auto pointed_W = context.pointed_W;
+  NounPhraseSearch search(context, meanings, determiner.deictic ? std::nullopt : pointed_W);
+  const std::string in_focus = context.focus.empty() ? "" : context.focus.front();
+
+  std::vector<RuledOut> ruled_out;
+  auto objects = asked_about(context, ruled_out);
+  if (determiner.other)
+    std::erase_if(objects, [&](const ObjectState* each) {
+      if (each->name != in_focus) return false;
+      ruled_out.push_back({each->name, "in focus"});
+      return true;
+    });
+  Fitting fitting = search.fitting(objects, search.resolved(condition), in_focus);
+  Reference reference;
+  reference.margin = search.margin();
+  std::vector<double> densities(fitting.objects.size(), 1);
+  if (determiner.deictic && pointed_W) densities = keep_pointed(*pointed_W, fitting, reference.margin);
+  reference.referents = ranked(fitting, densities, context);
+  ruled_out.insert(ruled_out.end(), fitting.ruled_out.begin(), fitting.ruled_out.end());
+  reference.ruled_out = in_scene_order(std::move(ruled_out), *context.world);
+  return reference;
+}
+
+Reference refer_to_pointed(const Context& context) {
+  Reference reference;
+  Fitting fitting;
+  for (const auto* each : asked_about(context, fitting.ruled_out)) {
+    if (context.pointed_W) reference.margin = std::min(reference.margin, pointing_margin(*context.pointed_W, *each));
+    if (context.pointed_W && is_pointed_at(*context.pointed_W, *each))
+      fitting.objects.push_back(each);
+    else
+      fitting.ruled_out.push_back({each->name, "not pointed at"});
+  }
+  std::vector<double> densities;
+  if (context.pointed_W) densities = keep_pointed(*context.pointed_W, fitting, reference.margin);
+  reference.referents = ranked(fitting, densities, context);
+  reference.ruled_out = in_scene_order(std::move(fitting.ruled_out), *context.world);
+  return reference;
+}
+
+}  // namespace continua

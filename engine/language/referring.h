@@ -1,0 +1,57 @@
+// What a phrase of a reading is taken to mean: noun phrases by refer(), pro-forms by what is said, shown or present.
+// A part of the interpretation (language/interpretation.h).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "language/interpretation.h"
+
+namespace continua {
+
+/// The values of a phrase: one, or the several of a plural; or why there are none.
+struct Meant {
+  std::vector<Term> values;
+  bool plural = false;  ///< all values are meant together
+  std::optional<Gap> gap;
+  Resolution resolution;  ///< its value is null where there are several, or none
+};
+
+class Referring {
+ public:
+  Referring(const Reading& reading, const std::vector<std::string>& words, Context context, const Meanings& meanings)
+      : reading_(reading), words_(words), context_(std::move(context)), meanings_(meanings) {}
+
+  /// Is it a noun phrase D(\x. …), a noun without determiner, or a pro-form? Not where it depends on one of `open`,
+  /// the variables around it.
+  bool is_phrase(const Term& term, const std::vector<Term>& open) const;
+  /// REQUIRES is_phrase().
+  Meant meant(const Term& phrase) const;
+
+  /// Something that is true or false of objects, a noun ("red cup"), and no command that lacks its argument: what is at
+  /// its head computes something.
+  bool is_noun(const Term& term) const;
+  Meant meant_by_noun(const Term& noun) const;
+
+  /// These objects are being talked about from now on, the last first.
+  void focus_on(const std::vector<std::string>& objects);
+
+ private:
+  const Determiner* determiner(const Term& term) const;
+  const Proform* proform(const Term& term) const;
+  Meant by_determiner(const Term& phrase, const Term& condition, const Determiner& determiner) const;
+  Meant by_proform(const Term& phrase, const Proform& proform) const;
+  Meant chosen(const Term& phrase, Reference reference, const Determiner& determiner, std::string noun) const;
+  std::optional<Term> single_value(const Proform& proform, const Type& type) const;
+  Term with_topic(Term condition) const;
+  std::string words_of(const Term& phrase) const;
+
+  const Reading& reading_;
+  const std::vector<std::string>& words_;
+  Context context_;
+  const Meanings& meanings_;
+};
+
+}  // namespace continua

@@ -1,0 +1,84 @@
+#include "moves/understanding.h"
+
+#include <optional>
+#include <utility>
+
+namespace continua {
+namespace {
+
+std::vector<std::string> words_at(const Utterance& utterance, const std::vector<std::size_t>& places, WordSpan span) {
+  std::vector<std::string> words;
+  for (const auto place : places)
+    if (place >= span.begin && place < span.end) words.push_back(utterance.words[place]);
+  return words;
+}
+
+// The words from the end of the fragment before to the beginning of the next: what was skipped around it counts to it.
+WordSpan surroundings(const Utterance& utterance, std::size_t fragment) {
+  const auto& fragments = utterance.fragments;
+  return {fragment == 0 ? 0 : fragments[fragment].words.begin,
+          fragment + 1 == fragments.size() ? utterance.words.size() : fragments[fragment + 1].words.begin};
+}
+
+// The noun that was said last: of type e -> t, and no other one inside it.
+Term last_noun(const Reading& reading) {
+  const Phrase* noun = nullptr;
+  for (const auto& phrase : reading.phrases) {
+    if (!consistent(phrase.term.type(), Type::function(Type::entity(), Type::truth()))) continue;
+    if (phrase.term.type().kind() != Type::Kind::function) continue;
+    const bool inside = noun && phrase.words.begin >= noun->words.begin && phrase.words.end <= noun->words.end;
+    if (!noun || inside || phrase.words.begin > noun->words.begin) noun = &phrase;
+  }
+  return noun ? noun->term : Term::null();
+}
+
+// Of "which block is red?" what is asked for: a condition that stands as a program's argument.
+std::optional<Term> asked_for(const Reading& reading) {
+  const auto arguments = reading.term.spine().arguments;
+  const bool is_condition = arguments.size() == 1 && arguments[0].closed() &&
+                            arguments[0].kind() == Term::Kind::lambda &&
+                            arguments[0].type() == Type::function(Type::entity(), Type::truth());
+  return is_condition && reading.term.type() == Type::truth() ? std::optional(arguments[0]) : std::nullopt;
+}
+
+}  // namespace
+
+Understanding::Understanding(const Language& language, const WorldSnapshot& world, const RuleTable& rules)
+    : language_(language), rules_(rules), vocabulary_(language.lexicon, world) {}
+
+Meanings Understanding::meanings() const {
+  return {&rules_, [this](Name name) { return vocabulary_.definition(name.text()); }, &language_.lexicon->operators};
+}
+
+Move Understanding::understood(const Utterance& utterance, std::size_t fragment, const Context& context) const {
+  const auto& part = utterance.fragments[fragment];
+  std::vector<Interpretation> interpretations;
+  for (const auto& reading : part.readings)
+    interpretations.push_back(interpret(reading, utterance.words, context, meanings(), language_.raising));
+  Move move;
+  move.chosen = preferred(interpretations);
+  move.readings = part.readings;
+  move.interpretation = std::move(interpretations[move.chosen]);
+  const auto& reading = move.readings[move.chosen];
+  move.kind = reading.move;
+  move.noun = last_noun(reading);
+  for (const auto& resolution : move.interpretation.resolutions)
+    if (resolution.by == Resolution::By::words) move.reference = resolution.reference;
+  if (const auto question = asked_for(reading)) move.reference = refer(*question, Determiner{}, context, meanings());
+  for (auto word = part.words.begin; word < part.words.end; ++word) move.words.push_back(utterance.words[word]);
+  const auto around = surroundings(utterance, fragment);
+  move.unknown = words_at(utterance, utterance.unknown, around);
+  move.unused = words_at(utterance, utterance.unused, around);
+  return move;
+}
+
+Move Understanding::not_understood(const Utterance& utterance) const {
+  Move move;
+  const WordSpan all{0, utterance.words.size()};
+  move.words = utterance.words;
+  move.unknown = words_at(utterance, utterance.unknown, all);
+  move.unused = words_at(utterance, utterance.unused, all);
+  return move;
+}
+
+}  // namespace continua

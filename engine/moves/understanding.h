@@ -1,0 +1,43 @@
+// From what was said or shown to moves: words are read once, then each of their moves is interpreted in the context
+// that those before it have left.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "language/parser.h"
+#include "language/vocabulary.h"
+#include "moves/move.h"
+#include "term/raising.h"
+
+namespace continua {
+
+/// What the engine knows of language: data, loaded once.
+struct Language {
+  std::shared_ptr<const Lexicon> lexicon;
+  RaisingRules raising;
+};
+
+class Understanding {
+ public:
+  /// `world` gives the words for its objects; `rules` are what conditions on objects compute. `language` and `rules`
+  /// must outlive the understanding.
+  Understanding(const Language& language, const WorldSnapshot& world, const RuleTable& rules);
+
+  Utterance read(std::string_view text) const { return continua::read(text, vocabulary_); }
+
+  /// The move that a fragment of the utterance is.
+  Move understood(const Utterance& utterance, std::size_t fragment, const Context& context) const;
+  /// The move of an utterance without fragments.
+  Move not_understood(const Utterance& utterance) const;
+
+ private:
+  Meanings meanings() const;
+
+  const Language& language_;
+  const RuleTable& rules_;
+  Vocabulary vocabulary_;
+};
+
+}  // namespace continua

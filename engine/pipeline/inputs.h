@@ -1,0 +1,18 @@
+// What the automaton is offered, from what was perceived and understood.
+#pragma once
+
+#include "automaton/input.h"
+#include "moves/move.h"
+#include "perception/input_event.h"
+
+namespace continua {
+
+/// The event as an input, before anything is understood. `serial` names it.
+Input to_input(const InputEvent& event, int serial);
+
+/// Adds what a move says to the input, and if it is one of speech makes its kind the symbol.
+void carry(const Move& move, Input& input);
+
+Term point_term(const Vec3& p_W);
+
+}  // namespace continua

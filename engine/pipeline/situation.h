@@ -1,0 +1,26 @@
+// What a move is understood against: the context of language/reference.h, from what the machine says of itself, and
+// which inputs it came from.
+#pragma once
+
+#include <vector>
+
+#include "automaton/stepper.h"
+#include "moves/move.h"
+
+namespace continua {
+
+struct Situation {
+  Context context;
+  std::vector<int> focus, among, topic, pointed;  ///< serials of the inputs that these came from
+};
+
+/// The machine's `context`, evaluated in the configuration. Pointing is left out.
+Situation situation_of(Stepper& stepper, const Configuration& configuration, const Input& input, const Beliefs& beliefs,
+                       const WorldSnapshot& world);
+
+/// The inputs that a move draws on: its own, and those of what it took from the context.
+std::vector<int> sources(const Move& move, int serial, const Situation& situation);
+/// The same of one of its applications.
+std::vector<int> sources(const Applying& applying, int serial, const Situation& situation);
+
+}  // namespace continua

@@ -1,0 +1,39 @@
+// Continuation-passing style, as in the paper's Haskell fragment (§3, after van Eijck and Unger 2010):
+//
+//   type Comp a r = (a -> r) -> r
+//   cpsApply :: Comp (a -> b) r -> Comp a r -> Comp b r
+//   cpsApply m n = \ k -> n (\ b -> m (\ a -> k (a b)))
+//   cpsConst :: a -> Comp a r
+//   cpsConst c = \ k -> k c
+//
+// A computation of an A is a function of what is to be done next with it. It may do that once, or several times (one
+// command for each of "those blocks"), or never; or it may keep it for later (a command that lacks its argument).
+#pragma once
+
+#include <functional>
+#include <utility>
+
+namespace continua {
+
+/// What is to be done with an A; its answer is an R.
+template <class A, class R>
+using Continuation = std::function<R(A)>;
+
+template <class A, class R>
+using Comp = std::function<R(Continuation<A, R>)>;
+
+/// The computation that just gives its value; the fragment's cpsConst.
+template <class R, class A>
+Comp<A, R> unit(A value) {
+  return [value = std::move(value)](const Continuation<A, R>& k) { return k(value); };
+}
+
+/// Applies what `m` computes to what `n` computes. The argument's computation runs first, so its effects come first.
+template <class A, class B, class R>
+Comp<B, R> cpsApply(Comp<std::function<B(A)>, R> m, Comp<A, R> n) {
+  return [m = std::move(m), n = std::move(n)](const Continuation<B, R>& k) {
+    return n([m, k](A b) { return m([k, b](const std::function<B(A)>& a) { return k(a(b)); }); });
+  };
+}
+
+}  // namespace continua

@@ -1,0 +1,27 @@
+// Reads raising rules from a file such as knowledge/raising.json:
+//
+//   { "raising": 1,
+//     "programs": { "in": "e -> loc" },
+//     "rules": [ { "name": "object_to_place_in", "from": "e", "to": "loc",
+//                  "when": "\\x. attribute(x, 'affords') = 'containment'", "by": "in" } ] }
+//
+// `programs` are names that compute nothing, with their types; `when` may be missing; "about" may stand beside
+// "raising" and in each rule, for people.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+#include "term/raising.h"
+
+namespace continua {
+
+/// `names` are those that the terms may use beside the file's own: the language's, facts of the world. The error is
+/// the first problem of the file: "file:line:column: what was found, what was expected".
+Result<RaisingRules> load_raising(const std::string& path, const Signature& names);
+
+/// The same from text; `name` stands for the file in errors.
+Result<RaisingRules> parse_raising(std::string_view text, const std::string& name, const Signature& names);
+
+}  // namespace continua

@@ -1,0 +1,18 @@
+// Machines and lexicons carry examples of what they do; these are run here.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "automaton/machine.h"
+#include "moves/understanding.h"
+
+namespace continua {
+
+/// A sentence for each example of the machine that is not true of it. Inputs are events without a place, on an empty
+/// table.
+std::vector<std::string> broken_examples(const std::shared_ptr<const Machine>& machine,
+                                         const std::shared_ptr<const Language>& language);
+
+}  // namespace continua

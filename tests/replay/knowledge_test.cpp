@@ -1,0 +1,66 @@
+// What the knowledge folder holds loads, and its examples are true of it.
+#include <filesystem>
+
+#include "composition/methods.h"
+#include "core/located_json.h"
+#include "machine_file/machine_loader.h"
+#include "replay/examples.h"
+#include "replay/language_loading.h"
+#include "support/catch.h"
+
+using namespace continua;
+namespace fs = std::filesystem;
+
+TEST_CASE("every machine of the knowledge folder is sound, and its examples are true of it") {
+  const auto data = find_data_paths();
+  REQUIRE(data.ok());
+  int machines = 0;
+  for (const auto& file : fs::directory_iterator(data->knowledge / "machines")) {
+    if (file.path().extension() != ".json") continue;
+    ++machines;
+    CAPTURE(file.path());
+    auto loaded = load_machine(file.path().string(), Methods::signature());
+    if (!loaded) FAIL(loaded.error().text());
+    const auto machine = std::make_shared<const Machine>(std::move(*loaded));
+    auto language = load_language(*data, *machine);
+    if (!language) FAIL(language.error().text());
+    CHECK_FALSE(machine->examples.empty());
+    CHECK(broken_examples(machine, std::make_shared<const Language>(std::move(*language))) ==
+          std::vector<std::string>{});
+  }
+  CHECK(machines > 0);
+}
+
+TEST_CASE("every lexicon of the knowledge folder is sound, and its examples are true of it") {
+  const auto data = find_data_paths();
+  REQUIRE(data.ok());
+  int lexicons = 0;
+  for (const auto& folder : fs::directory_iterator(data->knowledge / "lexicon")) {
+    ++lexicons;
+    const auto lexicon = load_named_lexicon(*data, folder.path().string(), "");
+    if (!lexicon) FAIL(lexicon.error().text());
+    std::vector<std::string> problems;
+    for (const auto& problem : check_examples(**lexicon)) problems.push_back(problem.text());
+    CHECK(problems == std::vector<std::string>{});
+    CHECK((*lexicon)->examples.size() >= 150);
+  }
+  CHECK(lexicons > 0);
+}
+
+TEST_CASE("the example of the format's page is a sound machine") {
+  const auto page = read_file((fs::path(CONTINUA_SOURCE_DIR) / "engine/automaton/FORMAT.md").string()).value();
+  const std::string begin = "```json\n";
+  const auto from = page.find(begin) + begin.size();
+  const auto machine =
+      parse_machine(page.substr(from, page.find("```", from) - from), "FORMAT.md", Methods::signature());
+  if (!machine) FAIL(machine.error().text());
+  CHECK(machine->transitions.size() == 3);
+}
+
+TEST_CASE("the machine of the recorded system has its states and transitions") {
+  const auto path = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge/machines/diana2018.json";
+  const auto machine = load_machine(path.string(), Methods::signature());
+  REQUIRE(machine.ok());
+  CHECK(machine->states.size() == 29);
+  CHECK(machine->transitions.size() == 109);
+}
