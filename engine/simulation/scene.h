@@ -20,11 +20,11 @@ namespace continua {
 struct ObjectOverride {
   std::string object;
   std::optional<double> x_m, y_m;  ///< of its centre, in W
-  /// Of its centre; without it, it stands on the table if x or y is given. At most 2 cm from standing on the table or on
-  /// what is under it, or lower than the table under it, it stands there; otherwise it falls.
+  /// Of its centre; without it, it stands on the table if x or y is given. At most 2 cm from standing on the table or
+  /// on what is under it, or lower than the table under it, it stands there; otherwise it falls.
   std::optional<double> z_m;
-  std::optional<double> yaw;       ///< radians
-  bool removed = false;            ///< not in the scene at all
+  std::optional<double> yaw;  ///< radians
+  bool removed = false;       ///< not in the scene at all
 };
 
 struct SceneObject {

@@ -5,7 +5,8 @@
 using namespace continua;
 
 TEST_CASE("a container's hollow goes with it, and is no larger when it is turned") {
-  ObjectState cup{"cup", {}, Vec3(0.04, 0.04, 0.05), Vec3(0.1, 0, 0.05), 0, Box{{-0.02, -0.03, -0.04}, {0.04, 0.03, 0.05}}};
+  ObjectState cup{
+      "cup", {}, Vec3(0.04, 0.04, 0.05), Vec3(0.1, 0, 0.05), 0, Box{{-0.02, -0.03, -0.04}, {0.04, 0.03, 0.05}}};
   struct Row {
     double yaw;
     Vec3 min, max;
