@@ -11,8 +11,8 @@ using Slash = Category::Slash;
 
 // Per word of an argument: short arguments are likelier than long ones, but "leftmost" is said of all that follows.
 constexpr double cost_per_word = 0.01, cost_per_word_before = 0.001;
-// Of passing over words inside of a phrase.
-constexpr double cost_of_passing = 0.1;
+// Of passing over words inside of a phrase, and of leaving out a word that has lost what it belonged to.
+constexpr double cost_of_passing = 0.1, cost_of_lost = 1.5;
 constexpr int most_unary = 2;
 
 bool is_modifier(const Category& category) { return category.argument() == category.result(); }
@@ -26,7 +26,7 @@ bool is_function(const Category& category, Slash slash) { return !category.is_at
 
 }  // namespace
 
-Chart::Chart(const std::vector<std::string>& words, const Vocabulary& vocabulary)
+Chart::Chart(const std::vector<Word>& words, const Vocabulary& vocabulary)
     : vocabulary_(vocabulary), lexicon_(vocabulary.lexicon()) {
   look_up(words);
   const auto count = words.size();
@@ -40,20 +40,21 @@ const std::vector<std::size_t>& Chart::at(std::size_t begin, std::size_t end) co
   return cells_[begin][end - begin - 1];
 }
 
-void Chart::look_up(const std::vector<std::string>& words) {
+void Chart::look_up(const std::vector<Word>& words) {
   words_.resize(words.size());
   skippable_.resize(words.size());
   for (std::size_t begin = 0; begin < words.size(); ++begin) {
     std::string text;
     const auto most = std::min(vocabulary_.most_words(), words.size() - begin);
     for (std::size_t count = 1; count <= most; ++count) {
-      text += (count > 1 ? " " : "") + words[begin + count - 1];
+      text += (count > 1 ? " " : "") + words[begin + count - 1].text;
       const auto* entry = vocabulary_.find(text);
       words_[begin].push_back({});
       if (!entry) continue;
       words_[begin].back().push_back(entry);
       if (entry->skip) skippable_[begin].push_back({count, *entry->skip});
     }
+    if (words[begin].before_unknown) skippable_[begin].push_back({1, cost_of_lost, false});
   }
 }
 
@@ -69,8 +70,8 @@ void Chart::fill(std::size_t begin, std::size_t end) {
     const auto &lefts = at(begin, middle), &rights = at(middle, end);
     for (const auto left : lefts)
       for (const auto right : rights) combine(left, right);
-    for (const auto& [count, cost] : skippable_[middle])
-      if (middle + count == end)
+    for (const auto& [count, cost, known] : skippable_[middle])
+      if (middle + count == end && (cost == 0 || !known))
         for (const auto left : lefts)
           candidates_.push_back(
               {entries_[left].category, entries_[left].cost + cost + cost_of_passing, Rule::skip, left, left});

@@ -1,5 +1,5 @@
 // All ways to build phrases from neighbouring words: a chart (CKY) over combinatory categorial grammar, with
-// application, harmonic composition, the lexicon's unary rules, and words that may be left out.
+// application, harmonic composition, the lexicon's unary rules, and words that may be left out at no cost.
 //
 // Each derivation that only repeats another in a different order is left out (Eisner, Efficient normal-form parsing for
 // combinatory categorial grammar, 1996); what still means the same is one entry. Spans and entries of a span are
@@ -33,7 +33,13 @@ class Chart {
   /// Longest phrase, in words; most entries of a span, and of one category among them.
   static constexpr std::size_t longest_span = 40, most_entries = 40, most_of_category = 8;
 
-  Chart(const std::vector<std::string>& words, const Vocabulary& vocabulary);
+  /// What is said of a word before it is looked up.
+  struct Word {
+    std::string text;
+    bool before_unknown = false;  ///< words that are not known stood after it: "the" has lost its noun
+  };
+
+  Chart(const std::vector<Word>& words, const Vocabulary& vocabulary);
 
   const Entry& entry(std::size_t number) const { return entries_[number]; }
   /// Numbers of the entries of these words, cheapest first except that unary rules come last.
@@ -44,8 +50,9 @@ class Chart {
   struct Skippable {
     std::size_t count;  ///< words
     double cost;
+    bool known = true;  ///< that it may be left out; else it has lost what it belonged to
   };
-  /// What may be left out from this word on.
+  /// What may be left out from this word on, inside of a phrase where it costs nothing.
   const std::vector<Skippable>& skippable(std::size_t begin) const { return skippable_[begin]; }
 
  private:
@@ -57,7 +64,7 @@ class Chart {
     const Term* word = nullptr;
   };
 
-  void look_up(const std::vector<std::string>& words);
+  void look_up(const std::vector<Word>& words);
   void fill(std::size_t begin, std::size_t end);
   void combine(std::size_t left, std::size_t right);
   void add_candidates();

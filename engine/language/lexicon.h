@@ -54,10 +54,10 @@ struct UnaryRule {
   double cost = 0;
 };
 
-/// A sentence and how it has to be read.
+/// Sentences and how they have to be read.
 struct LexiconExample {
   std::string where;  ///< file:line:column
-  std::string say;
+  std::vector<std::string> say;                ///< each is read the same way
   std::optional<std::vector<Term>> readings;   ///< all of the only fragment, the likeliest first
   std::optional<std::vector<Term>> fragments;  ///< the first of each
   std::optional<Term> reading;                 ///< the first of the only fragment

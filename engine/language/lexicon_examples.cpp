@@ -23,6 +23,13 @@ std::vector<Type> missing_of(const Reading& reading, const Lexicon& lexicon) {
   return missing;
 }
 
+// Several objects may stand where a function takes one: "put them there".
+Type taking_several(const Type& type) {
+  if (type.kind() != Type::Kind::function) return type;
+  const auto& from = type.from();
+  return Type::function(from == Type::entity() ? Type::term() : from, taking_several(type.to()));
+}
+
 std::string listed(const std::vector<std::string>& texts) {
   std::string all;
   for (const auto& text : texts) all += (all.empty() ? "" : "; ") + text;
@@ -91,8 +98,10 @@ void LexiconReader::read_sample() {
 
 void LexiconReader::read_examples() {
   const Vocabulary vocabulary(std::make_shared<const Lexicon>(lexicon_), scene_of(lexicon_));
+  Signature names;
+  for (const auto& [name, type] : vocabulary.names()) names.emplace(name, taking_several(type));
   each_section("examples", [&](const Item& section) {
-    each_element(section, "examples", [&](const Item& item) { read_example(item, vocabulary.names()); });
+    each_element(section, "examples", [&](const Item& item) { read_example(item, names); });
   });
 }
 
@@ -102,7 +111,11 @@ void LexiconReader::read_example(const Item& item, const Signature& names) {
     return;
   LexiconExample example;
   example.where = item.document->where(item.pointer);
-  example.say = text_of(required(item, "say", "a sentence"), "a sentence");
+  const auto say = required(item, "say", "a sentence or a list of some");
+  if (say.json && say.json->is_array())
+    example.say = texts_of(say, "sentences");
+  else
+    example.say = {text_of(say, "a sentence or a list of some")};
   const auto term = [&](const Item& text) -> Term {
     if (!text.json->is_string()) return text_of(text, "a term"), Term();
     const auto read = parse_term(text.json->get<std::string>(), names);
@@ -135,8 +148,9 @@ std::vector<Error> check_examples(const Lexicon& lexicon) {
   const Vocabulary vocabulary(std::make_shared<const Lexicon>(lexicon), scene_of(lexicon));
   std::vector<Error> errors;
   for (const auto& example : lexicon.examples)
-    if (const auto wrong = fault(example, continua::read(example.say, vocabulary), lexicon); !wrong.empty())
-      errors.push_back({example.where, fmt::format("'{}': {}", example.say, wrong)});
+    for (const auto& sentence : example.say)
+      if (const auto wrong = fault(example, continua::read(sentence, vocabulary), lexicon); !wrong.empty())
+        errors.push_back({example.where, fmt::format("'{}': {}", sentence, wrong)});
   return errors;
 }
 

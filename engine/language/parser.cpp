@@ -54,7 +54,7 @@ Term opened(Term term, const std::vector<Type>& missing) {
 // One part of an utterance without sentence ends and unknown words.
 class Segment {
  public:
-  Segment(const std::vector<std::string>& words, const std::vector<std::size_t>& positions,
+  Segment(const std::vector<Chart::Word>& words, const std::vector<std::size_t>& positions,
           const Vocabulary& vocabulary)
       : words_(words), positions_(positions), vocabulary_(vocabulary), chart_(words, vocabulary) {}
 
@@ -63,7 +63,7 @@ class Segment {
     for (std::size_t at = 0; at < words_.size();) {
       const auto& step = best_[at];
       if (step.fragment)
-        utterance.fragments.push_back(fragment(at, step.end));
+        utterance.fragments.push_back(fragment(at, step.end, utterance.unused));
       else if (step.unused)
         utterance.unused.push_back(positions_[at]);
       at = step.end;
@@ -88,8 +88,9 @@ class Segment {
     for (std::size_t begin = words_.size(); begin-- > 0;) {
       for (auto end = chart_.last_end(begin); end > begin; --end)
         if (const auto cost = cost_of(begin, end)) offer(begin, {*cost + cost_of_fragment, end, true, false});
-      for (const auto& [count, cost] : chart_.skippable(begin)) offer(begin, {cost, begin + count, false, false});
-      offer(begin, {words_[begin] == "," ? 0 : cost_of_unused, begin + 1, false, words_[begin] != ","});
+      for (const auto& [count, cost, known] : chart_.skippable(begin))
+        offer(begin, {cost, begin + count, false, !known});
+      offer(begin, {is_comma(begin) ? 0 : cost_of_unused, begin + 1, false, !is_comma(begin)});
     }
   }
 
@@ -105,8 +106,8 @@ class Segment {
     return least;
   }
 
-  // The readings that lack as little as any does, the cheapest first.
-  Fragment fragment(std::size_t begin, std::size_t end) const {
+  // The readings that lack as little as any does, the cheapest first, and words that they had to pass over.
+  Fragment fragment(std::size_t begin, std::size_t end, std::vector<std::size_t>& unused) const {
     struct Found {
       std::size_t number;
       Root root;
@@ -120,6 +121,7 @@ class Segment {
     std::stable_sort(found.begin(), found.end(), [&](const Found& a, const Found& b) {
       return chart_.entry(a.number).cost < chart_.entry(b.number).cost;
     });
+    collect_unused(found.front().number, unused);
     Fragment result{span(begin, end), {}};
     for (const auto& each : found) {
       const bool likely =
@@ -163,13 +165,29 @@ class Segment {
     if (entry.right != entry.left) collect_phrases(entry.right, reading);
   }
 
+  void collect_unused(std::size_t number, std::vector<std::size_t>& unused) const {
+    const auto& entry = chart_.entry(number);
+    if (entry.rule == Chart::Rule::word) return;
+    collect_unused(entry.left, unused);
+    if (entry.right != entry.left) collect_unused(entry.right, unused);
+    if (entry.rule != Chart::Rule::skip) return;
+    const auto passed = chart_.entry(entry.left).words.end;
+    for (const auto& skippable : chart_.skippable(passed))
+      if (passed + skippable.count == entry.words.end) {
+        if (!skippable.known) unused.push_back(positions_[passed]);
+        return;
+      }
+  }
+
+  bool is_comma(std::size_t at) const { return words_[at].text == ","; }
+
   // Words of the utterance, from words of the segment.
   WordSpan span(std::size_t begin, std::size_t end) const {
-    while (end > begin + 1 && words_[end - 1] == ",") --end;
+    while (end > begin + 1 && is_comma(end - 1)) --end;
     return {positions_[begin], positions_[end - 1] + 1};
   }
 
-  const std::vector<std::string>& words_;
+  const std::vector<Chart::Word>& words_;
   const std::vector<std::size_t>& positions_;
   const Vocabulary& vocabulary_;
   Chart chart_;
@@ -180,7 +198,7 @@ class Segment {
 
 Utterance read(std::string_view text, const Vocabulary& vocabulary) {
   Utterance utterance;
-  std::vector<std::string> words;
+  std::vector<Chart::Word> words;
   std::vector<std::size_t> positions;
   const auto end_segment = [&] {
     if (!words.empty()) Segment(words, positions, vocabulary).read_into(utterance);
@@ -190,10 +208,11 @@ Utterance read(std::string_view text, const Vocabulary& vocabulary) {
   for (const auto& word : words_of(text, most_words, &utterance.cut)) {
     if (!word.comma) utterance.words.push_back(word.text);
     if (word.comma ? !words.empty() : vocabulary.knows(word.text)) {
-      words.push_back(word.text);
+      words.push_back({word.text, false});
       positions.push_back(utterance.words.size() - 1);
     } else if (!word.comma) {
       utterance.unknown.push_back(utterance.words.size() - 1);
+      if (!words.empty()) words.back().before_unknown = true;
     }
     if (word.ends_after) end_segment();
   }

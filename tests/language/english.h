@@ -1,0 +1,66 @@
+// The English lexicon, and a scene to speak of, for tests.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "language/parser.h"
+#include "support/catch.h"
+#include "term/term_text.h"
+
+namespace continua {
+
+/// The facts of the world that the lexicon's definitions use.
+inline Signature world_facts() {
+  Signature names;
+  const auto add = [&](const char* name, const char* type) { names.emplace(name, Type::parse(type).value()); };
+  add("scene", "e*");
+  add("table", "loc");
+  add("held", "e");
+  add("attribute", "e -> text -> text");
+  add("volume", "e -> num");
+  add("position", "e -> loc");
+  add("located", "e -> loc -> t");
+  add("offset", "e -> text -> num");
+  return names;
+}
+
+inline const std::string english_folder = CONTINUA_SOURCE_DIR "/engine/knowledge/lexicon/english";
+
+inline std::shared_ptr<const Lexicon> english() {
+  static const auto lexicon = [] {
+    auto loaded = load_lexicon(english_folder, world_facts());
+    if (!loaded) FAIL(loaded.error().text());
+    return std::make_shared<const Lexicon>(*std::move(loaded));
+  }();
+  return lexicon;
+}
+
+/// An object of which the scene says this, "type=banana color=cyan".
+inline ObjectState object_of(const std::string& name, const std::string& attributes) {
+  ObjectState object;
+  object.name = name;
+  for (std::size_t at = 0; at < attributes.size();) {
+    const auto end = std::min(attributes.find(' ', at), attributes.size());
+    const auto equals = attributes.find('=', at);
+    object.attributes[attributes.substr(at, equals - at)] = attributes.substr(equals + 1, end - equals - 1);
+    at = end + 1;
+  }
+  return object;
+}
+
+/// What can be said without any scene.
+inline const Vocabulary& english_words() {
+  static const Vocabulary words(english(), WorldSnapshot());
+  return words;
+}
+
+/// The first reading of each fragment, "; " between them.
+inline std::string reading_of(const std::string& text, const Vocabulary& words = english_words()) {
+  std::string all;
+  for (const auto& fragment : read(text, words).fragments)
+    all += (all.empty() ? "" : "; ") + print(fragment.readings.front().term);
+  return all;
+}
+
+}  // namespace continua
