@@ -8,9 +8,10 @@ using namespace continua;
 namespace {
 
 const Atoms& atoms() {
-  static const Atoms all = {{"S", {{Type::truth()}, "V", false, false, {}}},
-                            {"NP", {{Type::entity(), Type::list(Type::entity())}, "N", true, true, {}}},
-                            {"N", {{Type::function(Type::entity(), Type::truth())}, "N", false, true, {"one", "many"}}}};
+  static const Atoms all = {
+      {"S", {{Type::truth()}, "V", false, false, {}}},
+      {"NP", {{Type::entity(), Type::list(Type::entity())}, "N", true, true, {}}},
+      {"N", {{Type::function(Type::entity(), Type::truth())}, "N", false, true, {"one", "many"}}}};
   return all;
 }
 
@@ -41,7 +42,7 @@ TEST_CASE("a category is printed as it is read") {
 
 TEST_CASE("what is no category is told with its column") {
   CHECK(error("") == "column 1: found nothing more, expected a category");
-  CHECK(error("S/Np") == "column 3: found 'Np', expected a category (did you mean 'NP'?)");
+  CHECK(error("S/Np") == "column 3: found 'Np', expected a category (did you mean 'N'?)");
   CHECK(error("S/(NP") == "column 6: found nothing more, expected )");
   CHECK(error("S NP") == "column 2: found ' NP', expected / or \\");
   CHECK(error("N[mani]") == "column 3: N has no feature 'mani' (did you mean 'many'?)");

@@ -13,7 +13,8 @@ using namespace continua;
 
 namespace {
 
-const std::string small = R"json({"categories": {"S": {"type": "t", "move": "V"}, "N": {"type": "e -> t", "features": ["many"]}},
+const std::string small =
+    R"json({"categories": {"S": {"type": "t", "move": "V"}, "N": {"type": "e -> t", "features": ["many"]}},
 "names": {"stop": "t"},
 "define": {"big": {"type": "e -> t", "term": "\\x. volume(x) > 1"}},
 "determiners": {"the": {"definite": true}},
@@ -41,16 +42,18 @@ struct Row {
 };
 
 const Row rows[] = {
-    {"\"names\"", "\"name\"", "a.json:2:1: unknown key 'name' of a part of a lexicon (did you mean 'names'?)\n"
-                              "a.json:6:41: unknown name 'stop', in 'stop'"},
+    {"\"names\"", "\"name\"",
+     "a.json:2:1: unknown key 'name' of a part of a lexicon (did you mean 'names'?)\n"
+     "a.json:6:37: unknown name 'stop', in 'stop'"},
     {"\"type\": \"t\"", "\"type\": \"x\"", "unknown type 'x'"},
     {"\"move\"", "\"moves\"", "a.json:1:36: unknown key 'moves' of a category (did you mean 'move'?)"},
     {"\"stop\": \"t\"", "\"scene\": \"t\"", "the name 'scene' is taken by a fact of the world; expected another"},
     {"\"stop\": \"t\"", "\"stop\": 3", "a.json:2:19: found 3, expected a type, a string"},
     {"volume(x) > 1", "volum(x) > 1", "unknown name 'volum' (did you mean 'volume'?)"},
     {"volume(x) > 1", "volume(x)", "found a function from e to num"},
-    {"\"definite\": true", "\"definite\": 1", "a.json:4:36: found 1, expected true or false"},
-    {"\"focus\"", "\"fokus\"", "found 'fokus', expected focus, pointed, topic, other, avatar or human (did you mean 'focus'?)"},
+    {"\"definite\": true", "\"definite\": 1", "a.json:4:37: found 1, expected true or false"},
+    {"\"focus\"", "\"fokus\"",
+     "found 'fokus', expected focus, pointed, topic, other, avatar or human (did you mean 'focus'?)"},
     {"[\"S\", \"stop\"]", "[\"S/\", \"stop\"]", "a.json:6:34: found nothing more, expected a category, in 'S/'"},
     {"[\"S\", \"stop\"]", "[\"T\", \"stop\"]", "a.json:6:32: found 'T', expected a category, in 'T'"},
     {"[\"S\", \"stop\"]", "[\"S\", \"it\"]", "a.json:6:37: "},
@@ -112,15 +115,21 @@ TEST_CASE("the digest is that of the content") {
     return load_lexicon(folder.path().string(), world_facts())->digest;
   };
   CHECK(digest(one) == digest(two));
+  two.file("a.json", small.substr(0, small.find("please")) + "so" + small.substr(small.find("please") + 6));
+  CHECK(digest(one) != digest(two));
+  two.file("a.json", small);
   two.file("b.json", R"({"skip": {"well": 0}})");
   CHECK(digest(one) != digest(two));
 }
 
 TEST_CASE("what the scene says of its objects can be said") {
   WorldSnapshot world;
-  world.objects = {object_of("b1", "type=banana color=cyan"), object_of("b2", "type=orange color=light_blue"),
-                   object_of("b3", "type=mug material=felt weight=heavy"), object_of("b4", "type=toy_car"),
-                   object_of("b5", "type=table color="), object_of("banana", "type=fish")};
+  world.objects = {object_of("b1", "type=banana color=cyan"),
+                   object_of("b2", "type=orange color=light_blue"),
+                   object_of("b3", "type=mug material=felt weight=heavy"),
+                   object_of("b4", "type=toy_car"),
+                   object_of("b5", "type=table color="),
+                   object_of("banana", "type=fish")};
   const Vocabulary words(english(), world);
   const auto read_as = [&](const char* text) { return reading_of(text, words); };
   CHECK(read_as("the cyan bananas") == R"(all(\x. cyan(x) and banana(x)))");

@@ -41,12 +41,12 @@ const Row sentences[] = {
     {"put the book at that spot", R"(put(the(\x. book(x)), there))"},
     {"put down the yellow bottle please", R"(ungrasp(the(\x. yellow(x) and bottle(x))))"},
     {"nudge it backward", R"(slide(it, in_front(it)))"},
-    {"shove the brown box to the left", R"(slide(the(\x. brown(x) and block(x)), left(the(\x. brown(x) and block(x)))))"},
+    {"shove the brown box to the left",
+     R"(slide(the(\x. brown(x) and block(x)), left(the(\x. brown(x) and block(x)))))"},
     {"move those two cups to the left of the plate", R"(put(each(those(\x. cup(x))), left(the(\x. plate(x)))))"},
     {"rotate the bowl", R"(turn(the(\x. bowl(x))))"},
     {"could you point to the smallest ball", R"(point(the(\x. smallest(\y. ball(y), x))))"},
-    {"which cup is in front of the plate",
-     R"(which(\x. cup(x) and located(x, in_front(the(\y. plate(y))))))"},
+    {"which cup is in front of the plate", R"(which(\x. cup(x) and located(x, in_front(the(\y. plate(y))))))"},
     {"where are the green blocks", R"(where(each(all(\x. green(x) and block(x)))))"},
     {"what is this", R"(what(this(\x. true)))"},
     {"what's next to the bowl", R"(which(\x. located(x, beside(the(\y. bowl(y))))))"},
@@ -67,8 +67,7 @@ const Row sentences[] = {
      R"(the(\x. blue(x) and block(x) and located(x, left(the(\y. cup(y)))) and located(x, in_front(the(\y. plate(y)))) and located(x, touching(the(\y. red(y) and block(y))))))"},
     {"that ball behind and touching the book",
      R"(that(\x. ball(x) and located(x, behind(the(\y. book(y)))) and located(x, touching(the(\y. book(y))))))"},
-    {"put the ball in the cup on the left",
-     R"(put(the(\x. ball(x)), in(the(\x. leftmost(\y. cup(y), x)))))"},
+    {"put the ball in the cup on the left", R"(put(the(\x. ball(x)), in(the(\x. leftmost(\y. cup(y), x)))))"},
     {"bring me that bottle", R"(put(that(\x. bottle(x)), near(me)))"},
     {"hand the fork to me", R"(put(the(\x. fork(x)), near(me)))"},
     {"show me both knives", R"(point(each(both(\x. knife(x)))))"},
@@ -158,20 +157,36 @@ TEST_CASE("sentences are read as expected") {
 
 TEST_CASE("parts of commands are moves of their own, and know what they lack") {
   const std::vector<std::pair<const char*, const char*>> rows = {
-      {"put", "V S/PP/NP"},      {"put the knife", "V S/PP"}, {"put in the cup", "V S/NP"}, {"in that blue cup", "P PP"},
-      {"the plate", "N NP"},     {"cup", "N N[one]"},         {"red", "N N[one]"},          {"the red one", "N NP"},
-      {"on the plate", "P PP"},  {"there", "P PP"},           {"left", "P DIR"},            {"to the left", "P DIR"},
-      {"behind it", "P PP"},     {"yes", "y Y"},              {"no", "n NO"},               {"right", "y Y; P DIR"},
-      {"never mind", "never_mind NEVER"},                     {"what is that", "question Q"},
-      {"put the knife in", "V S/NP"},                         {"no the blue one", "n NO, N NP"},
-      {"No, the blue one.", "n NO, N NP"},                    {"the knife. Put it there!", "N NP, V S"},
+      {"put", "V S/PP/NP"},
+      {"put the knife", "V S/PP"},
+      {"put in the cup", "V S/NP"},
+      {"in that blue cup", "P PP"},
+      {"the plate", "N NP"},
+      {"cup", "N N[one]"},
+      {"red", "N N[one]"},
+      {"the red one", "N NP"},
+      {"on the plate", "P PP"},
+      {"there", "P PP"},
+      {"left", "P DIR"},
+      {"to the left", "P DIR"},
+      {"behind it", "P PP"},
+      {"yes", "y Y"},
+      {"no", "n NO"},
+      {"right", "y Y; P DIR"},
+      {"never mind", "never_mind NEVER"},
+      {"what is that", "question Q"},
+      {"put the knife in", "V S/NP"},
+      {"no the blue one", "n NO, N NP"},
+      {"No, the blue one.", "n NO, N NP"},
+      {"the knife. Put it there!", "N NP, V S"},
   };
   for (const auto& [text, expected] : rows) {
     std::string kinds;
     for (const auto& fragment : read(text, english_words()).fragments) {
       kinds += kinds.empty() ? "" : ", ";
       for (const auto& reading : fragment.readings)
-        kinds += fmt::format("{}{} {}", &reading == fragment.readings.data() ? "" : "; ", reading.move, reading.category);
+        kinds +=
+            fmt::format("{}{} {}", &reading == fragment.readings.data() ? "" : "; ", reading.move, reading.category);
     }
     CAPTURE(text);
     CHECK(kinds == expected);
@@ -214,16 +229,18 @@ TEST_CASE("noun phrases and nouns are kept with their words") {
         R"(the shiny red knife = the(\x. red(x) and knife(x)); red knife = \x. red(x) and knife(x); it = it)");
   CHECK(phrases("cup") == R"(cup = \x. cup(x))");
   CHECK(phrases("put, um, the cup, there") == R"(the cup = the(\x. cup(x)); cup = \x. cup(x))");
-  CHECK(phrases("the cup and the block on the plate") ==
-        R"(the cup and the block on the plate = [the(\x. cup(x)), the(\x. block(x) and located(x, on(the(\y. plate(y)))))]; )"
-        R"(the cup = the(\x. cup(x)); cup = \x. cup(x); )"
-        R"(the block on the plate = the(\x. block(x) and located(x, on(the(\y. plate(y))))); )"
-        R"(block on the plate = \x. block(x) and located(x, on(the(\y. plate(y)))); )"
-        R"(the plate = the(\x. plate(x)); plate = \x. plate(x))");
+  CHECK(
+      phrases("the cup and the block on the plate") ==
+      R"(the cup and the block on the plate = [the(\x. cup(x)), the(\x. block(x) and located(x, on(the(\y. plate(y)))))]; )"
+      R"(the cup = the(\x. cup(x)); cup = \x. cup(x); )"
+      R"(the block on the plate = the(\x. block(x) and located(x, on(the(\y. plate(y))))); )"
+      R"(block on the plate = \x. block(x) and located(x, on(the(\y. plate(y)))); )"
+      R"(the plate = the(\x. plate(x)); plate = \x. plate(x))");
 }
 
 TEST_CASE("a long utterance is cut, whatever it is") {
-  for (const std::string part : {"put the knife in the blue cup ", "zork ", "the ", "and ", ", ", "the block behind ", "no. "}) {
+  for (const std::string part :
+       {"put the knife in the blue cup ", "zork ", "the ", "and ", ", ", "the block behind ", "no. "}) {
     std::string text;
     for (int i = 0; i < 10'000; ++i) text += part;
     const auto utterance = read(text, english_words());
