@@ -28,10 +28,10 @@ enum class Capability {
 
 /// Where something shall go. Resolved when the act begins, for a landmark may have moved since it was said.
 struct Goal {
-  std::optional<Relation> relation;                 ///< to the landmarks; without it, p_WG is the goal
-  std::vector<std::string> landmarks;               ///< objects or participants, landmarks_of(relation) many
-  Perspective perspective = Perspective::avatar;    ///< whose sides are meant
-  Vec3 p_WG = Vec3::Zero();                         ///< the point of the table under the object's centre
+  std::optional<Relation> relation;               ///< to the landmarks; without it, p_WG is the goal
+  std::vector<std::string> landmarks;             ///< objects or participants, landmarks_of(relation) many
+  Perspective perspective = Perspective::avatar;  ///< whose sides are meant
+  Vec3 p_WG = Vec3::Zero();                       ///< the point of the table under the object's centre
 };
 
 struct AvatarCommand {
@@ -87,10 +87,12 @@ struct Placement {
 /// Whose business it is that something already stands where an object shall go.
 enum class Occupied {
   avoided,  ///< the nearest place to the ideal one at which the object overlaps nothing, on the table
-  cleared,  ///< the body finds room itself, and is told the ideal place of a point, of a side and of what is on something
+  cleared,  ///< the body finds room itself, and is told the ideal place of a point, of a side and of what is on
+            ///< something
 };
 
-/// Where the object comes to lie when `command`, a put or slide, succeeds in `world`. Beside another thing (left,
+/// Where the object comes to lie when `command`, a put or slide, succeeds in `world`. At a point it stands on what is
+/// there, if that bears it. Beside another thing (left,
 /// right, in_front, behind, touching) it ideally touches it, at or beside it, near or between it keeps a distance; `in`
 /// it stands on the hollow's floor, lying if it fits so, else upright; before a participant it is near the edge of the
 /// table. A side of the object itself is a step that way. Whatever place is chosen, world/relations says of it that the

@@ -6,10 +6,10 @@
 namespace continua {
 
 /// Acts are done at the instant of the `advance` after their command, in order; objects stand where acts leave them,
-/// never in one another. What stands on or in an object moves along with it. What fits into a hollow on its end alone is
-/// stood up, which the report tells; it lies again where it is put next. An act about something that is not in the world
-/// is `unreachable`, one that cannot be done (no room, an object onto itself, a lift of nothing) is `blocked`; the world
-/// is then as before.
+/// never in one another. What stands on or in an object moves along with it. What fits into a hollow on its end alone
+/// is stood up, which the report tells; it lies again where it is put next. An act about something that is not in the
+/// world is `unreachable`, one that cannot be done (no room, an object onto itself, a lift of nothing) is `blocked`;
+/// the world is then as before.
 class KinematicBody : public Body {
  public:
   explicit KinematicBody(WorldSnapshot world) : world_(std::move(world)) {}

@@ -16,12 +16,18 @@ namespace {
 constexpr double beside_gap_m = 0.02, near_gap_m = 0.05, at_gap_m = 0.005, step_gap_m = 0.02, edge_gap_m = 0.03;
 // By how much the relation has to hold, so that it still does when it is measured.
 constexpr double least_margin_m = 5e-4;
+// How far within the edge of what bears it a centre has to be.
+constexpr double rim_m = 0.006;
 
 constexpr std::array sides = {Relation::left, Relation::right, Relation::in_front, Relation::behind};
 
-bool is_side(Relation relation) { return std::find(sides.begin(), sides.end(), relation) != sides.end(); }
-
 Vec3 half_of(const Box& box) { return (box.max - box.min) / 2; }
+
+/// Whether a point is over a box, `rim` within its edge.
+bool is_over(const Box& box, const Vec3& p_W, double rim) {
+  return p_W.x() > box.min.x() + rim && p_W.x() < box.max.x() - rim && p_W.y() > box.min.y() + rim &&
+         p_W.y() < box.max.y() - rim;
+}
 
 std::string in_words(Relation relation) {
   std::string words(text(relation));
@@ -70,6 +76,8 @@ class Places {
 
   std::vector<Vec3> ideals() const;
   std::vector<Vec3> before_participant(Perspective who) const;
+  bool is_narrow(const ObjectState& below) const;
+  double top_under(const Vec3& p_W) const;
   double support_height(const Vec3& p_W, Occupied occupied) const;
   bool free(const ObjectState& placed) const;
   bool on_table(const ObjectState& placed) const;
@@ -116,6 +124,23 @@ bool Places::on_table(const ObjectState& placed) const {
          box.min.y() >= world_.table.min.y() - grid_slack_m && box.max.y() <= world_.table.max.y() + grid_slack_m;
 }
 
+/// Whether the object would fall off that thing.
+bool Places::is_narrow(const ObjectState& below) const {
+  const Vec3 mine = half_of(object_.bounds_W()), theirs = half_of(below.bounds_W());
+  return theirs.x() < mine.x() / 2 || theirs.y() < mine.y() / 2;
+}
+
+/// The height of what bears an object at that point.
+double Places::top_under(const Vec3& p_W) const {
+  double height = world_.table.max.z();
+  for (std::size_t i = 0; i < world_.objects.size(); ++i) {
+    const Box box = world_.objects[i].bounds_W();
+    if (!carried_[i] && !is_narrow(world_.objects[i]) && is_over(box, p_W, rim_m))
+      height = std::max(height, box.max.z());
+  }
+  return height;
+}
+
 /// What an object beside the landmark comes to stand on: the table, or things that are no higher than what the landmark
 /// itself stands on, and not so narrow that it falls off them.
 double Places::support_height(const Vec3& p_W, Occupied occupied) const {
@@ -123,16 +148,12 @@ double Places::support_height(const Vec3& p_W, Occupied occupied) const {
   double height = world_.table.max.z();
   if (!landmarks_.front().thing) return height;
   const double bottom = landmarks_.front().bounds_W.min.z();
-  const Vec3 half = half_of(object_.bounds_W());
   for (std::size_t i = 0; i < world_.objects.size(); ++i) {
     const auto& other = world_.objects[i];
     if (other.name == object_.name || other.name == landmarks_.front().thing->name) continue;
     const Box box = other.bounds_W();
-    const Vec3 theirs = half_of(box);
-    const bool narrow = theirs.x() < half.x() / 2 || theirs.y() < half.y() / 2;
-    if (occupied == Occupied::avoided && (carried_[i] || narrow)) continue;
-    const bool under = p_W.x() > box.min.x() && p_W.x() < box.max.x() && p_W.y() > box.min.y() && p_W.y() < box.max.y();
-    if (under && box.max.z() <= bottom + slack_m) height = std::max(height, box.max.z());
+    if (occupied == Occupied::avoided && (carried_[i] || is_narrow(other))) continue;
+    if (is_over(box, p_W, 0) && box.max.z() <= bottom + slack_m) height = std::max(height, box.max.z());
   }
   return height;
 }
@@ -170,9 +191,8 @@ std::vector<Vec3> Places::ideals() const {
   std::stable_sort(places.begin(), places.end(), [&](const Vec3& a, const Vec3& b) { return way(a) < way(b); });
   // Beside is at the left or the right, if it can be.
   if (relation == Relation::beside)
-    std::stable_partition(places.begin(), places.end(), [&](const Vec3& p) {
-      return std::abs(p.y() - landmark.thing->p_WO.y()) < position_grid_m;
-    });
+    std::stable_partition(places.begin(), places.end(),
+                          [&](const Vec3& p) { return std::abs(p.y() - landmark.thing->p_WO.y()) < position_grid_m; });
   return places;
 }
 
@@ -181,7 +201,8 @@ Result<Placement> Places::at_point(Occupied occupied) const {
   const Vec3 ideal(goal_.p_WG.x(), goal_.p_WG.y(), world_.table.max.z() + object_.half_extents_m.z());
   if (occupied == Occupied::cleared) return Placement{on_grid(ideal)};
   for (const Vec3& step : steps_around(farthest_m)) {
-    const ObjectState there = placed(ideal + step);
+    ObjectState there = placed(ideal + step);
+    there.p_WO.z() = on_grid(top_under(there.p_WO) + object_.half_extents_m.z());
     if (on_table(there) && free(there)) return Placement{there.p_WO};
   }
   return no_room();
@@ -211,19 +232,16 @@ Result<Placement> Places::in_hollow() const {
 }
 
 Result<Placement> Places::on_top(Occupied occupied) const {
-  constexpr double farthest_m = 0.2, rim_m = 0.006;
+  constexpr double farthest_m = 0.2;
   const ObjectState& below = *landmarks_.front().thing;
   const Box top = below.bounds_W();
   const Vec3 ideal(below.p_WO.x(), below.p_WO.y(), top.max.z() + object_.half_extents_m.z());
   if (occupied == Occupied::cleared) return Placement{on_grid(ideal)};
   for (const Vec3& step : steps_around(farthest_m)) {
     const ObjectState there = placed(ideal + step);
-    const Vec3& p = there.p_WO;
-    const bool carries = p.x() > top.min.x() + rim_m && p.x() < top.max.x() - rim_m && p.y() > top.min.y() + rim_m &&
-                         p.y() < top.max.y() - rim_m;
-    if (!carries || !free(there) || !holds(there)) continue;
+    if (!is_over(top, there.p_WO, rim_m) || !free(there) || !holds(there)) continue;
     if (is_inside(there, below)) return no(fmt::format("{} would fall into {}", object_.name, below.name));
-    return Placement{p};
+    return Placement{there.p_WO};
   }
   return no_room();
 }
@@ -253,8 +271,7 @@ Result<Placement> Places::find(Occupied occupied) const {
   if (landmarks_.size() != landmarks_of(relation)) return no(fmt::format("it is not said {} what", words));
   for (std::size_t i = 0; i < landmarks_.size(); ++i) {
     const std::string& name = goal_.landmarks[i];
-    if (name == object_.name && !is_side(relation))
-      return no(fmt::format("{} cannot be put {} itself", name, words));
+    if (name == object_.name && !is_side(relation)) return no(fmt::format("{} cannot be put {} itself", name, words));
     for (std::size_t j = 0; j < carried_.size(); ++j)
       if (occupied == Occupied::avoided && carried_[j] && world_.objects[j].name == name && name != object_.name)
         return no(fmt::format("{} stands on or in {}, and would move along", name, object_.name));

@@ -20,8 +20,8 @@ bool overlap(const ObjectState& a, const ObjectState& b);
 /// or in it, and so on up.
 std::vector<bool> carried_with(std::string_view object, const WorldSnapshot& world);
 
-/// The height on which the object comes to stand if it is let go: the table, the floor of a hollow that it fits into, or
-/// the top of what is below it and overlaps it most as seen from above.
+/// The height on which the object comes to stand if it is let go: the table, the floor of a hollow that it fits into,
+/// or the top of what is below it and overlaps it most as seen from above.
 double height_below(const ObjectState& object, const WorldSnapshot& world);
 
 /// The object stood on its end: the longer of its sides becomes vertical.

@@ -213,7 +213,8 @@ class Interpreter {
     if (referring_.is_phrase(group, enclosing_)) return meaning_of(group, wanted);
     return [this, all = meaning_of(group, group.type()), type = group.type()](const Rest& k) {
       return all([this, k, type](const Value& value) {
-        if (value.term.kind() == Term::Kind::list && !value.term.elements().empty() && affords(value.term.elements().size()))
+        if (value.term.kind() == Term::Kind::list && !value.term.elements().empty() &&
+            affords(value.term.elements().size()))
           return for_each(value.term.elements(), value.by, k);
         const Type element = type.kind() == Type::Kind::list ? Type(type.element()) : Type::term();
         return k(Value{Term::apply(Term::constant("each", Type::function(type, element)), value.term), value.by});
@@ -241,13 +242,9 @@ class Interpreter {
     auto found = std::make_shared<Found>();
     return [this, find = std::move(find), found, wanted](const Rest& k) {
       Meant& meant = found->meant;
-      if (!std::exchange(found->done, true)) meant = resolved(find());
-      std::vector<By> by = {meant.resolution.by};
-      const bool separately = meant.plural && !consistent(wanted, Type::list(Type::entity()));
-      if (!meant.gap && separately && !affords(meant.values.size())) {
-        meant.gap = Gap{Gap::Why::several, meant.values.front().type(), {}, meant.resolution.words};
-        for (const auto& each : meant.values) meant.gap->choices.push_back(each.name());
-      }
+      if (!std::exchange(found->done, true)) meant = resolved(find(), wanted);
+      const std::vector<By> by = {meant.resolution.by};
+      const bool separately = is_for_each(meant, wanted);
       if (meant.gap) {
         if (found->variable.is_null()) found->variable = variable("", separately ? Type::entity() : meant.gap->type);
         meant.gap->type = found->variable.type();
@@ -270,11 +267,19 @@ class Interpreter {
     return together(std::move(answers));
   }
 
-  Meant resolved(Meant meant) {
-    if (!meant.gap)
+  static bool is_for_each(const Meant& meant, const Type& wanted) {
+    return meant.plural && !consistent(wanted, Type::list(Type::entity()));
+  }
+
+  Meant resolved(Meant meant, const Type& wanted) {
+    if (!meant.gap && is_for_each(meant, wanted) && !affords(meant.values.size())) {
+      meant.gap = Gap{Gap::Why::several, Type::entity(), {}, meant.resolution.words};
+      for (const auto& each : meant.values) meant.gap->choices.push_back(each.name());
+      meant.resolution.value = Term();
+    }
+    if (!meant.gap && meant.resolution.by != By::presence)
       for (const auto& value : meant.values)
-        if (value.kind() == Term::Kind::constant && meant.resolution.by != By::presence)
-          spoken_of_.push_back(value.name());
+        if (value.kind() == Term::Kind::constant) spoken_of_.push_back(value.name());
     result_.resolutions.push_back(meant.resolution);
     return meant;
   }

@@ -95,8 +95,7 @@ Meant Referring::by_determiner(const Term& phrase, const Term& condition, const 
 
 // Definite phrases mean all referents that there are, so that there must be as many as are spoken of; of an indefinite
 // one the likeliest are taken.
-Meant Referring::chosen(const Term& phrase, Reference reference, const Determiner& determiner,
-                        std::string noun) const {
+Meant Referring::chosen(const Term& phrase, Reference reference, const Determiner& determiner, std::string noun) const {
   const auto found = reference.referents.size();
   const auto least = static_cast<std::size_t>(std::max(determiner.count, 1));
   const bool all = determiner.many && determiner.count == 0;
@@ -114,8 +113,7 @@ Meant Referring::chosen(const Term& phrase, Reference reference, const Determine
   } else {
     for (std::size_t i = 0; i < (all ? found : least); ++i)
       meant.values.push_back(Term::entity(reference.referents[i].object));
-    meant.resolution.value =
-        meant.plural ? Term::list(meant.values, Type::entity()) : meant.values.front();
+    meant.resolution.value = meant.plural ? Term::list(meant.values, Type::entity()) : meant.values.front();
   }
   meant.resolution.reference = std::move(reference);
   return meant;

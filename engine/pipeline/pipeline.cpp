@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/inputs.h"
-#include "pipeline/situation.h"
+#include "pipeline/discourse.h"
 
 namespace continua {
 namespace {
@@ -100,12 +100,12 @@ void Pipeline::hear(EngineState& state, const InputEvent& event, Input input, co
     return offer(state, input, events);
   }
   for (std::size_t fragment = 0; fragment < utterance.fragments.size(); ++fragment) {
-    const auto situation = situation_now(state, input, world);
-    auto move = understanding_->understood(utterance, fragment, situation.context);
+    const auto discourse = discourse_now(state, input, world);
+    auto move = understanding_->understood(utterance, fragment, discourse.context);
     carry(move, input);
-    events.push_back(Understood{move, sources(move, input.serial, situation)});
+    events.push_back(Understood{move, sources(move, input.serial, discourse)});
     for (const auto& applying : move.interpretation.applied)
-      events.push_back(StepEvent(Applied{applying.application, sources(applying, input.serial, situation)}));
+      events.push_back(StepEvent(Applied{applying.application, sources(applying, input.serial, discourse)}));
     offer(state, input, events);
   }
 }
@@ -121,26 +121,26 @@ void Pipeline::see(EngineState& state, const InputEvent& event, Input& input, co
   }
   const auto before = state.pointed;
   if (const auto place_W = place_of(event)) state.pointed = Pointed{*place_W, event.t, input.serial, ""};
-  const auto situation = situation_now(state, input, world);
-  if (situation.context.pointed_W) {
-    const auto pointed = refer_to_pointed(situation.context);
+  const auto discourse = discourse_now(state, input, world);
+  if (discourse.context.pointed_W) {
+    const auto pointed = refer_to_pointed(discourse.context);
     if (!pointed.referents.empty()) state.pointed->object = pointed.referents.front().object;
     const bool elsewhere = !before || before->object != state.pointed->object || !is_recent(*before, event.t);
     if (event.modality == Modality::pointing && elsewhere) move.kind = deixis;
     if (move.kind == deixis) move.reference = pointed;
   }
   carry(move, input);
-  if (!move.kind.empty()) events.push_back(Understood{move, sources(move, input.serial, situation)});
+  if (!move.kind.empty()) events.push_back(Understood{move, sources(move, input.serial, discourse)});
 }
 
-Situation Pipeline::situation_now(const EngineState& state, Input& input, const WorldSnapshot& world) {
-  auto situation = situation_of(stepper_, state.configuration, input, state.beliefs, world);
+Discourse Pipeline::discourse_now(const EngineState& state, Input& input, const WorldSnapshot& world) {
+  auto discourse = discourse_of(stepper_, state.configuration, input, state.beliefs, world);
   if (state.pointed && is_recent(*state.pointed, SimTime::from_seconds(input.now_s))) {
-    situation.context.pointed_W = state.pointed->place_W;
-    situation.pointed = {state.pointed->serial};
+    discourse.context.pointed_W = state.pointed->place_W;
+    discourse.pointed = {state.pointed->serial};
     input.pointed = point_term(state.pointed->place_W);
   }
-  return situation;
+  return discourse;
 }
 
 void Pipeline::offer(EngineState& state, const Input& input, std::vector<EngineEvent>& events) {

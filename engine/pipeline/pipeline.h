@@ -12,7 +12,7 @@
 #include "composition/methods.h"
 #include "moves/understanding.h"
 #include "perception/input_event.h"
-#include "pipeline/situation.h"
+#include "pipeline/discourse.h"
 
 namespace continua {
 
@@ -99,7 +99,7 @@ class Pipeline {
             std::vector<EngineEvent>& events);
   void see(EngineState& state, const InputEvent& event, Input& input, const WorldSnapshot& world,
            std::vector<EngineEvent>& events);
-  Situation situation_now(const EngineState& state, Input& input, const WorldSnapshot& world);
+  Discourse discourse_now(const EngineState& state, Input& input, const WorldSnapshot& world);
   void offer(EngineState& state, const Input& input, std::vector<EngineEvent>& events);
   void explored(EngineState& state, ExplorationStep step, std::vector<EngineEvent>& events);
   void update_beliefs(EngineState& state, const Input& input, std::vector<EngineEvent>& events);

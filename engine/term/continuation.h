@@ -11,6 +11,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <utility>
 
 namespace continua {
@@ -31,8 +32,12 @@ Comp<A, R> unit(A value) {
 /// Applies what `m` computes to what `n` computes. The argument's computation runs first, so its effects come first.
 template <class A, class B, class R>
 Comp<B, R> cpsApply(Comp<std::function<B(A)>, R> m, Comp<A, R> n) {
-  return [m = std::move(m), n = std::move(n)](const Continuation<B, R>& k) {
-    return n([m, k](A b) { return m([k, b](const std::function<B(A)>& a) { return k(a(b)); }); });
+  // What is kept is shared: a copy of a continuation would else copy all those that it leads to.
+  const auto both = std::make_shared<const std::pair<decltype(m), decltype(n)>>(std::move(m), std::move(n));
+  return [both](const Continuation<B, R>& next) {
+    const auto k = std::make_shared<const Continuation<B, R>>(next);
+    return both->second(
+        [both, k](A b) { return both->first([k, b](const std::function<B(A)>& a) { return (*k)(a(b)); }); });
   };
 }
 

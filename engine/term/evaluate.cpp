@@ -30,6 +30,10 @@ void drop(std::vector<Term>& arguments, std::size_t& ready, std::size_t count) {
   ready -= std::min(ready, count);
 }
 
+// Can a name of the one type be the name of a value of the other? An object may be called like a function (a cup named
+// cup). Types of one kind have been checked where the term was read.
+bool names_same(const Type& name, const Type& value) { return name.kind() == value.kind() || consistent(name, value); }
+
 }  // namespace
 
 Term Evaluation::value(const Term& term) {
@@ -167,7 +171,7 @@ Evaluation::Step Evaluation::reduce_constant(Redex& redex) {
   if (name == name_if || name == name_and || name == name_or) return reduce_choice(redex);
   if (const Rule* found = rules_.find(name)) return reduce_rule(redex, *found);
   const Term* held = lookup_ ? lookup_(name) : nullptr;
-  if (!held) return keep(redex);
+  if (!held || !names_same(redex.head.type(), held->type())) return keep(redex);
   redex.head = Term(*held);
   return Step::again;
 }

@@ -69,7 +69,8 @@ const Signature& term_signature();
 /// One evaluation: where names get their values from, and what it did.
 class Evaluation {
  public:
-  /// Value of a name that is no function of ours: a slot, a register, a definition. nullptr: it has none.
+  /// Value of a name that is no function of ours: a slot, a register, a definition. nullptr: it has none. A function is
+  /// not the value of a name of type e: an object may be called like the word for it.
   /// `rules` must outlive the evaluation.
   using Lookup = std::function<const Term*(Name name)>;
   Evaluation(const RuleTable& rules, Lookup lookup) : rules_(rules), lookup_(std::move(lookup)) {}

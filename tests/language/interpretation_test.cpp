@@ -69,7 +69,7 @@ Operators words_with_context() {
   words.determiners["two"].count = 2;
   words.determiners["another"].other = true;
   using Source = Proform::Source;
-  words.proforms = {{"it", {Source::focus}},    {"them", {Source::focus}}, {"there", {Source::pointed}},
+  words.proforms = {{"it", {Source::focus}},     {"them", {Source::focus}}, {"there", {Source::pointed}},
                     {"this", {Source::pointed}}, {"one", {Source::topic}},  {"you", {Source::avatar}},
                     {"me", {Source::human}}};
   return words;
@@ -82,8 +82,7 @@ struct Scene {
   Operators operators = words_with_context();
   std::map<std::string, Term> definitions;
   Rules facts;
-  RaisingRules raising =
-      load_raising(CONTINUA_SOURCE_DIR "/engine/knowledge/raising.json", names).value();
+  RaisingRules raising = load_raising(CONTINUA_SOURCE_DIR "/engine/knowledge/raising.json", names).value();
   Context context;
 
   Scene() {
@@ -158,8 +157,7 @@ std::vector<std::string> applied(const Interpretation& interpretation) {
     std::vector<std::string> names;
     for (const auto each : by) names.emplace_back(sources[static_cast<int>(each)]);
     texts.push_back(fmt::format("{} @ {} = {}{}{}", print(application.function), print(application.argument),
-                                print(application.result),
-                                application.rule.empty() ? "" : " by " + application.rule,
+                                print(application.result), application.rule.empty() ? "" : " by " + application.rule,
                                 names.empty() ? "" : fmt::format(" ({})", fmt::join(names, ", "))));
   }
   return texts;
@@ -168,8 +166,8 @@ std::vector<std::string> applied(const Interpretation& interpretation) {
 std::string resolutions(const Interpretation& interpretation) {
   std::vector<std::string> texts;
   for (const auto& each : interpretation.resolutions)
-    texts.push_back(fmt::format("{} = {} by {}", print(each.phrase), print(each.value),
-                                sources[static_cast<int>(each.by)]));
+    texts.push_back(
+        fmt::format("{} = {} by {}", print(each.phrase), print(each.value), sources[static_cast<int>(each.by)]));
   return fmt::to_string(fmt::join(texts, "; "));
 }
 
@@ -252,8 +250,7 @@ TEST_CASE("a deictic determiner, and a noun alone, count pointing; others do not
 TEST_CASE("one is the noun that was used last, or anything") {
   Scene scene;
   CHECK(meaning_of(scene.interpreted("the(\\x. green(x) and one(x))")) == "block3");
-  CHECK(meaning_of(scene.interpreted("the(\\x. red(x) and one(x))")) ==
-        "\\x. x | several e [cup2, block1, block2]");
+  CHECK(meaning_of(scene.interpreted("the(\\x. red(x) and one(x))")) == "\\x. x | several e [cup2, block1, block2]");
   scene.context.topic = scene.read("\\x. cup(x)");
   const auto red_cup = scene.interpreted("the(\\x. red(x) and one(x))");
   CHECK(meaning_of(red_cup) == "cup2");
@@ -266,8 +263,7 @@ TEST_CASE("several objects are a list, or a command for each") {
   const std::vector<std::pair<std::string, std::string>> rows = {
       {"all(\\x. block(x))", "[block1, block2, block3]"},
       {"grasp(each(all(\\x. block(x) and red(x))))", "[grasp(block1), grasp(block2)]"},
-      {"put(each(all(\\x. block(x) and red(x))), on(the(plate_)))",
-       "[put(block1, on(plate)), put(block2, on(plate))]"},
+      {"put(each(all(\\x. block(x) and red(x))), on(the(plate_)))", "[put(block1, on(plate)), put(block2, on(plate))]"},
       {"put(each(all(cup)), on(each(the_two(\\x. block(x) and red(x)))))",
        "[put(cup1, on(block1)), put(cup2, on(block1)), put(cup1, on(block2)), put(cup2, on(block2))]"},
       {"put(the(cup), on(each(all(\\x. block(x) and red(x)))))",
@@ -313,8 +309,7 @@ TEST_CASE("an argument of another type is raised") {
   scene.context.focus = {"cup1"};
   const auto raised_it = scene.interpreted("put(plate, it)");
   CHECK(meaning_of(raised_it) == "put(plate, in(cup1))");
-  CHECK(applied(raised_it).back() ==
-        "put(plate) @ cup1 = put(plate, in(cup1)) by object_to_place_in (focus)");
+  CHECK(applied(raised_it).back() == "put(plate) @ cup1 = put(plate, in(cup1)) by object_to_place_in (focus)");
   CHECK(meaning_of(scene.interpreted("which(it)")) == "null");
 }
 

@@ -83,11 +83,11 @@ AvatarCommand put_at(const std::string& object, double x, double y) {
   return put;
 }
 
-AvatarCommand put_by(const std::string& object, Goal::Relation relation, const std::string& landmark,
+AvatarCommand put_by(const std::string& object, Relation relation, const std::string& landmark,
                      Capability what = Capability::put) {
   AvatarCommand put = command(what, object);
   put.goal.relation = relation;
-  put.goal.landmark = landmark;
+  put.goal.landmarks = {landmark};
   return put;
 }
 
@@ -113,13 +113,13 @@ TEST_CASE("each block can be put somewhere, within two centimetres in nine of te
 
 TEST_CASE("blocks can be stacked, and set beside each other") {
   Stage stage;
-  CHECK(stage.act(put_by("block4", Goal::Relation::on, "block1")).status == Status::done);
-  CHECK(stage.act(put_by("block7", Goal::Relation::on, "block4")).status == Status::done);
+  CHECK(stage.act(put_by("block4", Relation::on, "block1")).status == Status::done);
+  CHECK(stage.act(put_by("block7", Relation::on, "block4")).status == Status::done);
   CHECK(stage.object("block4").p_WO.z() == Approx(0.09).margin(1e-3));
   CHECK(stage.object("block7").p_WO.z() == Approx(0.15).margin(1e-3));
   CHECK((stage.object("block7").p_WO - stage.object("block1").p_WO).head<2>().norm() < 0.01);
 
-  CHECK(stage.act(put_by("block6", Goal::Relation::left_of, "block1", Capability::slide)).status == Status::done);
+  CHECK(stage.act(put_by("block6", Relation::left, "block1", Capability::slide)).status == Status::done);
   const Vec3 apart = stage.object("block6").p_WO - stage.object("block1").p_WO;
   CHECK(apart.x() == Approx(0.06).margin(0.005));
   CHECK(apart.y() == Approx(0).margin(0.005));
@@ -164,7 +164,7 @@ TEST_CASE("what cannot be done is told, and the avatar can go on") {
   CHECK(stage.act(command(Capability::reach, "block6")).status == Status::unreachable);
   CHECK(stage.act(put_at("block6", 0, 0)).status == Status::unreachable);
   CHECK(stage.act(put_at("block4", 3, 0)).status == Status::unreachable);
-  CHECK(stage.act(put_by("block4", Goal::Relation::on, "block4")).status == Status::blocked);
+  CHECK(stage.act(put_by("block4", Relation::on, "block4")).status == Status::blocked);
   CHECK(stage.act(command(Capability::grasp, "nothing")).status == Status::unreachable);
   const ActReport end = stage.act(command(Capability::lift, ""));
   CHECK(end.status == Status::blocked);
@@ -195,7 +195,7 @@ TEST_CASE("the same commands at the same times give the same poses, bit for bit"
   for (Stage* stage : {&a, &b}) {
     stage->body->command(put_at("block4", 0.1, 0.03));
     stage->advance(1.3);
-    stage->body->command(put_by("block1", Goal::Relation::on, "block4"));
+    stage->body->command(put_by("block1", Relation::on, "block4"));
     for (int i = 0; i < 30; ++i) stage->advance(i % 2 ? 0.0377 : 0.1);
   }
   REQUIRE(a.told.poses.size() == b.told.poses.size());
@@ -279,7 +279,7 @@ TEST_CASE("a block among others is freed before it is taken, and its landmark st
                  {"block3", 0.0605, 0.028, {}, 0.0, false},
                  {"block4", -0.013, -0.0325, {}, 0.0, false}});
     const Vec3 stays = stage.object(landmark).p_WO, goes = stage.object(other).p_WO;
-    const ActReport end = stage.act(put_by("block1", Goal::Relation::on, landmark));
+    const ActReport end = stage.act(put_by("block1", Relation::on, landmark));
     CHECK(end.status == Status::done);
     CHECK(stage.object("block1").p_WO.z() == Approx(0.09).margin(1e-3));
     CHECK((stage.object(landmark).p_WO - stays).norm() < 1e-3);

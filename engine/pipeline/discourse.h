@@ -9,18 +9,18 @@
 
 namespace continua {
 
-struct Situation {
+struct Discourse {
   Context context;
   std::vector<int> focus, among, topic, pointed;  ///< serials of the inputs that these came from
 };
 
 /// The machine's `context`, evaluated in the configuration. Pointing is left out.
-Situation situation_of(Stepper& stepper, const Configuration& configuration, const Input& input, const Beliefs& beliefs,
+Discourse discourse_of(Stepper& stepper, const Configuration& configuration, const Input& input, const Beliefs& beliefs,
                        const WorldSnapshot& world);
 
 /// The inputs that a move draws on: its own, and those of what it took from the context.
-std::vector<int> sources(const Move& move, int serial, const Situation& situation);
+std::vector<int> sources(const Move& move, int serial, const Discourse& discourse);
 /// The same of one of its applications.
-std::vector<int> sources(const Applying& applying, int serial, const Situation& situation);
+std::vector<int> sources(const Applying& applying, int serial, const Discourse& discourse);
 
 }  // namespace continua

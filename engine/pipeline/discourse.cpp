@@ -1,0 +1,57 @@
+#include "pipeline/discourse.h"
+
+#include <set>
+
+namespace continua {
+namespace {
+
+std::vector<std::string> names(const Term& list) {
+  std::vector<std::string> names;
+  if (list.kind() != Term::Kind::list) return names;
+  for (const auto& each : list.elements())
+    if (each.kind() == Term::Kind::constant) names.push_back(each.name());
+  return names;
+}
+
+void add(std::set<int>& because, Resolution::By by, const Discourse& discourse) {
+  const auto* from = by == Resolution::By::focus     ? &discourse.focus
+                     : by == Resolution::By::pointed ? &discourse.pointed
+                     : by == Resolution::By::topic   ? &discourse.topic
+                                                     : nullptr;
+  if (from) because.insert(from->begin(), from->end());
+}
+
+}  // namespace
+
+Discourse discourse_of(Stepper& stepper, const Configuration& configuration, const Input& input, const Beliefs& beliefs,
+                       const WorldSnapshot& world) {
+  Discourse discourse;
+  discourse.context.world = &world;
+  const auto& terms = stepper.machine().context;
+  const auto value = [&](const std::optional<Term>& term, std::vector<int>& because) {
+    if (!term) return Term::null();
+    auto cell = stepper.value(*term, configuration, input, beliefs);
+    because = std::move(cell.because);
+    return cell.value;
+  };
+  discourse.context.focus = names(value(terms.focus, discourse.focus));
+  discourse.context.among = names(value(terms.among, discourse.among));
+  discourse.context.topic = value(terms.topic, discourse.topic);
+  return discourse;
+}
+
+std::vector<int> sources(const Move& move, int serial, const Discourse& discourse) {
+  std::set<int> because = {serial};
+  for (const auto& resolution : move.interpretation.resolutions) add(because, resolution.by, discourse);
+  if (!discourse.context.among.empty()) because.insert(discourse.among.begin(), discourse.among.end());
+  if (move.kind == deixis) because.insert(discourse.pointed.begin(), discourse.pointed.end());
+  return {because.begin(), because.end()};
+}
+
+std::vector<int> sources(const Applying& applying, int serial, const Discourse& discourse) {
+  std::set<int> because = {serial};
+  for (const auto by : applying.by) add(because, by, discourse);
+  return {because.begin(), because.end()};
+}
+
+}  // namespace continua
