@@ -56,7 +56,7 @@ struct UnaryRule {
 
 /// Sentences and how they have to be read.
 struct LexiconExample {
-  std::string where;  ///< file:line:column
+  std::string where;                           ///< file:line:column
   std::vector<std::string> say;                ///< each is read the same way
   std::optional<std::vector<Term>> readings;   ///< all of the only fragment, the likeliest first
   std::optional<std::vector<Term>> fragments;  ///< the first of each

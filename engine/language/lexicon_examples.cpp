@@ -23,13 +23,6 @@ std::vector<Type> missing_of(const Reading& reading, const Lexicon& lexicon) {
   return missing;
 }
 
-// Several objects may stand where a function takes one: "put them there".
-Type taking_several(const Type& type) {
-  if (type.kind() != Type::Kind::function) return type;
-  const auto& from = type.from();
-  return Type::function(from == Type::entity() ? Type::term() : from, taking_several(type.to()));
-}
-
 std::string listed(const std::vector<std::string>& texts) {
   std::string all;
   for (const auto& text : texts) all += (all.empty() ? "" : "; ") + text;
@@ -98,10 +91,8 @@ void LexiconReader::read_sample() {
 
 void LexiconReader::read_examples() {
   const Vocabulary vocabulary(std::make_shared<const Lexicon>(lexicon_), scene_of(lexicon_));
-  Signature names;
-  for (const auto& [name, type] : vocabulary.names()) names.emplace(name, taking_several(type));
   each_section("examples", [&](const Item& section) {
-    each_element(section, "examples", [&](const Item& item) { read_example(item, names); });
+    each_element(section, "examples", [&](const Item& item) { read_example(item, vocabulary.names()); });
   });
 }
 

@@ -29,7 +29,8 @@ std::optional<Root> root_of(const Chart::Entry& entry, const Atoms& atoms) {
   const Category* category = &entry.category;
   for (; !category->is_atom(); category = &category->result()) {
     const auto& argument = category->argument();
-    if (category->slash() != Category::Slash::forward || !category->composes() || !argument.is_atom()) return std::nullopt;
+    if (category->slash() != Category::Slash::forward || !category->composes() || !argument.is_atom())
+      return std::nullopt;
     const auto& atom = atoms.find(argument.name().text())->second;
     if (!atom.open) return std::nullopt;
     root.missing.push_back(atom.types.front());

@@ -61,6 +61,12 @@ class Reducer {
            !consistent(function.from(), argument) && consistent(function.from(), argument.element());
   }
 
+  static bool is_each(const Term& term) {
+    static const Name each("each");
+    return term.kind() == Term::Kind::apply && term.function().kind() == Term::Kind::constant &&
+           term.function().interned_name() == each;
+  }
+
   bool spend(std::size_t size) {
     if (size > largest_term) steps_ = 0;
     return steps_ > 0 && --steps_ > 0;
@@ -107,8 +113,9 @@ class Reducer {
     std::vector<Term> elements;
     for (const auto& each : term.elements()) {
       const auto changed = change(each);
-      if (changed.kind() == Term::Kind::list)
-        elements.insert(elements.end(), changed.elements().begin(), changed.elements().end());
+      const auto* inner = is_each(changed) ? &changed.argument() : &changed;
+      if (inner->kind() == Term::Kind::list)
+        elements.insert(elements.end(), inner->elements().begin(), inner->elements().end());
       else
         elements.push_back(changed);
     }

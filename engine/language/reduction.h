@@ -7,8 +7,8 @@
 namespace continua {
 
 /// function(argument) in normal form: no lambda is applied to anything, `a and (b and c)` is `a and b and c`,
-/// `a and true` is a, a list in a list gives its elements to it. Null where that takes too many steps or grows too large. Both must be closed and in
-/// normal form.
+/// `a and true` is a, a list in a list gives its elements to it. Where one object is taken, several are each(several).
+/// Null where that takes too many steps or grows too large. Both must be closed and in normal form.
 Term applied(const Term& function, const Term& argument);
 
 /// \x. first(second(x)) in normal form; `argument` is the type of x.

@@ -24,7 +24,8 @@ std::vector<SpokenWord> words_of(std::string_view text, std::size_t most, bool* 
     if (length == 0) continue;
     if (character == "’" || character == "‘") character = "'";
     const char c = character.front();
-    const bool letter = length > 1 || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    const bool letter =
+        (length > 1 && c != '\'') || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     const bool joins = c == '\'' && inside && at < text.size() && std::isalpha(static_cast<unsigned char>(text[at]));
     if (letter || joins) {
       if (!inside && most > 0 && count == most) {

@@ -1,8 +1,16 @@
 // Sentences and their readings, beside the examples of the lexicon itself.
 #include "language/parser.h"
 
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "core/located_json.h"
 #include "core/random.h"
 #include "language/english.h"
+#include "language/words.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -19,7 +27,7 @@ const Row sentences[] = {
     {"grab the purple mug", R"(grasp(the(\x. purple(x) and cup(x))))"},
     {"set the fork beside the plate", R"(put(the(\x. fork(x)), beside(the(\x. plate(x)))))"},
     {"would you put that spoon inside the white bowl", R"(put(that(\x. spoon(x)), in(the(\x. white(x) and bowl(x)))))"},
-    {"lift up both bottles", R"(lift(both(\x. bottle(x))))"},
+    {"lift up both bottles", R"(lift(each(both(\x. bottle(x)))))"},
     {"drag the bowl over here", R"(slide(the(\x. bowl(x)), here))"},
     {"place it between the fork and the spoon", R"(put(it, between(the(\x. fork(x)), the(\x. spoon(x)))))"},
     {"release the knife", R"(ungrasp(the(\x. knife(x))))"},
@@ -33,13 +41,13 @@ const Row sentences[] = {
     {"put the book at that spot", R"(put(the(\x. book(x)), there))"},
     {"put down the yellow bottle please", R"(ungrasp(the(\x. yellow(x) and bottle(x))))"},
     {"nudge it backward", R"(slide(it, in_front(it)))"},
-    {"shove the brown box to the left", R"(slide(the(\x. brown(x) and block(x)), left(the(\x. brown(x) and block(x)))))"},
-    {"move those two cups to the left of the plate", R"(put(those(\x. cup(x)), left(the(\x. plate(x)))))"},
+    {"shove the brown box to the left",
+     R"(slide(the(\x. brown(x) and block(x)), left(the(\x. brown(x) and block(x)))))"},
+    {"move those two cups to the left of the plate", R"(put(each(those(\x. cup(x))), left(the(\x. plate(x)))))"},
     {"rotate the bowl", R"(turn(the(\x. bowl(x))))"},
     {"could you point to the smallest ball", R"(point(the(\x. smallest(\y. ball(y), x))))"},
-    {"which cup is in front of the plate",
-     R"(which(\x. cup(x) and located(x, in_front(the(\y. plate(y))))))"},
-    {"where are the green blocks", R"(where(all(\x. green(x) and block(x))))"},
+    {"which cup is in front of the plate", R"(which(\x. cup(x) and located(x, in_front(the(\y. plate(y))))))"},
+    {"where are the green blocks", R"(where(each(all(\x. green(x) and block(x)))))"},
     {"what is this", R"(what(this(\x. true)))"},
     {"what's next to the bowl", R"(which(\x. located(x, beside(the(\y. bowl(y))))))"},
     {"the third ball from the right", R"(the(\x. ordinal(3, \y. offset(y, 'left'), \y. ball(y), x)))"},
@@ -54,16 +62,15 @@ const Row sentences[] = {
     {"okay now put the red cube on top of the green cube",
      R"(yes; put(the(\x. red(x) and block(x)), on(the(\x. green(x) and block(x)))))"},
     {"put the fork, the knife and the spoon on the plate",
-     R"(put([the(\x. fork(x)), the(\x. knife(x)), the(\x. spoon(x))], on(the(\x. plate(x)))))"},
+     R"(put(each([the(\x. fork(x)), the(\x. knife(x)), the(\x. spoon(x))]), on(the(\x. plate(x)))))"},
     {"the blue block left of the cup, in front of the plate and touching the red block",
      R"(the(\x. blue(x) and block(x) and located(x, left(the(\y. cup(y)))) and located(x, in_front(the(\y. plate(y)))) and located(x, touching(the(\y. red(y) and block(y))))))"},
     {"that ball behind and touching the book",
      R"(that(\x. ball(x) and located(x, behind(the(\y. book(y)))) and located(x, touching(the(\y. book(y))))))"},
-    {"put the ball in the cup on the left",
-     R"(put(the(\x. ball(x)), in(the(\x. leftmost(\y. cup(y), x)))))"},
+    {"put the ball in the cup on the left", R"(put(the(\x. ball(x)), in(the(\x. leftmost(\y. cup(y), x)))))"},
     {"bring me that bottle", R"(put(that(\x. bottle(x)), near(me)))"},
     {"hand the fork to me", R"(put(the(\x. fork(x)), near(me)))"},
-    {"show me both knives", R"(point(both(\x. knife(x))))"},
+    {"show me both knives", R"(point(each(both(\x. knife(x)))))"},
     {"pick the little ball up", R"(lift(the(\x. small(\y. ball(y), x))))"},
     {"pick up the cup that is behind the bottle",
      R"(lift(the(\x. cup(x) and located(x, behind(the(\y. bottle(y)))))))"},
@@ -79,7 +86,7 @@ const Row sentences[] = {
     {"four yellow balls", R"(four(\x. yellow(x) and ball(x)))"},
     {"all the bowls", R"(all(\x. bowl(x)))"},
     {"them", "them"},
-    {"in front of the bowl and the cup", R"(in_front([the(\x. bowl(x)), the(\x. cup(x))]))"},
+    {"in front of the bowl and the cup", R"(in_front(each([the(\x. bowl(x)), the(\x. cup(x))])))"},
     {"forget it", "never_mind"},
     {"hang on", "wait"},
     {"keep going", "go_on"},
@@ -97,9 +104,235 @@ const Row sentences[] = {
 
 }  // namespace
 
+TEST_CASE("the lexicon's examples are read as they say, and every word is in one") {
+  for (const auto& error : check_examples(*english())) FAIL_CHECK(error.text());
+  std::string all;
+  std::size_t count = 0;
+  for (const auto& example : english()->examples)
+    for (const auto& sentence : example.say) {
+      all += "\n";
+      for (const auto& word : words_of(sentence)) all += " " + word.text;
+      all += " ";
+      ++count;
+    }
+  CHECK(count > 700);
+  for (const auto& [words, entry] : english()->words) {
+    CAPTURE(words);
+    CHECK(all.find(" " + words + " ") != std::string::npos);
+  }
+}
+
+TEST_CASE("a wrong example is told with its place") {
+  auto lexicon = *english();
+  lexicon.examples.resize(1);
+  auto& example = lexicon.examples[0];
+  const auto wrong = [&] {
+    const auto errors = check_examples(lexicon);
+    return errors.empty() ? std::string() : errors.front().text();
+  };
+  example = {"f.json:3:4", {"grab it"}, {}, {}, Term::entity("it"), {}, {}, {}};
+  CHECK(wrong() == "f.json:3:4: 'grab it': read as grasp(it), expected it");
+  example.reading = read("grab it", english_words()).fragments[0].readings[0].term;
+  CHECK(wrong() == "");
+  example.move = "N";
+  CHECK(wrong() == "f.json:3:4: 'grab it': the move V, expected N");
+  example.move.reset();
+  example.missing = {Type::entity()};
+  CHECK(wrong() == "f.json:3:4: 'grab it': missing: nothing, expected e");
+  example.missing.reset();
+  example.say = {"grab it zork"};
+  CHECK(wrong() == "f.json:3:4: 'grab it zork': unknown words: zork, expected nothing");
+  example.say = {"grab it it"};
+  CHECK(wrong() == "f.json:3:4: 'grab it it': fragments: grasp(it); it, expected one");
+  example.say = {"grab it of"};
+  CHECK(wrong() == "f.json:3:4: 'grab it of': 'of' fits nowhere");
+}
+
 TEST_CASE("sentences are read as expected") {
   for (const auto& [text, reading] : sentences) {
     CAPTURE(text);
     CHECK(reading_of(text) == reading);
+  }
+}
+
+TEST_CASE("parts of commands are moves of their own, and know what they lack") {
+  const std::vector<std::pair<const char*, const char*>> rows = {
+      {"put", "V S/PP/NP"},
+      {"put the knife", "V S/PP"},
+      {"put in the cup", "V S/NP"},
+      {"in that blue cup", "P PP"},
+      {"the plate", "N NP"},
+      {"cup", "N N[one]"},
+      {"red", "N N[one]"},
+      {"the red one", "N NP"},
+      {"on the plate", "P PP"},
+      {"there", "P PP"},
+      {"left", "P DIR"},
+      {"to the left", "P DIR"},
+      {"behind it", "P PP"},
+      {"yes", "y Y"},
+      {"no", "n NO"},
+      {"right", "y Y; P DIR"},
+      {"never mind", "never_mind NEVER"},
+      {"what is that", "question Q"},
+      {"put the knife in", "V S/NP"},
+      {"no the blue one", "n NO, N NP"},
+      {"No, the blue one.", "n NO, N NP"},
+      {"the knife. Put it there!", "N NP, V S"},
+  };
+  for (const auto& [text, expected] : rows) {
+    std::string kinds;
+    for (const auto& fragment : read(text, english_words()).fragments) {
+      kinds += kinds.empty() ? "" : ", ";
+      for (const auto& reading : fragment.readings)
+        kinds +=
+            fmt::format("{}{} {}", &reading == fragment.readings.data() ? "" : "; ", reading.move, reading.category);
+    }
+    CAPTURE(text);
+    CHECK(kinds == expected);
+  }
+}
+
+TEST_CASE("what is missing are variables, in the order in which the program takes them") {
+  const auto term = [](const char* text) { return read(text, english_words()).fragments.at(0).readings.at(0).term; };
+  CHECK(term("put").type().text() == "e -> loc -> t");
+  CHECK(term("put there").type().text() == "e -> t");
+  CHECK(term("put the knife").type().text() == "loc -> t");
+  CHECK(term("put the knife there").type().text() == "t");
+  CHECK(term("those").type().text() == "e*");
+}
+
+TEST_CASE("an ambiguous sentence has each reading once, the likeliest first") {
+  const auto utterance = read("put the knife in the cup on the plate", english_words());
+  REQUIRE(utterance.fragments.size() == 1);
+  const auto& readings = utterance.fragments[0].readings;
+  REQUIRE(readings.size() == 2);
+  CHECK(print(readings[0].term) ==
+        R"(put(the(\x. knife(x) and located(x, in(the(\y. cup(y))))), on(the(\x. plate(x)))))");
+  CHECK(print(readings[1].term) ==
+        R"(put(the(\x. knife(x)), in(the(\x. cup(x) and located(x, on(the(\y. plate(y))))))))");
+  CHECK(readings[0].cost < readings[1].cost);
+}
+
+TEST_CASE("noun phrases and nouns are kept with their words") {
+  const auto phrases = [](const char* text) {
+    const auto utterance = read(text, english_words());
+    std::string all;
+    for (const auto& [term, words] : utterance.fragments.at(0).readings.at(0).phrases) {
+      all += all.empty() ? "" : "; ";
+      for (auto i = words.begin; i < words.end; ++i) all += utterance.words[i] + " ";
+      all += "= " + print(term);
+    }
+    return all;
+  };
+  CHECK(phrases("please put the shiny red knife in it") ==
+        R"(the shiny red knife = the(\x. red(x) and knife(x)); red knife = \x. red(x) and knife(x); it = it)");
+  CHECK(phrases("cup") == R"(cup = \x. cup(x))");
+  CHECK(phrases("put, um, the cup, there") == R"(the cup = the(\x. cup(x)); cup = \x. cup(x))");
+  CHECK(
+      phrases("the cup and the block on the plate") ==
+      R"(the cup and the block on the plate = [the(\x. cup(x)), the(\x. block(x) and located(x, on(the(\y. plate(y)))))]; )"
+      R"(the cup = the(\x. cup(x)); cup = \x. cup(x); )"
+      R"(the block on the plate = the(\x. block(x) and located(x, on(the(\y. plate(y))))); )"
+      R"(block on the plate = \x. block(x) and located(x, on(the(\y. plate(y)))); )"
+      R"(the plate = the(\x. plate(x)); plate = \x. plate(x))");
+}
+
+TEST_CASE("a long utterance is cut, whatever it is") {
+  for (const std::string part :
+       {"put the knife in the blue cup ", "zork ", "the ", "and ", ", ", "the block behind ", "no. "}) {
+    std::string text;
+    for (int i = 0; i < 10'000; ++i) text += part;
+    const auto utterance = read(text, english_words());
+    CAPTURE(part);
+    CHECK(utterance.words.size() <= most_words);
+    CHECK(utterance.cut == (part != ", "));
+  }
+  const auto long_word = std::string(1'000'000, 'x');
+  CHECK(read("grab " + long_word + " it", english_words()).fragments.size() == 1);
+  std::string nested = "the block";
+  for (int i = 0; i < 30; ++i) nested += " behind the block";
+  CHECK_FALSE(read(nested, english_words()).fragments.empty());
+}
+
+TEST_CASE("whatever is said, each word has one place") {
+  Random random(7);
+  std::vector<std::string> pieces = {",", ".", "?", "'", "\"", "zork", "你", "\xc3", "42", "-", "’s", "\n"};
+  for (const auto& [words, entry] : english()->words) pieces.push_back(words);
+  for (const char* word : {"block", "cups", "red", "green", "plate", "the", "the", "and", "and", "and", "on"})
+    for (int i = 0; i < 20; ++i) pieces.emplace_back(word);
+  for (int round = 0; round < 300; ++round) {
+    std::string text;
+    for (int i = 0; i < 14; ++i)
+      text += pieces[static_cast<std::size_t>(random.uniform() * static_cast<double>(pieces.size()))] + " ";
+    const auto utterance = read(text, english_words());
+    CAPTURE(text);
+    std::vector<int> places(utterance.words.size());
+    std::size_t last = 0;
+    for (const auto& [words, readings] : utterance.fragments) {
+      REQUIRE(words.begin >= last);
+      REQUIRE(words.end > words.begin);
+      REQUIRE(words.end <= utterance.words.size());
+      last = words.end;
+      REQUIRE_FALSE(readings.empty());
+      REQUIRE(readings.size() <= most_readings);
+      for (std::size_t i = 0; i < readings.size(); ++i) {
+        REQUIRE(readings[i].term.closed());
+        REQUIRE_FALSE(readings[i].move.empty());
+        if (i > 0) REQUIRE(readings[i - 1].cost <= readings[i].cost);
+        for (const auto& phrase : readings[i].phrases) {
+          REQUIRE(phrase.words.begin >= words.begin);
+          REQUIRE(phrase.words.end <= words.end);
+        }
+      }
+    }
+    for (const auto* told : {&utterance.unknown, &utterance.unused})
+      for (const auto at : *told) REQUIRE(places.at(at)++ == 0);
+  }
+}
+
+TEST_CASE("words that are unknown or fit nowhere are told, and do no harm") {
+  const auto told = [](const char* text) {
+    const auto utterance = read(text, english_words());
+    std::string all = reading_of(text);
+    for (const auto i : utterance.unknown) all += " ?" + utterance.words[i];
+    for (const auto i : utterance.unused) all += " -" + utterance.words[i];
+    return all;
+  };
+  CHECK(told("grab zork it") == "grasp(it) ?zork");
+  CHECK(told("zork frob") == " ?zork ?frob");
+  CHECK(told("of the") == " -of -the");
+  CHECK(told("put the vase behind it") == R"(\x. put(x, behind(it)) ?vase -the)");
+  CHECK(told("um please it") == "it");
+  CHECK(told("") == "");
+  CHECK(told(" .,;?! ,, \n") == "");
+  CHECK(told("Grab \"it ’ ( there") == "grasp(it); there");
+  CHECK(told("grab 你好 it é 🙂") == "grasp(it) ?你好 ?é ?🙂");
+  CHECK(told("grab \xff\xfe it\x80") == "grasp(it)");
+}
+
+TEST_CASE("the descriptions of the EMRE data set are single noun phrases, with commas or without") {
+  const auto path = std::string(CONTINUA_SOURCE_DIR) + "/../shared/data/emre/references.jsonl";
+  const auto file = read_file(path);
+  if (!file) {
+    WARN("skipped: there is no " << path);
+    return;
+  }
+  std::set<std::string> texts;
+  std::istringstream lines(*file);
+  for (std::string line; std::getline(lines, line);)
+    if (const auto text = Json::parse(line)["text"].get<std::string>(); !text.empty()) texts.insert(text);
+  CHECK(texts.size() > 300);
+  for (auto text : texts) {
+    const auto utterance = read(text, english_words());
+    CAPTURE(text);
+    CHECK(utterance.unknown.empty());
+    CHECK(utterance.unused.empty());
+    REQUIRE(utterance.fragments.size() == 1);
+    CHECK(utterance.fragments[0].readings[0].move == "N");
+    const auto with_commas = reading_of(text);
+    std::erase(text, ',');
+    std::erase(text, '.');
+    CHECK(reading_of(text) == with_commas);
   }
 }

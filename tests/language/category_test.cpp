@@ -1,0 +1,71 @@
+// Categories: their text, and which fit together.
+#include "language/category.h"
+
+#include "support/catch.h"
+
+using namespace continua;
+
+namespace {
+
+const Atoms& atoms() {
+  static const Atoms all = {
+      {"S", {{Type::truth()}, "V", false, false, {}}},
+      {"NP", {{Type::entity(), Type::list(Type::entity())}, "N", true, true, {}}},
+      {"N", {{Type::function(Type::entity(), Type::truth())}, "N", false, true, {"one", "many"}}}};
+  return all;
+}
+
+Category category(const char* text) { return Category::parse(text, atoms()).value(); }
+std::string error(const char* text) {
+  const auto parsed = Category::parse(text, atoms());
+  return parsed ? "read as " + parsed->text() : parsed.error().text();
+}
+
+// What `one` makes of `other` when they are a function and its argument.
+std::string made(const char* one, const char* other) {
+  const auto function = category(one);
+  Agreement agreement;
+  return agreement.agree(function.argument(), category(other)) ? agreement.settled_one(function.result()).text() : "";
+}
+
+}  // namespace
+
+TEST_CASE("a category is printed as it is read") {
+  for (const char* text : {"S", "N[many]", "S/NP", "S\\NP/NP", "S/(S/NP)", "N\\*N", "N\\N\\(N\\N)/*(N\\N)"})
+    CHECK(category(text).text() == text);
+  CHECK(category("((S/NP))/(NP)") == category("S/NP/NP"));
+  CHECK_FALSE(category("S/NP") == category("S\\NP"));
+  CHECK_FALSE(category("S/NP") == category("S/*NP"));
+  CHECK_FALSE(category("N") == category("N[one]"));
+  CHECK(category("S/NP/N").size() == 3);
+}
+
+TEST_CASE("what is no category is told with its column") {
+  CHECK(error("") == "column 1: found nothing more, expected a category");
+  CHECK(error("S/Np") == "column 3: found 'Np', expected a category (did you mean 'N'?)");
+  CHECK(error("S/(NP") == "column 6: found nothing more, expected )");
+  CHECK(error("S NP") == "column 2: found ' NP', expected / or \\");
+  CHECK(error("N[mani]") == "column 3: N has no feature 'mani' (did you mean 'many'?)");
+  CHECK(error("N[many") == "column 7: found nothing more, expected ]");
+  CHECK(error(std::string(100, '(').c_str()) == "column 34: parentheses nested deeper than 32");
+  std::string wide = "S";
+  for (int i = 0; i < 40; ++i) wide += "/S";
+  CHECK_THAT(error(wide.c_str()), Catch::Contains("a category of more than 32 atoms"));
+}
+
+TEST_CASE("features agree, and an atom without one passes on what it meets") {
+  CHECK(made("S/NP", "NP") == "S");
+  CHECK(made("S/NP", "N") == "");
+  CHECK(made("N/N", "N[many]") == "N[many]");
+  CHECK(made("N/N", "N") == "N");
+  CHECK(made("NP/N[one]", "N[many]") == "");
+  CHECK(made("NP/N[one]", "N") == "NP");
+  CHECK(made("N\\N/(N/N)", "N/N[many]") == "N[many]\\N[many]");
+  CHECK(made("N/(N/N)", "N[one]/N[many]") == "");
+}
+
+TEST_CASE("types follow from categories") {
+  CHECK(type_of(category("S/N/NP"), atoms()).text() == "e -> (e -> t) -> t");
+  CHECK(type_of(category("NP/NP"), atoms(), 1).text() == "e -> e*");
+  CHECK(target(category("NP/N/S")).text() == "NP");
+}
