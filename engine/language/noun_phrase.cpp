@@ -8,7 +8,7 @@
 namespace continua {
 namespace {
 
-constexpr std::size_t most_evaluations = 100000;
+constexpr std::size_t most_evaluations = 20000;
 constexpr std::size_t exhausted_evaluation = most_evaluations / 50;  // what one that ran out of steps counts for
 constexpr std::size_t most_conjuncts = 1000;
 constexpr int deepest_phrase = 50;
@@ -142,6 +142,7 @@ Fitting NounPhraseSearch::fitting(const std::vector<const ObjectState*>& objects
 // The first noun phrase inside stands for each of its referents in turn, until one makes the condition true; for all
 // of them together, where it is said of several.
 bool NounPhraseSearch::holds(const Term& condition, const std::string& about, const std::string& other) {
+  if (evaluations_ > most_evaluations) return false;
   std::optional<Term> phrase;
   const auto with_phrase_as = [&](const Term& value) {
     bool replaced = false;
@@ -164,7 +165,6 @@ bool NounPhraseSearch::holds(const Term& condition, const std::string& about, co
 }
 
 bool NounPhraseSearch::is_true(const Term& condition, const std::string& other) {
-  if (evaluations_ > most_evaluations) return false;
   ++evaluations_;
   const Term ready = rewritten(condition, [&](const Term& part) -> std::optional<Term> {
     if (!proform_of(part)) return std::nullopt;
