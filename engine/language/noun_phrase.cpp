@@ -38,9 +38,9 @@ Term rewritten(const Term& term, const std::function<std::optional<Term>(const T
 
 // The parts that must all be true, each with the variable of `condition` free.
 std::vector<Term> conjuncts(const Term& condition) {
-  std::vector<Term> found, open = {condition.kind() == Term::Kind::lambda
-                                       ? condition.body()
-                                       : Term::apply(condition, Term::bound(0, Type::entity()))};
+  std::vector<Term> found,
+      open = {condition.kind() == Term::Kind::lambda ? condition.body()
+                                                     : Term::apply(condition, Term::bound(0, Type::entity()))};
   for (std::size_t steps = 0; !open.empty() && steps < most_conjuncts; ++steps) {
     const Term next = std::move(open.back());
     open.pop_back();

@@ -30,9 +30,7 @@ void set_any_table(SmallTalk& talk) {
   if (pick(0, 1) == 0) talk.context.focus = {"o0"};
 }
 
-std::string any_noun() {
-  return std::vector<std::string>{"block", "plate", "cup", "red", "green"}[pick(0, 4)];
-}
+std::string any_noun() { return std::vector<std::string>{"block", "plate", "cup", "red", "green"}[pick(0, 4)]; }
 
 std::vector<std::string> any_conjuncts(const std::string& x, int depth) {
   static const char* relations[] = {"left", "right", "in_front", "behind", "on", "near", "beside", "touching", "under"};

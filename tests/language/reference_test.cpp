@@ -76,6 +76,7 @@ TEST_CASE("a noun phrase means the objects of which its condition is true") {
       {"that(\\x. block(x))", "green1"},
       {"that(\\x. red(x))", "red2 red1"},  // far from what is pointed at: words decide
       {"the(\\x. block(x) and located(x, behind(me)))", ""},
+      {"the(\\x. attribute(x, 'color') = attribute(a(\\y. blue(y)), 'color'))", ""},  // none but itself
       {"the(\\x. null)", ""},
       {"the(\\x. true)", "red2 plate green1 red1 blue1 cup knife"},
   }));
@@ -143,9 +144,13 @@ TEST_CASE("deep and endless conditions end") {
   set_table(talk);
   const Term level = talk.read(
       "\\f: e -> t. \\x. block(x) and (located(x, right(a(f))) or located(x, left(a(\\y. other(y) and block(y)))))");
-  Term deep = talk.read("block");
-  for (int i = 0; i < 300; ++i) deep = instantiate(level.body(), deep);
-  CHECK(names_of(talk.refer(Term::apply(talk.read("the"), deep))) == "green1 red1 red2");
+  const auto nested = [&](int depth) {
+    Term condition = talk.read("block");
+    for (int i = 0; i < depth; ++i) condition = instantiate(level.body(), condition);
+    return talk.refer(Term::apply(talk.read("the"), condition));
+  };
+  CHECK(names_of(nested(6)) == "green1 red1 red2");
+  CHECK(nested(300).ruled_out.size() == 7);
   std::string wide = "located(x, right(a(block)))", many;
   for (int i = 0; i < 6; ++i) wide = "(" + wide + " = located(x, between(a(block), a(\\y. true))))";
   talk.refer("the(\\x. " + wide + ")");

@@ -45,8 +45,7 @@ int pick(int from, int to) { return *rc::gen::resize(rc::kNominalSize, rc::gen::
 // Near the middle, so that boxes often meet; in whole millimetres.
 ObjectState any_box(const std::string& name) {
   const Vec3 size(pick(10, 200) / 1e3, pick(10, 200) / 1e3, pick(10, 100) / 1e3);
-  return box(name, size,
-             on_grid({pick(-200, 200) / 1e3, pick(-200, 200) / 1e3, size.z() / 2 + 0.05 * pick(0, 2)}));
+  return box(name, size, on_grid({pick(-200, 200) / 1e3, pick(-200, 200) / 1e3, size.z() / 2 + 0.05 * pick(0, 2)}));
 }
 
 const char* any_relation() {
@@ -58,8 +57,8 @@ const char* any_relation() {
 }  // namespace
 
 TEST_CASE("relations have names") {
-  for (const char* name : {"left", "right", "in_front", "behind", "on", "in", "at", "near", "beside", "touching",
-                           "under", "between"})
+  for (const char* name :
+       {"left", "right", "in_front", "behind", "on", "in", "at", "near", "beside", "touching", "under", "between"})
     CHECK(text(relation_named(name).value()) == name);
   CHECK_FALSE(relation_named("over"));
   CHECK(participant_named("human") == Perspective::human);
