@@ -9,8 +9,8 @@
 namespace continua {
 namespace {
 
-constexpr std::size_t most_evaluations = 100000;
-constexpr std::size_t exhausted_evaluation = most_evaluations / 50;  // what one that ran out of steps counts for
+constexpr std::size_t most_work = 400000;               // nodes of the conditions tried
+constexpr std::size_t exhausted_work = most_work / 20;  // what an evaluation that ran out of steps counts for
 constexpr std::size_t most_conjuncts = 1000;
 constexpr int deepest_phrase = 50;
 
@@ -39,9 +39,9 @@ Term rewritten(const Term& term, const std::function<std::optional<Term>(const T
 
 // The parts that must all be true, each with the variable of `condition` free.
 std::vector<Term> conjuncts(const Term& condition) {
-  std::vector<Term> found, open = {condition.kind() == Term::Kind::lambda
-                                       ? condition.body()
-                                       : Term::apply(condition, Term::bound(0, Type::entity()))};
+  std::vector<Term> found,
+      open = {condition.kind() == Term::Kind::lambda ? condition.body()
+                                                     : Term::apply(condition, Term::bound(0, Type::entity()))};
   for (std::size_t steps = 0; !open.empty() && steps < most_conjuncts; ++steps) {
     const Term next = std::move(open.back());
     open.pop_back();
@@ -143,6 +143,8 @@ Fitting NounPhraseSearch::fitting(const std::vector<const ObjectState*>& objects
 // The first noun phrase inside stands for each of its referents in turn, until one makes the condition true; for all
 // of them together, where it is said of several.
 bool NounPhraseSearch::holds(const Term& condition, const std::string& about, const std::string& other) {
+  work_ += condition.size();
+  if (work_ > most_work) return false;
   std::optional<Term> phrase;
   const auto with_phrase_as = [&](const Term& value) {
     bool replaced = false;
@@ -165,15 +167,13 @@ bool NounPhraseSearch::holds(const Term& condition, const std::string& about, co
 }
 
 bool NounPhraseSearch::is_true(const Term& condition, const std::string& other) {
-  if (evaluations_ > most_evaluations) return false;
-  ++evaluations_;
   const Term ready = rewritten(condition, [&](const Term& part) -> std::optional<Term> {
     if (!proform_of(part)) return std::nullopt;
     return other.empty() ? everything() : all_but(other);
   });
   Evaluation evaluation(*meanings_.rules, meanings_.lookup);
   const bool result = evaluation.value(ready).is_true();
-  if (evaluation.exhausted) evaluations_ += exhausted_evaluation;
+  if (evaluation.exhausted) work_ += exhausted_work;
   margin_ = std::min(margin_, evaluation.margin);
   return result;
 }

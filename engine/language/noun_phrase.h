@@ -45,7 +45,7 @@ class NounPhraseSearch {
   const Meanings& meanings_;
   std::optional<Vec3> pointed_W_;
   std::unordered_map<Term, std::vector<Term>, Term::Hash> found_;  // by [noun phrase, the object it is said about]
-  std::size_t evaluations_ = 0;
+  std::size_t work_ = 0;
   int depth_ = 0;
   double margin_ = std::numeric_limits<double>::infinity();
 };

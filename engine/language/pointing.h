@@ -12,13 +12,13 @@ inline constexpr double hand_sd_m = 0.024;
 /// One pointing in 300 goes astray, to anywhere within a square metre: the density that every object has everywhere.
 inline constexpr double astray_per_m2 = 1.0 / 300;
 
-/// An object less than this share as likely as the likeliest is not meant. Were a hand as above to mean it nevertheless,
-/// it would have strayed toward the other by 3.7 standard deviations or more.
+/// An object less than this share as likely as the likeliest is not meant. Were a hand as above to mean it
+/// nevertheless, it would have strayed toward the other by 3.7 standard deviations or more.
 inline constexpr double least_share = 1e-3;
 
-/// Likelihood of pointing there when the object is meant: a density over the table, 1/m². The normal distribution around
-/// the centre of its footprint, whose variance along each axis is that of the hand and of where on the object one aims
-/// (a third of half its extent), and `astray_per_m2`.
+/// Likelihood of pointing there when the object is meant: a density over the table, 1/m². The normal distribution
+/// around the centre of its footprint, whose variance along each axis is that of the hand and of where on the object
+/// one aims (a third of half its extent), and `astray_per_m2`.
 double pointing_density(const Vec3& pointed_W, const ObjectState& object);
 
 /// Whether it is near enough to be what is pointed at, whatever else there is: likelier to be meant than a stray.

@@ -45,6 +45,19 @@ struct Reference {
   double margin = std::numeric_limits<double>::infinity();  ///< metres: how near the nearest decision was
 };
 
+/// Every object is a referent or ruled out.
+///
+/// - Conditions are tried one by one, in their order; the first that fails is the reason. Null is not true.
+/// - Pointing counts for a deictic determiner only: words decide first, then what is less than `least_share`
+///   (language/pointing.h) as likely as the likeliest is left out. Far from all that fit, pointing says nothing. Where
+///   the phrase around is deictic too, the pointing is its own.
+/// - Without pointing all referents weigh the same; those in focus come first, but stay as many as they are. Of
+///   determiners that say how many are meant, all that fit are given, whether they are as many or not.
+/// - "other" and `another` leave out what is in focus; inside a noun phrase, what that phrase is about.
+/// - The work is bounded; past the bound nothing is true. The margin is a length's: moving everything by less than half
+/// of
+///   it changes no referent.
+///
 /// Referents of `condition`, a term of type e -> t such as \x. cup(x) and located(x, left(the(\y. plate(y)))).
 /// `determiner` tells whether pointing counts. A nested noun phrase need not single out one thing by itself: it is
 /// enough that one of its referents fits ("the block right of the red block").

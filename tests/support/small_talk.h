@@ -34,7 +34,8 @@ class SmallTalk {
     const auto declare = [this](std::initializer_list<const char*> names, const char* type) {
       for (const auto* each : names) names_.emplace(each, Type::parse(type).value());
     };
-    declare({"left", "right", "in_front", "behind", "on", "in", "at", "near", "beside", "touching", "under"}, "e -> loc");
+    declare({"left", "right", "in_front", "behind", "on", "in", "at", "near", "beside", "touching", "under"},
+            "e -> loc");
     declare({"between"}, "e -> e -> loc");
     declare({"the", "a", "this", "that", "another"}, "(e -> t) -> e");
     declare({"those", "all"}, "(e -> t) -> e*");
