@@ -144,6 +144,5 @@ TEST_CASE("whatever is asked of the arm ends with how it went, and things of eve
     REQUIRE(end);
     CHECK(body->at_rest());
     CHECK((end->status == Status::done || !end->reason.empty()));
-    WARN(row.object << ": " << continua::text(end->status) << " " << end->reason);
   }
 }
