@@ -1,6 +1,5 @@
 #include "replay/reading_record.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -72,7 +71,7 @@ Json json_of(const Resolution& resolution) {
               {"words", resolution.words},
               {"value", print(resolution.value)},
               {"by", text(resolution.by)}};
-  if (resolution.by != Resolution::By::words) return object;
+  if (!resolution.has_referents()) return object;
   object["referents"] = names(resolution.reference);
   add_reference(object, resolution.reference);
   return object;
@@ -85,9 +84,8 @@ Json json_of(const Gap& gap) {
 }  // namespace
 
 std::optional<std::vector<std::string>> referents_of(const Move& move) {
-  const bool has =
-      move.kind == deixis || std::any_of(move.interpretation.resolutions.begin(), move.interpretation.resolutions.end(),
-                                         [](const Resolution& each) { return each.by == Resolution::By::words; });
+  const auto& [referents, ruled_out, margin] = move.reference;
+  const bool has = move.kind == deixis || !referents.empty() || !ruled_out.empty();
   return has ? std::optional(names(move.reference)) : std::nullopt;
 }
 

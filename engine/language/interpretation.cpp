@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "language/referring.h"
@@ -134,7 +135,9 @@ class Interpreter {
 
   // intTerm(f(x)) = cpsApply(intTerm(f), intTerm(x)); `wanted` is the type that the term's surroundings ask for.
   Meaning meaning_of(const Term& term, const Type& wanted) {
-    if (referring_.is_phrase(term, enclosing_)) return phrase([this, term] { return referring_.meant(term); }, wanted);
+    if (referring_.is_phrase(term, enclosing_))
+      return phrase(
+          term, [this, term] { return referring_.meant(term); }, wanted);
     switch (term.kind()) {
       case Term::Kind::apply: {
         if (is_each(term.function())) return each(term.argument(), wanted);
@@ -227,20 +230,18 @@ class Interpreter {
   }
 
   Meaning noun(const Term& term) {
-    return phrase([this, term] { return referring_.meant_by_noun(term); }, Type::term());
+    return phrase(
+        term, [this, term] { return referring_.meant_by_noun(term); }, Type::term());
   }
 
   // A phrase gives its value to the rest of the sentence. Of several that are meant together it gives the list, where
   // a list can be used, else the rest is done for each. Where nothing or too much is meant, the rest is captured: it is
   // done with a variable, for which the meaning then waits.
-  Meaning phrase(std::function<Meant()> find, const Type& wanted) {
-    struct Found {
-      bool done = false;
-      Meant meant;
-      Term variable;
-    };
-    auto found = std::make_shared<Found>();
-    return [this, find = std::move(find), found, wanted](const Rest& k) {
+  // Words that the reading uses in two places ("push the block to the left") are found once.
+  Meaning phrase(const Term& term, std::function<Meant()> find, const Type& wanted) {
+    auto& known = found_[term];
+    if (!known || times_said(term) != 1) known = std::make_shared<Found>();
+    return [this, find = std::move(find), found = known, wanted](const Rest& k) {
       Meant& meant = found->meant;
       if (!std::exchange(found->done, true)) meant = resolved(find(), wanted);
       const std::vector<By> by = {meant.resolution.by};
@@ -249,6 +250,7 @@ class Interpreter {
         if (found->variable.is_null()) found->variable = variable("", separately ? Type::entity() : meant.gap->type);
         meant.gap->type = found->variable.type();
         Answer answer = k(Value{found->variable, {}});
+        std::erase_if(answer.open, [&](const Answer::Open& open) { return open.variable == found->variable; });
         answer.open.insert(answer.open.begin(), {*meant.gap, found->variable});
         return answer;
       }
@@ -256,6 +258,11 @@ class Interpreter {
       if (!separately) return k(Value{meant.resolution.value, by});
       return for_each(meant.values, by, k);
     };
+  }
+
+  std::size_t times_said(const Term& term) const {
+    return static_cast<std::size_t>(std::count_if(reading_.phrases.begin(), reading_.phrases.end(),
+                                                  [&](const Phrase& phrase) { return phrase.term == term; }));
   }
 
   bool affords(std::size_t times) const { return commands_ * times <= most_commands; }
@@ -284,10 +291,18 @@ class Interpreter {
     return meant;
   }
 
+  // What a phrase was found to mean, and the variable that stands for it where it is open.
+  struct Found {
+    bool done = false;
+    Meant meant;
+    Term variable;
+  };
+
   const Reading& reading_;
   Referring referring_;
   const Meanings& meanings_;
   const RaisingRules& raising_;
+  std::unordered_map<Term, std::shared_ptr<Found>, Term::Hash> found_;
   std::set<std::string> names_;         // taken, so that no variable has them
   std::vector<Term> enclosing_;         // variables of the lambdas around
   std::vector<std::string> spoken_of_;  // objects, since the command began

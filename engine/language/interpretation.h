@@ -33,6 +33,9 @@ struct Resolution {
   Term value;                                                ///< knife, <0.1, 0.2, 0>; null where it stays open
   By by = By::words;
   Reference reference;  ///< of noun phrases
+
+  /// Whether `reference` says what the phrase can mean: it is a noun phrase, and no pro-form.
+  bool has_referents() const { return !reference.referents.empty() || !reference.ruled_out.empty(); }
 };
 
 /// An application and what its parts drew on, so that the log can name who said or showed it.

@@ -13,13 +13,13 @@ namespace continua {
 inline constexpr const char* deixis = "δ";
 
 struct Move {
-  std::string kind;                  ///< δ, ω, α, N, V, P, y, n or another of the lexicon's; empty: not understood
-  std::vector<std::string> words;    ///< of speech: those of this move
-  std::vector<Reading> readings;     ///< of speech: the likeliest first
-  std::size_t chosen = 0;            ///< the reading that was interpreted
-  Interpretation interpretation;     ///< of that reading
-  Reference reference;               ///< of its last noun phrase, or of pointing
-  Term noun;                         ///< e -> t: the last noun in it, null if there is none
+  std::string kind;                ///< δ, ω, α, N, V, P, y, n or another of the lexicon's; empty: not understood
+  std::vector<std::string> words;  ///< of speech: those of this move
+  std::vector<Reading> readings;   ///< of speech: the likeliest first
+  std::size_t chosen = 0;          ///< the reading that was interpreted
+  Interpretation interpretation;   ///< of that reading
+  Reference reference;  ///< of its noun phrase, one that leaves something open if there is one; or of pointing
+  Term noun;            ///< e -> t: the last noun in it, null if there is none
   std::vector<std::string> unknown;  ///< words near it that the lexicon does not have
   std::vector<std::string> unused;   ///< known words near it that fit nowhere
 };

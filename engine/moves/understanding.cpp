@@ -32,6 +32,18 @@ Term last_noun(const Reading& reading) {
   return noun ? noun->term : Term::null();
 }
 
+// The noun phrase that matters most: the first that leaves something open, else the last of the words, which is the
+// first whose referents were looked for.
+const Resolution* noun_phrase(const Interpretation& interpretation) {
+  const Resolution* found = nullptr;
+  for (const auto& resolution : interpretation.resolutions) {
+    if (!resolution.has_referents()) continue;
+    if (resolution.value.is_null()) return &resolution;
+    if (!found) found = &resolution;
+  }
+  return found;
+}
+
 // Of "which block is red?" what is asked for: a condition that stands as a program's argument.
 std::optional<Term> asked_for(const Reading& reading) {
   const auto arguments = reading.term.spine().arguments;
@@ -62,8 +74,7 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
   const auto& reading = move.readings[move.chosen];
   move.kind = reading.move;
   move.noun = last_noun(reading);
-  for (const auto& resolution : move.interpretation.resolutions)
-    if (resolution.by == Resolution::By::words) move.reference = resolution.reference;
+  if (const auto* phrase = noun_phrase(move.interpretation)) move.reference = phrase->reference;
   if (const auto question = asked_for(reading)) move.reference = refer(*question, Determiner{}, context, meanings());
   for (auto word = part.words.begin; word < part.words.end; ++word) move.words.push_back(utterance.words[word]);
   const auto around = surroundings(utterance, fragment);

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "pipeline/inputs.h"
 #include "pipeline/discourse.h"
+#include "pipeline/inputs.h"
 
 namespace continua {
 namespace {
