@@ -87,9 +87,24 @@ Term Firing::value(const Term& term) {
 
 Change Firing::change(const Operation& operation) {
   Change change{&operation, {}};
-  for (const auto& content : operation.contents)
-    change.contents.push_back(content.term ? std::optional(compute(*content.term)) : std::nullopt);
+  for (const auto& content : operation.contents) {
+    if (!content.term) {
+      change.contents.push_back(std::nullopt);
+      continue;
+    }
+    const auto& slot = machine_.slots[content.slot];
+    const bool each = operation.kind == Operation::Kind::push_each || operation.kind == Operation::Kind::rewrite_each;
+    change.contents.push_back(of_type(each ? Type::list(slot.type) : slot.type, slot.name, compute(*content.term)));
+  }
   return change;
+}
+
+// What a term of type `term` turns out to be may be of another type than what it is for.
+Cell Firing::of_type(const Type& type, const std::string& name, Cell cell) {
+  if (cell.value.is_null() || consistent(type, cell.value.type())) return cell;
+  note(Trouble{
+      fmt::format("{} is no {}, and {} takes no other: it is left empty", print(cell.value), type.text(), name)});
+  return {empty_value(type), std::move(cell.because)};
 }
 
 // Carries out an operation on the stack; what it made goes to the account first.
@@ -151,7 +166,7 @@ bool Firing::perform_one(const Act& act) {
 bool Firing::perform_one(const Remember& remember) {
   auto memory = *configuration_.memory;
   for (const auto& [index, term] : remember.registers) {
-    auto cell = compute(term);
+    auto cell = of_type(machine_.memory[index].type, machine_.memory[index].name, compute(term));
     if (!(memory[index].value == cell.value)) note(Remembered{index, cell.value});
     memory[index] = std::move(cell);
   }

@@ -82,6 +82,7 @@ class Firing {
   const Term* read(const Cell& cell);
   void apply(const Change& change);
   bool perform_and_rewrite(const std::vector<Effect>& effects);
+  Cell of_type(const Type& type, const std::string& name, Cell cell);
   void begin_because();
   std::vector<int> because() const { return {because_.begin(), because_.end()}; }
   void note(StepEvent event);

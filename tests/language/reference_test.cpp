@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "support/small_talk.h"
+#include "term/substitution.h"
 
 #include <rapidcheck.h>
 

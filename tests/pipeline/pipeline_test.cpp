@@ -41,7 +41,7 @@ struct Play {
   Play() {
     auto loaded = parse_machine(machine_text, "m.json", Methods::signature());
     if (!loaded) FAIL(loaded.error().text());
-    pipeline.emplace(std::make_shared<const Machine>(std::move(*loaded)), Perspective::avatar);
+    pipeline.emplace(std::make_shared<const Machine>(std::move(*loaded)), nullptr, Perspective::avatar);
     state.emplace(pipeline->begin({Choice::unique, Random(1), {}, 0}, snapshot).after);
   }
 
