@@ -1,11 +1,8 @@
 // The paper's examples, replayed in the kinematic world.
 #include <filesystem>
 #include <set>
-#include <sstream>
 
-#include "core/located_json.h"
-#include "replay/session.h"
-#include "support/catch.h"
+#include "played.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
@@ -14,44 +11,22 @@ namespace {
 
 const auto folder = fs::path(CONTINUA_SOURCE_DIR) / "traces/paper";
 
-struct Played {
-  ReplaySummary summary;
-  std::vector<Json> records;
-
-  std::vector<Json> all(const std::string& kind) const {
-    std::vector<Json> found;
-    for (const auto& record : records)
-      if (record["kind"] == kind) found.push_back(record);
-    return found;
-  }
-};
-
-Played play(const fs::path& trace) {
-  ReplayOptions options;
-  options.physics = false;
-  std::stringstream log;
-  auto session = Session::load(trace.string(), options);
-  if (!session) FAIL(session.error().text());
-  Played played{session->run(log), {}};
-  for (std::string line; std::getline(log, line);) played.records.push_back(Json::parse(line));
-  return played;
-}
-
 }  // namespace
 
-TEST_CASE("the paper's examples go as their traces expect") {
+TEST_CASE("the paper's examples and other conversations go as their traces expect") {
   int traces = 0;
-  for (const auto& file : fs::directory_iterator(folder)) {
-    CAPTURE(file.path());
-    ++traces;
-    const auto played = play(file.path());
-    CHECK(played.summary.expectations > 0);
-    CHECK(played.summary.expectations_met == played.summary.expectations);
-    CHECK(played.summary.problems == 0);
-    CHECK(played.summary.refusals == 0);
-    CHECK(played.summary.acts_done == played.summary.acts);
-  }
-  CHECK(traces >= 5);
+  for (const auto& examples : {folder, folder.parent_path() / "talk"})
+    for (const auto& file : fs::directory_iterator(examples)) {
+      CAPTURE(file.path());
+      ++traces;
+      const auto played = play(file.path());
+      CHECK(played.summary.expectations > 0);
+      CHECK(played.summary.expectations_met == played.summary.expectations);
+      CHECK(played.summary.problems == 0);
+      CHECK(played.summary.refusals == 0);
+      CHECK(played.summary.acts_done == played.summary.acts);
+    }
+  CHECK(traces >= 10);
 }
 
 TEST_CASE("the figure's stack symbols hold the options that are left and what the command becomes with the first") {

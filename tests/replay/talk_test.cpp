@@ -1,0 +1,119 @@
+// Speech in replays: what the run log tells of it.
+#include <fstream>
+
+#include "played.h"
+#include "replay/commands/accept.h"
+#include "replay/commands/named_machine.h"
+#include "support/temporary_folder.h"
+
+using namespace continua;
+namespace fs = std::filesystem;
+
+namespace {
+
+const auto traces = fs::path(CONTINUA_SOURCE_DIR) / "traces";
+
+// The human says one thing after the other over a scene.
+Played talk(const std::vector<std::string>& says, const std::string& scene = "place_setting",
+            const std::string& machine = "interaction") {
+  const TemporaryFolder folder;
+  std::string text = R"({"kind":"trace","version":1,"scene":")" + scene + R"(","machine":")" + machine + "\"}\n";
+  for (std::size_t i = 0; i < says.size(); ++i)
+    text += compact(Json{{"t", i + 1}, {"kind", "speech"}, {"text", says[i]}}) + "\n";
+  return play(folder.file("talk.trace.jsonl", text));
+}
+
+// "V put(knife, in(cup_blue)) : t" of each reading.
+std::vector<std::string> meanings(const Played& played) {
+  std::vector<std::string> all;
+  for (const auto& reading : played.all("reading"))
+    all.push_back(reading["move"].is_null() ? "not understood"
+                                            : reading["move"].get<std::string>() + " " +
+                                                  reading.value("meaning", "") + " : " + reading.value("type", ""));
+  return all;
+}
+
+std::vector<std::string> said(const Played& played) {
+  std::vector<std::string> all;
+  for (const auto& utterance : played.all("utterance")) all.push_back(utterance["text"]);
+  return all;
+}
+
+std::vector<std::string> programs(const Played& played) {
+  std::vector<std::string> all;
+  for (const auto& act : played.all("act"))
+    if (act["status"] == "asked") all.push_back(act["program"]);
+  return all;
+}
+
+using Texts = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("what is said is told as what it means here and now, with the type of what is missing") {
+  CHECK(meanings(talk({"Put the knife in the blue cup."})) == Texts{"V put(knife, in(cup_blue)) : t"});
+  CHECK(meanings(talk({"Put it there."})) == Texts{"V \\x v. put(x, v) : e -> loc -> t"});
+  CHECK(meanings(talk({"Put the knife in the cup."})) == Texts{"V \\x. put(knife, in(x)) : e -> t"});
+  CHECK(meanings(talk({"The plate.", "Put it in front of you."})) ==
+        Texts{"N plate : e", "V put(plate, in_front(avatar)) : t"});
+  CHECK(meanings(talk({"no, the blue one"})) == Texts{"n no : t", "N cup_blue : e"});
+  CHECK(meanings(talk({"glorp"})) == Texts{"not understood"});
+}
+
+TEST_CASE("applications name the inputs that each part came from") {
+  const auto played = play(traces / "paper/dialogue_language.trace.jsonl");
+  const auto inputs = played.all("input"), applications = played.all("application");
+  REQUIRE(inputs.size() == 2);
+  const auto plate = inputs[0]["n"], put = inputs[1]["n"];
+  Texts told;
+  for (const auto& each : applications)
+    told.push_back(each["function"].get<std::string>() + " @ " + each["argument"].get<std::string>() +
+                   (each["because"] == Json{plate, put} ? ", both" : each["because"] == Json{put} ? ", the second" : ""));
+  CHECK(told == Texts{"in_front @ avatar, the second", "put @ plate, both", "put(plate) @ in_front(avatar), both"});
+}
+
+TEST_CASE("an object that is told where a place is asked for is raised, by a rule that the log names") {
+  const auto played = talk({"put the knife", "the blue cup"});
+  CHECK(said(played) == Texts{"Where should I put it?", "Okay."});
+  CHECK(programs(played) == Texts{"put(knife, in(cup_blue))"});
+  Texts rules;
+  for (const auto& each : played.all("application"))
+    if (!each["rule"].is_null()) rules.push_back(each["rule"]);
+  CHECK(rules == Texts{"object_to_place_in"});
+}
+
+TEST_CASE("a noun phrase without one object becomes a question or is told") {
+  CHECK(said(talk({"the cup", "no", "yes"})) ==
+        Texts{"Which cup do you mean? The white cup?", "The blue cup?", "Okay, go on."});
+  CHECK(said(talk({"the blue plate"})) == Texts{"I see no blue plate."});
+  CHECK(said(talk({"grasp the cup", "the blue one"})) == Texts{"Which cup do you mean? The white cup?", "Okay."});
+  const auto readings = talk({"the cup"}).all("reading");
+  CHECK(readings[0]["referents"] == Json{"cup", "cup_blue"});
+  CHECK(readings[0]["resolved"][0]["ruled_out"] == Json::parse(R"([{"object":"plate","reason":"not cup(plate)"},
+                                                                    {"object":"knife","reason":"not cup(knife)"}])"));
+}
+
+TEST_CASE("commands for several objects are carried out one by one") {
+  CHECK(programs(talk({"put the knife and the plate in front of me"})) ==
+        Texts{"put(knife, in_front(human))", "put(plate, in_front(human))"});
+}
+
+TEST_CASE("a run's moves are held against the grammar of Table 1") {
+  const TemporaryFolder folder;
+  const auto machine = load_named_machine("table_1");
+  REQUIRE(machine.ok());
+  ReplayOptions options;
+  options.physics = false;
+  const auto moves = [&](const std::string& trace) {
+    auto session = Session::load((traces / (trace + ".trace.jsonl")).string(), options);
+    if (!session) FAIL(session.error().text());
+    std::ofstream file(folder.at("run.jsonl"));
+    session->run(file);
+    file.close();
+    return moves_of_run(folder.at("run.jsonl"), **machine).value();
+  };
+  CHECK(moves("paper/dialogue_language") == "N V");
+  CHECK(moves("paper/predicate_first") == "δ V N");
+  CHECK(moves("talk/speech_only") == "V n y V V N P");
+  CHECK(run_accept({"table_1", {"N V"}, "", {folder.at("run.jsonl")}, false}) == exit_no);
+}
