@@ -75,7 +75,7 @@ class Interpreter {
   Interpretation run() {
     const Term& term = reading_.term;
     if (!term.closed() || term.size() > most_parts) return {};
-    const Answer answer = referring_.is_noun(term) ? noun(term)(finish({})) : sentence(term);
+    const Answer answer = referring_.is_noun(term) ? noun(term)(finished) : sentence(term);
     result_.meaning = answer.meaning;
     for (auto open = answer.open.rbegin(); open != answer.open.rend(); ++open) {
       result_.meaning = abstraction(open->variable, result_.meaning);
@@ -127,11 +127,11 @@ class Interpreter {
       enclosing_.push_back(own.back().variable);
       term = is_lambda ? instantiate(term.body(), enclosing_.back()) : Term::apply(term, enclosing_.back());
     }
-    return meaning_of(term, Type::term())(finish(own));
+    Answer answer = meaning_of(term, Type::term())(finished);
+    answer.open.insert(answer.open.end(), own.begin(), own.end());
+    return answer;
   }
-  static Rest finish(std::vector<Answer::Open> own) {
-    return [own = std::move(own)](const Value& value) { return Answer{value.term, own}; };
-  }
+  static Answer finished(const Value& value) { return {value.term, {}}; }
 
   // intTerm(f(x)) = cpsApply(intTerm(f), intTerm(x)); `wanted` is the type that the term's surroundings ask for.
   Meaning meaning_of(const Term& term, const Type& wanted) {
@@ -251,7 +251,7 @@ class Interpreter {
         meant.gap->type = found->variable.type();
         Answer answer = k(Value{found->variable, {}});
         std::erase_if(answer.open, [&](const Answer::Open& open) { return open.variable == found->variable; });
-        answer.open.insert(answer.open.begin(), {*meant.gap, found->variable});
+        answer.open.push_back({*meant.gap, found->variable});
         return answer;
       }
       if (!meant.plural) return k(Value{meant.values.front(), by});

@@ -45,12 +45,12 @@ struct Applying {
 };
 
 struct Interpretation {
-  /// The reading's term with objects and places in place of its noun phrases; a lambda for each gap, in their order,
-  /// then those that the reading itself has (whose gaps are unsaid). A noun phrase alone gives its referent, or \x. x
-  /// with the gap that says why not. A noun alone ("cup") is a noun phrase that may mean any, and counts pointing.
-  /// Of a plural the rest of the sentence takes the list; where it is said of each (`each : e* -> e`, FUNCTIONS.md),
-  /// it is done for each: put(each(those(\x. block(x))), v) is [put(block1, v), put(block2, v)]. In a list of commands
-  /// each is in the focus of the next. Null for a reading of more than 1000 nodes.
+  /// The reading's term with objects and places in place of its noun phrases; a lambda for each gap, in the order in
+  /// which programs take them, then those that the reading itself has (whose gaps are unsaid). A noun phrase alone
+  /// gives its referent, or \x. x with the gap that says why not. A noun alone ("cup") is a noun phrase that may mean
+  /// any, and counts pointing. Of a plural the rest of the sentence takes the list; where it is said of each (`each :
+  /// e* -> e`, FUNCTIONS.md), it is done for each: put(each(those(\x. block(x))), v) is [put(block1, v), put(block2,
+  /// v)]. In a list of commands each is in the focus of the next. Null for a reading of more than 1000 nodes.
   Term meaning;
   std::vector<Gap> gaps;
   std::vector<Resolution> resolutions;  ///< in the order of their effects: arguments before functions

@@ -32,16 +32,16 @@ Term last_noun(const Reading& reading) {
   return noun ? noun->term : Term::null();
 }
 
-// The noun phrase that matters most: the first that leaves something open, else the last of the words, which is the
-// first whose referents were looked for.
+// The noun phrase that matters most: the one that is asked about first, else the last of the words. Referents are
+// looked for from the last argument to the first.
 const Resolution* noun_phrase(const Interpretation& interpretation) {
-  const Resolution* found = nullptr;
+  const Resolution *open = nullptr, *last = nullptr;
   for (const auto& resolution : interpretation.resolutions) {
     if (!resolution.has_referents()) continue;
-    if (resolution.value.is_null()) return &resolution;
-    if (!found) found = &resolution;
+    if (resolution.value.is_null()) open = &resolution;
+    if (!last) last = &resolution;
   }
-  return found;
+  return open ? open : last;
 }
 
 // Of "which block is red?" what is asked for: a condition that stands as a program's argument.

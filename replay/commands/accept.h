@@ -13,9 +13,9 @@ namespace continua {
 struct AcceptOptions {
   std::string machine;
   std::vector<std::string> words;
-  std::string words_file;         ///< a word a line; "-" is standard input; empty: none
-  std::vector<std::string> runs;  ///< run logs: the moves of each are a word
+  std::string words_file;  ///< a word a line; "-" is standard input; empty: none
   bool empty_stack = false;
+  std::vector<std::string> runs = {};  ///< run logs: the moves of each are a word
 };
 
 /// The symbols of a word: its parts between spaces if it has any, else its characters.

@@ -198,7 +198,7 @@ TEST_CASE("noun phrases give what they mean to the rest of the sentence") {
       {"grasp(a(\\x. cup(x) and green(x)))", "\\x. grasp(x) | none e"},
       // the destination is found before the theme, and both before what the reading lacks
       {"put(the(\\x. cup(x)), on(the(\\x. block(x) and red(x))))",
-       "\\x x'. put(x', on(x)) | several e [block1, block2] | several e [cup1, cup2]"},
+       "\\x' x. put(x', on(x)) | several e [cup1, cup2] | several e [block1, block2]"},
       {"\\v. put(the(\\x. cup(x)), v)", "\\x v. put(x, v) | several e [cup1, cup2] | unsaid loc"},
       // a noun without determiner is any
       {"cup", "\\x. x | several e [cup1, cup2]"},
@@ -219,7 +219,7 @@ TEST_CASE("noun phrases give what they mean to the rest of the sentence") {
 
 TEST_CASE("pro-forms mean what is talked about, shown or present, or nothing yet") {
   Scene scene;
-  CHECK(meaning_of(scene.interpreted("put(it, there)")) == "\\v x. put(x, v) | unsaid loc | unsaid e");
+  CHECK(meaning_of(scene.interpreted("put(it, there)")) == "\\x v. put(x, v) | unsaid e | unsaid loc");
   CHECK(meaning_of(scene.interpreted("them")) == "\\x. x | unsaid e*");
   scene.context.focus = {"cup1", "knife"};
   CHECK(meaning_of(scene.interpreted("put(it, there)")) == "\\v. put(cup1, v) | unsaid loc");

@@ -28,8 +28,8 @@ std::vector<std::string> meanings(const Played& played) {
   std::vector<std::string> all;
   for (const auto& reading : played.all("reading"))
     all.push_back(reading["move"].is_null() ? "not understood"
-                                            : reading["move"].get<std::string>() + " " +
-                                                  reading.value("meaning", "") + " : " + reading.value("type", ""));
+                                            : reading["move"].get<std::string>() + " " + reading.value("meaning", "") +
+                                                  " : " + reading.value("type", ""));
   return all;
 }
 
@@ -68,7 +68,9 @@ TEST_CASE("applications name the inputs that each part came from") {
   Texts told;
   for (const auto& each : applications)
     told.push_back(each["function"].get<std::string>() + " @ " + each["argument"].get<std::string>() +
-                   (each["because"] == Json{plate, put} ? ", both" : each["because"] == Json{put} ? ", the second" : ""));
+                   (each["because"] == Json{plate, put} ? ", both"
+                    : each["because"] == Json{put}      ? ", the second"
+                                                        : ""));
   CHECK(told == Texts{"in_front @ avatar, the second", "put @ plate, both", "put(plate) @ in_front(avatar), both"});
 }
 
@@ -89,8 +91,9 @@ TEST_CASE("a noun phrase without one object becomes a question or is told") {
   CHECK(said(talk({"grasp the cup", "the blue one"})) == Texts{"Which cup do you mean? The white cup?", "Okay."});
   const auto readings = talk({"the cup"}).all("reading");
   CHECK(readings[0]["referents"] == Json{"cup", "cup_blue"});
-  CHECK(readings[0]["resolved"][0]["ruled_out"] == Json::parse(R"([{"object":"plate","reason":"not cup(plate)"},
-                                                                    {"object":"knife","reason":"not cup(knife)"}])"));
+  CHECK(readings[0]["resolved"][0]["ruled_out"] == Json::parse(R"json([{"object":"plate","reason":"not cup(plate)"
+},
+                                                                    {"object":"knife","reason":"not cup(knife)"}])json"));
 }
 
 TEST_CASE("commands for several objects are carried out one by one") {
@@ -115,5 +118,5 @@ TEST_CASE("a run's moves are held against the grammar of Table 1") {
   CHECK(moves("paper/dialogue_language") == "N V");
   CHECK(moves("paper/predicate_first") == "δ V N");
   CHECK(moves("talk/speech_only") == "V n y V V N P");
-  CHECK(run_accept({"table_1", {"N V"}, "", {folder.at("run.jsonl")}, false}) == exit_no);
+  CHECK(run_accept({"table_1", {"N V"}, "", false, {folder.at("run.jsonl")}}) == exit_no);
 }
