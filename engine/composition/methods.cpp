@@ -74,6 +74,12 @@ Term Methods::scene() const {
   return Term::list(std::move(objects), Type::entity());
 }
 
+Term Methods::position(const Term& entity) const {
+  if (const auto* found = object(entity)) return point(found->p_WO);
+  const auto who = world_ && entity.kind() == Term::Kind::constant ? participant_named(entity.name()) : std::nullopt;
+  return who ? point(Landmark::participant(*who, world_->table).bounds_W.center()) : Term::null();
+}
+
 Term Methods::closest(const Term& entity, const Term& place) const {
   const auto* found = object(entity);
   if (!found) return Term::null();
@@ -173,7 +179,7 @@ Signature Methods::add_rules() {
           {"scene", "e*", [this](Arguments, Evaluation&) { return scene(); }},
           {"table", "loc", [this](Arguments, Evaluation&) { return world_ ? region(world_->table) : Term::null(); }},
           {"held", "e", held},
-          {"position", "e -> loc", of_object([](const ObjectState& o, Arguments) { return point(o.p_WO); })},
+          {"position", "e -> loc", [this](Arguments a, Evaluation&) { return position(a[0]); }},
           {"bounds", "e -> loc", of_object([](const ObjectState& o, Arguments) { return region(o.bounds_W()); })},
           {"attribute", "e -> text -> text", of_object(attribute)},
           {"volume", "e -> num",

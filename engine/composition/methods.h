@@ -31,6 +31,7 @@ class Methods {
  private:
   const ObjectState* object(const Term& entity) const;
   Term scene() const;
+  Term position(const Term& entity) const;
   Term closest(const Term& entity, const Term& place) const;
   Term clear(const Term& entity, double share, Evaluation& evaluation) const;
   Term fits(const Term& entity, const Term& place, const Term& except, Evaluation& evaluation) const;

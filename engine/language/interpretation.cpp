@@ -173,7 +173,10 @@ class Interpreter {
         rule = std::move(lifted->rule);
       }
     }
-    Value result{Term::apply(function.term, raised_argument), together(function.by, argument.by)};
+    const bool reduces = function.term.kind() == Term::Kind::lambda && fits(raised_argument, type.from());
+    Value result{
+        reduces ? instantiate(function.term.body(), raised_argument) : Term::apply(function.term, raised_argument),
+        together(function.by, argument.by)};
     result_.applied.push_back({{function.term, argument.term, result.term, std::move(rule)}, result.by});
     return result;
   }
@@ -286,7 +289,10 @@ class Interpreter {
     }
     if (!meant.gap && meant.resolution.by != By::presence)
       for (const auto& value : meant.values)
-        if (value.kind() == Term::Kind::constant) spoken_of_.push_back(value.name());
+        if (value.kind() == Term::Kind::constant) {
+          spoken_of_.push_back(value.name());
+          referring_.named(value.name());
+        }
     result_.resolutions.push_back(meant.resolution);
     return meant;
   }

@@ -182,6 +182,11 @@ std::string Referring::words_of(const Term& phrase) const {
   return {};
 }
 
+void Referring::named(const std::string& object) {
+  const auto last = std::find(context_.focus.begin(), context_.focus.end(), object);
+  if (last != context_.focus.end()) std::rotate(last, last + 1, context_.focus.end());
+}
+
 void Referring::focus_on(const std::vector<std::string>& objects) {
   for (const auto& object : objects) {
     std::erase(context_.focus, object);

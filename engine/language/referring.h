@@ -35,7 +35,9 @@ class Referring {
   bool is_noun(const Term& term) const;
   Meant meant_by_noun(const Term& noun) const;
 
-  /// These objects are being talked about from now on, the last first.
+  /// The command names this object, so that "it" rather means another one.
+  void named(const std::string& object);
+  /// A new command begins: these objects are being talked about from now on, the last first.
   void focus_on(const std::vector<std::string>& objects);
 
  private:

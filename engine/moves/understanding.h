@@ -34,6 +34,9 @@ class Understanding {
 
  private:
   Meanings meanings() const;
+  bool is_noun(const Phrase& phrase, const Utterance& utterance) const;
+  Term last_noun(const Reading& reading, const Utterance& utterance, std::size_t before) const;
+  Context within(const Reading& reading, const Utterance& utterance, Context context) const;
 
   const Language& language_;
   const RuleTable& rules_;
