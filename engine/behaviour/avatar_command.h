@@ -91,8 +91,8 @@ enum class Occupied {
             ///< something
 };
 
-/// Where the object comes to lie when `command`, a put or slide, succeeds in `world`. At a point it stands on what is
-/// there, if that bears it. Beside another thing (left,
+/// Where the object comes to lie when `command`, a put or slide, succeeds in `world`. At a point it stands on the table,
+/// whatever is there. Beside another thing (left,
 /// right, in_front, behind, touching) it ideally touches it, at or beside it, near or between it keeps a distance; `in`
 /// it stands on the hollow's floor, lying if it fits so, else upright; before a participant it is near the edge of the
 /// table. A side of the object itself is a step that way. Whatever place is chosen, world/relations says of it that the

@@ -69,7 +69,7 @@ class Places {
  private:
   Error no(std::string_view why) const { return {"", std::string(why)}; }
   Error no_room() const;
-  Result<Placement> at_point(Occupied occupied) const;
+  Placement at_point() const;
   Result<Placement> in_hollow() const;
   Result<Placement> on_top(Occupied occupied) const;
   Result<Placement> nearby(Occupied occupied) const;
@@ -77,7 +77,6 @@ class Places {
   std::vector<Vec3> ideals() const;
   std::vector<Vec3> before_participant(Perspective who) const;
   bool is_narrow(const ObjectState& below) const;
-  double top_under(const Vec3& p_W) const;
   double support_height(const Vec3& p_W, Occupied occupied) const;
   bool free(const ObjectState& placed) const;
   bool on_table(const ObjectState& placed) const;
@@ -128,17 +127,6 @@ bool Places::on_table(const ObjectState& placed) const {
 bool Places::is_narrow(const ObjectState& below) const {
   const Vec3 mine = half_of(object_.bounds_W()), theirs = half_of(below.bounds_W());
   return theirs.x() < mine.x() / 2 || theirs.y() < mine.y() / 2;
-}
-
-/// The height of what bears an object at that point.
-double Places::top_under(const Vec3& p_W) const {
-  double height = world_.table.max.z();
-  for (std::size_t i = 0; i < world_.objects.size(); ++i) {
-    const Box box = world_.objects[i].bounds_W();
-    if (!carried_[i] && !is_narrow(world_.objects[i]) && is_over(box, p_W, rim_m))
-      height = std::max(height, box.max.z());
-  }
-  return height;
 }
 
 /// What an object beside the landmark comes to stand on: the table, or things that are no higher than what the landmark
@@ -196,16 +184,9 @@ std::vector<Vec3> Places::ideals() const {
   return places;
 }
 
-Result<Placement> Places::at_point(Occupied occupied) const {
-  constexpr double farthest_m = 0.1;
-  const Vec3 ideal(goal_.p_WG.x(), goal_.p_WG.y(), world_.table.max.z() + object_.half_extents_m.z());
-  if (occupied == Occupied::cleared) return Placement{on_grid(ideal)};
-  for (const Vec3& step : steps_around(farthest_m)) {
-    ObjectState there = placed(ideal + step);
-    there.p_WO.z() = on_grid(top_under(there.p_WO) + object_.half_extents_m.z());
-    if (on_table(there) && free(there)) return Placement{there.p_WO};
-  }
-  return no_room();
+/// Points are taken as they are meant, whatever stands there.
+Placement Places::at_point() const {
+  return Placement{on_grid(Vec3(goal_.p_WG.x(), goal_.p_WG.y(), world_.table.max.z() + object_.half_extents_m.z()))};
 }
 
 /// On the floor of a container, where the object fits as it lies or on its end.
@@ -265,7 +246,7 @@ Result<Placement> Places::nearby(Occupied occupied) const {
 }
 
 Result<Placement> Places::find(Occupied occupied) const {
-  if (!goal_.relation) return at_point(occupied);
+  if (!goal_.relation) return at_point();
   const Relation relation = *goal_.relation;
   const std::string words = in_words(relation);
   if (landmarks_.size() != landmarks_of(relation)) return no(fmt::format("it is not said {} what", words));
