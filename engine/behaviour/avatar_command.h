@@ -91,12 +91,12 @@ enum class Occupied {
             ///< something
 };
 
-/// Where the object comes to lie when `command`, a put or slide, succeeds in `world`. At a point it stands on the table,
-/// whatever is there. Beside another thing (left,
-/// right, in_front, behind, touching) it ideally touches it, at or beside it, near or between it keeps a distance; `in`
-/// it stands on the hollow's floor, lying if it fits so, else upright; before a participant it is near the edge of the
-/// table. A side of the object itself is a step that way. Whatever place is chosen, world/relations says of it that the
-/// relation holds. The error's sentence is the reason why there is no such place. REQUIRES that nothing is missing.
+/// Where the object comes to lie when `command`, a put or slide, succeeds in `world`. At a point it stands on the
+/// table, whatever is there. Beside another thing (left, right, in_front, behind, touching) it ideally touches it, at
+/// or beside it, near or between it keeps a distance; `in` it stands on the hollow's floor, lying if it fits so, else
+/// upright; before a participant it is near the edge of the table. A side of the object itself is a step that way.
+/// Whatever place is chosen, world/relations says of it that the relation holds. The error's sentence is the reason why
+/// there is no such place. REQUIRES that nothing is missing.
 Result<Placement> placement(const AvatarCommand& command, const WorldSnapshot& world, Occupied occupied);
 
 /// A world with an avatar in it. One command runs at a time; further ones queue in order.

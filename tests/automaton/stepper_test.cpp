@@ -246,3 +246,24 @@ TEST_CASE("wordings put a term into words by its shape") {
   CHECK(player.feed("two").all<Said>().at(0).text == "Should I put 2 on itself?");
   CHECK(player.feed("three").all<Said>().empty());
 }
+
+TEST_CASE("what is of another type than its slot or register leaves it empty, and is told") {
+  Player player(R"json({"machine":1,"name":"m","start":"A","slots":{"any":"term","n":"num","list":"num*"},
+    "memory":{"r":{"type":"num"}},"transitions":[
+    {"id":"take","from":"A","on":"take","to":"A","push":{"any":"'a text'"}},
+    {"id":"fit","from":"A","on":"fit","to":"A","push":{"n":"any","list":"any"},"do":[{"remember":{"r":"any"}}]}]})json");
+  player.feed("take, fit");
+  CHECK(player.slot("n") == "null");
+  CHECK(player.slot("list") == "[]");
+  const auto troubles = player.all<Trouble>();
+  REQUIRE(troubles.size() == 3);
+  CHECK(troubles[0].message == "'a text' is no num, and n takes no other: it is left empty");
+}
+
+TEST_CASE("to act on a list is to act on each of its programs") {
+  Player player(R"json({"machine":1,"name":"m","start":"A","programs":{"go":"num -> t"},"transitions":[
+    {"id":"go","from":"A","on":"go","to":"A","do":[{"act":"map([1, 2], go)"}]}]})json");
+  player.feed("go");
+  REQUIRE(player.all<Acted>().size() == 2);
+  CHECK(print(player.all<Acted>()[1].term) == "go(2)");
+}

@@ -1,4 +1,5 @@
 // Speech in replays: what the run log tells of it.
+#include <algorithm>
 #include <fstream>
 
 #include "played.h"
@@ -99,6 +100,55 @@ TEST_CASE("a noun phrase without one object becomes a question or is told") {
 TEST_CASE("commands for several objects are carried out one by one") {
   CHECK(programs(talk({"put the knife and the plate in front of me"})) ==
         Texts{"put(knife, in_front(human))", "put(plate, in_front(human))"});
+}
+
+TEST_CASE("words go with what was pointed at in the two seconds before") {
+  const auto after = [](double seconds) {
+    const TemporaryFolder folder;
+    const auto event = compact(Json{{"t", 1 + seconds}, {"kind", "speech"}, {"text", "put the plate there"}});
+    return meanings(play(folder.file("t.trace.jsonl",
+                                     R"({"kind":"trace","version":1,"scene":"place_setting","machine":"interaction"}
+{"t":1,"kind":"pointing","target":[0.1,-0.2]}
+)" + event + "\n")));
+  };
+  CHECK(after(0.5).back() == "V put(plate, <0.1, -0.2, 0>) : t");
+  CHECK(after(2).back() == "V put(plate, <0.1, -0.2, 0>) : t");
+  CHECK(after(2.1).back() == "V \\v. put(plate, v) : loc -> t");
+}
+
+TEST_CASE(
+    "pointing is a move when it begins, and when it comes to mean something else, and what is ignored is not refused") {
+  const TemporaryFolder folder;
+  std::string trace = R"({"kind":"trace","version":1,"scene":"place_setting","machine":"interaction"})"
+                      "\n";
+  const auto sample = [&](double t, double x, double y) {
+    trace += compact(Json{{"t", t}, {"kind", "pointing"}, {"hand", "right"}, {"target", {x, y}}}) + "\n";
+  };
+  for (int i = 0; i < 10; ++i) sample(1 + i / 30.0, 0.12, 0.03);
+  for (int i = 0; i < 10; ++i) sample(2 + i / 30.0, -0.2, 0.01);
+  sample(9, -0.2, 0.01);
+  const auto played = play(folder.file("t.trace.jsonl", trace));
+  Texts moves;
+  for (const auto& reading : played.all("reading"))
+    moves.push_back(reading["move"].get<std::string>() + " " + reading["referents"][0].get<std::string>());
+  CHECK(moves == Texts{"δ cup", "δ plate", "δ plate"});
+  CHECK(played.summary.refusals == 0);
+}
+
+TEST_CASE("a machine without a lexicon tells moves by its inputs") {
+  Texts moves;
+  for (const auto& reading : play(traces / "building_blocks.trace.jsonl").all("reading"))
+    moves.push_back(reading["move"]);
+  for (const char* move : {"δ", "α", "y", "n", "N"}) CHECK(std::count(moves.begin(), moves.end(), move) > 0);
+}
+
+TEST_CASE("one, it and them mean what was said nearest by") {
+  CHECK(meanings(talk({"the plate", "put the white cup beside the blue one"})).back() ==
+        "V put(cup, beside(cup_blue)) : t");
+  CHECK(meanings(talk({"grasp the knife", "the plate", "put it on the plate"})).back() ==
+        "V put(knife, on(plate)) : t");
+  CHECK(meanings(talk({"put both cups in front of you", "put them on the plate"})).back() ==
+        "V [put(cup, on(plate)), put(cup_blue, on(plate))] : t*");
 }
 
 TEST_CASE("a run's moves are held against the grammar of Table 1") {
