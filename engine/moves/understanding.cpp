@@ -48,24 +48,6 @@ std::optional<Term> asked_for(const Reading& reading) {
   return is_condition && reading.term.type() == Type::truth() ? std::optional(arguments[0]) : std::nullopt;
 }
 
-}  // namespace
-
-Understanding::Understanding(const Language& language, const WorldSnapshot& world, const RuleTable& rules)
-    : language_(language), rules_(rules), vocabulary_(language.lexicon, world) {}
-
-// A noun: of type e -> t, no adjective that stands alone ("red"), and not said by "one".
-bool Understanding::is_noun(const Phrase& phrase, const Utterance& utterance) const {
-  if (!(phrase.term.type() == property())) return false;
-  for (const auto& [name, proform] : language_.lexicon->operators.proforms)
-    if (proform.source == Proform::Source::topic && contains(phrase.term, Term::constant(name, property())))
-      return false;
-  if (phrase.words.size() != 1) return true;
-  const auto* entry = vocabulary_.find(utterance.words[phrase.words.begin]);
-  static const Type modifier = Type::function(property(), property());
-  return !entry || std::none_of(entry->senses.begin(), entry->senses.end(),
-                                [](const WordSense& sense) { return sense.term.type() == modifier; });
-}
-
 // A noun that only helps to say what another one is: "the block behind the cup".
 bool is_nested(const Phrase& noun, const Reading& reading) {
   const auto inside = [](const WordSpan& a, const WordSpan& b) {
@@ -79,27 +61,60 @@ bool is_nested(const Phrase& noun, const Reading& reading) {
   });
 }
 
-// The last noun before a word, without the adjectives and relations around it.
-Term Understanding::last_noun(const Reading& reading, const Utterance& utterance, std::size_t before) const {
-  const Phrase* noun = nullptr;
-  for (const auto& phrase : reading.phrases) {
-    if (phrase.words.end > before || !is_noun(phrase, utterance) || is_nested(phrase, reading)) continue;
-    const bool inside = noun && phrase.words.begin >= noun->words.begin && phrase.words.end <= noun->words.end;
-    if (!noun || inside || phrase.words.begin > noun->words.begin) noun = &phrase;
+}  // namespace
+
+Understanding::Understanding(const Language& language, const WorldSnapshot& world, const RuleTable& rules)
+    : language_(language), rules_(rules), vocabulary_(language.lexicon, world) {}
+
+// The noun of a phrase, without the adjectives before it and what follows; null if it has none ("the blue one").
+Term Understanding::noun_in(const WordSpan& words, const Utterance& utterance) const {
+  static const Type modifier = Type::function(property(), property());
+  const auto has_type = [](const Type& type) {
+    return [&type](const WordSense& sense) { return sense.term.type() == type; };
+  };
+  for (auto at = words.begin; at < words.end; ++at) {
+    std::string text;
+    const WordSense* noun = nullptr;
+    for (auto end = at; end < std::min(words.end, at + vocabulary_.most_words()); ++end) {
+      text += (text.empty() ? "" : " ") + utterance.words[end];
+      const auto* entry = vocabulary_.find(text);
+      if (!entry || std::any_of(entry->senses.begin(), entry->senses.end(), has_type(modifier))) continue;
+      const auto sense = std::find_if(entry->senses.begin(), entry->senses.end(), has_type(property()));
+      if (sense != entry->senses.end()) noun = &*sense;
+    }
+    if (noun) return is_topic(noun->term) ? Term::null() : noun->term;
   }
-  return noun ? noun->term : Term::null();
+  return Term::null();
+}
+
+bool Understanding::is_topic(const Term& term) const {
+  const auto& proforms = language_.lexicon->operators.proforms;
+  return std::any_of(proforms.begin(), proforms.end(), [&](const auto& entry) {
+    return entry.second.source == Proform::Source::topic && contains(term, Term::constant(entry.first, property()));
+  });
+}
+
+// The last noun before a word.
+Term Understanding::last_noun(const Reading& reading, const Utterance& utterance, std::size_t before) const {
+  std::size_t latest = 0;
+  Term noun;
+  for (const auto& phrase : reading.phrases) {
+    const bool later = noun.is_null() || phrase.words.begin > latest;
+    if (!(phrase.term.type() == property()) || phrase.words.end > before || !later || is_nested(phrase, reading))
+      continue;
+    const Term found = noun_in(phrase.words, utterance);
+    if (found.is_null()) continue;
+    noun = found;
+    latest = phrase.words.begin;
+  }
+  return noun;
 }
 
 // "the white cup … the blue one": what "one" stands for has been said just before.
 Context Understanding::within(const Reading& reading, const Utterance& utterance, Context context) const {
-  for (const auto& [name, proform] : language_.lexicon->operators.proforms) {
-    if (proform.source != Proform::Source::topic) continue;
-    const Term one = Term::constant(name, property());
-    for (const auto& phrase : reading.phrases) {
-      if (!contains(phrase.term, one)) continue;
-      if (auto noun = last_noun(reading, utterance, phrase.words.begin); !noun.is_null())
-        context.topic = std::move(noun);
-    }
+  for (const auto& phrase : reading.phrases) {
+    if (!is_topic(phrase.term)) continue;
+    if (auto noun = last_noun(reading, utterance, phrase.words.begin); !noun.is_null()) context.topic = std::move(noun);
   }
   return context;
 }

@@ -34,7 +34,8 @@ class Understanding {
 
  private:
   Meanings meanings() const;
-  bool is_noun(const Phrase& phrase, const Utterance& utterance) const;
+  bool is_topic(const Term& term) const;
+  Term noun_in(const WordSpan& words, const Utterance& utterance) const;
   Term last_noun(const Reading& reading, const Utterance& utterance, std::size_t before) const;
   Context within(const Reading& reading, const Utterance& utterance, Context context) const;
 

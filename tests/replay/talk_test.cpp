@@ -145,6 +145,7 @@ TEST_CASE("a machine without a lexicon tells moves by its inputs") {
 TEST_CASE("one, it and them mean what was said nearest by") {
   CHECK(meanings(talk({"the plate", "put the white cup beside the blue one"})).back() ==
         "V put(cup, beside(cup_blue)) : t");
+  CHECK(meanings(talk({"a cup", "the one behind the knife", "the white one"})).back() == "N cup : e");
   CHECK(meanings(talk({"grasp the knife", "the plate", "put it on the plate"})).back() ==
         "V put(knife, on(plate)) : t");
   CHECK(meanings(talk({"put both cups in front of you", "put them on the plate"})).back() ==
