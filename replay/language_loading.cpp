@@ -14,12 +14,6 @@ namespace continua {
 namespace fs = std::filesystem;
 namespace {
 
-Signature names_of_terms() {
-  auto names = term_signature();
-  names.insert(Methods::signature().begin(), Methods::signature().end());
-  return names;
-}
-
 bool is_folder(const fs::path& path) {
   std::error_code unknown;
   return fs::is_directory(path, unknown);
@@ -35,6 +29,12 @@ std::vector<std::string> folders_in(const fs::path& folder) {
 }
 
 }  // namespace
+
+Signature names_of_terms() {
+  auto names = term_signature();
+  names.insert(Methods::signature().begin(), Methods::signature().end());
+  return names;
+}
 
 Result<std::shared_ptr<const Lexicon>> load_named_lexicon(const DataPaths& data, const std::string& name,
                                                           const std::string& where) {

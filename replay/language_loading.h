@@ -8,6 +8,9 @@
 
 namespace continua {
 
+/// What the terms of lexicons and raising rules may use: the language's names and facts of the world.
+Signature names_of_terms();
+
 /// The lexicon is null for a machine that names none. The error is the first problem of a file, or that there is no
 /// such lexicon.
 Result<Language> load_language(const DataPaths& data, const Machine& machine);

@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <array>
+#include <filesystem>
 
 #include "composition/methods.h"
 #include "core/located_json.h"
 #include "machine_file/jflap.h"
 #include "machine_file/machine_loader.h"
+#include "replay/language_loading.h"
 #include "replay/run_index.h"
 #include "replay/session_import.h"
 #include "replay/trace_file.h"
 #include "simulation/scene.h"
+#include "term/raising_file.h"
 
 namespace continua {
 namespace {
@@ -63,6 +66,30 @@ FileCheck check_machine_file(std::string_view text, const std::string& path) {
                       counted(machine->transitions.size(), "transition"))};
 }
 
+bool is_lexicon_file(std::string_view, const std::string& path) {
+  const auto folder = std::filesystem::absolute(path).lexically_normal().parent_path();
+  return path.ends_with(".json") && folder.parent_path().filename() == "lexicon";
+}
+
+// The files of a lexicon belong together: all are read, and what is wrong with this one is told.
+FileCheck check_lexicon_file(std::string_view, const std::string& path) {
+  const auto name = std::filesystem::path(path).filename().string();
+  FileCheck check{{}, {}, "file of a lexicon"};
+  for (auto& problem : check_lexicon(std::filesystem::absolute(path).parent_path().string(), names_of_terms())) {
+    const auto place = problem.where.find("/" + name + ":");
+    if (place == std::string::npos) continue;
+    problem.where = path + problem.where.substr(place + 1 + name.size());
+    check.problems.push_back(std::move(problem));
+  }
+  return check;
+}
+
+FileCheck check_raising(std::string_view text, const std::string& path) {
+  const auto rules = parse_raising(text, path, names_of_terms());
+  if (!rules) return {{rules.error()}, {}, ""};
+  return {{}, {}, counted(rules->size(), "raising rule")};
+}
+
 FileCheck check_jflap(std::string_view text, const std::string& path) {
   const auto machine = machine_of_jflap(text, path);
   if (!machine) return {{machine.error()}, {}, ""};
@@ -90,6 +117,12 @@ constexpr std::array file_kinds = {
     FileKind{[](std::string_view text, const std::string& path) { return is_jflap(text, path); }, check_jflap},
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "trace"); }, check_trace},
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "run"); }, check_run},
+    FileKind{is_lexicon_file, check_lexicon_file},
+    FileKind{[](std::string_view text, const std::string& path) {
+               return path.ends_with(".json") && text.find("\"raising\"") != text.npos &&
+                      text.find("\"transitions\"") == text.npos;
+             },
+             check_raising},
     FileKind{[](std::string_view text, const std::string& path) {
                return path.ends_with(".json") || (begins_with(text, "{") && text.find("\"machine\"") != text.npos &&
                                                   text.find("\"transitions\"") != text.npos);
@@ -129,7 +162,8 @@ int run_validate(const ValidateOptions& options) {
 }
 
 void add_validate_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("validate", "Check traces, machines, scenes, run logs and session logs");
+  auto* command =
+      program.add_subcommand("validate", "Check traces, machines, lexicons, scenes, run logs and session logs");
   auto options = std::make_shared<ValidateOptions>();
   command->add_option("FILE", options->files, "files of any kind")->required();
   command->footer("Example: continua validate traces/corner/*.trace.jsonl");
