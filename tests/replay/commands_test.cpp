@@ -51,19 +51,18 @@ TEST_CASE("import overwrites nothing that it reads, and writes no file twice") {
 
 TEST_CASE("validate tells what is wrong with a file of a lexicon and with raising rules") {
   const TemporaryFolder folder;
-  const auto grammar = folder.file("lexicon/small/grammar.json",
-                                   R"({"categories":{"N":{"type":"e -> t","move":"N"}},"names":{"cup":"e -> t"}})");
-  const auto words = folder.file("lexicon/small/words.json", R"({"words":{"cup":[["N","\\x. cop(x)"]]
-}
-})");
+  const auto grammar =
+      folder.file("lexicon/small/grammar.json",
+                  R"json({"categories":{"N":{"type":"e -> t","move":"N"}},"names":{"cup":"e -> t"}})json");
+  const auto words = folder.file("lexicon/small/words.json", R"json({"words":{"cup":[["N","\\x. cop(x)"]]}})json");
   CHECK(check_file(read_file(grammar).value(), grammar).problems.empty());
-const auto check = check_file(read_file(words).value(), words);
-REQUIRE(check.problems.size() == 1);
-CHECK(check.problems[0].text().find(words + ":1:") == 0);
-CHECK(check.problems[0].text().find("unknown name 'cop' (did you mean 'cup'?)") != std::string::npos);
-CHECK(check_file(R"({"raising":1,"rules":[{"name":"a","from":"e","to":"e","by":"\\x. x"}]})", "r.json").summary ==
-      "1 raising rule");
-CHECK(check_file(R"({"raising":2,"rules":[]})", "r.json").problems.size() == 1);
+  const auto lexicon = check_file(read_file(words).value(), words);
+  REQUIRE(lexicon.problems.size() == 1);
+  CHECK(lexicon.problems[0].text().find(words + ":1:") == 0);
+  CHECK(lexicon.problems[0].text().find("unknown name 'cop' (did you mean 'cup'?)") != std::string::npos);
+  const std::string rules = R"json({"raising":1,"rules":[{"name":"a","from":"e","to":"e","by":"\\x. x"}]})json";
+  CHECK(check_file(rules, "r.json").summary == "1 raising rule");
+  CHECK(check_file(R"json({"raising":2,"rules":[]})json", "r.json").problems.size() == 1);
 }
 
 TEST_CASE("validate knows a file by its content") {
