@@ -4,8 +4,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-2}
-cmake --preset debug > /dev/null
-cmake --build --preset debug --target continua
+cmake --preset debug -B build/bytes -DCMAKE_CXX_FLAGS_DEBUG=-O0 > /dev/null
+cmake --build build/bytes --target continua
 
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
@@ -20,7 +20,7 @@ else
 fi
 for run in release-1 release-2 debug-1 debug-2; do
   program=build/continua
-  if [[ $run == debug-* ]]; then program=build/debug/continua; fi
+  if [[ $run == debug-* ]]; then program=build/bytes/continua; fi
   "$program" replay "${traces[@]}" --no-physics -j 2 -o "$out/$run" > /dev/null
   diff -rq "$out/release-1" "$out/$run"
 done
