@@ -10,12 +10,13 @@
 
 namespace continua {
 namespace fs = std::filesystem;
-namespace {
 
 bool is_folder(const fs::path& path) {
   std::error_code unknown;
   return fs::is_directory(path, unknown);
 }
+
+namespace {
 
 bool is_file(const fs::path& path) {
   std::error_code unknown;

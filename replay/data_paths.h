@@ -13,6 +13,9 @@ struct DataPaths {
   std::filesystem::path mjcf;       ///< the folder with scenes/, objects/, avatar/
 };
 
+/// Also where the path cannot be looked at: then it is none.
+bool is_folder(const std::filesystem::path& path);
+
 /// Finds the data without being told: under CONTINUA_HOME (a source tree) if that is set, else in the nearest folder
 /// above the program that holds engine/knowledge and mjcf, else in the tree the program was built from. `knowledge`
 /// replaces the knowledge folder unless it is empty. An error names what was looked for.

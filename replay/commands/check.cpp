@@ -25,11 +25,6 @@ struct Nowhere : std::streambuf {
   std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
 };
 
-bool is_folder(const fs::path& path) {
-  std::error_code unknown;
-  return fs::is_directory(path, unknown);
-}
-
 bool is_lexicon(const fs::path& path) { return is_folder(path) && path.parent_path().filename() == "lexicon"; }
 bool is_machine(const fs::path& path) {
   return path.extension() == ".jff" || (path.extension() == ".json" && path.parent_path().filename() == "machines");
