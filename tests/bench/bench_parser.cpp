@@ -6,28 +6,15 @@
 #include <memory>
 #include <string>
 
+#include "composition/methods.h"
 #include "language/parser.h"
 
 namespace continua {
 namespace {
 
-Signature facts() {
-  Signature names;
-  const auto add = [&](const char* name, const char* type) { names.emplace(name, Type::parse(type).value()); };
-  add("scene", "e*");
-  add("table", "loc");
-  add("held", "e");
-  add("attribute", "e -> text -> text");
-  add("volume", "e -> num");
-  add("position", "e -> loc");
-  add("located", "e -> loc -> t");
-  add("offset", "e -> text -> num");
-  return names;
-}
-
 const Vocabulary& vocabulary() {
   static const Vocabulary words = [] {
-    auto lexicon = load_lexicon(CONTINUA_SOURCE_DIR "/engine/knowledge/lexicon/english", facts());
+    auto lexicon = load_lexicon(CONTINUA_SOURCE_DIR "/engine/knowledge/lexicon/english", Methods::signature());
     if (!lexicon) {
       std::fprintf(stderr, "bench_parser: %s\n", lexicon.error().text().c_str());
       std::exit(2);

@@ -4,32 +4,18 @@
 #include <memory>
 #include <string>
 
+#include "composition/methods.h"
 #include "language/parser.h"
 #include "support/catch.h"
 #include "term/term_text.h"
 
 namespace continua {
 
-/// The facts of the world that the lexicon's definitions use.
-inline Signature world_facts() {
-  Signature names;
-  const auto add = [&](const char* name, const char* type) { names.emplace(name, Type::parse(type).value()); };
-  add("scene", "e*");
-  add("table", "loc");
-  add("held", "e");
-  add("attribute", "e -> text -> text");
-  add("volume", "e -> num");
-  add("position", "e -> loc");
-  add("located", "e -> loc -> t");
-  add("offset", "e -> text -> num");
-  return names;
-}
-
 inline const std::string english_folder = CONTINUA_SOURCE_DIR "/engine/knowledge/lexicon/english";
 
 inline std::shared_ptr<const Lexicon> english() {
   static const auto lexicon = [] {
-    auto loaded = load_lexicon(english_folder, world_facts());
+    auto loaded = load_lexicon(english_folder, Methods::signature());
     if (!loaded) FAIL(loaded.error().text());
     return std::make_shared<const Lexicon>(*std::move(loaded));
   }();
