@@ -12,7 +12,7 @@ struct Determiner {
   bool definite = false;  ///< presupposes that one thing (or one group) is meant: more are a question, none is told
   bool many = false;      ///< all that fit are meant: those, all
   bool deictic = false;   ///< goes with pointing: this, that
-  bool other = false;     ///< not the one in focus: another
+  bool other = false;     ///< not the one of them in focus: another
   int count = 0;          ///< so many are meant: two; 0: says nothing
 };
 
@@ -22,10 +22,10 @@ struct Proform {
     focus,    ///< it, them: what is being talked about
     pointed,  ///< here, there: where the human points
     topic,    ///< one: the noun that was last used; a constant of type e -> t
-    other,    ///< a constant of type e -> t: true of all but the one in focus, or but what the noun phrase around is
-              ///< about
-    avatar,   ///< you
-    human,    ///< me
+    other,    ///< a constant of type e -> t: true of all but the first in focus that fits, or but what the noun phrase
+            ///< around is about
+    avatar,  ///< you
+    human,   ///< me
   };
   Source source = Source::focus;
 };

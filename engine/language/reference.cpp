@@ -51,12 +51,21 @@ std::vector<const ObjectState*> asked_about(const Context& context, std::vector<
   return objects;
 }
 
+// What "the other cup" leaves out: the first in focus of those that it would mean without "other"; empty if none.
+std::string first_in_focus(NounPhraseSearch& search, const Term& condition, const Context& context) {
+  std::vector<const ObjectState*> objects;
+  for (const auto& name : context.focus)
+    if (const auto* object = context.world->find(name)) objects.push_back(object);
+  const Fitting fitting = search.fitting(objects, condition, "");
+  return fitting.objects.empty() ? "" : fitting.objects.front()->name;
+}
+
 }  // namespace
 
 Reference refer(const Term& condition, const Determiner& determiner, const Context& context, const Meanings& meanings) {
   const auto pointed_W = context.pointed_W;
   NounPhraseSearch search(context, meanings, determiner.deictic ? std::nullopt : pointed_W);
-  const std::string in_focus = context.focus.empty() ? "" : context.focus.front();
+  const std::string in_focus = first_in_focus(search, search.resolved(condition), context);
 
   std::vector<RuledOut> ruled_out;
   auto objects = asked_about(context, ruled_out);

@@ -148,6 +148,7 @@ TEST_CASE("one, it and them mean what was said nearest by") {
   CHECK(meanings(talk({"a cup", "the one behind the knife", "the white one"})).back() == "N cup : e");
   CHECK(meanings(talk({"grasp the knife", "the plate", "put it on the plate"})).back() ==
         "V put(knife, on(plate)) : t");
+  CHECK(meanings(talk({"put the knife left of the blue cup", "the other cup"})).back() == "N cup : e");
   CHECK(meanings(talk({"put both cups in front of you", "put them on the plate"})).back() ==
         "V [put(cup, on(plate)), put(cup_blue, on(plate))] : t*");
 }
