@@ -23,9 +23,9 @@ struct Proform {
     pointed,  ///< here, there: where the human points
     topic,    ///< one: the noun that was last used; a constant of type e -> t
     other,    ///< a constant of type e -> t: true of all but the first in focus that fits, or but what the noun phrase
-            ///< around is about
-    avatar,  ///< you
-    human,   ///< me
+              ///< around is about
+    avatar,   ///< you
+    human,    ///< me
   };
   Source source = Source::focus;
 };
