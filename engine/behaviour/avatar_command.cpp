@@ -18,8 +18,12 @@ std::string text(Capability what) {
       return "put";
     case Capability::slide:
       return "slide";
+    case Capability::move:
+      return "move";
     case Capability::ungrasp:
       return "ungrasp";
+    case Capability::stop:
+      return "stop";
     case Capability::signal:
       return "signal";
   }
@@ -40,6 +44,8 @@ std::string text(ActReport::Status status) {
       return "blocked";
     case ActReport::Status::unreachable:
       return "unreachable";
+    case ActReport::Status::stopped:
+      return "stopped";
   }
   return "";
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ enum class Capability {
   lift,     ///< grasped object rises by `height_m` and stays held
   put,      ///< object is grasped if it is not, carried to the goal, set down and released
   slide,    ///< as put, but along the table
+  move,     ///< grasped object is carried to the goal and set down there; the fingers stay closed
   ungrasp,  ///< fingers open
+  stop,     ///< what is under way ends where it is, what waits is given up; what is held stays held
   signal,   ///< a named gesture (nod, thumbs up); nothing but the log shows one the body has no motion for
 };
 
@@ -37,15 +40,16 @@ struct Goal {
 struct AvatarCommand {
   int id = 0;  ///< running number, given back in reports
   Capability what = Capability::signal;
-  std::string object;   ///< what is reached for, pointed at, grasped, moved; empty: the goal's place is
-  Goal goal;            ///< for put and slide; for reach, point, look without object: the place
-  double height_m = 0;  ///< for lift
-  std::string name;     ///< for signal
+  std::string object;             ///< what is reached for, pointed at, grasped, moved; empty: the goal's place is
+  Goal goal;                      ///< for put, slide and move; for reach, point, look without object: the place
+  std::optional<Goal> next = {};  ///< for grasp: where the object will go then, so that the grip suits that too
+  double height_m = 0;            ///< for lift
+  std::string name;               ///< for signal
 };
 
 /// How an act went.
 struct ActReport {
-  enum class Status { started, done, missed, dropped, blocked, unreachable };
+  enum class Status { started, done, missed, dropped, blocked, unreachable, stopped };
   int id = 0;
   SimTime t;
   Status status = Status::done;
@@ -73,6 +77,7 @@ struct WorldReport {
   std::vector<ActReport> acts;
   std::vector<PoseSample> poses;
   std::vector<RestSpan> rests;
+  SimTime until;  ///< the time reached
 };
 
 /// The first thing that the command is about and that is not there; nothing if all are.
@@ -104,7 +109,8 @@ class Body {
  public:
   virtual ~Body() = default;
   virtual void command(const AvatarCommand& command) = 0;
-  /// Lets the world go on until `t` and tells what happened. `t` never decreases.
+  /// Lets the world go on until `t`, or until an act ends if that is earlier (WorldReport::until), so that what follows
+  /// from it can begin at once; tells what happened. `t` never decreases.
   virtual WorldReport advance(SimTime t) = 0;
   virtual WorldSnapshot snapshot() const = 0;
   /// Nothing moves and no command waits.

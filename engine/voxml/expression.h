@@ -1,0 +1,66 @@
+// VoxML's notation for events, conditions, places and parts, as published documents write it in the attributes of
+// subevents and affordances: grasp(x,y), hold(x,y)^!at(y,z), put(x, on([1])), def(loc(y),as('l1')).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+
+namespace continua {
+
+struct Expression {
+  enum class Kind {
+    name,       ///< x, z, E_y, VoxSimPlatform.Pathfinding.AStarSearch.PlanPath
+    call,       ///< name(arguments)
+    component,  ///< [2]: the part of the voxeme that has this number; the number is in `name`
+    text,       ///< '…', without its quotation marks
+    negation,   ///< !a
+    both,       ///< a ^ b
+    either,     ///< a | b
+  };
+  Kind kind = Kind::name;
+  std::string name;
+  std::vector<Expression> arguments;
+
+  friend bool operator==(const Expression&, const Expression&) = default;
+};
+
+/// As documents write it, with a space after commas and around ^ and |.
+std::string print(const Expression& expression);
+
+/// Errors say what was found and expected, and at which character of `text`.
+Result<Expression> parse_expression(std::string_view text);
+
+/// One step of a program (semantics §4).
+struct Subevent {
+  enum class When {
+    always,  ///< event
+    once,    ///< if(condition):event, or condition->event
+    during,  ///< while(condition):event, or while(condition, event)
+  };
+  When when = When::always;
+  Expression condition;  ///< of `once` and `during`
+  Expression event;      ///< of `during`, an empty name where the document gives none: while(hold(x,y)^!at(y,z))
+
+  friend bool operator==(const Subevent&, const Subevent&) = default;
+};
+std::string print(const Subevent& subevent);
+
+/// Brackets around the whole and closing ones that are missing at the end or too many are tolerated, as published
+/// documents have them: [while(hold(x,y),move(x)].
+Result<Subevent> parse_subevent(std::string_view text);
+
+/// What can be done with an object: habitat -> [event] result (VoxML §5; H[4],hold(x,[1])->[stir([1])]).
+struct Affordance {
+  std::string habitat;                 ///< number of the habitat that must hold; empty: any (a bare H)
+  std::vector<Expression> conditions;  ///< that must hold beside it
+  Expression event;
+  std::vector<Expression> results;  ///< what holds afterwards; may be empty
+
+  friend bool operator==(const Affordance&, const Affordance&) = default;
+};
+std::string print(const Affordance& affordance);
+Result<Affordance> parse_affordance(std::string_view text);
+
+}  // namespace continua

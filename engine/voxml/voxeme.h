@@ -1,0 +1,56 @@
+// A voxeme: what a word for an object, program, attribute, relation or function means in space (VoxML; Pustejovsky and
+// Krishnaswamy 2016). A value, as its document has it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "voxml/expression.h"
+
+namespace continua {
+
+/// A part or habitat with its number: cylindroid[1], UP[3].
+struct Numbered {
+  std::string name;
+  std::string number;  ///< empty if it has none
+};
+
+struct HabitatClause {
+  Numbered name;      ///< UP[3]
+  std::string value;  ///< align(Y,E_y)
+};
+
+/// x:agent
+struct VoxemeArgument {
+  std::string name, type;
+};
+
+struct Voxeme {
+  enum class Entity { object, program, attribute, relation, function };
+  Entity entity = Entity::object;
+  std::string predicate;  ///< Lex/Pred
+  std::string path;       ///< of its document
+  std::string lex_type;   ///< Lex/Type: physobj*artifact, transition_event
+
+  Numbered head;  ///< Type/Head: cylindroid[1], transition
+  std::vector<Numbered> components;
+  Numbered concavity;  ///< Concave[2], Flat, Convex
+  std::vector<std::string> rotational_symmetry, reflectional_symmetry;
+
+  std::vector<VoxemeArgument> arguments;  ///< Type/Args
+  std::vector<Subevent> body;             ///< Type/Body, of programs
+
+  std::vector<HabitatClause> intrinsic, extrinsic;
+  std::vector<Affordance> affordances;
+
+  std::string scale;  ///< Embodiment/Scale: <agent
+  bool movable = false;
+  std::vector<std::string> attributes;  ///< Attributes/Attrs
+
+  /// Every other element with text, by its path below VoxML: "Type/Class" → "config", "Type/Constr" → "X(x) > X(y)",
+  /// "Type/Referent" → "x"; unknown ones as well.
+  std::map<std::string, std::string> others;
+};
+
+}  // namespace continua
