@@ -29,7 +29,10 @@ struct GestureCatalogue {
   const GestureEntry* find(std::string_view gesture) const;
 };
 
-/// Errors: all of the file's problems, one Error each (file:line, what was found, what was expected, did_you_mean).
-std::variant<GestureCatalogue, std::vector<Error>> read_gestures(std::string_view text, const std::string& path);
+/// The error is the first of check_gestures.
+Result<GestureCatalogue> read_gestures(std::string_view text, const std::string& path);
+
+/// All that is wrong with a file: line, what was found, what was expected, the nearest name.
+std::vector<Error> check_gestures(std::string_view text, const std::string& path);
 
 }  // namespace continua
