@@ -20,6 +20,12 @@ std::string kind_of(const Input& input, const Machine& machine) {
   return found == machine.moves.end() ? std::string() : found->name;
 }
 
+// The first that is not what was said last; where there is none, the first.
+const std::string& fresh(const std::vector<std::string>& variants, const std::string& last) {
+  const auto found = std::find_if(variants.begin(), variants.end(), [&](const auto& one) { return one != last; });
+  return found == variants.end() ? variants.front() : *found;
+}
+
 }  // namespace
 
 Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const Language> language,
@@ -166,8 +172,8 @@ void Pipeline::update_beliefs(EngineState& state, const Input& input, std::vecto
 // What the automaton emitted becomes words and commands; what the avatar says, it hears itself.
 void Pipeline::behave(EngineState& state, std::vector<StepEvent> steps, std::vector<EngineEvent>& events) {
   for (auto& step : steps) {
-    if (const auto* said = std::get_if<Said>(&step)) {
-      const std::string words = said->text;
+    if (auto* said = std::get_if<Said>(&step)) {
+      const std::string words = said->text = fresh(said->variants, state.last_utterance);
       if (machine_->repeats_utterances || words != state.last_utterance) events.push_back(std::move(step));
       state.last_utterance = words;
       for (auto& change : state.beliefs.overhear(words)) events.push_back(std::move(change));
