@@ -20,7 +20,18 @@ Box around(const Box& table) {
   return {table.min - margin, table.max + margin};
 }
 
-FusionWindow window_of(const Machine& machine) { return machine.fusion.value_or(FusionWindow{2, 0, 0}); }
+// Where nothing waits, words still go with a pointing that was made before them.
+FusionWindow window_of(const Machine& machine) {
+  if (!machine.fusion) return {FusionWindow().before_s, 0, 0};
+  const auto& [before_s, after_s, lateness_s] = *machine.fusion;
+  return {before_s, after_s, lateness_s};
+}
+
+// The first that is not what was said last; where there is none, the first.
+const std::string& fresh(const std::vector<std::string>& variants, const std::string& last) {
+  const auto found = std::find_if(variants.begin(), variants.end(), [&](const auto& one) { return one != last; });
+  return found == variants.end() ? variants.front() : *found;
+}
 
 }  // namespace
 
@@ -32,6 +43,7 @@ bool EngineState::waits(int serial) const {
 Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const Language> language,
                    Perspective perspective, std::size_t most_branches)
     : machine_(std::move(machine)),
+      window_(window_of(*machine_)),
       language_(std::move(language)),
       perspective_(perspective),
       methods_(perspective),
@@ -43,7 +55,7 @@ Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const
 
 Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world) {
   Tick tick{EngineState{{}, {}, Beliefs(machine_->beliefs), std::move(chooser),
-                        Fusion(window_of(*machine_), around(world.table)), {}, "", {}, 0, 0},
+                        Fusion(window_, around(world.table)), {}, "", {}, 0, 0},
             {}};
   methods_.see(&world, &tick.after.chooser.random);
   if (!machine_->lexicon.empty()) understanding_.emplace(*language_, world, facts_);
@@ -168,7 +180,7 @@ Percept Pipeline::percept_of(const EngineState& state, const InputEvent& event, 
   } else if (event.modality == Modality::gesture && kind_of(event) == deixis) {
     // A gesture that does not say where it points points where the hand does.
     if (!place_of(event) && state.pointed &&
-        (event.t - state.pointed->t).seconds() <= window_of(*machine_).before_s)
+        (event.t - state.pointed->t).seconds() <= window_.before_s)
       percept.event.target_W = state.pointed->place_W;
     percept.deixis = deixis_of(percept.event, serial);
   }
@@ -216,8 +228,8 @@ void Pipeline::update_beliefs(EngineState& state, const Input& input, std::vecto
 // What the automaton emitted becomes words and commands; what the avatar says, it hears itself.
 void Pipeline::behave(EngineState& state, std::vector<StepEvent> steps, std::vector<EngineEvent>& events) {
   for (auto& step : steps) {
-    if (const auto* said = std::get_if<Said>(&step)) {
-      const std::string words = said->text;
+    if (auto* said = std::get_if<Said>(&step)) {
+      const std::string words = said->text = fresh(said->variants, state.last_utterance);
       if (machine_->repeats_utterances || words != state.last_utterance) events.push_back(std::move(step));
       state.last_utterance = words;
       for (auto& change : state.beliefs.overhear(words)) events.push_back(std::move(change));

@@ -73,6 +73,7 @@ class Pipeline {
   void behave(EngineState& state, std::vector<StepEvent> steps, std::vector<EngineEvent>& events);
 
   std::shared_ptr<const Machine> machine_;
+  FusionWindow window_;
   std::shared_ptr<const Language> language_;
   Perspective perspective_;
   Methods methods_;

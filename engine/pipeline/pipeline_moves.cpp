@@ -28,6 +28,10 @@ double understood_share(const Utterance& utterance) {
   return words > 0 && !utterance.fragments.empty() ? (words - lost) / words : 1;
 }
 
+bool is_on(const Box& table, const Vec3& p_W) {
+  return p_W.x() >= table.min.x() && p_W.x() <= table.max.x() && p_W.y() >= table.min.y() && p_W.y() <= table.max.y();
+}
+
 std::size_t alternatives_of(const InputEvent& event) { return event.alternatives.size() + 1; }
 
 }  // namespace
@@ -65,8 +69,7 @@ Pipeline::Heard Pipeline::heard(const EngineState& state, const Ensemble& ensemb
   for (const auto& one : ensemble.bound)
     if (one) pointings.push_back(*one);
   const auto demonstratives = understanding_->demonstratives(heard.utterance);
-  const auto bound = bind(takers(heard.utterance, heard.event), pointings,
-                          machine_->fusion.value_or(FusionWindow{2, 0, 0}));
+  const auto bound = bind(takers(heard.utterance, heard.event), pointings, window_);
   for (std::size_t i = 0; i < bound.size(); ++i) {
     if (!bound[i]) continue;
     heard.showings.push_back({demonstratives[i].words, bound[i]->place_W});
@@ -146,7 +149,7 @@ void Pipeline::see(EngineState& state, const Ensemble& ensemble, const WorldSnap
 void Pipeline::follow(EngineState& state, const InputEvent& sample, int serial, const WorldSnapshot& world,
                       std::vector<EngineEvent>& events) {
   const auto place_W = place_of(sample);
-  if (!place_W || !is_on(*place_W, world.table)) return;
+  if (!place_W || !is_on(world.table, *place_W)) return;
   const auto before = std::exchange(state.pointed, Pointed{*place_W, sample.t, ""});
   auto discourse = discourse_now(state, to_input(sample, serial), world);
   discourse.context.pointed_W = *place_W;
@@ -155,7 +158,7 @@ void Pipeline::follow(EngineState& state, const InputEvent& sample, int serial, 
   move.reference = refer_to_pointed(discourse.context);
   if (!move.reference.referents.empty()) state.pointed->object = move.reference.referents.front().object;
   if (before && before->object == state.pointed->object &&
-      (sample.t - before->t).seconds() <= FusionWindow{}.before_s)
+      (sample.t - before->t).seconds() <= window_.before_s)
     return;
   events.push_back(Understood{move, {serial}, {}, 1, true});
 }
