@@ -107,8 +107,7 @@ Json Recorder::fields_of(const Deixis& deixis) const {
 }
 
 void Recorder::one(const Understood& understood) {
-  if (const auto referents = referents_of(understood.move); referents && understood.taken)
-    last_referents_ = *referents;
+  if (const auto referents = referents_of(understood.move); referents && understood.taken) last_referents_ = *referents;
   auto fields = reading_fields(understood.move, inputs(understood.because));
   if (understood.alternative) {
     fields["alternative"] = *understood.alternative;

@@ -36,8 +36,8 @@ const std::string& fresh(const std::vector<std::string>& variants, const std::st
 }  // namespace
 
 bool EngineState::waits(int serial) const {
-  return fusion.waits(serial) ||
-         std::any_of(complete.begin(), complete.end(), [&](const Ensemble& one) { return one.percept.serial <= serial; });
+  return fusion.waits(serial) || std::any_of(complete.begin(), complete.end(),
+                                             [&](const Ensemble& one) { return one.percept.serial <= serial; });
 }
 
 Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const Language> language,
@@ -54,8 +54,16 @@ Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const
 }
 
 Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world) {
-  Tick tick{EngineState{{}, {}, Beliefs(machine_->beliefs), std::move(chooser),
-                        Fusion(window_, around(world.table)), {}, "", {}, 0, 0},
+  Tick tick{EngineState{{},
+                        {},
+                        Beliefs(machine_->beliefs),
+                        std::move(chooser),
+                        Fusion(window_, around(world.table)),
+                        {},
+                        "",
+                        {},
+                        0,
+                        0},
             {}};
   methods_.see(&world, &tick.after.chooser.random);
   if (!machine_->lexicon.empty()) understanding_.emplace(*language_, world, facts_);
@@ -95,8 +103,7 @@ Tick Pipeline::receive(const EngineState& before, const InputEvent& event, const
   const int serial = ++state.inputs;
   tick.events.push_back(Perceived{serial, symbol(event)});
   const auto refuse = [&](std::string reason) {
-    tick.events.push_back(
-        StepEvent(RefusedInput{state.configuration.state, symbol(event), std::move(reason), {}}));
+    tick.events.push_back(StepEvent(RefusedInput{state.configuration.state, symbol(event), std::move(reason), {}}));
   };
   if (!is_confident(event)) {
     refuse(fmt::format("confidence {} is below the machine's minimum of {}", event.confidence,
@@ -143,8 +150,7 @@ Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) {
   const Ensemble ensemble = std::move(state.complete.front());
   state.complete.pop_front();
   methods_.see(&world, &state.chooser.random);
-  tick.events.push_back(
-      Attended{ensemble.percept.serial, ensemble.percept.event.t, ensemble.at, bound(ensemble)});
+  tick.events.push_back(Attended{ensemble.percept.serial, ensemble.percept.event.t, ensemble.at, bound(ensemble)});
   if (understanding_ && ensemble.percept.event.modality == Modality::speech)
     hear(state, ensemble, world, tick.events);
   else
@@ -179,8 +185,7 @@ Percept Pipeline::percept_of(const EngineState& state, const InputEvent& event, 
     percept.takers = takers(understanding_->read(event.text), event);
   } else if (event.modality == Modality::gesture && kind_of(event) == deixis) {
     // A gesture that does not say where it points points where the hand does.
-    if (!place_of(event) && state.pointed &&
-        (event.t - state.pointed->t).seconds() <= window_.before_s)
+    if (!place_of(event) && state.pointed && (event.t - state.pointed->t).seconds() <= window_.before_s)
       percept.event.target_W = state.pointed->place_W;
     percept.deixis = deixis_of(percept.event, serial);
   }
