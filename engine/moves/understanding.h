@@ -13,10 +13,13 @@
 
 namespace continua {
 
+class Catalogue;
+
 /// What the engine knows of language: data, loaded once.
 struct Language {
   std::shared_ptr<const Lexicon> lexicon;
   RaisingRules raising;
+  std::shared_ptr<const Catalogue> voxemes;  ///< what words mean in space; null: nothing is known of that
 };
 
 class Understanding {
