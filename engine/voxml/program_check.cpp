@@ -35,12 +35,15 @@ class ProgramCheck {
     if (step.event != Expression{}) event(step.event);
   }
 
-  // Is it used with as many arguments as it has, or, where its first is an agent, with one less?
+  // Is it used with as many arguments as it has, or, where its first is an agent, with one less? A list at the end,
+  // a:T[], is any number of them.
   void count(const Expression& call, const Voxeme& voxeme, std::size_t fewer) {
     const auto& declared = voxeme.arguments;
     const bool agent = !declared.empty() && declared.front().type == "agent";
+    const bool list = !declared.empty() && declared.back().type.ends_with("[]");
     const auto used = call.arguments.size() + fewer;
-    if (used != declared.size() && !(agent && used + 1 == declared.size()))
+    const auto fits = [&](std::size_t given) { return list ? given + 1 >= declared.size() : given == declared.size(); };
+    if (!fits(used) && !(agent && fits(used + 1)))
       problem(call,
               fmt::format("the {} {} has {} arguments", text(voxeme.entity), in_quotes(call.name), declared.size()));
   }

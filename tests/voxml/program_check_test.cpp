@@ -25,6 +25,7 @@ std::string wrong(const char* body) {
   add(catalogue, Voxeme::Entity::relation, "near", {y, z});
   add(catalogue, Voxeme::Entity::relation, "hold", {x, y});
   add(catalogue, Voxeme::Entity::program, "grasp", {x, y}, "grasp(x,y)");
+  add(catalogue, Voxeme::Entity::program, "go", {x, y, {"a", "T[]"}}, "go(x,y)");
   add(catalogue, Voxeme::Entity::program, "tried", {x, y, z}, body);
   std::string all;
   for (const auto& problem : check_programs(catalogue)) all += problem.text() + "\n";
@@ -36,6 +37,8 @@ std::string wrong(const char* body) {
 TEST_CASE("Steps name programs and relations that exist, with as many arguments as they have") {
   CHECK(wrong("grasp(x,y);while(hold(x,y)^!at(y,z)):tried(x,y,z);if(at(y,z)):grasp(y);while(hold(y))").empty());
   CHECK(wrong("def(loc(y),as('l1'));tried(x,y,near(z));tried(y,loc(z));repeat(2,'grasp(y)')").empty());
+  CHECK(wrong("go(x,y);go(x,y,z,'A.Plan',loc(y),z)").empty());
+  CHECK(wrong("go()") == "tried.xml: 'go()': the program 'go' has 3 arguments\n");
   CHECK(wrong("grab(x,y)") == "tried.xml: 'grab(x, y)': there is no program 'grab'\n");
   CHECK(wrong("grasp(x,y,z)") == "tried.xml: 'grasp(x, y, z)': the program 'grasp' has 2 arguments\n");
   CHECK(wrong("grasp") == "tried.xml: 'grasp': there is no program 'grasp'\n");
