@@ -19,6 +19,7 @@
 #include "replay/version.h"
 #include "simulation/physics_body.h"
 #include "simulation/scene.h"
+#include "voxml/catalogue.h"
 
 namespace continua {
 
@@ -116,6 +117,7 @@ class Loop {
       header.lexicon_name = loaded_.machine->lexicon;
       header.lexicon_digest = loaded_.language->lexicon->digest;
     }
+    header.voxemes_digest = loaded_.language->voxemes->digest();
     header.scene_name = std::filesystem::path(loaded_.scene.path()).stem().string();
     header.scene_digest = digest(loaded_.scene.text());
     header.scene_mjcf = loaded_.scene.text();

@@ -10,6 +10,7 @@
 namespace continua {
 namespace {
 
+const Catalogue* voxemes_of(const Language* language) { return language ? language->voxemes.get() : nullptr; }
 const RaisingRules* raising_of(const Language* language) { return language ? &language->raising : nullptr; }
 
 // Pointings this far beside the table are not believed.
@@ -46,7 +47,7 @@ Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const
       window_(window_of(*machine_)),
       language_(std::move(language)),
       perspective_(perspective),
-      methods_(perspective),
+      methods_(perspective, voxemes_of(language_.get())),
       facts_({&term_rules(), &methods_.rules()}, raising_of(language_.get())),
       stepper_(machine_, methods_.rules(), raising_of(language_.get())),
       explorer_(stepper_, most_branches) {

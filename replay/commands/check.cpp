@@ -13,6 +13,7 @@
 #include "replay/examples.h"
 #include "replay/language_loading.h"
 #include "replay/session.h"
+#include "voxml/program_check.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -31,11 +32,12 @@ bool is_machine(const fs::path& path) {
 bool is_phrases(const fs::path& path) {
   return path.extension() == ".json" && path.parent_path().filename() == "phrases";
 }
+bool is_voxemes(const fs::path& path) { return is_folder(path) && path.filename() == "voxemes"; }
 bool is_trace(const fs::path& path) { return path.string().ends_with(".trace.jsonl"); }
 
 // What of a folder can be checked, in the order of the names.
 void collect(const fs::path& path, std::vector<fs::path>& items) {
-  if (!is_folder(path) || is_lexicon(path)) return items.push_back(path);
+  if (!is_folder(path) || is_lexicon(path) || is_voxemes(path)) return items.push_back(path);
   std::vector<fs::path> entries;
   std::error_code problem;
   for (const auto& entry : fs::directory_iterator(path, problem)) entries.push_back(entry.path());
@@ -56,6 +58,8 @@ class Checking {
     for (const auto& item : items) {
       if (is_lexicon(item))
         lexicon(item);
+      else if (is_voxemes(item))
+        voxemes(item);
       else if (is_phrases(item))
         phrases(item);
       else if (item.extension() == ".jsonl")
@@ -86,6 +90,15 @@ class Checking {
     std::vector<std::string> problems;
     for (const auto& problem : check_examples(**lexicon)) problems.push_back(problem.text());
     verdict(path, (*lexicon)->examples.size(), "example", problems);
+  }
+
+  void voxemes(const fs::path& folder) {
+    auto read = read_catalogue(folder.string());
+    for (const auto& problem : read.problems) trouble(problem);
+    for (const auto& note : read.notes) fmt::print(stderr, "{} (note)\n", note.text());
+    std::vector<std::string> problems;
+    for (const auto& problem : check_programs(read.catalogue)) problems.push_back(problem.text());
+    verdict(folder, read.documents, "voxeme", problems);
   }
 
   void phrases(const fs::path& path) {
@@ -137,10 +150,11 @@ int run_check(const CheckOptions& options) {
 
 void add_check_command(CLI::App& program, Run& run) {
   auto* command = program.add_subcommand(
-      "check", "Run the examples of machines and lexicons, check phrases and traces' expectations");
+      "check", "Run the examples of machines and lexicons, check phrases, voxemes and traces' expectations");
   auto options = std::make_shared<CheckOptions>();
-  command->add_option("PATH", options->paths,
-                      "machines, folders of lexicon/, traces, or folders of them; the knowledge folder if left out");
+  command->add_option(
+      "PATH", options->paths,
+      "machines, folders of lexicon/, folders voxemes, traces, or folders of them; the knowledge folder if left out");
   command->add_option("--knowledge", options->knowledge, "folder to use instead of engine/knowledge");
   command->add_flag("!--no-physics", options->physics,
                     "replay traces in the kinematic world, where every act succeeds");
