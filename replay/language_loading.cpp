@@ -8,6 +8,7 @@
 
 #include "composition/methods.h"
 #include "core/located_json.h"
+#include "machine_file/machine_loader.h"
 #include "term/raising_file.h"
 
 namespace continua {
@@ -41,6 +42,10 @@ Result<std::shared_ptr<const Lexicon>> load_named_lexicon(const DataPaths& data,
   auto lexicon = load_lexicon(folder.lexically_normal().string(), names_of_terms());
   if (!lexicon) return lexicon.error();
   return std::make_shared<const Lexicon>(*std::move(lexicon));
+}
+
+Result<Machine> load_machine(const std::string& path, const DataPaths& data) {
+  return load_machine(path, Methods::signature(), phrases_folder(data));
 }
 
 Result<Language> load_language(const DataPaths& data, const Machine& machine) {

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "replay/reading_record.h"
 
 namespace continua {
@@ -81,10 +84,39 @@ void Recorder::engine(const std::vector<EngineEvent>& events, SimTime t) {
 
 void Recorder::one(const Perceived& perceived) { input_record_[perceived.serial] = latest_input_; }
 
+void Recorder::one(const Attended& attended) {
+  cause_ = std::nullopt;
+  if (const auto record = input_record_.find(attended.serial); record != input_record_.end()) cause_ = record->second;
+  if (attended.bound.empty() && attended.at == attended.arrived) return;
+  Json bound = Json::array();
+  for (const auto& [words, deixis] : attended.bound)
+    bound.push_back({{"words", fmt::to_string(fmt::join(words, " "))}, {"deixis", fields_of(deixis)}});
+  cause_ = write("percept", {{"waited_s", (attended.at - attended.arrived).seconds()}, {"bound", std::move(bound)}});
+}
+
+Json Recorder::fields_of(const Deixis& deixis) const {
+  return {{"place", {rounded(deixis.place_W.x(), 1e5), rounded(deixis.place_W.y(), 1e5)}},
+          {"from", deixis.from.seconds()},
+          {"until", deixis.until.seconds()},
+          {"hand", deixis.hand.empty() ? Json(nullptr) : Json(deixis.hand)},
+          {"gesture", deixis.gesture},
+          {"spread_m", rounded(deixis.spread_m, 1e5)},
+          {"samples", deixis.samples},
+          {"left_out", deixis.left_out},
+          {"inputs", inputs(deixis.serials)}};
+}
+
 void Recorder::one(const Understood& understood) {
-  const auto& [move, because] = understood;
-  if (const auto referents = referents_of(move)) last_referents_ = *referents;
-  cause_ = write("reading", reading_fields(move, inputs(because)));
+  if (const auto referents = referents_of(understood.move); referents && understood.taken)
+    last_referents_ = *referents;
+  auto fields = reading_fields(understood.move, inputs(understood.because));
+  if (understood.alternative) {
+    fields["alternative"] = *understood.alternative;
+    fields["confidence"] = understood.confidence;
+    fields["taken"] = understood.taken;
+  }
+  const int n = write("reading", fields);
+  if (understood.taken) cause_ = n;
 }
 
 void Recorder::one(const BeliefChange& change) {
@@ -98,28 +130,32 @@ void Recorder::one(const StepEvent& step) {
 void Recorder::one(const Fired& fired) {
   const auto& transition = machine_.transitions[fired.transition];
   Json candidates = Json::array();
-  for (const auto& candidate : fired.candidates)
+  for (const auto& candidate : fired.candidates) {
     candidates.push_back({{"id", machine_.transitions[candidate.transition].id}, {"weight", candidate.weight}});
+    if (fired.alternatives > 1) candidates.back()["alternative"] = candidate.alternative;
+  }
   Json gates = Json::array();
   for (const auto& gate : fired.gates)
     gates.push_back(
         {{"state", machine_.states[gate.state].name}, {"condition", gate.condition}, {"passed", gate.passed}});
-  cause_ = write("transition", {{"id", transition.id},
-                                {"step", fired.step},
-                                {"from", machine_.states[fired.from].name},
-                                {"to", machine_.states[fired.to].name},
-                                {"input", optional_text(fired.input)},
-                                {"operation", Json::parse(fired.operation->source)},
-                                {"weight", transition.weight},
-                                {"probability", fired.probability},
-                                {"draw", fired.draw ? Json(*fired.draw) : Json(nullptr)},
-                                {"forced", fired.forced},
-                                {"candidates", std::move(candidates)},
-                                {"refused", refusals(fired.refused)},
-                                {"gates", std::move(gates)},
-                                {"stack", fired.stack},
-                                {"depth", fired.depth},
-                                {"margin", std::isfinite(fired.margin) ? Json(fired.margin) : Json(nullptr)}});
+  Json fields = {{"id", transition.id},
+                 {"step", fired.step},
+                 {"from", machine_.states[fired.from].name},
+                 {"to", machine_.states[fired.to].name},
+                 {"input", optional_text(fired.input)},
+                 {"operation", Json::parse(fired.operation->source)},
+                 {"weight", transition.weight},
+                 {"probability", fired.probability},
+                 {"draw", fired.draw ? Json(*fired.draw) : Json(nullptr)},
+                 {"forced", fired.forced},
+                 {"candidates", std::move(candidates)},
+                 {"refused", refusals(fired.refused, fired.alternatives)},
+                 {"gates", std::move(gates)},
+                 {"stack", fired.stack},
+                 {"depth", fired.depth},
+                 {"margin", std::isfinite(fired.margin) ? Json(fired.margin) : Json(nullptr)}};
+  if (fired.alternatives > 1) fields["alternative"] = fired.alternative;
+  cause_ = write("transition", fields);
 }
 
 void Recorder::one(const Explored& explored) {
@@ -207,7 +243,7 @@ void Recorder::one(const RefusedInput& refused) {
   write("refusal", {{"state", machine_.states[refused.state].name},
                     {"input", refused.input},
                     {"reason", refused.reason},
-                    {"refused", refusals(refused.refused)}});
+                    {"refused", refusals(refused.refused, refused.alternatives)}});
 }
 
 void Recorder::one(const Trouble& trouble) { write("problem", {{"line", nullptr}, {"message", trouble.message}}); }
@@ -285,10 +321,12 @@ void Recorder::problem(std::size_t line, const std::string& message, SimTime t) 
   log_.write("problem", t, {{"line", line}, {"message", message}});
 }
 
-Json Recorder::refusals(const std::vector<Refused>& refused) const {
+Json Recorder::refusals(const std::vector<Refused>& refused, std::size_t alternatives) const {
   Json list = Json::array();
-  for (const auto& one : refused)
+  for (const auto& one : refused) {
     list.push_back({{"id", machine_.transitions[one.transition].id}, {"reason", one.reason}});
+    if (alternatives > 1) list.back()["alternative"] = one.alternative;
+  }
   return list;
 }
 

@@ -8,7 +8,6 @@
 
 #include "behaviour/kinematic_body.h"
 #include "core/digest.h"
-#include "machine_file/machine_loader.h"
 #include "pipeline/pipeline.h"
 #include "replay/data_paths.h"
 #include "replay/expectation.h"
@@ -107,6 +106,11 @@ class Loop {
     header.machine_name = loaded_.machine->name;
     header.machine_digest = digest(loaded_.machine->document);
     header.machine_document = Json::parse(loaded_.machine->document);
+    if (!loaded_.machine->phrases.empty()) {
+      header.phrases_name = loaded_.machine->phrases;
+      header.phrases_digest = digest(loaded_.machine->phrase_document);
+      header.phrases_document = Json::parse(loaded_.machine->phrase_document);
+    }
     header.graph = graph_of(*loaded_.machine);
     if (loaded_.language->lexicon) {
       header.lexicon_name = loaded_.machine->lexicon;
@@ -232,7 +236,7 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   const auto machine_path =
       resolve_machine(machine_name, *data, folder, options.machine.empty() ? header_line : "--machine");
   if (!machine_path) return machine_path.error();
-  auto machine = load_machine(*machine_path, Methods::signature());
+  auto machine = load_machine(*machine_path, *data);
   if (!machine) return machine.error();
   auto language = load_language(*data, *machine);
   if (!language) return language.error();
