@@ -12,14 +12,23 @@ constexpr std::array<std::string_view, 14> decision_kinds = {
     "gesture", "refusal", "expect", "application", "utterance",  "act",    "branches"};
 
 // Numbers of records count poses too, and when an act ends is measured, as are margins and weights: none is a decision.
-std::string decision_line(std::string_view kind, SimTime t, Json fields) {
+std::optional<Json> decision_of(std::string_view kind, double t_s, Json fields) {
+  if (std::find(decision_kinds.begin(), decision_kinds.end(), kind) == decision_kinds.end()) return std::nullopt;
   for (const char* field : {"because", "margin", "result", "weights", "resolved"}) fields.erase(field);
-  Json line{{"kind", kind}, {"fields", std::move(fields)}};
-  if (kind != "act") line["t"] = t.seconds();
-  return compact(line);
+  Json decision{{"kind", kind}, {"fields", std::move(fields)}};
+  if (kind != "act") decision["t"] = t_s;
+  return decision;
 }
 
 }  // namespace
+
+std::optional<Json> decision_of(const Json& record) {
+  if (!record.contains("kind") || !record["kind"].is_string()) return std::nullopt;
+  Json fields = record;
+  for (const char* field : {"kind", "n", "t", "cause"}) fields.erase(field);
+  const bool timed = record.contains("t") && record["t"].is_number();
+  return decision_of(record["kind"].get<std::string>(), timed ? record["t"].get<double>() : 0, std::move(fields));
+}
 
 int RunLog::write(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause) {
   Json record{{"kind", kind}, {"n", next_}, {"t", t.seconds()}};
@@ -28,8 +37,7 @@ int RunLog::write(std::string_view kind, SimTime t, const Json& fields, std::opt
   const auto line = compact(record) + "\n";
   all_.add(line);
   if (kind == "pose") physics_.add(line);
-  if (std::find(decision_kinds.begin(), decision_kinds.end(), kind) != decision_kinds.end())
-    decisions_.add(decision_line(kind, t, fields));
+  if (const auto decision = decision_of(kind, t.seconds(), fields)) decisions_.add(compact(*decision));
   ++counts_[std::string(kind)];
   out_.write(line.data(), static_cast<std::streamsize>(line.size()));
   out_.flush();
