@@ -136,8 +136,8 @@ int run_check(const CheckOptions& options) {
 }
 
 void add_check_command(CLI::App& program, Run& run) {
-  auto* command =
-      program.add_subcommand("check", "Run the examples of machines and lexicons, check phrases and traces' expectations");
+  auto* command = program.add_subcommand(
+      "check", "Run the examples of machines and lexicons, check phrases and traces' expectations");
   auto options = std::make_shared<CheckOptions>();
   command->add_option("PATH", options->paths,
                       "machines, folders of lexicon/, traces, or folders of them; the knowledge folder if left out");

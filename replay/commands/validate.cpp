@@ -201,8 +201,8 @@ int run_validate(const ValidateOptions& options) {
 }
 
 void add_validate_command(CLI::App& program, Run& run) {
-  auto* command =
-      program.add_subcommand("validate", "Check traces, machines, phrases, lexicons, scenes, run logs and session logs");
+  auto* command = program.add_subcommand(
+      "validate", "Check traces, machines, phrases, lexicons, scenes, run logs and session logs");
   auto options = std::make_shared<ValidateOptions>();
   command->add_option("FILE", options->files, "files of any kind")->required();
   command->footer("Example: continua validate traces/corner/*.trace.jsonl");
