@@ -98,28 +98,32 @@ void Recorder::one(const StepEvent& step) {
 void Recorder::one(const Fired& fired) {
   const auto& transition = machine_.transitions[fired.transition];
   Json candidates = Json::array();
-  for (const auto& candidate : fired.candidates)
+  for (const auto& candidate : fired.candidates) {
     candidates.push_back({{"id", machine_.transitions[candidate.transition].id}, {"weight", candidate.weight}});
+    if (fired.alternatives > 1) candidates.back()["alternative"] = candidate.alternative;
+  }
   Json gates = Json::array();
   for (const auto& gate : fired.gates)
     gates.push_back(
         {{"state", machine_.states[gate.state].name}, {"condition", gate.condition}, {"passed", gate.passed}});
-  cause_ = write("transition", {{"id", transition.id},
-                                {"step", fired.step},
-                                {"from", machine_.states[fired.from].name},
-                                {"to", machine_.states[fired.to].name},
-                                {"input", optional_text(fired.input)},
-                                {"operation", Json::parse(fired.operation->source)},
-                                {"weight", transition.weight},
-                                {"probability", fired.probability},
-                                {"draw", fired.draw ? Json(*fired.draw) : Json(nullptr)},
-                                {"forced", fired.forced},
-                                {"candidates", std::move(candidates)},
-                                {"refused", refusals(fired.refused)},
-                                {"gates", std::move(gates)},
-                                {"stack", fired.stack},
-                                {"depth", fired.depth},
-                                {"margin", std::isfinite(fired.margin) ? Json(fired.margin) : Json(nullptr)}});
+  Json fields = {{"id", transition.id},
+                 {"step", fired.step},
+                 {"from", machine_.states[fired.from].name},
+                 {"to", machine_.states[fired.to].name},
+                 {"input", optional_text(fired.input)},
+                 {"operation", Json::parse(fired.operation->source)},
+                 {"weight", transition.weight},
+                 {"probability", fired.probability},
+                 {"draw", fired.draw ? Json(*fired.draw) : Json(nullptr)},
+                 {"forced", fired.forced},
+                 {"candidates", std::move(candidates)},
+                 {"refused", refusals(fired.refused, fired.alternatives)},
+                 {"gates", std::move(gates)},
+                 {"stack", fired.stack},
+                 {"depth", fired.depth},
+                 {"margin", std::isfinite(fired.margin) ? Json(fired.margin) : Json(nullptr)}};
+  if (fired.alternatives > 1) fields["alternative"] = fired.alternative;
+  cause_ = write("transition", fields);
 }
 
 void Recorder::one(const Explored& explored) {
@@ -207,7 +211,7 @@ void Recorder::one(const RefusedInput& refused) {
   write("refusal", {{"state", machine_.states[refused.state].name},
                     {"input", refused.input},
                     {"reason", refused.reason},
-                    {"refused", refusals(refused.refused)}});
+                    {"refused", refusals(refused.refused, refused.alternatives)}});
 }
 
 void Recorder::one(const Trouble& trouble) { write("problem", {{"line", nullptr}, {"message", trouble.message}}); }
@@ -285,10 +289,12 @@ void Recorder::problem(std::size_t line, const std::string& message, SimTime t) 
   log_.write("problem", t, {{"line", line}, {"message", message}});
 }
 
-Json Recorder::refusals(const std::vector<Refused>& refused) const {
+Json Recorder::refusals(const std::vector<Refused>& refused, std::size_t alternatives) const {
   Json list = Json::array();
-  for (const auto& one : refused)
+  for (const auto& one : refused) {
     list.push_back({{"id", machine_.transitions[one.transition].id}, {"reason", one.reason}});
+    if (alternatives > 1) list.back()["alternative"] = one.alternative;
+  }
   return list;
 }
 

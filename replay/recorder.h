@@ -65,7 +65,7 @@ class Recorder {
   void report(const ActReport& act);
   void pose(const PoseSample& sample);
   void rest(const RestSpan& span);
-  Json refusals(const std::vector<Refused>& refused) const;
+  Json refusals(const std::vector<Refused>& refused, std::size_t alternatives) const;
   Json inputs(const std::vector<int>& because) const;
   int write(std::string_view kind, const Json& fields) { return log_.write(kind, now_, fields, cause_); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,22 @@ class Player {
     return *this;
   }
 
+  /// Offers several symbols at once, of which one is to be taken: "yes 0.7, no 0.3".
+  Player& offer(const std::string& alternatives) {
+    std::vector<Input> inputs;
+    std::istringstream words(alternatives);
+    for (std::string symbol, confidence; words >> symbol >> confidence;) {
+      inputs.emplace_back();
+      inputs.back().serial = serial_ + static_cast<int>(inputs.size());
+      inputs.back().symbol = symbol;
+      inputs.back().target = Term::point(inputs.back().serial, 0, 0);
+      inputs.back().confidence = std::stod(confidence);
+    }
+    serial_ += static_cast<int>(inputs.size());
+    take(stepper_.step(configuration_, inputs, beliefs_, chooser_));
+    return *this;
+  }
+
   std::string state() const { return machine_->states[configuration_.state].name; }
   /// The value of a slot of the topmost symbol, printed.
   std::string slot(const std::string& name) const {
@@ -72,6 +89,8 @@ class Player {
     for (const auto& one : all<Fired>()) ids += (ids.empty() ? "" : " ") + machine_->transitions[one.transition].id;
     return ids;
   }
+  /// Which of the inputs offered the latest step took; of the first of several transitions.
+  std::size_t taken() const { return all<Fired>().at(0).alternative; }
 
  private:
   void take(Step step) {
