@@ -15,8 +15,14 @@ constexpr std::array<std::string_view, 14> decision_kinds = {
 std::string decision_line(std::string_view kind, SimTime t, Json fields) {
   for (const char* field : {"because", "margin", "result", "weights", "resolved"}) fields.erase(field);
   Json line{{"kind", kind}, {"fields", std::move(fields)}};
-  if (kind != "act") line["t"] = t.seconds();
+  if (kind != "act" && !line["fields"].contains("measured")) line["t"] = t.seconds();
   return compact(line);
+}
+
+// Between which other records an act goes on and ends is measured: what it came to counts by the act's number, and its
+// steps do not.
+bool tells_outcome(std::string_view kind, const Json& fields) {
+  return kind == "act" && fields.contains("act") && fields["act"].is_number() && fields.value("status", "") != "asked";
 }
 
 }  // namespace
@@ -28,8 +34,11 @@ int RunLog::write(std::string_view kind, SimTime t, const Json& fields, std::opt
   const auto line = compact(record) + "\n";
   all_.add(line);
   if (kind == "pose") physics_.add(line);
-  if (std::find(decision_kinds.begin(), decision_kinds.end(), kind) != decision_kinds.end())
+  if (tells_outcome(kind, fields)) {
+    if (!fields.contains("step")) outcomes_[fields["act"].get<std::int64_t>()] = decision_line(kind, t, fields);
+  } else if (std::find(decision_kinds.begin(), decision_kinds.end(), kind) != decision_kinds.end()) {
     decisions_.add(decision_line(kind, t, fields));
+  }
   ++counts_[std::string(kind)];
   out_.write(line.data(), static_cast<std::streamsize>(line.size()));
   out_.flush();
@@ -37,6 +46,7 @@ int RunLog::write(std::string_view kind, SimTime t, const Json& fields, std::opt
 }
 
 void RunLog::finish(SimTime t) {
+  for (const auto& [act, line] : outcomes_) decisions_.add(line);
   const Json fields{
       {"counts", counts_}, {"decisions", decisions_.text()}, {"physics", physics_.text()}, {"digest", all_.text()}};
   write("end", t, fields);

@@ -38,9 +38,6 @@ ActUnderWay under_way(AskedAct act, const WorldSnapshot& world) {
 
 }  // namespace
 
-Performer::Performer(Voxemes voxemes, Perspective perspective)
-    : voxemes_(std::move(voxemes)), circumstances_(perspective) {}
-
 void Performer::begin(Performance& performance, AskedAct act) const {
   performance.stopping = performance.stopping || stops(act.program, circumstances_.perspective());
   performance.waiting.emplace_back(std::move(act));
@@ -67,11 +64,11 @@ std::optional<PerformanceEvent> Performer::next(Performance& performance, const 
     performance.waiting.pop_front();
     if (auto* gesture = std::get_if<AvatarCommand>(&waiting)) return GestureCommand{std::move(*gesture)};
     performance.doing = under_way(std::get<AskedAct>(std::move(waiting)), world);
-    PerformanceTurn(voxemes_, circumstances_, *performance.doing).begin(performance.was);
+    PerformanceTurn(catalogue_, circumstances_, *performance.doing).begin(performance.was);
   }
   ActUnderWay& doing = *performance.doing;
   if (doing.in_flight) return std::nullopt;
-  if (auto step = PerformanceTurn(voxemes_, circumstances_, doing).step()) {
+  if (auto step = PerformanceTurn(catalogue_, circumstances_, doing).step()) {
     if (step->command) doing.in_flight = step->command->id = ++performance.commands;
     return *std::move(step);
   }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <deque>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,15 +12,9 @@
 #include "behaviour/avatar_command.h"
 #include "behaviour/circumstances.h"
 #include "term/term.h"
-#include "voxml/voxeme.h"
+#include "voxml/catalogue.h"
 
 namespace continua {
-
-/// By which voxemes programs are performed; nullptr where there is none.
-struct Voxemes {
-  std::function<const Voxeme*(std::string_view)> program = [](std::string_view) { return nullptr; };
-  std::function<const Voxeme*(const ObjectState&)> object = [](const ObjectState&) { return nullptr; };
-};
 
 /// An act that is asked for: a closed program.
 struct AskedAct {
@@ -48,7 +41,7 @@ struct ActEnd {
   std::vector<std::string> moved_aside;
 };
 
-/// A gesture whose turn has come.
+/// What the body is told to do for a gesture, whose turn has come.
 struct GestureCommand {
   AvatarCommand command;
 };
@@ -94,8 +87,9 @@ struct Performance {
 
 class Performer {
  public:
-  /// `perspective` is whose sides place terms mean.
-  Performer(Voxemes voxemes, Perspective perspective);
+  /// `perspective` is whose sides place terms mean. `catalogue` must outlive the performer.
+  Performer(const Catalogue& catalogue, Perspective perspective)
+      : catalogue_(catalogue), circumstances_(perspective) {}
 
   /// Asks for an act. One that stops the body gives up all those before it.
   void begin(Performance& performance, AskedAct act) const;
@@ -108,7 +102,7 @@ class Performer {
  private:
   void give_up(Performance& performance, const WorldSnapshot& world) const;
 
-  Voxemes voxemes_;
+  const Catalogue& catalogue_;
   Circumstances circumstances_;
 };
 

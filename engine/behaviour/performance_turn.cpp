@@ -41,6 +41,11 @@ std::string name_of(const Term& program) {
 
 bool is_thing(const Term& term) { return term.kind() == Term::Kind::constant && term.type() == Type::entity(); }
 
+const Voxeme* voxeme_of(const ObjectState& object, const Catalogue& catalogue) {
+  const auto type = object.attributes.find("type");
+  return catalogue.for_object(object.name, type == object.attributes.end() ? std::string() : type->second);
+}
+
 // A loop's event has done nothing if all is where it was; what is less than touch has not moved.
 bool same_places(const std::map<std::string, Vec3>& before, const std::map<std::string, Vec3>& now) {
   return std::all_of(now.begin(), now.end(), [&](const auto& one) {
@@ -140,7 +145,7 @@ void PerformanceTurn::push(Frame frame) {
 void PerformanceTurn::perform(const Term& program, bool documented) {
   const auto name = name_of(program);
   const bool own = !act_.frames.empty() && !name.empty() && name_of(act_.frames.back().program) == name;
-  const auto* voxeme = own || name.empty() ? nullptr : voxemes_.program(name);
+  const auto* voxeme = own || name.empty() ? nullptr : catalogue_.find(Voxeme::Entity::program, name);
   if (!voxeme || voxeme->body.empty()) return push({of_body(program, documented), true, {}, {}});
   const auto bindings = bind(*voxeme, program, documented);
   if (!bindings) return;
@@ -275,7 +280,7 @@ std::optional<ActStep> PerformanceTurn::step() {
 bool PerformanceTurn::prepare(Frame& frame) {
   for (const auto& argument : frame.program.spine().arguments) {
     const auto* object = is_thing(argument) ? world().find(argument.name()) : nullptr;
-    const auto* voxeme = object ? voxemes_.object(*object) : nullptr;
+    const auto* voxeme = object ? voxeme_of(*object, catalogue_) : nullptr;
     const auto lacks = voxeme ? outstanding(frame.program, argument, *voxeme, circumstances_) : std::nullopt;
     if (!lacks) continue;
     const auto tried = [&](const Term& program) {

@@ -23,10 +23,12 @@ std::string kind_of(const Input& input, const Machine& machine) {
 }  // namespace
 
 Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const Language> language,
-                   Perspective perspective, std::size_t most_branches)
+                   std::shared_ptr<const Catalogue> catalogue, Perspective perspective, std::size_t most_branches)
     : machine_(std::move(machine)),
       language_(std::move(language)),
+      catalogue_(catalogue ? std::move(catalogue) : std::make_shared<const Catalogue>()),
       perspective_(perspective),
+      performer_(*catalogue_, perspective),
       methods_(perspective),
       facts_({&term_rules(), &methods_.rules()}, raising_of(language_.get())),
       stepper_(machine_, methods_.rules(), raising_of(language_.get())),
@@ -35,10 +37,11 @@ Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const
 }
 
 Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world) {
-  Tick tick{EngineState{{}, {}, Beliefs(machine_->beliefs), std::move(chooser), "", {}, 0, 0}, {}};
+  Tick tick{EngineState{{}, {}, Beliefs(machine_->beliefs), std::move(chooser), "", {}, 0, {}, 0}, {}};
   methods_.see(&world, &tick.after.chooser.random);
   if (!machine_->lexicon.empty()) understanding_.emplace(*language_, world, facts_);
   begin(tick.after, tick.events);
+  perform(tick.after, world, tick.events);
   return tick;
 }
 
@@ -88,6 +91,7 @@ Tick Pipeline::tick(const EngineState& before, const InputEvent& event, const Wo
     see(state, event, input, world, tick.events);
     offer(state, input, tick.events);
   }
+  perform(state, world, tick.events);
   return tick;
 }
 
@@ -173,21 +177,15 @@ void Pipeline::behave(EngineState& state, std::vector<StepEvent> steps, std::vec
       for (auto& change : state.beliefs.overhear(words)) events.push_back(std::move(change));
       continue;
     }
-    const auto* gestured = std::get_if<Gestured>(&step);
-    const auto* acted = std::get_if<Acted>(&step);
-    if (!gestured && !acted) {
+    if (const auto* gestured = std::get_if<Gestured>(&step)) {
+      const Term term = gestured->term;
       events.push_back(std::move(step));
+      gesture(state, term, events);
       continue;
     }
-    auto command = plan(gestured ? gestured->term : acted->term, gestured != nullptr, perspective_);
-    const bool gesture = gestured != nullptr;
+    if (const auto* acted = std::get_if<Acted>(&step))
+      performer_.begin(state.performance, {++state.acts, acted->term, acted->because});
     events.push_back(std::move(step));
-    if (command) {
-      command->id = ++state.commands;
-      events.push_back(Commanded{*command, gesture});
-    } else {
-      events.push_back(Unplanned{command.error().sentence});
-    }
   }
 }
 
