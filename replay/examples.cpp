@@ -17,7 +17,7 @@ using Problem = std::optional<std::string>;
 Problem problem_of(const RunExample& example, const std::shared_ptr<const Machine>& machine,
                    const std::shared_ptr<const Language>& language) {
   const WorldSnapshot empty_table;
-  Pipeline pipeline(machine, language, nullptr, Perspective::human);
+  Pipeline pipeline(machine, language, Perspective::human);
   auto state = pipeline.begin({machine->choice, Random(0), {}, 0}, empty_table).after;
   for (const auto& symbol : example.inputs) state = pipeline.tick(state, event_of(symbol), empty_table).after;
   const auto &expected = machine->states[example.ends].name, &found = machine->states[state.configuration.state].name;

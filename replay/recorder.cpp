@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "replay/reading_record.h"
 
 namespace continua {
@@ -105,10 +108,38 @@ void Recorder::one(const Perceived& perceived) {
   input_record_[perceived.serial] = latest_input_;
 }
 
+void Recorder::one(const Attended& attended) {
+  cause_ = std::nullopt;
+  if (const auto record = input_record_.find(attended.serial); record != input_record_.end()) cause_ = record->second;
+  if (attended.bound.empty() && attended.at == attended.arrived) return;
+  Json bound = Json::array();
+  for (const auto& [words, deixis] : attended.bound)
+    bound.push_back({{"words", fmt::to_string(fmt::join(words, " "))}, {"deixis", fields_of(deixis)}});
+  cause_ = write("percept", {{"waited_s", (attended.at - attended.arrived).seconds()}, {"bound", std::move(bound)}});
+}
+
+Json Recorder::fields_of(const Deixis& deixis) const {
+  return {{"place", {rounded(deixis.place_W.x(), 1e5), rounded(deixis.place_W.y(), 1e5)}},
+          {"from", deixis.from.seconds()},
+          {"until", deixis.until.seconds()},
+          {"hand", deixis.hand.empty() ? Json(nullptr) : Json(deixis.hand)},
+          {"gesture", deixis.gesture},
+          {"spread_m", rounded(deixis.spread_m, 1e5)},
+          {"samples", deixis.samples},
+          {"left_out", deixis.left_out},
+          {"inputs", inputs(deixis.serials)}};
+}
+
 void Recorder::one(const Understood& understood) {
-  const auto& [move, because] = understood;
-  if (const auto referents = referents_of(move)) last_referents_ = *referents;
-  cause_ = write("reading", reading_fields(move, inputs(because)));
+  if (const auto referents = referents_of(understood.move); referents && understood.taken) last_referents_ = *referents;
+  auto fields = reading_fields(understood.move, inputs(understood.because));
+  if (understood.alternative) {
+    fields["alternative"] = *understood.alternative;
+    fields["confidence"] = understood.confidence;
+    fields["taken"] = understood.taken;
+  }
+  const int n = write("reading", fields);
+  if (understood.taken) cause_ = n;
 }
 
 void Recorder::one(const BeliefChange& change) {

@@ -45,6 +45,7 @@ class Recorder {
 
  private:
   void one(const Perceived& perceived);
+  void one(const Attended& attended);
   void one(const Understood& understood);
   void one(const BeliefChange& change);
   void one(const StepEvent& step);
@@ -69,6 +70,7 @@ class Recorder {
   void rest(const RestSpan& span);
   Json refusals(const std::vector<Refused>& refused, std::size_t alternatives) const;
   Json inputs(const std::vector<int>& because) const;
+  Json fields_of(const Deixis& deixis) const;
   int write(std::string_view kind, Json fields);
   void write_act(int number, const std::string& status, Json more, SimTime t);
 

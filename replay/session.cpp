@@ -8,7 +8,6 @@
 
 #include "behaviour/kinematic_body.h"
 #include "core/digest.h"
-#include "machine_file/machine_loader.h"
 #include "pipeline/pipeline.h"
 #include "replay/data_paths.h"
 #include "replay/expectation.h"
@@ -19,6 +18,7 @@
 #include "replay/version.h"
 #include "simulation/physics_body.h"
 #include "simulation/scene.h"
+#include "voxml/catalogue.h"
 
 namespace continua {
 
@@ -27,7 +27,6 @@ struct LoadedSession {
   Trace trace;
   std::shared_ptr<const Machine> machine;
   std::shared_ptr<const Language> language;
-  std::shared_ptr<const Catalogue> catalogue;
   Scene scene;
   std::unique_ptr<Body> body;
   std::map<int, std::size_t> forced;  ///< step → transition
@@ -65,7 +64,7 @@ class Loop {
         seed_(loaded.options.seed.value_or(loaded.trace.header.seed)),
         log_(out),
         recorder_(log_, *loaded.machine),
-        pipeline_(loaded.machine, loaded.language, loaded.catalogue, perspective_, most_branches()),
+        pipeline_(loaded.machine, loaded.language, perspective_, most_branches()),
         body_(*loaded.body) {}
 
   ReplaySummary run() {
@@ -109,11 +108,17 @@ class Loop {
     header.machine_name = loaded_.machine->name;
     header.machine_digest = digest(loaded_.machine->document);
     header.machine_document = Json::parse(loaded_.machine->document);
+    if (!loaded_.machine->phrases.empty()) {
+      header.phrases_name = loaded_.machine->phrases;
+      header.phrases_digest = digest(loaded_.machine->phrase_document);
+      header.phrases_document = Json::parse(loaded_.machine->phrase_document);
+    }
     header.graph = graph_of(*loaded_.machine);
     if (loaded_.language->lexicon) {
       header.lexicon_name = loaded_.machine->lexicon;
       header.lexicon_digest = loaded_.language->lexicon->digest;
     }
+    header.voxemes_digest = loaded_.language->voxemes->digest();
     header.scene_name = std::filesystem::path(loaded_.scene.path()).stem().string();
     header.scene_digest = digest(loaded_.scene.text());
     header.scene_mjcf = loaded_.scene.text();
@@ -252,7 +257,7 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   const auto machine_path =
       resolve_machine(machine_name, *data, folder, options.machine.empty() ? header_line : "--machine");
   if (!machine_path) return machine_path.error();
-  auto machine = load_machine(*machine_path, Methods::signature());
+  auto machine = load_machine(*machine_path, *data);
   if (!machine) return machine.error();
   auto language = load_language(*data, *machine);
   if (!language) return language.error();
@@ -270,7 +275,6 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   return Session(std::make_unique<LoadedSession>(LoadedSession{
       std::move(options), std::move(*trace), std::make_shared<const Machine>(std::move(*machine)),
       std::make_shared<const Language>(std::move(*language)),
-      std::make_shared<const Catalogue>(read_catalogue((data->knowledge / "voxemes").string()).catalogue),
       std::move(*scene), std::move(body), std::move(*forced)}));
 }
 

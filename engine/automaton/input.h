@@ -17,6 +17,7 @@ struct Input {
 
   Term target;   ///< loc: where it points
   Term said;     ///< text: its words
+  Term gesture;  ///< text: the name of the gesture
   Term pointed;  ///< loc: where the human pointed last, if that was just now
 
   Term act;      ///< t: of the end of an act, its program

@@ -87,9 +87,9 @@ struct Performance {
 
 class Performer {
  public:
-  /// `perspective` is whose sides place terms mean. `catalogue` must outlive the performer.
-  Performer(const Catalogue& catalogue, Perspective perspective)
-      : catalogue_(catalogue), circumstances_(perspective) {}
+  /// `perspective` is whose sides place terms mean. `catalogue` must outlive the performer; without it the
+  /// body's own programs alone are known.
+  Performer(const Catalogue* catalogue, Perspective perspective) : catalogue_(catalogue), circumstances_(perspective) {}
 
   /// Asks for an act. One that stops the body gives up all those before it.
   void begin(Performance& performance, AskedAct act) const;
@@ -102,7 +102,7 @@ class Performer {
  private:
   void give_up(Performance& performance, const WorldSnapshot& world) const;
 
-  const Catalogue& catalogue_;
+  const Catalogue* catalogue_;
   Circumstances circumstances_;
 };
 

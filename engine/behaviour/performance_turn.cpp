@@ -41,9 +41,10 @@ std::string name_of(const Term& program) {
 
 bool is_thing(const Term& term) { return term.kind() == Term::Kind::constant && term.type() == Type::entity(); }
 
-const Voxeme* voxeme_of(const ObjectState& object, const Catalogue& catalogue) {
+const Voxeme* voxeme_of(const ObjectState& object, const Catalogue* catalogue) {
+  if (!catalogue) return nullptr;
   const auto type = object.attributes.find("type");
-  return catalogue.for_object(object.name, type == object.attributes.end() ? std::string() : type->second);
+  return catalogue->for_object(object.name, type == object.attributes.end() ? std::string() : type->second);
 }
 
 // A loop's event has done nothing if all is where it was; what is less than touch has not moved.
@@ -145,7 +146,7 @@ void PerformanceTurn::push(Frame frame) {
 void PerformanceTurn::perform(const Term& program, bool documented) {
   const auto name = name_of(program);
   const bool own = !act_.frames.empty() && !name.empty() && name_of(act_.frames.back().program) == name;
-  const auto* voxeme = own || name.empty() ? nullptr : catalogue_.find(Voxeme::Entity::program, name);
+  const auto* voxeme = own || name.empty() || !catalogue_ ? nullptr : catalogue_->find(Voxeme::Entity::program, name);
   if (!voxeme || voxeme->body.empty()) return push({of_body(program, documented), true, {}, {}});
   const auto bindings = bind(*voxeme, program, documented);
   if (!bindings) return;

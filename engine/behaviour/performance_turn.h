@@ -14,7 +14,7 @@ std::map<std::string, Vec3> places_of(const WorldSnapshot& world);
 class PerformanceTurn {
  public:
   /// All must outlive the turn.
-  PerformanceTurn(const Catalogue& catalogue, const Circumstances& circumstances, ActUnderWay& act)
+  PerformanceTurn(const Catalogue* catalogue, const Circumstances& circumstances, ActUnderWay& act)
       : catalogue_(catalogue), circumstances_(circumstances), act_(act) {}
 
   /// Begins the act's program; `was` says where things were.
@@ -49,7 +49,7 @@ class PerformanceTurn {
 
   const WorldSnapshot& world() const { return circumstances_.world(); }
 
-  const Catalogue& catalogue_;
+  const Catalogue* catalogue_;
   const Circumstances& circumstances_;
   ActUnderWay& act_;
 };

@@ -50,15 +50,6 @@ SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixi
 }  // namespace
 
 // Of what waits: what belongs together and when each is complete, as things are.
-struct Fusion::Plan {
-  struct Part {
-    std::vector<std::optional<Deixis>> bound;  // for each taker
-    bool taken = false;                        // of a pointing: by speech
-    std::optional<SimTime> complete;           // none of what is taken
-  };
-  std::vector<Part> parts;  // of each that waits
-};
-
 bool Fusion::receive(Percept percept, SimTime now) {
   if (percept.event.t < now_ || percept.event.t + lateness() < now) return false;
   arrive(std::move(percept));
@@ -190,7 +181,11 @@ bool Fusion::release_first(std::vector<Ensemble>& released) {
   const auto is_complete = [&](const Plan::Part& part) { return part.complete && *part.complete <= now_; };
   const auto first = std::find_if(parts.begin(), parts.end(), is_complete);
   if (first == parts.end()) return false;
-  const auto last = static_cast<std::size_t>(first - parts.begin());
+  release_up_to(static_cast<std::size_t>(first - parts.begin()), parts, released);
+  return true;
+}
+
+void Fusion::release_up_to(std::size_t last, const std::vector<Plan::Part>& parts, std::vector<Ensemble>& released) {
   const bool by_pointing = waiting_[last].deixis.has_value();
   std::vector<Deixis> taken;
   std::vector<Percept> still;
@@ -208,7 +203,6 @@ bool Fusion::release_first(std::vector<Ensemble>& released) {
   }
   waiting_ = std::move(still);
   for (const auto& pointing : taken) take(pointing);
-  return true;
 }
 
 void Fusion::take(const Deixis& pointing) {
@@ -230,6 +224,26 @@ void Fusion::forget() {
   std::erase_if(released_, is_over);
   std::erase_if(gestures_, is_over);
   track_.forget_before(before - seconds(longest_dropout_s));
+}
+
+std::vector<Ensemble> Fusion::release_all() {
+  std::vector<Ensemble> released;
+  while (next_arrival()) process_next();
+  while (!waiting_.empty()) {
+    const auto parts = plan().parts;
+    const auto first = std::find_if(parts.begin(), parts.end(), [](const Plan::Part& part) { return !part.taken; });
+    release_up_to(static_cast<std::size_t>(first - parts.begin()), parts, released);
+  }
+  return released;
+}
+
+bool Fusion::waits(int serial) const {
+  const auto is_up_to = [&](const Percept& percept) { return percept.serial <= serial; };
+  return std::any_of(waiting_.begin(), waiting_.end(), is_up_to) ||
+         std::any_of(arrived_.begin(), arrived_.end(), [&](const Arrival& arrival) {
+           const auto* percept = std::get_if<Percept>(&arrival);
+           return percept && is_up_to(*percept);
+         });
 }
 
 std::optional<SimTime> Fusion::due() const {

@@ -61,6 +61,12 @@ class Fusion {
   /// What is complete at `now`, in order.
   std::vector<Ensemble> release(SimTime now);
 
+  /// All that waits, in order, as it is now.
+  std::vector<Ensemble> release_all();
+
+  /// Whether an input up to this serial waits.
+  bool waits(int serial) const;
+
   /// When something that waits will be complete at the latest if nothing more arrives; nothing waits if there is none.
   std::optional<SimTime> due() const;
 
@@ -70,7 +76,14 @@ class Fusion {
     int serial;
   };
   using Arrival = std::variant<Sample, Percept>;
-  struct Plan;
+  struct Plan {
+    struct Part {
+      std::vector<std::optional<Deixis>> bound;  ///< for each taker
+      bool taken = false;                        ///< of a pointing: by speech
+      std::optional<SimTime> complete;           ///< none of what is taken
+    };
+    std::vector<Part> parts;  ///< of each that waits
+  };
 
   SimTime lateness() const { return SimTime::from_seconds(window_.lateness_s); }
   void arrive(Arrival arrival);
@@ -80,6 +93,7 @@ class Fusion {
   Plan plan() const;
   std::vector<Deixis> fixations() const;
   bool release_first(std::vector<Ensemble>& released);
+  void release_up_to(std::size_t last, const std::vector<Plan::Part>& parts, std::vector<Ensemble>& released);
   void take(const Deixis& pointing);
   void forget();
 

@@ -48,7 +48,7 @@ void Pipeline::perform(EngineState& state, const WorldSnapshot& world, std::vect
     }
     const Input input = to_input(*end, ++state.inputs, world.t);
     events.push_back(Perceived{input.serial, input.symbol, end->act.number});
-    offer(state, input, events);
+    offer(state, {&input, 1}, events);
   }
 }
 

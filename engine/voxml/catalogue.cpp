@@ -72,7 +72,7 @@ ReadCatalogue read_catalogue(const std::string& folder) {
                                               in_quotes(voxeme.predicate), earlier->path)});
     read.catalogue.add(std::move(voxeme));
   }
-  if (read.documents > 0) read.digest = bytes.text();
+  if (read.documents > 0) read.catalogue.digest_ = bytes.text();
   return read;
 }
 

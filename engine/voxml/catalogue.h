@@ -27,6 +27,8 @@ Result<ReadVoxeme> read_voxeme(std::string_view text, const std::string& path);
 /// Is it XML with a root VoxML, as far as its beginning tells?
 bool looks_like_voxeme(std::string_view text);
 
+struct ReadCatalogue;
+
 /// Voxemes by what they are called.
 class Catalogue {
  public:
@@ -41,8 +43,14 @@ class Catalogue {
   /// By entity and predicate.
   const std::map<std::pair<Voxeme::Entity, std::string>, Voxeme>& voxemes() const { return voxemes_; }
 
+  /// Of the documents that were read and their paths below the folder; empty without any.
+  const std::string& digest() const { return digest_; }
+
  private:
+  friend ReadCatalogue read_catalogue(const std::string& folder);
+
   std::map<std::pair<Voxeme::Entity, std::string>, Voxeme> voxemes_;
+  std::string digest_;
 };
 
 struct ReadCatalogue {
@@ -50,7 +58,6 @@ struct ReadCatalogue {
   std::vector<Error> problems;  ///< of documents that were left out
   std::vector<Error> notes;     ///< those of the documents, and where a later one replaces an earlier one
   std::size_t documents = 0;    ///< that were read
-  std::string digest;           ///< of the documents and their paths below the folder; empty without any
 };
 
 /// Every *.xml below `folder`, in the order of their paths; nothing where there is no such folder.

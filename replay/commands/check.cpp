@@ -8,8 +8,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "composition/methods.h"
-#include "machine_file/machine_loader.h"
+#include "replay/commands/validate.h"
 #include "replay/data_paths.h"
 #include "replay/examples.h"
 #include "replay/language_loading.h"
@@ -29,6 +28,9 @@ bool is_lexicon(const fs::path& path) { return is_folder(path) && path.parent_pa
 bool is_machine(const fs::path& path) {
   return path.extension() == ".jff" || (path.extension() == ".json" && path.parent_path().filename() == "machines");
 }
+bool is_phrases(const fs::path& path) {
+  return path.extension() == ".json" && path.parent_path().filename() == "phrases";
+}
 bool is_trace(const fs::path& path) { return path.string().ends_with(".trace.jsonl"); }
 
 // What of a folder can be checked, in the order of the names.
@@ -39,7 +41,7 @@ void collect(const fs::path& path, std::vector<fs::path>& items) {
   for (const auto& entry : fs::directory_iterator(path, problem)) entries.push_back(entry.path());
   std::sort(entries.begin(), entries.end());
   for (const auto& entry : entries)
-    if (is_folder(entry) || is_machine(entry) || is_trace(entry)) collect(entry, items);
+    if (is_folder(entry) || is_machine(entry) || is_phrases(entry) || is_trace(entry)) collect(entry, items);
 }
 
 class Checking {
@@ -54,6 +56,8 @@ class Checking {
     for (const auto& item : items) {
       if (is_lexicon(item))
         lexicon(item);
+      else if (is_phrases(item))
+        phrases(item);
       else if (item.extension() == ".jsonl")
         trace(item);
       else
@@ -84,8 +88,16 @@ class Checking {
     verdict(path, (*lexicon)->examples.size(), "example", problems);
   }
 
+  void phrases(const fs::path& path) {
+    const auto text = read_file(path.string());
+    if (!text) return trouble(text.error());
+    const auto check = check_file(*text, path.string());
+    for (const auto& problem : check.problems) trouble(problem);
+    if (check.problems.empty()) fmt::print("ok   {}: {}\n", path.string(), check.summary);
+  }
+
   void machine(const fs::path& path) {
-    auto loaded = load_machine(path.string(), Methods::signature());
+    auto loaded = load_machine(path.string(), data_);
     if (!loaded) return trouble(loaded.error());
     const auto machine = std::make_shared<const Machine>(*std::move(loaded));
     auto language = load_language(data_, *machine);
@@ -124,8 +136,8 @@ int run_check(const CheckOptions& options) {
 }
 
 void add_check_command(CLI::App& program, Run& run) {
-  auto* command =
-      program.add_subcommand("check", "Run the examples of machines and lexicons, and traces' expectations");
+  auto* command = program.add_subcommand(
+      "check", "Run the examples of machines and lexicons, check phrases and traces' expectations");
   auto options = std::make_shared<CheckOptions>();
   command->add_option("PATH", options->paths,
                       "machines, folders of lexicon/, traces, or folders of them; the knowledge folder if left out");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -9,6 +10,8 @@
 #include "core/located_json.h"
 #include "machine_file/jflap.h"
 #include "machine_file/machine_loader.h"
+#include "machine_file/phrase_file.h"
+#include "replay/data_paths.h"
 #include "replay/language_loading.h"
 #include "replay/run_index.h"
 #include "replay/session_import.h"
@@ -58,8 +61,10 @@ FileCheck check_session(std::string_view text, const std::string& path) {
 }
 
 FileCheck check_machine_file(std::string_view text, const std::string& path) {
-  const auto machine = parse_machine(text, path, Methods::signature());
-  if (!machine) return {check_machine(text, path, Methods::signature()), {}, "", exit_impossible};
+  const auto data = find_data_paths();
+  const auto phrases = data ? phrases_folder(*data) : "";
+  const auto machine = parse_machine(text, path, Methods::signature(), phrases);
+  if (!machine) return {check_machine(text, path, Methods::signature(), phrases), {}, "", exit_impossible};
   return {{},
           {},
           fmt::format("machine, {}, {}", counted(machine->states.size(), "state"),
@@ -81,6 +86,35 @@ FileCheck check_lexicon_file(std::string_view, const std::string& path) {
     problem.where = path + problem.where.substr(place + 1 + name.size());
     check.problems.push_back(std::move(problem));
   }
+  return check;
+}
+
+// Its terms are those of the machines that use it: of the knowledge folder that it is in, if it is in one.
+FileCheck check_phrase_file(std::string_view text, const std::string& path) {
+  namespace fs = std::filesystem;
+  const auto document = LocatedJson::parse(text, path);
+  if (!document) return {{document.error()}, {}, ""};
+  FileCheck check{phrase_problems(*document), {}, ""};
+  if (!check.problems.empty()) return check;
+  const auto folder = fs::path(path).parent_path();
+  std::vector<fs::path> machines;
+  std::error_code none;
+  for (const auto& file : fs::directory_iterator(fs::absolute(folder).parent_path() / "machines", none))
+    if (file.path().extension() == ".json") machines.push_back(file.path());
+  std::sort(machines.begin(), machines.end());
+  std::size_t users = 0;
+  for (const auto& file : machines) {
+    const auto machine = LocatedJson::read(file.string());
+    if (!machine || !machine->root().is_object() || machine->root().value("phrases", Json()) != fs::path(path).stem())
+      continue;
+    ++users;
+    const auto of_machine = read_file(file.string());
+    for (auto& problem : check_machine(*of_machine, file.string(), Methods::signature(), folder.string()))
+      if (problem.where.starts_with(fs::path(path).lexically_normal().string() + ":"))
+        check.problems.push_back(std::move(problem));
+  }
+  check.summary =
+      counted(document->root()["say"].size(), "phrase") + ", read with " + counted(users, "machine") + " that use them";
   return check;
 }
 
@@ -118,6 +152,11 @@ constexpr std::array file_kinds = {
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "trace"); }, check_trace},
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "run"); }, check_run},
     FileKind{is_lexicon_file, check_lexicon_file},
+    FileKind{[](std::string_view text, const std::string& path) {
+               return path.ends_with(".json") && text.find("\"phrases\"") != text.npos &&
+                      text.find("\"transitions\"") == text.npos;
+             },
+             check_phrase_file},
     FileKind{[](std::string_view text, const std::string& path) {
                return path.ends_with(".json") && text.find("\"raising\"") != text.npos &&
                       text.find("\"transitions\"") == text.npos;
@@ -162,8 +201,8 @@ int run_validate(const ValidateOptions& options) {
 }
 
 void add_validate_command(CLI::App& program, Run& run) {
-  auto* command =
-      program.add_subcommand("validate", "Check traces, machines, lexicons, scenes, run logs and session logs");
+  auto* command = program.add_subcommand(
+      "validate", "Check traces, machines, phrases, lexicons, scenes, run logs and session logs");
   auto options = std::make_shared<ValidateOptions>();
   command->add_option("FILE", options->files, "files of any kind")->required();
   command->footer("Example: continua validate traces/corner/*.trace.jsonl");
