@@ -23,6 +23,7 @@ struct Program {
 };
 constexpr std::array programs = {
     Program{"grasp", Capability::grasp, Takes::thing},
+    Program{"hold", Capability::grasp, Takes::thing},
     Program{"lift", Capability::lift, Takes::thing},
     Program{"ungrasp", Capability::ungrasp, Takes::thing},
     Program{"put", Capability::put, Takes::thing_and_goal},
