@@ -238,15 +238,12 @@ void Recorder::one(const Gestured& gestured) {
   write("gesture", {{"gesture", print(gestured.term)}, {"because", inputs(gestured.because)}});
 }
 
-void Recorder::one(const Unplanned& unplanned) {
-  write("problem", {{"line", nullptr}, {"message", unplanned.reason}});
-}
+void Recorder::one(const Unplanned& unplanned) { write("problem", {{"line", nullptr}, {"message", unplanned.reason}}); }
 
 void Recorder::one(const Acted& acted) {
   last_act_ = print(acted.term);
   const int number = static_cast<int>(acts_.size()) + 1;
-  const Json fields{
-      {"act", number}, {"program", last_act_}, {"status", "asked"}, {"because", inputs(acted.because)}};
+  const Json fields{{"act", number}, {"program", last_act_}, {"status", "asked"}, {"because", inputs(acted.because)}};
   acts_[number] = {write("act", fields), last_act_};
 }
 

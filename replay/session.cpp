@@ -168,9 +168,8 @@ class Loop {
       recorder_.world(report);
       if (report.until > now_) rounds = 0;
       now_ = report.until;
-      const bool ended = std::any_of(report.acts.begin(), report.acts.end(), [](const ActReport& act) {
-        return act.status != ActReport::Status::started;
-      });
+      const bool ended = std::any_of(report.acts.begin(), report.acts.end(),
+                                     [](const ActReport& act) { return act.status != ActReport::Status::started; });
       if (ended) obey(pipeline_.reported(*state_, report.acts, body_.snapshot()), now_);
       if (!ended && now_ >= t) return;
     }
@@ -274,8 +273,7 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   }
   return Session(std::make_unique<LoadedSession>(LoadedSession{
       std::move(options), std::move(*trace), std::make_shared<const Machine>(std::move(*machine)),
-      std::make_shared<const Language>(std::move(*language)),
-      std::move(*scene), std::move(body), std::move(*forced)}));
+      std::make_shared<const Language>(std::move(*language)), std::move(*scene), std::move(body), std::move(*forced)}));
 }
 
 Session::Session(std::unique_ptr<LoadedSession> loaded) : loaded_(std::move(loaded)) {}

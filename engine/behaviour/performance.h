@@ -54,8 +54,8 @@ struct ProgramFrame {
   bool own = false;  ///< is done by the body itself; it has no subevents then
   std::vector<Subevent> body;
   Bindings bindings;
-  std::size_t at = 0;  ///< the next subevent
-  int times = 1;       ///< how often the body is still to be done
+  std::size_t at = 0;                                      ///< the next subevent
+  int times = 1;                                           ///< how often the body is still to be done
   bool prepared = false;                                   ///< of `own`: a precondition was brought about
   std::optional<std::map<std::string, Vec3>> before = {};  ///< of a loop: where things were before its last turn
   bool retried = false;                                    ///< of a loop: a turn has moved nothing

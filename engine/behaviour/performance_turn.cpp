@@ -258,8 +258,8 @@ void PerformanceTurn::advance_loop(const Subevent& loop) {
   auto now = places_of(world());
   const bool in_vain = frame.before && same_places(*frame.before, now);
   if (in_vain && frame.retried) {
-    const auto what = print(circumstances_.value(event, frame.bindings));
-    return fail(Status::missed, fmt::format("{} moves nothing any more", what));
+    const auto program = of_body(circumstances_.value(event, frame.bindings), true);
+    return fail(Status::missed, fmt::format("{} moves nothing any more", print(program)));
   }
   frame.retried = in_vain;
   frame.before = std::move(now);

@@ -25,9 +25,8 @@ Bindings bindings_of(const Affordance& affordance, const Term& object, Bindings 
 std::optional<Bindings> matched(const Expression& event, const Term& program, const Term& object) {
   const auto [head, arguments] = program.spine();
   if (head.kind() != Term::Kind::constant || head.name() != event.name) return std::nullopt;
-  const auto part = std::find_if(event.arguments.begin(), event.arguments.end(), [](const auto& one) {
-    return one.kind == Expression::Kind::component;
-  });
+  const auto part = std::find_if(event.arguments.begin(), event.arguments.end(),
+                                 [](const auto& one) { return one.kind == Expression::Kind::component; });
   const auto place = std::find(arguments.begin(), arguments.end(), object);
   if (part == event.arguments.end() || place == arguments.end()) return std::nullopt;
   const auto agents = (part - event.arguments.begin()) - (place - arguments.begin());

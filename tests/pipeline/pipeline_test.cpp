@@ -62,9 +62,7 @@ struct Play {
     return take(event);
   }
 
-  std::string take(const InputEvent& event) {
-    return told(pipeline->tick(*state, event, snapshot));
-  }
+  std::string take(const InputEvent& event) { return told(pipeline->tick(*state, event, snapshot)); }
   std::string reports(ActReport::Status status) {
     return told(pipeline->reported(*state, {{latest, {}, status, 0, "so it is"}}, snapshot));
   }

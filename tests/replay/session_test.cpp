@@ -127,8 +127,9 @@ TEST_CASE("an act is told with the steps that the body does, which come of it") 
   }
   const std::string goal = "(block6, <0.05, -0.06, 0>)";
   CHECK(told == std::vector<std::string>{"put" + goal + " asked", "put" + goal + " started", "1 grasp(block6) started",
-                                         "1 grasp(block6) done", "2 move" + goal + " started", "2 move" + goal + " done",
-                                         "3 ungrasp(block6) started", "3 ungrasp(block6) done", "put" + goal + " done"});
+                                         "1 grasp(block6) done", "2 move" + goal + " started",
+                                         "2 move" + goal + " done", "3 ungrasp(block6) started",
+                                         "3 ungrasp(block6) done", "put" + goal + " done"});
 }
 
 TEST_CASE("the end of an act is an input where the machine knows it, and decisions are the same in both worlds") {
