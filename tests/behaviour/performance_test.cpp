@@ -71,7 +71,7 @@ const Catalogue& catalogue() {
     program(some, "fetch", {"x", "y"}, {"repeat(2,'lift(y)')"});
     program(some, "around", {"x", "y"}, {"around_again(y)"});
     program(some, "around_again", {"x", "y"}, {"around(y)"});
-    program(some, "spin", {"x", "y"}, {"repeat(99999,'def(loc(y),as(\'l\'))')"});
+    program(some, "spin", {"x", "y"}, {"repeat(99999,def(loc(y),as('l')))"});
     program(some, "polish", {"x", "y"}, {"if(shiny(y)):lift(y)"});
     program(some, "show", {"x", "y"}, {"grasp(y)", "wave(y)"});
     some.add(thing("knife", {"H,hold(x,[1])->[lift([1])]", "H->[grasp(x,[1])]hold(x,[1])"}));
