@@ -7,8 +7,8 @@ namespace continua {
 namespace {
 
 // What must be equal on every machine; RUNLOG.md says so too.
-constexpr std::array<std::string_view, 14> decision_kinds = {
-    "input",   "reading", "belief", "memory",      "transition", "symbol", "rewrite",
+constexpr std::array<std::string_view, 15> decision_kinds = {
+    "input", "percept",   "reading", "belief", "memory",      "transition", "symbol", "rewrite",
     "gesture", "refusal", "expect", "application", "utterance",  "act",    "branches"};
 
 // Numbers of records count poses too, and when an act ends is measured, as are margins and weights: none is a decision.
