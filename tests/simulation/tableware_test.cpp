@@ -139,8 +139,9 @@ TEST_CASE("whatever is asked of the arm ends with how it went, and things of eve
     body->command(put);
     std::optional<ActReport> end;
     for (int i = 0; i < 400 && !(end && body->at_rest()); ++i) {
-      now = now + SimTime::from_seconds(0.1);
-      for (const auto& act : body->advance(now).acts)
+      const WorldReport report = body->advance(now + SimTime::from_seconds(0.1));
+      now = report.until;
+      for (const auto& act : report.acts)
         if (act.status != Status::started) end = act;
     }
     REQUIRE(end);
