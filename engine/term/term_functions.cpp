@@ -64,7 +64,7 @@ Term lacking(Arguments a, Evaluation&) {
 
 std::string characters(const Term& term) { return term.kind() == Term::Kind::text ? term.text_value() : print(term); }
 
-Term mentions(Arguments a, Evaluation&) {
+Term says(Arguments a, Evaluation&) {
   return Term::truth(characters(a[0]).find(a[1].text_value()) != std::string::npos);
 }
 
@@ -128,7 +128,7 @@ void add_term_functions(Rules& rules, Signature& signature) {
           {"lacking", "term -> term -> term", lacking},
           {"program", "term -> text", program},
           {"argument", "term -> num -> term", argument},
-          {"mentions", "term -> text -> t", mentions},
+          {"mentions", "term -> text -> t", says},
           {"text", "term -> text", text},
           {"place", "term -> loc", place},
           {"words", "text -> text*", words},

@@ -106,7 +106,8 @@ FileCheck check_phrase_file(std::string_view text, const std::string& path) {
   std::size_t users = 0;
   for (const auto& file : machines) {
     const auto machine = LocatedJson::read(file.string());
-    if (!machine || !machine->root().is_object() || machine->root().value("phrases", Json()) != fs::path(path).stem())
+    if (!machine || !machine->root().is_object() ||
+        machine->root().value("phrases", Json()) != fs::path(path).stem().string())
       continue;
     ++users;
     const auto of_machine = read_file(file.string());
