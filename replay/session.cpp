@@ -1,6 +1,7 @@
 #include "replay/session.h"
 
 #include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <memory>
 
@@ -73,7 +74,7 @@ class Loop {
     const auto& events = loaded_.trace.events;
     for (const auto& note : loaded_.trace.notes) recorder_.problem(note.line, note.sentence, SimTime{});
     for (std::size_t i = 0; i < events.size(); ++i) {
-      go_on(std::max(now_, events[i].t));
+      wait_until(std::max(now_, events[i].t));
       std::visit([&](const auto& what) { take(events[i], what); }, events[i].what);
       if (loaded_.options.progress && i % 64 == 0)
         loaded_.options.progress(static_cast<double>(i) / static_cast<double>(events.size()));
@@ -128,20 +129,30 @@ class Loop {
 
   void take(const TraceEvent& event, const InputEvent& input) {
     ++summary_.inputs;
-    said_since_input_.clear();
     recorder_.input(event, symbol_of(input));
-    take(pipeline_.tick(*state_, input, body_.snapshot()), now_);
+    take(pipeline_.receive(*state_, input, body_.snapshot()), now_);
+    attend();
   }
   void take(const TraceEvent& event, const Observed& observed) { recorder_.observed(event, observed); }
+  // What is expected is checked once all that happened before has been attended to.
   void take(const TraceEvent& event, const Expectation& expectation) {
+    expected_.push_back({&event, &expectation, state_->inputs});
+    check_expectations();
+  }
+  void take(const TraceEvent&, const End&) {}
+  void take(const TraceEvent&, const UnknownKind&) {}
+
+  void check_expectations() {
+    for (; !expected_.empty() && !state_->waits(expected_.front().inputs); expected_.pop_front())
+      check_expectation(*expected_.front().event, *expected_.front().what);
+  }
+  void check_expectation(const TraceEvent& event, const Expectation& expectation) {
     const auto checked = check(expectation, {pipeline_.machine(), state_->configuration, body_.snapshot(),
                                              said_since_input_, recorder_.last_act(), recorder_.last_referents()});
     recorder_.expectation(event, checked.met, checked.found);
     ++summary_.expectations;
     summary_.expectations_met += checked.met;
   }
-  void take(const TraceEvent&, const End&) {}
-  void take(const TraceEvent&, const UnknownKind&) {}
 
   void take(Tick tick, SimTime t) {
     obey(std::move(tick), t);
@@ -175,8 +186,28 @@ class Loop {
     }
   }
 
+  // Attends to what is complete, one after the other.
+  void attend() {
+    while (!state_->complete.empty()) {
+      said_since_input_.clear();
+      take(pipeline_.attend(*state_, body_.snapshot()), now_);
+      check_expectations();
+    }
+  }
+
+  // Time goes on; what has waited long enough on the way is attended to.
+  void wait_until(SimTime t) {
+    for (auto due = pipeline_.due(*state_); due && *due <= t; due = pipeline_.due(*state_)) {
+      go_on(std::max(now_, *due));
+      take(pipeline_.wake(*state_, now_), now_);
+      attend();
+    }
+    go_on(t);
+  }
+
   // Acts that are under way when the trace ends are still finished.
   void settle() {
+    while (const auto due = pipeline_.due(*state_)) wait_until(std::max(now_, *due));
     const SimTime last = now_ + SimTime::from_seconds(longest_tail_s);
     while (!body_.at_rest() && now_ < last) go_on(now_ + SimTime::from_seconds(0.1));
   }
@@ -210,6 +241,12 @@ class Loop {
   Body& body_;
   SimTime now_;
   std::vector<std::string> said_since_input_;
+  struct Expected {
+    const TraceEvent* event;
+    const Expectation* what;
+    int inputs;  ///< that it comes after
+  };
+  std::deque<Expected> expected_;
   ReplaySummary summary_;
 };
 

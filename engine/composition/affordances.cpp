@@ -36,7 +36,8 @@ std::string without_spaces(std::string text) {
   return text;
 }
 
-bool is_concave(const Voxeme& voxeme) { return voxeme.concavity.name == "Concave"; }
+// Documents write Concave and concave.
+bool is_concave(const Voxeme& voxeme) { return voxeme.concavity.name.ends_with("oncave"); }
 
 // Whether a habitat is that of standing upright: Y of the object upward, and its top above.
 bool is_upright(const Voxeme& voxeme, const std::string& habitat) {

@@ -274,7 +274,7 @@ Result<ReadVoxeme> read_voxeme(std::string_view text, const std::string& path) {
 
 bool looks_like_voxeme(std::string_view text) {
   const auto utf8 = utf8_of_xml(text, "");
-  if (!utf8) return false;
+  if (!utf8) return text.find("<VoxML") != text.npos;
   std::string_view rest = *utf8;
   // Past declarations, instructions and comments to the first element.
   for (;;) {

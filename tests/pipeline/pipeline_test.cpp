@@ -22,6 +22,8 @@ const char* machine_text = R"json({
   "transitions": [
     { "id": "point", "from": ["Wait", "Asked"], "on": "POINT", "to": "Asked", "push": { "indicated": "nearest" } },
     { "id": "yes", "from": "Asked", "on": "speech yes", "to": "Wait", "do": [ { "act": "grasp(indicated)" } ] },
+    { "id": "well", "from": "*", "on": "speech well", "to": "Wait", "do": [ { "say": ["Well?", "So?"] } ] },
+    { "id": "so", "from": "*", "on": "speech so", "to": "Wait", "do": [ { "say": "So?" } ] },
     { "id": "fly", "from": "Asked", "on": "speech fly", "to": "Wait", "do": [ { "act": "fly(indicated)" } ] },
     { "id": "failed", "from": "Wait", "on": "act blocked", "to": "Wait", "do": [ { "say": "Sorry, {reason}." } ] } ] })json";
 
@@ -105,6 +107,15 @@ TEST_CASE("an utterance equal to the last is not said again where the machine sa
   Play play;
   play.point(0.28);
   CHECK(play.point(0.12) == "belief point 1; reach near_one");
+}
+
+TEST_CASE("of several ways to say something the first is taken that is not what was said last") {
+  Play play;
+  CHECK(play.say("well") == "\"Well?\"");
+  CHECK(play.say("well") == "\"So?\"");
+  CHECK(play.say("well") == "\"Well?\"");
+  CHECK(play.say("so") == "\"So?\"");
+  CHECK(play.say("well") == "\"Well?\"");
 }
 
 TEST_CASE("an answer lowers the belief in what was asked about") {
