@@ -7,23 +7,26 @@ namespace continua {
 namespace {
 
 // What must be equal on every machine; RUNLOG.md says so too.
-constexpr std::array<std::string_view, 14> decision_kinds = {
-    "input",   "reading", "belief", "memory",      "transition", "symbol", "rewrite",
-    "gesture", "refusal", "expect", "application", "utterance",  "act",    "branches"};
+constexpr std::array<std::string_view, 15> decision_kinds = {
+    "input",   "reading", "belief", "memory",      "transition", "symbol", "rewrite", "gesture",
+    "refusal", "expect",  "act",    "application", "utterance",  "end",    "branches"};
 
-// Numbers of records count poses too, and when an act ends is measured, as are margins and weights: none is a decision.
-std::optional<Json> decision_of(std::string_view kind, double t_s, Json fields) {
-  if (std::find(decision_kinds.begin(), decision_kinds.end(), kind) == decision_kinds.end()) return std::nullopt;
-  for (const char* field : {"because", "margin", "result", "weights", "resolved"}) fields.erase(field);
-  Json decision{{"kind", kind}, {"fields", std::move(fields)}};
-  if (kind != "act" && !decision["fields"].contains("measured")) decision["t"] = t_s;
-  return decision;
+// That an act is asked for is a decision. When it ends, and between which other records, is measured; so what it came
+// to counts at the end.
+bool tells_outcome(std::string_view kind, const Json& fields) {
+  return kind == "act" && fields.value("status", Json()) != "asked";
 }
 
-// Between which other records an act goes on and ends is measured: what it came to counts by the act's number, and its
-// steps do not.
-bool tells_outcome(std::string_view kind, const Json& fields) {
-  return kind == "act" && fields.contains("act") && fields["act"].is_number() && fields.value("status", "") != "asked";
+// Numbers of records count poses too; margins and weights are measured: none is a decision.
+std::optional<Json> decision_of(std::string_view kind, double t_s, Json fields) {
+  if (std::find(decision_kinds.begin(), decision_kinds.end(), kind) == decision_kinds.end()) return std::nullopt;
+  if (tells_outcome(kind, fields)) return std::nullopt;
+  if (kind == "end") fields = {{"acts", fields.value("acts", Json::array())}};
+  for (const char* field : {"because", "margin", "result", "weights", "resolved"}) fields.erase(field);
+  const bool timed = kind != "act" && kind != "end" && !fields.contains("measured");
+  Json decision{{"kind", kind}, {"fields", std::move(fields)}};
+  if (timed) decision["t"] = t_s;
+  return decision;
 }
 
 }  // namespace
@@ -43,12 +46,11 @@ int RunLog::write(std::string_view kind, SimTime t, const Json& fields, std::opt
   const auto line = compact(record) + "\n";
   all_.add(line);
   if (kind == "pose") physics_.add(line);
-  if (tells_outcome(kind, fields)) {
-    if (!fields.contains("step"))
-      outcomes_[fields["act"].get<std::int64_t>()] = compact(*decision_of(kind, t.seconds(), fields));
-  } else if (const auto decision = decision_of(kind, t.seconds(), fields)) {
-    decisions_.add(compact(*decision));
-  }
+  if (tells_outcome(kind, fields) && !fields.contains("step"))
+    outcomes_[fields["act"].get<int>()] = fields["status"].get<std::string>();
+  // The last line states the digest, and so what of itself goes into it.
+  const auto decision = kind == "end" ? std::nullopt : decision_of(kind, t.seconds(), fields);
+  if (decision) decisions_.add(compact(*decision));
   ++counts_[std::string(kind)];
   out_.write(line.data(), static_cast<std::streamsize>(line.size()));
   out_.flush();
@@ -56,9 +58,14 @@ int RunLog::write(std::string_view kind, SimTime t, const Json& fields, std::opt
 }
 
 void RunLog::finish(SimTime t) {
-  for (const auto& [act, line] : outcomes_) decisions_.add(line);
-  const Json fields{
-      {"counts", counts_}, {"decisions", decisions_.text()}, {"physics", physics_.text()}, {"digest", all_.text()}};
+  Json acts = Json::array();
+  for (const auto& [number, status] : outcomes_) acts.push_back(status);
+  decisions_.add(compact(*decision_of("end", t.seconds(), {{"acts", acts}})));
+  const Json fields{{"counts", counts_},
+                    {"acts", std::move(acts)},
+                    {"decisions", decisions_.text()},
+                    {"physics", physics_.text()},
+                    {"digest", all_.text()}};
   write("end", t, fields);
 }
 

@@ -36,7 +36,7 @@ class RunLog {
   int next_ = 0;
   std::map<std::string, int> counts_;
   RunningDigest all_, decisions_, physics_;
-  std::map<std::int64_t, std::string> outcomes_;  ///< decision line of the latest state of each act
+  std::map<int, std::string> outcomes_;  ///< latest status of each act, by its number
 };
 
 }  // namespace continua
