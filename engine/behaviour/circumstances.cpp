@@ -25,14 +25,12 @@ bool is_constant(const Term& term) { return term.kind() == Term::Kind::constant;
 Term agent_term() { return Term::entity("avatar"); }
 
 Term place_term(const ObjectState& object, const WorldSnapshot& world) {
-  if (object.name != world.held) {
-    for (const auto relation : {Relation::in, Relation::on})
-      for (const auto& other : world.objects) {
-        const Landmark landmark = Landmark::object(other);
-        if (holds_by(relation, object, {&landmark, 1}, world.table, Perspective::avatar) > 0)
-          return applied(std::string(text(relation)), {Term::entity(other.name)});
-      }
-  }
+  for (const auto relation : {Relation::in, Relation::on})
+    for (const auto& other : world.objects) {
+      const Landmark landmark = Landmark::object(other);
+      if (holds_by(relation, object, {&landmark, 1}, world.table, Perspective::avatar) > 0)
+        return applied(std::string(text(relation)), {Term::entity(other.name)});
+    }
   return Term::point(object.p_WO.x(), object.p_WO.y(), world.table.max.z());
 }
 

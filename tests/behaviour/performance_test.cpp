@@ -264,7 +264,7 @@ TEST_CASE("stop gives up what is under way and what waits") {
 }
 
 TEST_CASE("programs that cannot be performed say why, and all end") {
-  CHECK(Avatar().does("around(cup)") == "around(cup): blocked (around(avatar, cup) goes more than 16 programs deep)");
+  CHECK(Avatar().does("around(cup)") == "around(cup): blocked (around(cup) goes more than 16 programs deep)");
   CHECK(Avatar().does("spin(cup)") == "spin(cup): blocked (spin(cup) takes more than 1000 steps)");
   CHECK(Avatar().does("polish(cup)") == "polish(cup): blocked (nothing tells whether shiny(y) holds)");
   CHECK(Avatar().does("show(cup)") ==
