@@ -99,6 +99,7 @@ class Decisions {
 
 std::string named(const Json& decision) {
   const auto kind = decision["kind"].get<std::string>();
+  if (kind == "act") return "act " + compact(part(decision, "/fields/act"));
   return decision.contains("t") ? fmt::format("{} at {} s", kind, compact(decision["t"])) : kind;
 }
 

@@ -77,7 +77,7 @@ TEST_CASE("a trace is held against the run beside it") {
       {"what it was made with", in_run(R"("arch":")", R"("arch":"another )"), "same"},
       {"no decision", in_run(R"("world":"kinematic")", R"("world":"physics")"), "same decisions"},
       {"what was said", in_run(R"("text":"Okay.")", R"("text":"Well.")"),
-       R"(changed: utterance at 1 s: text "Okay.", approved "Well.")"},
+       R"(changed: utterance at 1.0 s: text "Okay.", approved "Well.")"},
       {"when it was said", in_run(R"("t":1.0,"cause")", R"("t":0.5,"cause")"),
        "changed: reading at 1.0 s, approved reading at 0.5 s"},
       {"another kind of record", in_run(R"("kind":"utterance")", R"("kind":"gesture")"),
@@ -92,14 +92,25 @@ TEST_CASE("a trace is held against the run beside it") {
        },
        "same decisions"},
       {"how an act ends", in_run(R"("status":"done")", R"("status":"dropped")"),
-       R"(changed: act: status "done", approved "dropped")"},
-      {"a record fewer", in_run(R"("kind":"expect")", R"("kind":"other")"),
-       "changed: the run goes on with expect at 2.0 s; approved it ends"},
+       R"(changed: act 1: status "done", approved "dropped")"},
+      {"a record fewer", in_run(R"("kind":"expect")", R"("kind":"other")"), "changed: expect at 2.0 s, approved act 1"},
       {"a record more",
        in_run(R"({"kind":"end")", "{\"kind\":\"problem\"}\n{\"kind\":\"memory\",\"t\":3}\n{\"kind\":\"end\""),
-       "changed: the run ends; approved it goes on with memory at 3 s"},
+       "changed: act 1, approved memory at 3.0 s"},
+      {"an act fewer",
+       [](Approved& one) {
+         std::string run;
+         std::istringstream lines(one.run);
+         for (std::string line; std::getline(lines, line);)
+           if (!line.starts_with(R"({"kind":"act")") || line.find(R"("asked")") != std::string::npos)
+             run += line + "\n";
+         one.folder.file("one.run.jsonl", run);
+       },
+       "changed: the run goes on with act 1; approved it ends"},
+      {"an act more", in_run(R"({"kind":"end")", "{\"kind\":\"act\",\"act\":2}\n{\"kind\":\"end\""),
+       "changed: the run ends; approved it goes on with act 2"},
       {"the trace", in_trace("\"t\":3", "\"t\":4"), "stale: one.run.jsonl was made from another trace"},
-      {"what is expected", in_trace("cup_blue)\"", "plate)\""),
+      {"what is expected", in_trace("cup_blue))", "plate))"),
        R"json(broken: one.trace.jsonl:3: expected {"act":"put(knife, in(plate))"}, found {"act":"put(knife, in(cup_blue))"})json"},
       {"the trace is none", in_trace("\"version\":1", "\"version\":7"), "broken"},
       {"the run is cut short",
