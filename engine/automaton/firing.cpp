@@ -159,8 +159,20 @@ bool Firing::perform_all(const std::vector<Effect>& effects) {
 bool Firing::perform_one(const Say& say) {
   if (!account_) return false;
   begin_because();
-  auto evaluation = evaluate();
-  if (const auto words = fill_template(say.text, {}, evaluation)) note(Said{*words, because()});
+  for (const auto& one : say.cases) {
+    auto condition = evaluate();
+    if (one.when && !condition.value(*one.when).is_true()) continue;
+    Said said;
+    for (const auto& variant : one.variants) {
+      auto evaluation = evaluate();
+      if (auto words = fill_template(variant, {}, evaluation)) said.variants.push_back(std::move(*words));
+    }
+    if (said.variants.empty()) break;
+    said.text = said.variants.front();
+    said.because = because();
+    note(std::move(said));
+    break;
+  }
   return false;
 }
 bool Firing::perform_one(const Gesture& gesture) {

@@ -58,7 +58,8 @@ struct Applied {
   std::vector<int> because;
 };
 struct Said {
-  std::string text;
+  std::string text;                   ///< one of `variants`, the first unless someone chose
+  std::vector<std::string> variants;  ///< all ways to say it
   std::vector<int> because;
 };
 struct Gestured {

@@ -6,6 +6,7 @@
 
 #include "term/raising.h"
 #include "term/rules.h"
+#include "term/substitution.h"
 #include "term/term_text.h"
 
 namespace continua {
@@ -52,6 +53,13 @@ Term argument(Arguments a, Evaluation&) {
   for (std::size_t i = 0; i < arguments.size(); ++i)
     if (static_cast<double>(i) == index) return arguments[i].closed() ? arguments[i] : Term::null();
   return Term::null();
+}
+
+// The continuation of a part: what the term does with it.
+Term lacking(Arguments a, Evaluation&) {
+  if (a[1].is_null() || !a[0].closed() || !a[1].closed()) return Term::null();
+  const char* hint = a[1].type() == Type::location() ? "v" : "x";
+  return Term::lambda(hint, a[1].type(), abstracted(a[0], a[1]));
 }
 
 std::string characters(const Term& term) { return term.kind() == Term::Kind::text ? term.text_value() : print(term); }
@@ -117,6 +125,7 @@ void add_term_functions(Rules& rules, Signature& signature) {
           {"missing", "term -> text", missing},
           {"type", "term -> text", type},
           {"fill", "term -> term -> term", fill},
+          {"lacking", "term -> term -> term", lacking},
           {"program", "term -> text", program},
           {"argument", "term -> num -> term", argument},
           {"mentions", "term -> text -> t", mentions},

@@ -14,14 +14,15 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "composition/methods.h"
 #include "machine_file/machine_loader.h"
 #include "replay/check.h"
 #include "replay/commands/junit.h"
 #include "replay/commands/progress.h"
+#include "replay/commands/validate.h"
 #include "replay/data_paths.h"
 #include "replay/examples.h"
 #include "replay/language_loading.h"
+#include "voxml/program_check.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -31,6 +32,12 @@ bool is_lexicon(const fs::path& path) { return is_folder(path) && path.parent_pa
 bool is_machine(const fs::path& path) {
   return path.extension() == ".jff" || (path.extension() == ".json" && path.parent_path().filename() == "machines");
 }
+// Files that hold no examples: what can be wrong with them is what validate tells.
+bool is_data(const fs::path& path) {
+  const auto folder = path.parent_path().filename();
+  return path.extension() == ".json" && (folder == "phrases" || folder == "gestures");
+}
+bool is_voxemes(const fs::path& path) { return is_folder(path) && path.filename() == "voxemes"; }
 bool is_trace(const fs::path& path) { return path.string().ends_with(".trace.jsonl"); }
 // Goes with its trace.
 bool is_approved_run(const fs::path& path) {
@@ -40,13 +47,13 @@ bool is_approved_run(const fs::path& path) {
 // What of a folder can be checked, in the order of the names.
 void collect(const fs::path& path, std::vector<fs::path>& items) {
   if (is_approved_run(path)) return;
-  if (!is_folder(path) || is_lexicon(path)) return items.push_back(path);
+  if (!is_folder(path) || is_lexicon(path) || is_voxemes(path)) return items.push_back(path);
   std::vector<fs::path> entries;
   std::error_code problem;
   for (const auto& entry : fs::directory_iterator(path, problem)) entries.push_back(entry.path());
   std::sort(entries.begin(), entries.end());
   for (const auto& entry : entries)
-    if (is_folder(entry) || is_machine(entry) || is_trace(entry)) collect(entry, items);
+    if (is_folder(entry) || is_machine(entry) || is_data(entry) || is_trace(entry)) collect(entry, items);
 }
 
 // What came out for one file.
@@ -125,6 +132,8 @@ class Checking {
   Finding check(std::size_t index) {
     const auto& item = items_[index];
     if (is_lexicon(item)) return lexicon(item);
+    if (is_voxemes(item)) return voxemes(item);
+    if (is_data(item)) return data(item);
     return item.extension() == ".jsonl" ? trace(index) : machine(item);
   }
 
@@ -157,8 +166,28 @@ class Checking {
     return examples((*lexicon)->examples.size(), std::move(problems));
   }
 
+  Finding voxemes(const fs::path& folder) {
+    const auto read = read_catalogue(folder.string());
+    std::vector<std::string> problems;
+    for (const auto& problem : read.problems) problems.push_back(problem.text());
+    for (const auto& problem : check_programs(read.catalogue)) problems.push_back(problem.text());
+    const auto all = counted(read.documents, "voxeme");
+    if (problems.empty()) return {all, exit_done, {}, {}};
+    return {fmt::format("{} in {}", counted(problems.size(), "problem"), all), exit_no, std::move(problems), {}};
+  }
+
+  Finding data(const fs::path& path) {
+    const auto text = read_file(path.string());
+    if (!text) return cannot_be_used(text.error());
+    const auto check = check_file(*text, path.string());
+    if (check.problems.empty()) return {check.summary, exit_done, {}, {}};
+    std::vector<std::string> problems;
+    for (const auto& problem : check.problems) problems.push_back(problem.text());
+    return {counted(problems.size(), "problem"), exit_no, std::move(problems), {}};
+  }
+
   Finding machine(const fs::path& path) {
-    auto loaded = load_machine(path.string(), Methods::signature());
+    auto loaded = load_machine(path.string(), data_);
     if (!loaded) return cannot_be_used(loaded.error());
     const auto machine = std::make_shared<const Machine>(*std::move(loaded));
     auto language = load_language(data_, *machine);
@@ -234,10 +263,11 @@ int run_check(const CheckOptions& options) {
 
 void add_check_command(CLI::App& program, Run& run) {
   auto* command = program.add_subcommand(
-      "check", "Run the examples of machines and lexicons, and hold traces against their approved runs");
+      "check", "Check what the project's files say of themselves, and hold traces against their approved runs");
   auto options = std::make_shared<CheckOptions>();
   command->add_option("PATH", options->paths,
-                      "machines, folders of lexicon/, traces, or folders of them; the knowledge folder if left out");
+                      "machines, folders of lexicon/, phrases, gestures, folders voxemes, traces, or folders of them;\n"
+                      "the knowledge folder if left out");
   command->add_option("--knowledge", options->knowledge, "folder to use instead of engine/knowledge");
   auto* physics = command->add_flag_callback(
       "--physics", [options] { options->physics = true; },
