@@ -269,9 +269,14 @@ void add_check_command(CLI::App& program, Run& run) {
                       "machines, folders of lexicon/, phrases, gestures, folders voxemes, traces, or folders of them;\n"
                       "the knowledge folder if left out");
   command->add_option("--knowledge", options->knowledge, "folder to use instead of engine/knowledge");
-  command->add_flag("--physics,!--no-physics", options->physics,
-                    "replay traces in MuJoCo's world, or in the kinematic one, where every act succeeds; "
-                    "MuJoCo's if left out, with --approve the kinematic one");
+  auto* physics = command->add_flag_callback(
+      "--physics", [options] { options->physics = true; },
+      "replay traces in MuJoCo's world, also with --approve, which else takes the kinematic one");
+  command
+      ->add_flag_callback(
+          "--no-physics", [options] { options->physics = false; },
+          "replay traces in the kinematic world, where every act succeeds")
+      ->excludes(physics);
   command->add_flag("--approve", options->approve,
                     "ask, then write the runs that are new or not as approved beside their traces");
   command->add_flag("--yes", options->yes, "with --approve: do not ask")->needs("--approve");
