@@ -31,6 +31,9 @@ bool is_machine(const fs::path& path) {
 bool is_phrases(const fs::path& path) {
   return path.extension() == ".json" && path.parent_path().filename() == "phrases";
 }
+bool is_gestures(const fs::path& path) {
+  return path.extension() == ".json" && path.parent_path().filename() == "gestures";
+}
 bool is_trace(const fs::path& path) { return path.string().ends_with(".trace.jsonl"); }
 
 // What of a folder can be checked, in the order of the names.
@@ -41,7 +44,8 @@ void collect(const fs::path& path, std::vector<fs::path>& items) {
   for (const auto& entry : fs::directory_iterator(path, problem)) entries.push_back(entry.path());
   std::sort(entries.begin(), entries.end());
   for (const auto& entry : entries)
-    if (is_folder(entry) || is_machine(entry) || is_phrases(entry) || is_trace(entry)) collect(entry, items);
+    if (is_folder(entry) || is_machine(entry) || is_phrases(entry) || is_gestures(entry) || is_trace(entry))
+      collect(entry, items);
 }
 
 class Checking {
@@ -56,8 +60,8 @@ class Checking {
     for (const auto& item : items) {
       if (is_lexicon(item))
         lexicon(item);
-      else if (is_phrases(item))
-        phrases(item);
+      else if (is_phrases(item) || is_gestures(item))
+        file(item);
       else if (item.extension() == ".jsonl")
         trace(item);
       else
@@ -88,7 +92,8 @@ class Checking {
     verdict(path, (*lexicon)->examples.size(), "example", problems);
   }
 
-  void phrases(const fs::path& path) {
+  // What its reader checks is all there is to check.
+  void file(const fs::path& path) {
     const auto text = read_file(path.string());
     if (!text) return trouble(text.error());
     const auto check = check_file(*text, path.string());
@@ -136,8 +141,8 @@ int run_check(const CheckOptions& options) {
 }
 
 void add_check_command(CLI::App& program, Run& run) {
-  auto* command =
-      program.add_subcommand("check", "Run the examples of machines and lexicons, check phrases and traces' expectations");
+  auto* command = program.add_subcommand(
+      "check", "Run the examples of machines and lexicons, check phrases and traces' expectations");
   auto options = std::make_shared<CheckOptions>();
   command->add_option("PATH", options->paths,
                       "machines, folders of lexicon/, traces, or folders of them; the knowledge folder if left out");

@@ -56,7 +56,8 @@ TEST_CASE("words that were told begin when they did") {
 }
 
 TEST_CASE("words that were not told are between those that were") {
-  CHECK(times(speech(1, 3.0, {{"put", 1.0}, {"there", 2.0}}), {"put", "it", "there"}) == "1.00-1.60 1.60-2.00 2.00-2.70");
+  CHECK(times(speech(1, 3.0, {{"put", 1.0}, {"there", 2.0}}), {"put", "it", "there"}) ==
+        "1.00-1.60 1.60-2.00 2.00-2.70");
   CHECK(times(speech(1, 2.0, {{"there", 1.6}}), {"it", "there"}) == "1.00-1.60 1.60-2.00");
   CHECK(times(speech(1, 2.0, {{"there", 1.6}}), {"quite", "else"}) == "1.00-1.56 1.56-2.00");
 }
