@@ -99,4 +99,8 @@ Result<std::string> resolve_machine(const std::string& name, const DataPaths& da
   return resolve(name, "machine", data.knowledge / "machines", ".json", folder, where);
 }
 
+Result<std::string> resolve_gestures(const std::string& name, const DataPaths& data, const std::string& where) {
+  return resolve(name, "gesture catalogue", data.knowledge / "gestures", ".json", data.knowledge, where);
+}
+
 }  // namespace continua

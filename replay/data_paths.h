@@ -30,5 +30,7 @@ Result<std::string> resolve_scene(const std::string& name, const DataPaths& data
                                   const std::string& where);
 Result<std::string> resolve_machine(const std::string& name, const DataPaths& data, const std::filesystem::path& folder,
                                     const std::string& where);
+/// Likewise NAME.json of knowledge/gestures, or a path.
+Result<std::string> resolve_gestures(const std::string& name, const DataPaths& data, const std::string& where);
 
 }  // namespace continua

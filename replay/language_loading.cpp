@@ -8,8 +8,10 @@
 
 #include "composition/methods.h"
 #include "core/located_json.h"
+#include "language/vocabulary.h"
 #include "machine_file/machine_loader.h"
 #include "term/raising_file.h"
+#include "term/term_text.h"
 #include "voxml/catalogue.h"
 
 namespace continua {
@@ -45,6 +47,32 @@ Result<std::shared_ptr<const Lexicon>> load_named_lexicon(const DataPaths& data,
   return std::make_shared<const Lexicon>(*std::move(lexicon));
 }
 
+Result<std::shared_ptr<const GestureCatalogue>> load_gestures(const DataPaths& data, const std::string& name,
+                                                              const std::shared_ptr<const Lexicon>& lexicon,
+                                                              const std::string& where) {
+  const auto path = resolve_gestures(name, data, where);
+  if (!path) return path.error();
+  const auto text = read_file(*path);
+  if (!text) return text.error();
+  auto gestures = read_gestures(*text, *path);
+  if (!gestures) return gestures.error();
+  if (auto problems = check_meanings(*gestures, lexicon); !problems.empty()) return problems.front();
+  return std::make_shared<const GestureCatalogue>(*std::move(gestures));
+}
+
+std::vector<Error> check_meanings(const GestureCatalogue& gestures, const std::shared_ptr<const Lexicon>& lexicon) {
+  const auto names = lexicon ? Vocabulary(lexicon, WorldSnapshot()).names() : names_of_terms();
+  std::vector<Error> problems;
+  for (const auto& [gesture, entry] : gestures.entries)
+    for (const auto& [direction, meaning] : entry.meanings) {
+      const auto term = parse_term(meaning, names);
+      if (!term)
+        problems.push_back(
+            {entry.where, fmt::format("what '{}' means, {}: {}", gesture, in_quotes(meaning), term.error().text())});
+    }
+  return problems;
+}
+
 Result<Machine> load_machine(const std::string& path, const DataPaths& data) {
   return load_machine(path, Methods::signature(), phrases_folder(data));
 }
@@ -59,6 +87,12 @@ Result<Language> load_language(const DataPaths& data, const Machine& machine) {
   auto voxemes = read_catalogue((data.knowledge / "voxemes").lexically_normal().string());
   if (!voxemes.problems.empty()) return voxemes.problems.front();
   language.voxemes = std::make_shared<const Catalogue>(std::move(voxemes.catalogue));
+  if (!machine.gestures.empty()) {
+    auto gestures =
+        load_gestures(data, machine.gestures, language.lexicon, fmt::format("\"gestures\" of {}", machine.name));
+    if (!gestures) return gestures.error();
+    language.gestures = *std::move(gestures);
+  }
   const auto raising = data.knowledge / "raising.json";
   std::error_code unknown;
   if (!fs::exists(raising, unknown)) return language;

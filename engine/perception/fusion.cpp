@@ -17,6 +17,8 @@ int rank(const Percept& percept) {
 
 auto order(const Percept& percept) { return std::tuple(percept.event.t, rank(percept), percept.serial); }
 
+bool is_sample(const Percept& percept) { return percept.event.modality == Modality::pointing; }
+
 bool is_one_hand(const Deixis& a, const Deixis& b) { return a.hand == b.hand || a.hand.empty() || b.hand.empty(); }
 
 bool overlap(const Deixis& a, const Deixis& b) { return a.from <= b.until && b.from <= a.until; }
@@ -49,7 +51,6 @@ SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixi
 
 }  // namespace
 
-// Of what waits: what belongs together and when each is complete, as things are.
 bool Fusion::receive(Percept percept, SimTime now) {
   if (percept.event.t < now_ || percept.event.t + lateness() < now) return false;
   arrive(std::move(percept));
@@ -186,12 +187,13 @@ bool Fusion::release_first(std::vector<Ensemble>& released) {
 }
 
 void Fusion::release_up_to(std::size_t last, const std::vector<Plan::Part>& parts, std::vector<Ensemble>& released) {
-  const bool by_pointing = waiting_[last].deixis.has_value();
+  const bool by_pointing = waiting_[last].deixis.has_value(), by_sample = is_sample(waiting_[last]);
   std::vector<Deixis> taken;
   std::vector<Percept> still;
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     auto& percept = waiting_[i];
-    const bool stays = i > last || (percept.deixis ? parts[i].taken : by_pointing && i != last);
+    const bool kept = by_sample || (percept.deixis ? parts[i].taken : by_pointing);
+    const bool stays = i > last || (i < last && kept);
     if (stays) {
       still.push_back(std::move(percept));
       continue;

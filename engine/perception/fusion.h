@@ -40,8 +40,8 @@ struct Ensemble {
 ///   speech takes it, it is not released at all; a pointing that was released alone can still be taken within `before`.
 /// - Everything else is complete when it arrives.
 /// - What is complete releases what began before it and still waits, in order of time, as it is then: the human has
-///   gone on. But a pointing that waits is kept for speech that takes it, and speech that waits is not released by
-///   pointing.
+///   gone on. But a pointing that waits is kept for speech that takes it, speech that waits is not released by
+///   pointing, and a percept that is a pointing sample releases nothing.
 /// - Released in the order in which they were complete; at one time in order of their beginnings, then gestures that
 ///   point, speech, everything else, then serial.
 /// - Fixations of a hand while a gesture of that hand points are that pointing, not another one.
@@ -76,6 +76,7 @@ class Fusion {
     int serial;
   };
   using Arrival = std::variant<Sample, Percept>;
+  /// Of what waits: what belongs together and when each is complete, as things are.
   struct Plan {
     struct Part {
       std::vector<std::optional<Deixis>> bound;  ///< for each taker

@@ -30,6 +30,8 @@ struct GestureEntry {
 
 struct GestureCatalogue {
   std::string name, path, digest;
+  std::string lexicon;  ///< whose words the meanings are made of, for who checks the file alone; may be empty
+  std::size_t examples = 0;
   std::map<std::string, GestureEntry, std::less<>> entries;
 
   const GestureEntry* find(std::string_view gesture) const;

@@ -61,16 +61,19 @@ GestureCatalogue GestureReader::read() {
   catalogue_.path = document_.name();
   catalogue_.name = std::filesystem::path(document_.name()).stem().string();
   catalogue_.digest = digest(compact(root));
-  if (!expect_object("", root, "a file of gestures", {"about", "gestures", "examples"})) return std::move(catalogue_);
+  if (!expect_object("", root, "a file of gestures", {"about", "lexicon", "gestures", "examples"}))
+    return std::move(catalogue_);
   if (root.contains("about")) text_of("", root, "about", "what the file holds");
+  if (root.contains("lexicon")) catalogue_.lexicon = text_of("", root, "lexicon", "the name of a lexicon");
   if (!root.contains("gestures"))
     problem(document_.place(""), "there is no \"gestures\"; expected gestures by their names");
   else if (expect_object("/gestures", root["gestures"], "gestures by their names", {}))
     for (const auto& [names, entry] : root["gestures"].items()) read_entry(names, below("/gestures", names), entry);
   if (!root.contains("examples")) return std::move(catalogue_);
   const Json& examples = root["examples"];
-  if (!examples.is_array()) mismatch("/examples", examples, "examples, a list");
-  if (examples.is_array() && problems_.empty())
+  if (!examples.is_array()) return mismatch("/examples", examples, "examples, a list"), std::move(catalogue_);
+  catalogue_.examples = examples.size();
+  if (problems_.empty())
     for (std::size_t i = 0; i < examples.size(); ++i) read_example(below("/examples", std::to_string(i)), examples[i]);
   return std::move(catalogue_);
 }

@@ -120,6 +120,28 @@ FileCheck check_phrase_file(std::string_view text, const std::string& path) {
   return check;
 }
 
+bool is_gesture_file(std::string_view, const std::string& path) {
+  const auto file = std::filesystem::absolute(path).lexically_normal();
+  return path.ends_with(".json") && file.parent_path().filename() == "gestures";
+}
+
+// Meanings are terms of the lexicon that the file names, of the knowledge folder that the file is in.
+FileCheck check_gesture_file(std::string_view text, const std::string& path) {
+  const auto gestures = read_gestures(text, path);
+  if (!gestures) return {check_gestures(text, path), {}, ""};
+  std::shared_ptr<const Lexicon> lexicon;
+  if (!gestures->lexicon.empty()) {
+    DataPaths data;
+    data.knowledge = std::filesystem::absolute(path).lexically_normal().parent_path().parent_path();
+    auto named = load_named_lexicon(data, gestures->lexicon, path);
+    if (!named) return {{named.error()}, {}, ""};
+    lexicon = *std::move(named);
+  }
+  return {check_meanings(*gestures, lexicon),
+          {},
+          fmt::format("{}, {}", counted(gestures->entries.size(), "gesture"), counted(gestures->examples, "example"))};
+}
+
 FileCheck check_raising(std::string_view text, const std::string& path) {
   const auto rules = parse_raising(text, path, names_of_terms());
   if (!rules) return {{rules.error()}, {}, ""};
@@ -163,6 +185,7 @@ constexpr std::array file_kinds = {
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "trace"); }, check_trace},
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "run"); }, check_run},
     FileKind{is_lexicon_file, check_lexicon_file},
+    FileKind{is_gesture_file, check_gesture_file},
     FileKind{[](std::string_view text, const std::string& path) {
                return path.ends_with(".json") && text.find("\"phrases\"") != text.npos &&
                       text.find("\"transitions\"") == text.npos;

@@ -225,8 +225,9 @@ TEST_CASE("noun phrases and nouns are kept with their words") {
     }
     return all;
   };
-  CHECK(phrases("please put the shiny red knife in it") ==
-        R"(the shiny red knife = the(\x. red(x) and knife(x)); red knife = \x. red(x) and knife(x); in it = in(it); it = it)");
+  CHECK(
+      phrases("please put the shiny red knife in it") ==
+      R"(the shiny red knife = the(\x. red(x) and knife(x)); red knife = \x. red(x) and knife(x); in it = in(it); it = it)");
   CHECK(phrases("cup") == R"(cup = \x. cup(x))");
   CHECK(phrases("put, um, the cup, there") == R"(the cup = the(\x. cup(x)); cup = \x. cup(x); there = there)");
   CHECK(

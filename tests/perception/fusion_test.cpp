@@ -170,6 +170,20 @@ TEST_CASE("what arrives out of order within the lateness is put in order, later 
   CHECK_FALSE(fusion.due());
 }
 
+TEST_CASE("a sample that is to be understood too releases nothing") {
+  Fusion fusion(window, around_table);
+  CHECK(fusion.receive(speech(1, 1, {{"there", 1, 1.3}}), at(1)));
+  CHECK(fusion.receive(gesture(2, 2, "point"), at(2)));
+  CHECK(brief(fusion.release(at(2))) == "2.00 there [2]");
+  CHECK(fusion.receive(speech(3, 3, {{"there", 3, 3.3}}), at(3)));
+  Percept sample;
+  sample.serial = 4;
+  sample.event = sample_at(3.1, 0, 0);
+  CHECK(fusion.receive(sample, at(3.1)));
+  CHECK(brief(fusion.release(at(3.1))) == "3.10 ");
+  CHECK(brief(fusion.release(at(5))) == "4.30 there [-]");
+}
+
 TEST_CASE("a gesture at the time of a word is received before both are released") {
   Fusion fusion(window, around_table);
   CHECK(fusion.receive(speech(1, 1, {{"there", 1, 1}}), at(1)));

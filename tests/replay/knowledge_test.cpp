@@ -47,6 +47,28 @@ TEST_CASE("every lexicon of the knowledge folder is sound, and its examples are 
   CHECK(lexicons > 0);
 }
 
+TEST_CASE("every gesture of the knowledge folder means a term of its lexicon's words") {
+  const auto data = find_data_paths();
+  REQUIRE(data.ok());
+  const auto lexicon = load_named_lexicon(*data, "english", "");
+  REQUIRE(lexicon.ok());
+  const auto gestures = load_gestures(*data, "tabletop", *lexicon, "");
+  if (!gestures) FAIL(gestures.error().text());
+  CHECK((*gestures)->lexicon == "english");
+  CHECK((*gestures)->examples >= (*gestures)->entries.size());
+  const auto none = load_gestures(*data, "tabeltop", *lexicon, "\"gestures\" of a machine");
+  REQUIRE_FALSE(none.ok());
+  CHECK(
+      none.error().text() ==
+      "\"gestures\" of a machine: there is no gesture catalogue 'tabeltop' (did you mean 'tabletop'?); expected a file "
+      "or one of tabletop");
+  auto wrong = **gestures;
+  wrong.entries.at("grab").meanings[""] = "\\x: e. graps(x)";
+  const auto problems = check_meanings(wrong, *lexicon);
+  REQUIRE(problems.size() == 1);
+  CHECK(problems[0].where == wrong.entries.at("grab").where);
+}
+
 TEST_CASE("the example of the format's page is a sound machine") {
   const auto page = read_file((fs::path(CONTINUA_SOURCE_DIR) / "engine/automaton/FORMAT.md").string()).value();
   const std::string begin = "```json\n";
