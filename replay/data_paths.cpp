@@ -87,6 +87,8 @@ Result<DataPaths> find_data_paths(const std::string& knowledge) {
   return data;
 }
 
+std::string phrases_folder(const DataPaths& data) { return (data.knowledge / "phrases").lexically_normal().string(); }
+
 Result<std::string> resolve_scene(const std::string& name, const DataPaths& data, const fs::path& folder,
                                   const std::string& where) {
   return resolve(name, "scene", data.mjcf / "scenes", ".xml", folder, where);

@@ -1,4 +1,4 @@
-// Where the program's data is: knowledge (machines, lexicon, gestures, voxemes) and MuJoCo models.
+// Where the program's data is: knowledge (machines, lexicon, gestures, phrases, voxemes) and MuJoCo models.
 #pragma once
 
 #include <filesystem>
@@ -15,6 +15,9 @@ struct DataPaths {
 
 /// Also where the path cannot be looked at: then it is none.
 bool is_folder(const std::filesystem::path& path);
+
+/// Of the files that machines name as their phrases.
+std::string phrases_folder(const DataPaths& data);
 
 /// Finds the data without being told: under CONTINUA_HOME (a source tree) if that is set, else in the nearest folder
 /// above the program that holds engine/knowledge and mjcf, else in the tree the program was built from. `knowledge`

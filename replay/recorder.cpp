@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "replay/reading_record.h"
 
 namespace continua {
@@ -26,6 +29,13 @@ Json optional_text(const std::optional<std::string>& text) { return text ? Json(
 
 bool is_empty(const Term& term) {
   return term.is_null() || (term.kind() == Term::Kind::list && term.elements().empty());
+}
+
+Json result_of(double position_error_m, const std::string& reason, const std::vector<std::string>& moved_aside) {
+  Json result{{"position_error_m", rounded(position_error_m, 1e5)}};
+  if (!reason.empty()) result["reason"] = reason;
+  if (!moved_aside.empty()) result["moved_aside"] = moved_aside;
+  return result;
 }
 
 // An operation's name, and what the machine file says of it, unless it is none.
@@ -59,6 +69,11 @@ Json graph_of(const Machine& machine) {
   return {{"states", std::move(states)}, {"start", machine.states[machine.start].name}, {"edges", std::move(edges)}};
 }
 
+int Recorder::write(std::string_view kind, Json fields) {
+  if (measured_) fields["measured"] = true;
+  return log_.write(kind, now_, fields, cause_);
+}
+
 void Recorder::input(const TraceEvent& event, const std::string& symbol) {
   now_ = event.t;
   cause_ = std::nullopt;
@@ -77,14 +92,54 @@ void Recorder::observed(const TraceEvent& event, const Observed& observed) {
 void Recorder::engine(const std::vector<EngineEvent>& events, SimTime t) {
   now_ = t;
   for (const auto& event : events) std::visit([this](const auto& what) { one(what); }, event);
+  measured_ = false;
 }
 
-void Recorder::one(const Perceived& perceived) { input_record_[perceived.serial] = latest_input_; }
+// The end of an act is an input that no line of the trace tells; when it comes is measured.
+void Recorder::one(const Perceived& perceived) {
+  if (perceived.act) {
+    const Act& act = acts_.at(perceived.act);
+    const Json event{{"kind", "act"}, {"act", perceived.act}, {"program", act.program}, {"status", text(act.status)}};
+    measured_ = true;
+    cause_ = act.ended;
+    latest_input_ = write("input", {{"line", nullptr}, {"event", event}, {"symbol", perceived.symbol}});
+    cause_ = latest_input_;
+  }
+  input_record_[perceived.serial] = latest_input_;
+}
+
+void Recorder::one(const Attended& attended) {
+  cause_ = std::nullopt;
+  if (const auto record = input_record_.find(attended.serial); record != input_record_.end()) cause_ = record->second;
+  if (attended.bound.empty() && attended.at == attended.arrived) return;
+  Json bound = Json::array();
+  for (const auto& [words, deixis] : attended.bound)
+    bound.push_back({{"words", fmt::to_string(fmt::join(words, " "))}, {"deixis", fields_of(deixis)}});
+  cause_ = write("percept", {{"waited_s", (attended.at - attended.arrived).seconds()}, {"bound", std::move(bound)}});
+}
+
+Json Recorder::fields_of(const Deixis& deixis) const {
+  return {{"place", {rounded(deixis.place_W.x(), 1e5), rounded(deixis.place_W.y(), 1e5)}},
+          {"from", deixis.from.seconds()},
+          {"until", deixis.until.seconds()},
+          {"hand", deixis.hand.empty() ? Json(nullptr) : Json(deixis.hand)},
+          {"gesture", deixis.gesture},
+          {"spread_m", rounded(deixis.spread_m, 1e5)},
+          {"samples", deixis.samples},
+          {"left_out", deixis.left_out},
+          {"inputs", inputs(deixis.serials)}};
+}
 
 void Recorder::one(const Understood& understood) {
-  const auto& [move, because] = understood;
-  if (const auto referents = referents_of(move)) last_referents_ = *referents;
-  cause_ = write("reading", reading_fields(move, inputs(because)));
+  if (const auto referents = referents_of(understood.move); referents && understood.taken) last_referents_ = *referents;
+  auto fields = reading_fields(understood.move, inputs(understood.because));
+  if (understood.alternative) {
+    fields["alternative"] = *understood.alternative;
+    fields["confidence"] = understood.confidence;
+    fields["taken"] = understood.taken;
+  }
+  const int n = write("reading", fields);
+  if (understood.taken) cause_ = n;
 }
 
 void Recorder::one(const BeliefChange& change) {
@@ -98,28 +153,32 @@ void Recorder::one(const StepEvent& step) {
 void Recorder::one(const Fired& fired) {
   const auto& transition = machine_.transitions[fired.transition];
   Json candidates = Json::array();
-  for (const auto& candidate : fired.candidates)
+  for (const auto& candidate : fired.candidates) {
     candidates.push_back({{"id", machine_.transitions[candidate.transition].id}, {"weight", candidate.weight}});
+    if (fired.alternatives > 1) candidates.back()["alternative"] = candidate.alternative;
+  }
   Json gates = Json::array();
   for (const auto& gate : fired.gates)
     gates.push_back(
         {{"state", machine_.states[gate.state].name}, {"condition", gate.condition}, {"passed", gate.passed}});
-  cause_ = write("transition", {{"id", transition.id},
-                                {"step", fired.step},
-                                {"from", machine_.states[fired.from].name},
-                                {"to", machine_.states[fired.to].name},
-                                {"input", optional_text(fired.input)},
-                                {"operation", Json::parse(fired.operation->source)},
-                                {"weight", transition.weight},
-                                {"probability", fired.probability},
-                                {"draw", fired.draw ? Json(*fired.draw) : Json(nullptr)},
-                                {"forced", fired.forced},
-                                {"candidates", std::move(candidates)},
-                                {"refused", refusals(fired.refused)},
-                                {"gates", std::move(gates)},
-                                {"stack", fired.stack},
-                                {"depth", fired.depth},
-                                {"margin", std::isfinite(fired.margin) ? Json(fired.margin) : Json(nullptr)}});
+  Json fields = {{"id", transition.id},
+                 {"step", fired.step},
+                 {"from", machine_.states[fired.from].name},
+                 {"to", machine_.states[fired.to].name},
+                 {"input", optional_text(fired.input)},
+                 {"operation", Json::parse(fired.operation->source)},
+                 {"weight", transition.weight},
+                 {"probability", fired.probability},
+                 {"draw", fired.draw ? Json(*fired.draw) : Json(nullptr)},
+                 {"forced", fired.forced},
+                 {"candidates", std::move(candidates)},
+                 {"refused", refusals(fired.refused, fired.alternatives)},
+                 {"gates", std::move(gates)},
+                 {"stack", fired.stack},
+                 {"depth", fired.depth},
+                 {"margin", std::isfinite(fired.margin) ? Json(fired.margin) : Json(nullptr)}};
+  if (fired.alternatives > 1) fields["alternative"] = fired.alternative;
+  cause_ = write("transition", fields);
 }
 
 void Recorder::one(const Explored& explored) {
@@ -176,27 +235,37 @@ void Recorder::one(const Said& said) {
 }
 
 void Recorder::one(const Gestured& gestured) {
-  const int n = write("gesture", {{"gesture", print(gestured.term)}, {"because", inputs(gestured.because)}});
-  pending_ = {0, n, print(gestured.term), true, ActReport::Status::started};
+  write("gesture", {{"gesture", print(gestured.term)}, {"because", inputs(gestured.because)}});
 }
+
+void Recorder::one(const Unplanned& unplanned) { write("problem", {{"line", nullptr}, {"message", unplanned.reason}}); }
 
 void Recorder::one(const Acted& acted) {
   last_act_ = print(acted.term);
-  const int number = ++act_count_;
-  const int n =
-      write("act", {{"act", number}, {"program", last_act_}, {"status", "asked"}, {"because", inputs(acted.because)}});
-  pending_ = {number, n, last_act_, false, ActReport::Status::started};
+  const int number = static_cast<int>(acts_.size()) + 1;
+  const Json fields{{"act", number}, {"program", last_act_}, {"status", "asked"}, {"because", inputs(acted.because)}};
+  acts_[number] = {write("act", fields), last_act_};
 }
 
-void Recorder::one(const Commanded& commanded) { acts_[commanded.command.id] = pending_; }
+void Recorder::write_act(int number, const std::string& status, Json more, SimTime t) {
+  Json fields{{"act", number}, {"program", acts_.at(number).program}, {"status", status}};
+  for (auto& [key, value] : more.items()) fields[key] = std::move(value);
+  acts_.at(number).ended = log_.write("act", t, fields, acts_.at(number).record);
+}
 
-void Recorder::one(const Unplanned& unplanned) {
-  log_.write("act", now_,
-             {{"act", pending_.number},
-              {"program", pending_.program},
-              {"status", "blocked"},
-              {"result", {{"reason", unplanned.reason}}}},
-             pending_.record);
+void Recorder::one(const ActStep& step) {
+  if (step.step == 1) write_act(step.act, "started", Json::object(), now_);
+  if (step.command)
+    steps_[step.command->id] = step;
+  else
+    write_act(step.act, "done",
+              {{"step", step.step}, {"program", print(step.program)}, {"result", {{"reason", step.reason}}}}, now_);
+}
+
+void Recorder::one(const ActEnd& end) {
+  acts_.at(end.act.number).status = end.status;
+  write_act(end.act.number, text(end.status),
+            {{"result", result_of(end.position_error_m, end.reason, end.moved_aside)}}, now_);
 }
 
 void Recorder::one(const Remembered& remembered) {
@@ -207,7 +276,7 @@ void Recorder::one(const RefusedInput& refused) {
   write("refusal", {{"state", machine_.states[refused.state].name},
                     {"input", refused.input},
                     {"reason", refused.reason},
-                    {"refused", refusals(refused.refused)}});
+                    {"refused", refusals(refused.refused, refused.alternatives)}});
 }
 
 void Recorder::one(const Trouble& trouble) { write("problem", {{"line", nullptr}, {"message", trouble.message}}); }
@@ -258,18 +327,12 @@ void Recorder::finish() {
 }
 
 void Recorder::report(const ActReport& report) {
-  const auto found = acts_.find(report.id);
-  if (found == acts_.end()) return;
-  auto& act = found->second;
-  act.status = report.status;
-  if (act.gesture) return;
-  Json fields{{"act", act.number}, {"program", act.program}, {"status", text(report.status)}};
-  if (report.status != ActReport::Status::started) {
-    fields["result"] = {{"position_error_m", rounded(report.position_error_m, 1e5)}};
-    if (!report.reason.empty()) fields["result"]["reason"] = report.reason;
-    if (!report.moved_aside.empty()) fields["result"]["moved_aside"] = report.moved_aside;
-  }
-  log_.write("act", report.t, fields, act.record);
+  const auto found = steps_.find(report.id);
+  if (found == steps_.end()) return;
+  Json more{{"step", found->second.step}, {"program", print(found->second.program)}};
+  if (report.status != ActReport::Status::started)
+    more["result"] = result_of(report.position_error_m, report.reason, report.moved_aside);
+  write_act(found->second.act, text(report.status), std::move(more), report.t);
 }
 
 void Recorder::expectation(const TraceEvent& event, bool met, const Json& found) {
@@ -285,10 +348,12 @@ void Recorder::problem(std::size_t line, const std::string& message, SimTime t) 
   log_.write("problem", t, {{"line", line}, {"message", message}});
 }
 
-Json Recorder::refusals(const std::vector<Refused>& refused) const {
+Json Recorder::refusals(const std::vector<Refused>& refused, std::size_t alternatives) const {
   Json list = Json::array();
-  for (const auto& one : refused)
+  for (const auto& one : refused) {
     list.push_back({{"id", machine_.transitions[one.transition].id}, {"reason", one.reason}});
+    if (alternatives > 1) list.back()["alternative"] = one.alternative;
+  }
   return list;
 }
 

@@ -20,8 +20,13 @@ Json run_fields(const RunHeader& header) {
       {"fingerprint", header.fingerprint},
       {"machine",
        {{"name", header.machine_name}, {"digest", header.machine_digest}, {"document", header.machine_document}}},
+      {"phrases", header.phrases_name.empty() ? Json(nullptr)
+                                              : Json{{"name", header.phrases_name},
+                                                     {"digest", header.phrases_digest},
+                                                     {"document", header.phrases_document}}},
       {"lexicon", header.lexicon_name.empty() ? Json(nullptr)
                                               : Json{{"name", header.lexicon_name}, {"digest", header.lexicon_digest}}},
+      {"voxemes", header.voxemes_digest.empty() ? Json(nullptr) : Json{{"digest", header.voxemes_digest}}},
       {"graph", header.graph},
       {"scene", std::move(scene)}};
 }

@@ -13,6 +13,13 @@ constexpr std::array<std::pair<Choice, std::string_view>, 4> names = {{
     {Choice::explore, "explore"},
 }};
 
+// Candidates of one input stand together.
+bool several_for_one(const std::vector<Candidate>& candidates) {
+  return std::adjacent_find(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+           return a.alternative == b.alternative;
+         }) != candidates.end();
+}
+
 }  // namespace
 
 std::optional<Choice> parse_choice(std::string_view name) {
@@ -35,13 +42,15 @@ std::string choice_names() {
 }
 
 std::optional<Chosen> Chooser::choose(const std::vector<Candidate>& candidates) {
+  const auto lighter = [](const Candidate& a, const Candidate& b) { return a.weight < b.weight; };
   const auto wanted = forced.find(steps + 1);
   auto chosen = candidates.end();
   if (wanted != forced.end())
-    chosen = std::find_if(candidates.begin(), candidates.end(),
-                          [&](const Candidate& one) { return one.transition == wanted->second; });
+    for (auto one = candidates.begin(); one != candidates.end(); ++one)
+      if (one->transition == wanted->second && (chosen == candidates.end() || lighter(*chosen, *one))) chosen = one;
   const bool is_forced = chosen != candidates.end();
-  if (candidates.empty() || (!is_forced && policy == Choice::unique && candidates.size() > 1)) return std::nullopt;
+  if (candidates.empty() || (!is_forced && policy == Choice::unique && several_for_one(candidates)))
+    return std::nullopt;
 
   double total = 0;
   for (const auto& candidate : candidates) total += candidate.weight;
@@ -54,11 +63,10 @@ std::optional<Chosen> Chooser::choose(const std::vector<Candidate>& candidates) 
     for (chosen = candidates.begin(); chosen + 1 != candidates.end(); ++chosen)
       if ((passed += chosen->weight) > *draw * total) break;
   } else {
-    chosen = std::max_element(candidates.begin(), candidates.end(),
-                              [](const auto& a, const auto& b) { return a.weight < b.weight; });
+    chosen = std::max_element(candidates.begin(), candidates.end(), lighter);
   }
   ++steps;
-  return Chosen{chosen->transition, total > 0 ? chosen->weight / total : 1, draw, is_forced};
+  return Chosen{chosen->transition, chosen->weight / total, draw, is_forced, chosen->alternative};
 }
 
 }  // namespace continua

@@ -12,9 +12,9 @@
 namespace continua {
 
 enum class Choice {
-  likeliest,  ///< the heaviest; ties by file order
+  likeliest,  ///< the heaviest; ties by alternative, then file order
   sample,     ///< a seeded draw by weight
-  unique,     ///< the only one; of several, none
+  unique,     ///< an input's only one; of several for the same input, none; of several inputs, the heaviest's
   explore,    ///< all of them: automaton/exploration.h
 };
 
@@ -24,8 +24,9 @@ std::string text(Choice choice);
 std::string choice_names();
 
 struct Candidate {
-  std::size_t transition = 0;  ///< index in Machine::transitions
-  double weight = 1;           ///< the transition's times the input's confidence; > 0
+  std::size_t transition = 0;   ///< index in Machine::transitions
+  double weight = 1;            ///< the transition's times the input's confidence; > 0
+  std::size_t alternative = 0;  ///< which of the inputs offered it takes
 };
 
 struct Chosen {
@@ -33,6 +34,7 @@ struct Chosen {
   double probability = 1;      ///< its share of all weights
   std::optional<double> draw;  ///< in [0, 1), where one was needed
   bool forced = false;
+  std::size_t alternative = 0;  ///< which of the inputs offered it takes
 };
 
 /// Takes the decisions of a run, one after another: a value that remembers how many it took.
@@ -42,8 +44,9 @@ struct Chooser {
   std::map<int, std::size_t> forced;  ///< step → transition; what has been taken is erased
   int steps = 0;                      ///< transitions chosen so far; the first is step 1
 
-  /// `candidates` in file order. Nothing where there is none, or under `unique` more than one. A transition that is
-  /// forced at this step is taken if it is among them; if not, it stays in `forced` and the policy decides.
+  /// `candidates` by alternative, then in file order. Nothing where there is none, or under `unique` more than one for
+  /// the same input. A transition that is forced at this step is taken if it is among them, for the input that makes it
+  /// heaviest; if not, it stays in `forced` and the policy decides.
   /// Under `explore` the heaviest is taken, since a single one is asked for.
   std::optional<Chosen> choose(const std::vector<Candidate>& candidates);
 };

@@ -28,12 +28,12 @@ class Explorer::Work {
     result_.after.next_branch = 1;
   }
 
-  void offer(const Branch& branch, const Input& input) {
+  void offer(const Branch& branch, std::span<const Input> inputs) {
     Node from;
     from.branch = branch;
     from.branch.by.clear();
     from.branch.parent = branch.id;
-    if (!fire_all(from, &input)) result_.dropped.push_back(branch.id);
+    if (!fire_all(from, inputs)) result_.dropped.push_back(branch.id);
   }
 
   // ε-transitions; those that are reached on the way are tried in their turn, but not endlessly.
@@ -48,7 +48,7 @@ class Explorer::Work {
         continue;
       }
       const Node from = nodes_[i];
-      nodes_[i].branch.settled = !fire_all(from, nullptr);
+      nodes_[i].branch.settled = !fire_all(from, {});
     }
   }
 
@@ -84,18 +84,18 @@ class Explorer::Work {
   };
 
   // Fires everything that applies in `from`, each on a copy. Returns whether anything did.
-  bool fire_all(const Node& from, const Input* input) {
+  bool fire_all(const Node& from, std::span<const Input> inputs) {
     const auto& configuration = from.branch.configuration;
     std::vector<StepEvent> unused;
-    const auto found = stepper_.firing(configuration, input, beliefs_, &unused).applicable();
+    const auto found = stepper_.firing(configuration, inputs, beliefs_, &unused).applicable();
     double total = 0;
     for (const auto& candidate : found.candidates) total += candidate.weight;
     bool any = false;
     for (const auto& candidate : found.candidates) {
       Node node = from;
       node.branch.configuration.next_symbol = result_.after.next_symbol;
-      auto firing = stepper_.firing(std::move(node.branch.configuration), input, beliefs_, &node.events);
-      const Chosen chosen{candidate.transition, candidate.weight / total, std::nullopt, false};
+      auto firing = stepper_.firing(std::move(node.branch.configuration), inputs, beliefs_, &node.events);
+      const Chosen chosen{candidate.transition, candidate.weight / total, std::nullopt, false, candidate.alternative};
       const auto settles = firing.fire(chosen, found, ++result_.after.steps);
       if (!settles) continue;
       any = true;
@@ -159,9 +159,10 @@ ExplorationStep Explorer::begin(const Beliefs& beliefs) {
   return std::move(work).result();
 }
 
-ExplorationStep Explorer::step(const Exploration& before, const Input& input, const Beliefs& beliefs) {
+ExplorationStep Explorer::step(const Exploration& before, std::span<const Input> inputs, const Beliefs& beliefs) {
+  require(!inputs.empty(), "an input is offered");
   Work work(stepper_, limit_, beliefs, before);
-  for (const auto& branch : before.branches) work.offer(branch, input);
+  for (const auto& branch : before.branches) work.offer(branch, inputs);
   if (!work.nothing()) {
     work.close();
     return std::move(work).result();
@@ -169,9 +170,8 @@ ExplorationStep Explorer::step(const Exploration& before, const Input& input, co
   ExplorationStep refused;
   refused.after = before;
   const auto& leading = before.branches.front().configuration;
-  auto found = stepper_.firing(leading, &input, beliefs, &refused.events).applicable();
-  const auto reason = refusal_reason(stepper_.machine(), leading.state, found, input);
-  refused.events.push_back(RefusedInput{leading.state, input.symbol, reason, std::move(found.refused)});
+  auto found = stepper_.firing(leading, inputs, beliefs, &refused.events).applicable();
+  refused.events.push_back(refusal(stepper_.machine(), leading.state, std::move(found), inputs));
   return refused;
 }
 

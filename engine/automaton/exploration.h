@@ -45,8 +45,12 @@ class Explorer {
   Explorer(Stepper& stepper, std::size_t limit) : stepper_(stepper), limit_(limit) {}
 
   ExplorationStep begin(const Beliefs& beliefs);
-  /// If no configuration takes the input it is refused and the set stays.
-  ExplorationStep step(const Exploration& before, const Input& input, const Beliefs& beliefs);
+  /// Of several inputs every one is taken, weighed with its confidence. If no configuration takes any, they are refused
+  /// and the set stays. REQUIRES an input.
+  ExplorationStep step(const Exploration& before, std::span<const Input> inputs, const Beliefs& beliefs);
+  ExplorationStep step(const Exploration& before, const Input& input, const Beliefs& beliefs) {
+    return step(before, std::span(&input, 1), beliefs);
+  }
 
  private:
   class Work;

@@ -13,23 +13,28 @@ namespace continua {
 Applicable Firing::applicable() {
   Applicable found;
   const auto& exits = machine_.exits[configuration_.state];
-  const auto* takers = input_ ? exits.on(input_->symbol) : &exits.epsilon;
-  const bool may_take = !takers;  // by prefix alone
-  for (const auto index : may_take ? exits.by_prefix : *takers) {
-    const auto& transition = machine_.transitions[index];
-    if (may_take && !transition.on->contains(input_->symbol)) continue;
-    const double weight = transition.weight * (input_ ? input_->confidence : 1);
-    if (!transition.when) {
-      found.candidates.push_back({index, weight});
-      continue;
+  std::size_t alternative = 0;
+  do {
+    if (inputs_.size() > 1) take_input(alternative);
+    const auto* takers = input_ ? exits.on(input_->symbol) : &exits.epsilon;
+    const bool may_take = !takers;  // by prefix alone
+    for (const auto index : may_take ? exits.by_prefix : *takers) {
+      const auto& transition = machine_.transitions[index];
+      if (may_take && !transition.on->contains(input_->symbol)) continue;
+      const double weight = transition.weight * (input_ ? input_->confidence : 1);
+      if (!(weight > 0)) continue;
+      if (!transition.when) {
+        found.candidates.push_back({index, weight, alternative});
+        continue;
+      }
+      auto evaluation = evaluate();
+      if (evaluation.value(*transition.when).is_true())
+        found.candidates.push_back({index, weight, alternative});
+      else if (account_)
+        found.refused.push_back({index, why_not(*transition.when, machine_, evaluation), alternative});
+      found.margin = std::min(found.margin, evaluation.margin);
     }
-    auto evaluation = evaluate();
-    if (evaluation.value(*transition.when).is_true())
-      found.candidates.push_back({index, weight});
-    else if (account_)
-      found.refused.push_back({index, why_not(*transition.when, machine_, evaluation)});
-    found.margin = std::min(found.margin, evaluation.margin);
-  }
+  } while (++alternative < inputs_.size());
   return found;
 }
 
@@ -52,6 +57,7 @@ std::optional<Entry> Firing::entry(const Transition& transition) {
 }
 
 std::optional<bool> Firing::fire(const Chosen& chosen, Applicable found, int step) {
+  if (inputs_.size() > 1) take_input(chosen.alternative);
   const auto& transition = machine_.transitions[chosen.transition];
   auto where = entry(transition);
   if (!where) {
@@ -63,7 +69,8 @@ std::optional<bool> Firing::fire(const Chosen& chosen, Applicable found, int ste
     note(Fired{chosen.transition, step, configuration_.state, where->state,
                input_ ? std::optional(input_->symbol) : std::nullopt, where->operation, std::move(found.candidates),
                std::move(found.refused), std::move(where->gates), chosen.probability, chosen.draw, chosen.forced,
-               configuration_.stack.id(), configuration_.stack.depth(), std::min(found.margin, where->margin)});
+               configuration_.stack.id(), configuration_.stack.depth(), std::min(found.margin, where->margin),
+               chosen.alternative, inputs_.size()});
   bool settles = machine_.epsilon_always || where->operation->is_rewrite();
   if (!where->rejected && perform_and_rewrite(transition.effects)) settles = true;
   enter(where->state);
@@ -78,7 +85,16 @@ void Firing::enter(StateIndex state) {
         configuration_.history.entered(machine_.landmark[state], machine_.landmarks, configuration_.stack);
 }
 
-void Firing::forget_input() { input_ = nullptr; }
+void Firing::take_input(std::size_t alternative) {
+  input_ = &inputs_[alternative];
+  serial_ = input_->serial;
+  now_s_ = input_->now_s;
+}
+
+void Firing::forget_input() {
+  inputs_ = {};
+  input_ = nullptr;
+}
 
 Term Firing::value(const Term& term) {
   auto evaluation = evaluate();
@@ -143,8 +159,20 @@ bool Firing::perform_all(const std::vector<Effect>& effects) {
 bool Firing::perform_one(const Say& say) {
   if (!account_) return false;
   begin_because();
-  auto evaluation = evaluate();
-  if (const auto words = fill_template(say.text, {}, evaluation)) note(Said{*words, because()});
+  for (const auto& one : say.cases) {
+    auto condition = evaluate();
+    if (one.when && !condition.value(*one.when).is_true()) continue;
+    Said said;
+    for (const auto& variant : one.variants) {
+      auto evaluation = evaluate();
+      if (auto words = fill_template(variant, {}, evaluation)) said.variants.push_back(std::move(*words));
+    }
+    if (said.variants.empty()) break;
+    said.text = said.variants.front();
+    said.because = because();
+    note(std::move(said));
+    break;
+  }
   return false;
 }
 bool Firing::perform_one(const Gesture& gesture) {

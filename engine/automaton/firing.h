@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace continua {
 
 /// The transitions of a head that may fire, and those that its conditions refuse.
 struct Applicable {
-  std::vector<Candidate> candidates;  ///< in file order
+  std::vector<Candidate> candidates;  ///< by alternative, then in file order
   std::vector<Refused> refused;       ///< empty without an account
   double margin = std::numeric_limits<double>::infinity();
 };
@@ -37,25 +38,22 @@ struct Entry {
   double margin = std::numeric_limits<double>::infinity();
 };
 
-/// A configuration and an input under which things happen.
+/// A configuration and the inputs under which things happen: one, or alternatives of which one is taken.
 class Firing {
  public:
-  /// `rules`: what names compute. `input`: nullptr for ε. `account` takes what happens; without
-  /// one nothing is put into words. All must outlive the firing.
-  Firing(const Machine& machine, const RuleTable& rules, Configuration configuration, const Input* input,
+  /// `rules`: what names compute. `inputs`: none for ε; the first counts until one is taken. `account` takes what
+  /// happens; without one nothing is put into words. All must outlive the firing.
+  Firing(const Machine& machine, const RuleTable& rules, Configuration configuration, std::span<const Input> inputs,
          std::vector<StepEvent>* account)
-      : machine_(machine),
-        rules_(rules),
-        configuration_(std::move(configuration)),
-        input_(input),
-        serial_(input ? input->serial : 0),
-        now_s_(input ? std::optional(input->now_s) : std::nullopt),
-        account_(account) {}
+      : machine_(machine), rules_(rules), configuration_(std::move(configuration)), inputs_(inputs), account_(account) {
+    if (!inputs_.empty()) take_input(0);
+  }
 
   const Configuration& configuration() const { return configuration_; }
   Configuration take() && { return std::move(configuration_); }
 
-  /// Those that take the input, or the ε-transitions where there is none.
+  /// Those that take one of the inputs, or the ε-transitions where there is none. An input of confidence 0 is taken by
+  /// none.
   Applicable applicable();
   /// Fires a transition: its gates, its operation, its effects, the entry of the state. Returns whether ε-transitions
   /// are to be tried now; nothing if the gates refuse one another in a circle, and then nothing has changed.
@@ -77,6 +75,7 @@ class Firing {
   void enter(StateIndex state);
 
  private:
+  void take_input(std::size_t alternative);
   Evaluation evaluate();
   const Term* look_up(Name name);
   const Term* read(const Cell& cell);
@@ -99,9 +98,10 @@ class Firing {
   const Machine& machine_;
   const RuleTable& rules_;
   Configuration configuration_;
-  const Input* input_;
+  std::span<const Input> inputs_;
+  const Input* input_ = nullptr;
   // Of the input that brought all this about, also once it is used up; 0 and nullopt: there was none.
-  int serial_;
+  int serial_ = 0;
   std::optional<double> now_s_;
   std::vector<StepEvent>* account_;
   std::set<int> because_;  ///< inputs that what is being computed came from

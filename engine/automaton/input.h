@@ -17,7 +17,11 @@ struct Input {
 
   Term target;   ///< loc: where it points
   Term said;     ///< text: its words
+  Term gesture;  ///< text: the name of the gesture
   Term pointed;  ///< loc: where the human pointed last, if that was just now
+
+  Term act;     ///< t: of the end of an act, its program
+  Term reason;  ///< text: of the end of an act, why it went so; null if there is nothing to tell
 
   // Of what was understood, by machines with a lexicon (automaton/FORMAT.md, Understanding).
   Term move;       ///< text: what kind of move it is: 'V', 'N', 'δ', …

@@ -62,8 +62,14 @@ struct Template {
 
 struct Effect;
 
+/// Ways to say the same, at least one.
+struct SayCase {
+  std::optional<Term> when;
+  std::vector<Template> variants;
+};
+/// The first case whose condition holds is said; where none does, nothing.
 struct Say {
-  Template text;
+  std::vector<SayCase> cases;
 };
 struct Gesture {
   Term term;
@@ -176,6 +182,11 @@ struct ContextTerms {
   std::optional<Term> topic;  ///< e -> t: the noun that "one" stands for
 };
 
+/// How far apart in time what belongs together may be, in seconds (perception/fusion.h).
+struct FusionTimes {
+  double before_s = 2, after_s = 1, lateness_s = 0;
+};
+
 struct Machine {
   std::string name;
   std::string document;  ///< the file, compact JSON
@@ -200,7 +211,11 @@ struct Machine {
   std::map<std::string, std::map<std::string, Term, std::less<>>, std::less<>> tables;
   std::vector<Wording> wordings;
   BeliefTable beliefs;
-  std::string lexicon;  ///< with which speech is read; empty: words are only symbols
+  std::string lexicon;                ///< with which speech is read; empty: words are only symbols
+  std::string gestures;               ///< the catalogue with which gestures are read; empty: they are only symbols
+  std::string phrases;                ///< the file of what it says beside what stands in its own; empty: none
+  std::string phrase_document;        ///< that file, compact JSON
+  std::optional<FusionTimes> fusion;  ///< nullopt: nothing waits for what may go with it
   ContextTerms context;
   std::vector<MoveKind> moves;
   SymbolSet ignored;  ///< inputs that no transition is offered

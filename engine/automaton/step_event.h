@@ -13,7 +13,8 @@ namespace continua {
 
 struct Refused {
   std::size_t transition = 0;
-  std::string reason;  ///< the first part of its condition that does not hold, with the values it saw
+  std::string reason;           ///< the first part of its condition that does not hold, with the values it saw
+  std::size_t alternative = 0;  ///< which of the inputs offered it would have taken
 };
 
 struct GateTest {
@@ -36,7 +37,9 @@ struct Fired {
   bool forced = false;
   int stack = 0;
   std::size_t depth = 0;
-  double margin = 0;  ///< infinity when nothing was compared
+  double margin = 0;             ///< infinity when nothing was compared
+  std::size_t alternative = 0;   ///< which of the inputs offered was taken
+  std::size_t alternatives = 0;  ///< how many were; 0: ε
 };
 
 struct MadeSymbol {
@@ -55,7 +58,8 @@ struct Applied {
   std::vector<int> because;
 };
 struct Said {
-  std::string text;
+  std::string text;                   ///< one of `variants`, the first unless someone chose
+  std::vector<std::string> variants;  ///< all ways to say it
   std::vector<int> because;
 };
 struct Gestured {
@@ -72,8 +76,10 @@ struct Remembered {
 };
 struct RefusedInput {
   StateIndex state = 0;
-  std::string input, reason;
+  std::string input;   ///< the first of those offered
+  std::string reason;  ///< where several were offered, one for each
   std::vector<Refused> refused;
+  std::size_t alternatives = 1;  ///< how many inputs were offered
 };
 /// Something in the machine that cannot be carried out as written, such as an ε-cycle.
 struct Trouble {

@@ -34,10 +34,10 @@ Stepper::Stepper(std::shared_ptr<const Machine> machine, const Rules& methods, c
   rules_.emplace(std::initializer_list<const Rules*>{&term_rules(), &methods, &own_rules_}, raising);
 }
 
-Firing Stepper::firing(Configuration configuration, const Input* input, const Beliefs& beliefs,
+Firing Stepper::firing(Configuration configuration, std::span<const Input> inputs, const Beliefs& beliefs,
                        std::vector<StepEvent>* account) {
   beliefs_ = &beliefs;
-  return {*machine_, *rules_, std::move(configuration), input, account};
+  return {*machine_, *rules_, std::move(configuration), inputs, account};
 }
 
 Configuration Stepper::initial() const {
@@ -57,24 +57,25 @@ Step Stepper::begin(const Beliefs& beliefs, Chooser& chooser) {
   Step step;
   auto configuration = initial();
   step.events.push_back(MadeSymbol{configuration.stack.id(), std::nullopt, configuration.stack.top()});
-  auto firing = this->firing(std::move(configuration), nullptr, beliefs, &step.events);
+  auto firing = this->firing(std::move(configuration), std::span<const Input>(), beliefs, &step.events);
   if (machine_->epsilon_always) settle(firing, chooser, &step.events);
   step.after = std::move(firing).take();
   return step;
 }
 
-Step Stepper::step(const Configuration& before, const Input& input, const Beliefs& beliefs, Chooser& chooser) {
+Step Stepper::step(const Configuration& before, std::span<const Input> inputs, const Beliefs& beliefs,
+                   Chooser& chooser) {
   Step step;
-  auto firing = this->firing(before, &input, beliefs, &step.events);
-  offer(firing, input, chooser, &step.events);
+  auto firing = this->firing(before, inputs, beliefs, &step.events);
+  offer(firing, inputs, chooser, &step.events);
   step.after = std::move(firing).take();
   return step;
 }
 
-std::optional<Configuration> Stepper::advance(const Configuration& before, const Input& input, const Beliefs& beliefs,
-                                              Chooser& chooser) {
-  auto firing = this->firing(before, &input, beliefs, nullptr);
-  if (!offer(firing, input, chooser, nullptr)) return std::nullopt;
+std::optional<Configuration> Stepper::advance(const Configuration& before, std::span<const Input> inputs,
+                                              const Beliefs& beliefs, Chooser& chooser) {
+  auto firing = this->firing(before, inputs, beliefs, nullptr);
+  if (!offer(firing, inputs, chooser, nullptr)) return std::nullopt;
   return std::move(firing).take();
 }
 
@@ -82,24 +83,24 @@ Cell Stepper::value(const Term& term, const Configuration& configuration, const 
   return firing(configuration, &input, beliefs, nullptr).compute(term);
 }
 
-bool Stepper::offer(Firing& firing, const Input& input, Chooser& chooser, std::vector<StepEvent>* account) {
+bool Stepper::offer(Firing& firing, std::span<const Input> inputs, Chooser& chooser, std::vector<StepEvent>* account) {
+  require(!inputs.empty(), "an input is offered");
   auto found = firing.applicable();
   const auto chosen = chooser.choose(found.candidates);
+  const auto state = firing.configuration().state;
   if (!chosen) {
-    const auto state = firing.configuration().state;
-    if (account)
-      account->push_back(
-          RefusedInput{state, input.symbol, refusal_reason(*machine_, state, found, input), std::move(found.refused)});
+    if (account) account->push_back(refusal(*machine_, state, std::move(found), inputs));
     return false;
   }
   const auto settles = firing.fire(*chosen, std::move(found), chooser.steps);
   if (!settles) {
     if (account)
-      account->push_back(RefusedInput{firing.configuration().state,
-                                      input.symbol,
+      account->push_back(RefusedInput{state,
+                                      inputs[chosen->alternative].symbol,
                                       fmt::format("the gates that {} leads to refuse one another in a circle",
                                                   machine_->transitions[chosen->transition].id),
-                                      {}});
+                                      {},
+                                      inputs.size()});
     return false;
   }
   firing.forget_input();
@@ -141,14 +142,25 @@ void Stepper::settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* a
   }
 }
 
-std::string refusal_reason(const Machine& machine, StateIndex state, const Applicable& found, const Input& input) {
-  if (found.candidates.size() > 1) {
+RefusedInput refusal(const Machine& machine, StateIndex state, Applicable found, std::span<const Input> inputs) {
+  const auto reason = [&](std::size_t alternative) -> std::string {
     std::vector<std::string> ids;
-    for (const auto& candidate : found.candidates) ids.push_back(machine.transitions[candidate.transition].id);
-    return fmt::format("more than one transition applies: {}", fmt::join(ids, ", "));
-  }
-  if (!found.refused.empty()) return "no transition's condition holds";
-  return fmt::format("no transition from {} takes '{}'", machine.states[state].name, input.symbol);
+    for (const auto& candidate : found.candidates)
+      if (candidate.alternative == alternative) ids.push_back(machine.transitions[candidate.transition].id);
+    if (ids.size() > 1) return fmt::format("more than one transition applies: {}", fmt::join(ids, ", "));
+    if (ids.size() == 1) return fmt::format("{} applies, but another input is not unique", ids.front());
+    if (std::any_of(found.refused.begin(), found.refused.end(),
+                    [&](const Refused& one) { return one.alternative == alternative; }))
+      return "no transition's condition holds";
+    const auto& input = inputs[alternative];
+    if (!(input.confidence > 0)) return "its confidence is 0";
+    return fmt::format("no transition from {} takes '{}'", machine.states[state].name, input.symbol);
+  };
+  std::vector<std::string> reasons;
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    reasons.push_back(inputs.size() == 1 ? reason(i) : fmt::format("'{}': {}", inputs[i].symbol, reason(i)));
+  return {state, inputs.front().symbol, fmt::format("{}", fmt::join(reasons, "; ")), std::move(found.refused),
+          inputs.size()};
 }
 
 }  // namespace continua

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "automaton/firing.h"
@@ -34,24 +35,38 @@ class Stepper {
   /// `initial()`; then ε-transitions, where the machine always tries them.
   Step begin(const Beliefs& beliefs, Chooser& chooser);
 
-  /// Offers an input. If no transition takes it the configuration stays and the events end with RefusedInput.
-  Step step(const Configuration& before, const Input& input, const Beliefs& beliefs, Chooser& chooser);
+  /// Offers inputs of which one is to be taken: alternatives, such as the n best guesses of a recogniser; REQUIRES one
+  /// at least. What takes any of them is a candidate, with the weight that the confidence of its input gives it. If
+  /// nothing does, the configuration stays and the events end with RefusedInput.
+  Step step(const Configuration& before, std::span<const Input> inputs, const Beliefs& beliefs, Chooser& chooser);
+  Step step(const Configuration& before, const Input& input, const Beliefs& beliefs, Chooser& chooser) {
+    return step(before, std::span(&input, 1), beliefs, chooser);
+  }
 
   /// The same without an account of what happened, which takes a fraction of the time: nothing is said or done, only
-  /// the configuration changes. Nothing if the input is refused.
+  /// the configuration changes. Nothing if all inputs are refused.
+  std::optional<Configuration> advance(const Configuration& before, std::span<const Input> inputs,
+                                       const Beliefs& beliefs, Chooser& chooser);
   std::optional<Configuration> advance(const Configuration& before, const Input& input, const Beliefs& beliefs,
-                                       Chooser& chooser);
+                                       Chooser& chooser) {
+    return advance(before, std::span(&input, 1), beliefs, chooser);
+  }
 
   /// The value of a term of the machine in a configuration, and the inputs it came from.
   Cell value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs);
 
-  /// For those who choose and keep configurations themselves. `input`, `beliefs` and `account` must outlive it, and
-  /// firings of one stepper must not overlap under different beliefs.
-  Firing firing(Configuration configuration, const Input* input, const Beliefs& beliefs,
+  /// For those who choose and keep configurations themselves. `inputs`: none for ε. They, `beliefs` and `account` must
+  /// outlive it, and firings of one stepper must not overlap under different beliefs.
+  Firing firing(Configuration configuration, std::span<const Input> inputs, const Beliefs& beliefs,
                 std::vector<StepEvent>* account);
+  /// `input`: nullptr for ε.
+  Firing firing(Configuration configuration, const Input* input, const Beliefs& beliefs,
+                std::vector<StepEvent>* account) {
+    return firing(std::move(configuration), std::span(input, input ? 1 : 0), beliefs, account);
+  }
 
  private:
-  bool offer(Firing& firing, const Input& input, Chooser& chooser, std::vector<StepEvent>* account);
+  bool offer(Firing& firing, std::span<const Input> inputs, Chooser& chooser, std::vector<StepEvent>* account);
   void settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* account);
 
   std::shared_ptr<const Machine> machine_;
@@ -60,7 +75,7 @@ class Stepper {
   const Beliefs* beliefs_ = nullptr;  ///< those of the step under way
 };
 
-/// Why an input was refused: what no transition takes, or what their conditions say.
-std::string refusal_reason(const Machine& machine, StateIndex state, const Applicable& found, const Input& input);
+/// Inputs that were refused, and why: what no transition takes, what their conditions say, or too many that apply.
+RefusedInput refusal(const Machine& machine, StateIndex state, Applicable found, std::span<const Input> inputs);
 
 }  // namespace continua

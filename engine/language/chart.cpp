@@ -50,6 +50,7 @@ void Chart::look_up(const std::vector<Word>& words) {
       text += (count > 1 ? " " : "") + words[begin + count - 1].text;
       const auto* entry = vocabulary_.find(text);
       words_[begin].push_back({});
+      if (count == 1 && !words[begin].name.senses.empty()) words_[begin].back().push_back(&words[begin].name);
       if (!entry) continue;
       words_[begin].back().push_back(entry);
       if (entry->skip) skippable_[begin].push_back({count, *entry->skip});

@@ -37,6 +37,7 @@ class Chart {
   struct Word {
     std::string text;
     bool before_unknown = false;  ///< words that are not known stood after it: "the" has lost its noun
+    WordEntry name = {};          ///< what it can be besides, as a name that nobody knows
   };
 
   Chart(const std::vector<Word>& words, const Vocabulary& vocabulary);

@@ -137,7 +137,8 @@ class Interpreter {
   Meaning meaning_of(const Term& term, const Type& wanted) {
     if (referring_.is_phrase(term, enclosing_))
       return phrase(
-          term, [this, term] { return referring_.meant(term); }, wanted);
+          term, [this, term, occurrence = next_occurrence(term)] { return referring_.meant(term, occurrence); },
+          wanted);
     switch (term.kind()) {
       case Term::Kind::apply: {
         if (is_each(term.function())) return each(term.argument(), wanted);
@@ -263,6 +264,9 @@ class Interpreter {
     };
   }
 
+  // Phrases are met in the order of their words.
+  std::size_t next_occurrence(const Term& term) { return times_said(term) > 1 ? occurrences_[term]++ : 0; }
+
   std::size_t times_said(const Term& term) const {
     return static_cast<std::size_t>(std::count_if(reading_.phrases.begin(), reading_.phrases.end(),
                                                   [&](const Phrase& phrase) { return phrase.term == term; }));
@@ -287,6 +291,7 @@ class Interpreter {
       for (const auto& each : meant.values) meant.gap->choices.push_back(each.name());
       meant.resolution.value = Term();
     }
+    if (!meant.there.empty()) referring_.not_it(meant.there);
     if (!meant.gap && meant.resolution.by != By::presence)
       for (const auto& value : meant.values)
         if (value.kind() == Term::Kind::constant) {
@@ -309,6 +314,7 @@ class Interpreter {
   const Meanings& meanings_;
   const RaisingRules& raising_;
   std::unordered_map<Term, std::shared_ptr<Found>, Term::Hash> found_;
+  std::unordered_map<Term, std::size_t, Term::Hash> occurrences_;
   std::set<std::string> names_;         // taken, so that no variable has them
   std::vector<Term> enclosing_;         // variables of the lambdas around
   std::vector<std::string> spoken_of_;  // objects, since the command began

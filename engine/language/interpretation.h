@@ -3,6 +3,7 @@
 // more than one, the rest of the sentence is captured as a term that still waits for it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,8 @@ struct Resolution {
   std::string words;                                         ///< "the knife"
   Term value;                                                ///< knife, <0.1, 0.2, 0>; null where it stays open
   By by = By::words;
-  Reference reference;  ///< of noun phrases
+  std::optional<std::size_t> showing;  ///< the one of the context that was drawn on
+  Reference reference;                 ///< of noun phrases
 
   /// Whether `reference` says what the phrase can mean: it is a noun phrase, and no pro-form.
   bool has_referents() const { return !reference.referents.empty() || !reference.ruled_out.empty(); }

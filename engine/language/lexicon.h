@@ -46,6 +46,15 @@ struct WordAttribute {
   std::vector<std::vector<std::string>> values;
 };
 
+/// How a name that the human gave becomes a word: its sense is that of `term` applied to the constant of the name, of
+/// type `type`.
+struct NameTemplate {
+  Type type = Type::truth();
+  Category category;
+  Term term;
+  double cost = 0;
+};
+
 /// A phrase of one category may be used as one of another.
 struct UnaryRule {
   std::string name;
@@ -78,6 +87,8 @@ struct Lexicon {
   std::vector<WordAttribute> attributes;
   std::vector<std::pair<std::string, std::string>> plurals;  ///< ending of the singular and of the plural; first wins
   std::vector<UnaryRule> rules;
+  std::vector<NameTemplate> learned;  ///< for programs that were named
+  std::vector<NameTemplate> unknown;  ///< for words that are no words yet, as texts: "call that (hoist)"
   std::vector<LexiconExample> examples;
   std::vector<ObjectState> sample;  ///< the objects in whose scene the examples are read
   std::string digest;               ///< of its files

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::size_t most_problems = 1000;
 
-const std::vector<std::string> sections = {"about",    "categories", "names", "define",     "determiners",
-                                           "proforms", "words",      "skip",  "attributes", "plural",
-                                           "unary",    "examples",   "sample"};
+const std::vector<std::string> sections = {"about",    "categories", "names",  "define",     "determiners",
+                                           "proforms", "words",      "skip",   "attributes", "plural",
+                                           "unary",    "examples",   "sample", "learned",    "unknown"};
 
 std::string found(const Json& json) {
   if (json.is_string()) return in_quotes(json.get<std::string>());
@@ -50,6 +50,8 @@ Lexicon LexiconReader::read() {
   read_attributes();
   read_plurals();
   read_rules();
+  read_names_given("learned", lexicon_.learned);
+  read_names_given("unknown", lexicon_.unknown);
   read_sample();
   if (problems_.empty()) read_examples();
   return std::move(lexicon_);

@@ -42,6 +42,7 @@ class LexiconReader {
   void read_attribute(const std::string& name, const Item& item);
   void read_plurals();
   void read_rules();
+  void read_names_given(const std::string& section, std::vector<NameTemplate>& templates);
   WordEntry& entry(const Item& at, const std::string& word);
   std::optional<Category> read_category(const Item& item);
   std::optional<Term> read_term(const Item& item, const Type& expected);

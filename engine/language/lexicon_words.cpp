@@ -104,6 +104,19 @@ void LexiconReader::read_attribute(const std::string& name, const Item& item) {
   lexicon_.attributes.push_back(std::move(attribute));
 }
 
+void LexiconReader::read_names_given(const std::string& section, std::vector<NameTemplate>& templates) {
+  each_section(section, [&](const Item& items) {
+    each_element(items, "templates of names", [&](const Item& each) {
+      if (!expect_object(each, "a template of names", {"type", "category", "term", "cost", "about"})) return;
+      const auto type = read_type(required(each, "type", "the type of what is named"));
+      const auto category = read_category(required(each, "category", "the category of the word"));
+      if (!category) return;
+      const auto term = read_term(required(each, "term", "its meaning, given what is named"), *category, type);
+      if (term) templates.push_back({type, *category, *term, read_cost(member(each, "cost"))});
+    });
+  });
+}
+
 void LexiconReader::read_plurals() {
   each_section("plural", [&](const Item& section) {
     each_member(section, "endings of singular and plural", [&](const std::string& singular, const Item& plural) {

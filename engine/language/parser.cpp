@@ -195,9 +195,10 @@ class Segment {
   std::vector<Step> best_;
 };
 
-}  // namespace
+// How words that nobody knows are taken.
+enum class Unknown { left_out, names };
 
-Utterance read(std::string_view text, const Vocabulary& vocabulary) {
+Utterance read(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabulary, Unknown unknown) {
   Utterance utterance;
   std::vector<Chart::Word> words;
   std::vector<std::size_t> positions;
@@ -206,18 +207,51 @@ Utterance read(std::string_view text, const Vocabulary& vocabulary) {
     words.clear();
     positions.clear();
   };
-  for (const auto& word : words_of(text, most_words, &utterance.cut)) {
+  bool after_name = false;
+  for (const auto& word : spoken) {
     if (!word.comma) utterance.words.push_back(word.text);
-    if (word.comma ? !words.empty() : vocabulary.knows(word.text)) {
-      words.push_back({word.text, false});
+    const bool known = word.comma ? !words.empty() : vocabulary.knows(word.text);
+    const bool name = !known && !word.comma && unknown == Unknown::names;
+    if (name && after_name) {
+      words.back().text += " " + word.text;
+      words.back().name = vocabulary.as_name(words.back().text);
+    } else if (known || name) {
+      words.push_back({word.text, false, name ? vocabulary.as_name(word.text) : WordEntry()});
       positions.push_back(utterance.words.size() - 1);
-    } else if (!word.comma) {
-      utterance.unknown.push_back(utterance.words.size() - 1);
-      if (!words.empty()) words.back().before_unknown = true;
+    } else if (!word.comma && !words.empty()) {
+      words.back().before_unknown = true;
     }
+    if (!known && !word.comma) utterance.unknown.push_back(utterance.words.size() - 1);
+    after_name = name && !word.ends_after;
     if (word.ends_after) end_segment();
   }
   end_segment();
+  return utterance;
+}
+
+bool is_in_fragment(std::size_t word, const Utterance& utterance) {
+  return std::any_of(utterance.fragments.begin(), utterance.fragments.end(), [&](const Fragment& fragment) {
+    return word >= fragment.words.begin && word < fragment.words.end;
+  });
+}
+
+}  // namespace
+
+// Words that nobody knows are names where something takes one, else they are left out.
+Utterance read(std::string_view text, const Vocabulary& vocabulary) {
+  bool cut = false;
+  const auto spoken = words_of(text, most_words, &cut);
+  Utterance utterance = read(spoken, vocabulary, Unknown::left_out);
+  if (!utterance.unknown.empty() && !vocabulary.lexicon().unknown.empty()) {
+    auto named = read(spoken, vocabulary, Unknown::names);
+    const bool taken = std::all_of(named.unknown.begin(), named.unknown.end(),
+                                   [&](std::size_t word) { return is_in_fragment(word, named); });
+    if (taken) {
+      named.unknown.clear();
+      utterance = std::move(named);
+    }
+  }
+  utterance.cut = cut;
   return utterance;
 }
 

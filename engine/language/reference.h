@@ -8,15 +8,23 @@
 #include <vector>
 
 #include "language/operators.h"
+#include "language/reading.h"
 #include "term/evaluate.h"
 #include "world/world_snapshot.h"
 
 namespace continua {
 
+/// A pointing that goes with some of the words.
+struct Showing {
+  WordSpan words;
+  Vec3 place_W = Vec3::Zero();  ///< on the table
+};
+
 /// What an utterance or a gesture is understood against.
 struct Context {
   const WorldSnapshot* world = nullptr;  ///< never null in use
   std::optional<Vec3> pointed_W;         ///< where the human points, on the table
+  std::vector<Showing> showings;         ///< of an utterance: if not empty, each goes with its words, not pointed_W
   std::vector<std::string> focus;        ///< objects being talked about, the most salient first
   std::vector<std::string> among;        ///< if not empty: only these are asked about
   Term topic;                            ///< what "one" stands for, of type e -> t; null if nothing was named yet

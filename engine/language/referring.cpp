@@ -58,9 +58,13 @@ bool Referring::is_phrase(const Term& term, const std::vector<Term>& open) const
          std::none_of(open.begin(), open.end(), [&](const Term& variable) { return contains(term, variable); });
 }
 
-Meant Referring::meant(const Term& phrase) const {
-  if (const auto* pro = proform(phrase)) return by_proform(phrase, *pro);
-  return by_determiner(phrase, phrase.argument(), *determiner(phrase));
+Meant Referring::meant(const Term& phrase, std::size_t occurrence) const {
+  Meant meant = [&] {
+    if (const auto* pro = proform(phrase)) return by_proform(phrase, *pro, occurrence);
+    return by_determiner(phrase, phrase.argument(), *determiner(phrase), occurrence);
+  }();
+  if (meant.resolution.by == By::pointed) meant.resolution.showing = showing_of(phrase, occurrence);
+  return meant;
 }
 
 bool Referring::is_noun(const Term& term) const {
@@ -86,24 +90,38 @@ Meant Referring::meant_by_noun(const Term& noun) const {
   // Any that fits may be meant; where the human points, that tells which.
   Determiner any;
   any.definite = any.deictic = true;
-  return by_determiner(noun, noun, any);
+  Meant meant = by_determiner(noun, noun, any, 0);
+  if (meant.resolution.by == By::pointed) meant.resolution.showing = showing_of(noun, 0);
+  return meant;
 }
 
-Meant Referring::by_determiner(const Term& phrase, const Term& condition, const Determiner& determiner) const {
-  return chosen(phrase, refer(with_topic(condition), determiner, context_, meanings_), determiner, words_of(condition));
+// A pointing that goes with "the cup" tells which, where the words mean more than one.
+Meant Referring::by_determiner(const Term& phrase, const Term& condition, Determiner determiner,
+                               std::size_t occurrence) const {
+  const Context context = context_of(phrase, occurrence);
+  const Term with = with_topic(condition);
+  Reference reference = refer(with, determiner, context, meanings_);
+  const auto enough = static_cast<std::size_t>(std::max(determiner.count, 1));
+  if (determiner.definite && !determiner.deictic && reference.referents.size() > enough &&
+      showing_of(phrase, occurrence)) {
+    determiner.deictic = true;
+    reference = refer(with, determiner, context, meanings_);
+  }
+  return chosen(phrase, std::move(reference), determiner, words_of(condition, occurrence), context, occurrence);
 }
 
 // Definite phrases mean all referents that there are, so that there must be as many as are spoken of; of an indefinite
 // one the likeliest are taken.
-Meant Referring::chosen(const Term& phrase, Reference reference, const Determiner& determiner, std::string noun) const {
+Meant Referring::chosen(const Term& phrase, Reference reference, const Determiner& determiner, std::string noun,
+                        const Context& context, std::size_t occurrence) const {
   const auto found = reference.referents.size();
   const auto least = static_cast<std::size_t>(std::max(determiner.count, 1));
   const bool all = determiner.many && determiner.count == 0;
   Meant meant;
   meant.plural = is_plural(determiner);
   meant.resolution.phrase = phrase;
-  meant.resolution.words = words_of(phrase);
-  meant.resolution.by = determiner.deictic && context_.pointed_W ? By::pointed : By::words;
+  meant.resolution.words = words_of(phrase, occurrence);
+  meant.resolution.by = determiner.deictic && context.pointed_W ? By::pointed : By::words;
   const Type type = meant.plural ? Type::list(Type::entity()) : Type::entity();
   if (found < least) {
     meant.gap = Gap{Gap::Why::none, type, {}, std::move(noun)};
@@ -119,21 +137,27 @@ Meant Referring::chosen(const Term& phrase, Reference reference, const Determine
   return meant;
 }
 
-Meant Referring::by_proform(const Term& phrase, const Proform& proform) const {
+Meant Referring::by_proform(const Term& phrase, const Proform& proform, std::size_t occurrence) const {
   const Type& type = phrase.type();
-  if (proform.source == Proform::Source::pointed && context_.pointed_W && consistent(type, Type::entity())) {
+  const Context context = context_of(phrase, occurrence);
+  const bool shown_place = proform.source == Proform::Source::pointed && context.pointed_W;
+  if (shown_place && consistent(type, Type::entity())) {
     Determiner shown;
     shown.definite = shown.deictic = true;
-    return chosen(phrase, refer_to_pointed(context_), shown, "");
+    return chosen(phrase, refer_to_pointed(context), shown, "", context, occurrence);
   }
   Meant meant;
+  if (shown_place) {
+    const auto pointed = refer_to_pointed(context).referents;
+    if (!pointed.empty() && pointed.front().object != context.world->held) meant.there = pointed.front().object;
+  }
   meant.resolution.phrase = phrase;
-  meant.resolution.words = words_of(phrase);
+  meant.resolution.words = words_of(phrase, occurrence);
   meant.resolution.by = by_of(proform.source);
   meant.plural = type.kind() == Type::Kind::list;
   if (meant.plural && proform.source == Proform::Source::focus) {
     for (const auto& object : context_.focus) meant.values.push_back(Term::entity(object));
-  } else if (const auto value = single_value(proform, type)) {
+  } else if (const auto value = single_value(proform, type, context)) {
     meant.values.push_back(*value);
   }
   if (meant.values.empty())
@@ -143,17 +167,17 @@ Meant Referring::by_proform(const Term& phrase, const Proform& proform) const {
   return meant;
 }
 
-std::optional<Term> Referring::single_value(const Proform& proform, const Type& type) const {
+std::optional<Term> Referring::single_value(const Proform& proform, const Type& type, const Context& context) const {
   switch (proform.source) {
     case Proform::Source::focus:
-      if (!context_.focus.empty() && consistent(type, Type::entity())) return Term::entity(context_.focus.front());
+      if (!context.focus.empty() && consistent(type, Type::entity())) return Term::entity(context.focus.front());
       return std::nullopt;
     case Proform::Source::pointed:
-      if (context_.pointed_W && consistent(type, Type::location())) return point(*context_.pointed_W);
+      if (context.pointed_W && consistent(type, Type::location())) return point(*context.pointed_W);
       return std::nullopt;
     case Proform::Source::topic:
       // Where nothing was named, "the red one" is any red thing.
-      return context_.topic.is_null() ? Term::lambda("x", Type::entity(), Term::truth(true)) : context_.topic;
+      return context.topic.is_null() ? Term::lambda("x", Type::entity(), Term::truth(true)) : context.topic;
     case Proform::Source::other:
       return std::nullopt;
     case Proform::Source::avatar:
@@ -168,24 +192,61 @@ std::optional<Term> Referring::single_value(const Proform& proform, const Type& 
 Term Referring::with_topic(Term condition) const {
   for (const auto& [name, pro] : meanings_.operators->proforms)
     if (pro.source == Proform::Source::topic)
-      condition = replaced(condition, Term::constant(name, property()), *single_value(pro, property()));
+      condition = replaced(condition, Term::constant(name, property()), *single_value(pro, property(), context_));
   return condition;
 }
 
-std::string Referring::words_of(const Term& phrase) const {
+// Where it is said: the occurrence-th time, or the last one if it is said less often.
+std::optional<WordSpan> Referring::span_of(const Term& phrase, std::size_t occurrence) const {
   const Term contracted = eta_contracted(phrase);
-  for (const auto& each : reading_.phrases)
-    if (eta_contracted(each.term) == contracted && each.words.end <= words_.size() &&
-        each.words.begin <= each.words.end)
-      return fmt::to_string(fmt::join(words_.begin() + static_cast<std::ptrdiff_t>(each.words.begin),
-                                      words_.begin() + static_cast<std::ptrdiff_t>(each.words.end), " "));
-  return {};
+  std::optional<WordSpan> span;
+  for (const auto& each : reading_.phrases) {
+    if (!(eta_contracted(each.term) == contracted) || each.words.end > words_.size() ||
+        each.words.begin > each.words.end)
+      continue;
+    span = each.words;
+    if (occurrence-- == 0) break;
+  }
+  return span;
+}
+
+std::string Referring::words_of(const Term& phrase, std::size_t occurrence) const {
+  const auto span = span_of(phrase, occurrence);
+  if (!span) return {};
+  return fmt::to_string(fmt::join(words_.begin() + static_cast<std::ptrdiff_t>(span->begin),
+                                  words_.begin() + static_cast<std::ptrdiff_t>(span->end), " "));
+}
+
+// Of the pointings that go with words, the one that shares most of them with the phrase.
+std::optional<std::size_t> Referring::showing_of(const Term& phrase, std::size_t occurrence) const {
+  const auto span = span_of(phrase, occurrence);
+  if (!span) return std::nullopt;
+  std::optional<std::size_t> best;
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < context_.showings.size(); ++i) {
+    const auto& words = context_.showings[i].words;
+    const auto begin = std::max(words.begin, span->begin), end = std::min(words.end, span->end);
+    if (end <= begin || end - begin <= most) continue;
+    most = end - begin;
+    best = i;
+  }
+  return best;
+}
+
+Context Referring::context_of(const Term& phrase, std::size_t occurrence) const {
+  if (context_.showings.empty()) return context_;
+  Context context = context_;
+  context.pointed_W.reset();
+  if (const auto showing = showing_of(phrase, occurrence)) context.pointed_W = context_.showings[*showing].place_W;
+  return context;
 }
 
 void Referring::named(const std::string& object) {
   const auto last = std::find(context_.focus.begin(), context_.focus.end(), object);
   if (last != context_.focus.end()) std::rotate(last, last + 1, context_.focus.end());
 }
+
+void Referring::not_it(const std::string& object) { std::erase(context_.focus, object); }
 
 void Referring::focus_on(const std::vector<std::string>& objects) {
   for (const auto& object : objects) {

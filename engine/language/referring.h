@@ -17,6 +17,7 @@ struct Meant {
   bool plural = false;  ///< all values are meant together
   std::optional<Gap> gap;
   Resolution resolution;  ///< its value is null where there are several, or none
+  std::string there;      ///< of a place that was pointed at: the object that stands there, or empty
 };
 
 class Referring {
@@ -27,8 +28,8 @@ class Referring {
   /// Is it a noun phrase D(\x. …), a noun without determiner, or a pro-form? Not where it depends on one of `open`,
   /// the variables around it.
   bool is_phrase(const Term& term, const std::vector<Term>& open) const;
-  /// REQUIRES is_phrase().
-  Meant meant(const Term& phrase) const;
+  /// `occurrence`: which of those that are said with this term, in the order of their words. REQUIRES is_phrase().
+  Meant meant(const Term& phrase, std::size_t occurrence) const;
 
   /// Something that is true or false of objects, a noun ("red cup"), and no command that lacks its argument: what is at
   /// its head computes something.
@@ -37,18 +38,24 @@ class Referring {
 
   /// The command names this object, so that "it" rather means another one.
   void named(const std::string& object);
+  /// Something goes where this object stands, so that "it" means another one.
+  void not_it(const std::string& object);
   /// A new command begins: these objects are being talked about from now on, the last first.
   void focus_on(const std::vector<std::string>& objects);
 
  private:
   const Determiner* determiner(const Term& term) const;
   const Proform* proform(const Term& term) const;
-  Meant by_determiner(const Term& phrase, const Term& condition, const Determiner& determiner) const;
-  Meant by_proform(const Term& phrase, const Proform& proform) const;
-  Meant chosen(const Term& phrase, Reference reference, const Determiner& determiner, std::string noun) const;
-  std::optional<Term> single_value(const Proform& proform, const Type& type) const;
+  Meant by_determiner(const Term& phrase, const Term& condition, Determiner determiner, std::size_t occurrence) const;
+  Meant by_proform(const Term& phrase, const Proform& proform, std::size_t occurrence) const;
+  Meant chosen(const Term& phrase, Reference reference, const Determiner& determiner, std::string noun,
+               const Context& context, std::size_t occurrence) const;
+  std::optional<Term> single_value(const Proform& proform, const Type& type, const Context& context) const;
   Term with_topic(Term condition) const;
-  std::string words_of(const Term& phrase) const;
+  std::optional<WordSpan> span_of(const Term& phrase, std::size_t occurrence) const;
+  std::string words_of(const Term& phrase, std::size_t occurrence) const;
+  std::optional<std::size_t> showing_of(const Term& phrase, std::size_t occurrence) const;
+  Context context_of(const Term& phrase, std::size_t occurrence) const;
 
   const Reading& reading_;
   const std::vector<std::string>& words_;

@@ -37,6 +37,21 @@ Vocabulary::Vocabulary(std::shared_ptr<const Lexicon> lexicon, const WorldSnapsh
   }
 }
 
+void Vocabulary::learn(const std::string& name, const Type& type) {
+  names_.insert_or_assign(name, type);
+  const auto constant = Term::constant(name, type);
+  for (const auto& made : lexicon_->learned)
+    if (made.type == type) add_word(name, {made.category, applied(made.term, constant), made.cost});
+  for (auto& sense : as_name(name).senses) add_word(name, std::move(sense));
+}
+
+WordEntry Vocabulary::as_name(const std::string& words) const {
+  WordEntry entry;
+  for (const auto& made : lexicon_->unknown)
+    entry.senses.push_back({made.category, applied(made.term, Term::text(words)), made.cost});
+  return entry;
+}
+
 const WordEntry* Vocabulary::find(std::string_view words) const {
   if (const auto found = scene_words_.find(words); found != scene_words_.end()) return &found->second;
   const auto found = lexicon_->words.find(words);

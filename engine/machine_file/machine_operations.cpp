@@ -127,11 +127,12 @@ std::vector<Effect> MachineReader::read_effects(const Item& list) {
 std::optional<Effect> MachineReader::read_effect(const Item& object) {
   if (!expect_object(object, "an effect")) return std::nullopt;
   std::vector<std::string> kinds;
-  for (const auto* kind : {"say", "gesture", "act", "remember", "rewrite", "rewrite_each", "do"})
+  for (const auto* kind : {"say", "phrase", "gesture", "act", "remember", "rewrite", "rewrite_each", "do"})
     if (member(object, kind).json) kinds.push_back(kind);
   if (kinds.size() != 1) {
-    problem(object, fmt::format("found {}, expected one of say, gesture, act, remember, rewrite, rewrite_each, do",
-                                kinds.empty() ? "none" : fmt::to_string(fmt::join(kinds, ", "))));
+    problem(object,
+            fmt::format("found {}, expected one of say, phrase, gesture, act, remember, rewrite, rewrite_each, do",
+                        kinds.empty() ? "none" : fmt::to_string(fmt::join(kinds, ", "))));
     return std::nullopt;
   }
   Effect effect{std::nullopt, Group{}};
@@ -139,7 +140,9 @@ std::optional<Effect> MachineReader::read_effect(const Item& object) {
   effect.when = parse(when, Type::truth());
   const auto item = member(object, kinds[0]);
   if (kinds[0] == "say") {
-    if (auto text = read_template(item, "")) effect.what = Say{std::move(*text)};
+    if (auto say = read_say(item)) effect.what = std::move(*say);
+  } else if (kinds[0] == "phrase") {
+    if (auto phrase = read_phrase(item)) effect.what = std::move(*phrase);
   } else if (kinds[0] == "gesture") {
     if (const auto term = parse(item, Type::term())) effect.what = Gesture{*term};
   } else if (kinds[0] == "act") {

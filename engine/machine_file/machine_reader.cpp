@@ -33,17 +33,17 @@ const Signature& moment_signature() {
 
 }  // namespace
 
-MachineReader::MachineReader(const LocatedJson& document, const Signature& methods)
-    : document_(document), methods_(methods) {
+MachineReader::MachineReader(const LocatedJson& document, const Signature& methods, const std::string& phrases)
+    : document_(&document), machine_document_(document), methods_(methods), phrase_folder_(phrases) {
   scope_ = term_signature();
   for (const auto* names : {&methods_, &moment_signature()}) scope_.insert(names->begin(), names->end());
 }
 
 Machine MachineReader::read() {
-  const Item root{&document_.root(), ""};
+  const Item root{&document_->root(), ""};
   if (!expect_object(root, "a machine")) return machine_;
-  machine_.document = compact(document_.root());
-  for (const auto& [place, key] : document_.duplicates())
+  machine_.document = compact(document_->root());
+  for (const auto& [place, key] : document_->duplicates())
     note(place, fmt::format("the key {} a second time in this object", in_quotes(key)));
   read_lexicon(member(root, "lexicon"));
   read_programs(member(root, "programs"));
@@ -54,6 +54,8 @@ Machine MachineReader::read() {
   read_state_names(root);
   read_definitions(member(root, "define"));
   read_header(root);
+  read_phrase_file(member(root, "phrases"));
+  read_fusion(member(root, "fusion"));
   read_context(member(root, "context"));
   read_moves(member(root, "moves"));
   if (const auto ignored = member(root, "ignore"); ignored.json) machine_.ignored = read_symbols(ignored);
@@ -64,7 +66,7 @@ Machine MachineReader::read() {
   read_examples(member(root, "examples"));
   find_misspelt_sets();
   find_misspelt_states();
-  if (problems_.empty()) machine_.index();
+  if (problems_.empty() && phrase_problems_.empty()) machine_.index();
   return machine_;
 }
 
@@ -88,6 +90,8 @@ void MachineReader::read_header(const Item& root) {
   machine_.rewrite_below = truth_of(member(root, "rewrite_below"), false);
   machine_.repeats_utterances = truth_of(member(root, "repeat_utterances"), true);
   machine_.minimum_confidence = number_of(member(root, "minimum_confidence"), "a confidence", 0, 0, 1);
+  if (const auto gestures = member(root, "gestures"); gestures.json)
+    machine_.gestures = name_of(gestures, "the name of a gesture catalogue");
   machine_.perspective = one_of(root, "perspective", {"human", "avatar"}).value_or("");
 }
 
@@ -97,6 +101,19 @@ void MachineReader::read_lexicon(const Item& lexicon) {
   machine_.lexicon = name_of(lexicon, "the name of a lexicon");
   for (const auto& carried : carried_terms())
     if (carried.understood) scope_.emplace(carried.name, *Type::parse(carried.type));
+}
+
+void MachineReader::read_fusion(const Item& fusion) {
+  if (!expect_object(fusion, "fusion")) return;
+  constexpr double longest_s = 60;
+  FusionTimes times;
+  const auto read = [&](const char* key, double& time_s) {
+    time_s = number_of(member(fusion, key), "seconds", time_s, 0, longest_s);
+  };
+  read("before", times.before_s);
+  read("after", times.after_s);
+  read("lateness", times.lateness_s);
+  machine_.fusion = times;
 }
 
 void MachineReader::read_context(const Item& context) {

@@ -19,7 +19,8 @@ struct Item {
 
 class MachineReader {
  public:
-  MachineReader(const LocatedJson& document, const Signature& methods);
+  /// `phrases` is the folder of phrase files. All must outlive the reader.
+  MachineReader(const LocatedJson& document, const Signature& methods, const std::string& phrases);
 
   Machine read();
   /// All that is wrong, in the order of the document; of very many the first that were found.
@@ -33,6 +34,8 @@ class MachineReader {
   void read_memory(const Item& memory);
   void read_bottom(const Item& bottom);
   void read_lexicon(const Item& lexicon);
+  void read_phrase_file(const Item& phrases);
+  void read_fusion(const Item& fusion);
   void read_context(const Item& context);
   void read_moves(const Item& moves);
   Type read_type(const Item& item);
@@ -73,6 +76,9 @@ class MachineReader {
   std::optional<std::size_t> slot_named(const Item& contents, const std::string& name);
   std::vector<Effect> read_effects(const Item& list);
   std::optional<Effect> read_effect(const Item& object);
+  std::optional<Say> read_say(const Item& item);
+  std::optional<Say> read_phrase(const Item& item);
+  SayCase read_variants(const Item& item);
   Remember read_remember(const Item& registers);
 
   // machine_examples.cpp
@@ -110,13 +116,19 @@ class MachineReader {
   std::string nearest(const std::string& name, const std::vector<std::string>& known) const;
 
   struct Problem {
+    const LocatedJson* document;
     TextPlace place;
     std::string sentence;
   };
   std::vector<Problem> problems_;
+  std::vector<Error> phrase_problems_;  ///< of the phrase file's shape
 
-  const LocatedJson& document_;
+  const LocatedJson* document_;  ///< that is being read: the machine's, or that of its phrases
+  const LocatedJson& machine_document_;
+  std::optional<LocatedJson> phrases_;  ///< if it is sound
+  std::map<std::string, std::optional<Say>, std::less<>> read_phrases_;
   const Signature& methods_;
+  const std::string& phrase_folder_;
   Signature scope_;  ///< every name a term may use
   std::set<std::string, std::less<>> read_definitions_;
   std::map<std::string, SymbolSet, std::less<>> sets_;

@@ -108,7 +108,7 @@ void MachineReader::read_wording(const Item& item) {
 std::optional<Template> MachineReader::read_template(const Item& item, const std::string& binders) {
   const auto text = text_of(item, "what is said");
   const auto unpaired = [&](std::size_t byte) {
-    note(document_.place_in_text(item.pointer, byte),
+    note(document_->place_in_text(item.pointer, byte),
          fmt::format("a '{}' without its '{}'", text[byte], text[byte] == '{' ? '}' : '{'));
     return std::nullopt;
   };

@@ -104,22 +104,22 @@ bool MachineReader::mismatch(const Item& item, const std::string& expected) {
 }
 
 void MachineReader::problem(const Item& at, std::string sentence) {
-  note(document_.place(at.pointer), std::move(sentence));
+  note(document_->place(at.pointer), std::move(sentence));
 }
 
 void MachineReader::problem_in_text(const Item& at, const Error& error, std::size_t from, std::size_t before) {
   constexpr std::string_view prefix = "column ";
   require(error.where.starts_with(prefix), "an error in a text names its column");
   const auto byte = std::stoul(error.where.substr(prefix.size())) - 1;
-  note(document_.place_in_text(at.pointer, from + (byte < before ? 0 : byte - before)), error.sentence);
+  note(document_->place_in_text(at.pointer, from + (byte < before ? 0 : byte - before)), error.sentence);
 }
 
 void MachineReader::problem_at_key(const Item& at, std::string sentence) {
-  note(document_.key_place(at.pointer), std::move(sentence));
+  note(document_->key_place(at.pointer), std::move(sentence));
 }
 
 void MachineReader::note(TextPlace place, std::string sentence) {
-  if (!full()) problems_.push_back({place, std::move(sentence)});
+  if (!full()) problems_.push_back({document_, place, std::move(sentence)});
 }
 
 bool MachineReader::full() const { return problems_.size() >= most_problems; }
@@ -129,13 +129,17 @@ std::string MachineReader::nearest(const std::string& name, const std::vector<st
 }
 
 std::vector<Error> MachineReader::problems() {
-  std::stable_sort(problems_.begin(), problems_.end(),
-                   [](const Problem& a, const Problem& b) { return a.place < b.place; });
+  const auto of_phrases = [this](const Problem& problem) { return problem.document != &machine_document_; };
+  std::stable_sort(problems_.begin(), problems_.end(), [&](const Problem& a, const Problem& b) {
+    return std::pair(of_phrases(a), a.place) < std::pair(of_phrases(b), b.place);
+  });
   std::vector<Error> errors;
-  for (const auto& [place, sentence] : problems_) {
-    auto error = document_.error(place, sentence);
+  for (const auto& problem : problems_) {
+    auto error = problem.document->error(problem.place, problem.sentence);
+    if (of_phrases(problem)) error.sentence += fmt::format(" (read for the machine {})", machine_.name);
     if (errors.empty() || errors.back().text() != error.text()) errors.push_back(std::move(error));
   }
+  errors.insert(errors.end(), phrase_problems_.begin(), phrase_problems_.end());
   return errors;
 }
 

@@ -145,6 +145,32 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
   return move;
 }
 
+std::vector<Demonstrative> Understanding::demonstratives(const Utterance& utterance) const {
+  std::vector<Demonstrative> all;
+  for (const auto& fragment : utterance.fragments) {
+    const auto found = continua::demonstratives(fragment.readings.front(), language_.lexicon->operators);
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  return all;
+}
+
+Term Understanding::meaning_of(const std::string& text) const {
+  const auto term = parse_term(text, vocabulary_.names());
+  return term && term->closed() ? *term : Term::null();
+}
+
+Move Understanding::shown(const Term& term, const std::string& kind, const Context& context) const {
+  Move move;
+  move.kind = kind;
+  Reading reading;
+  reading.term = term;
+  reading.move = kind;
+  move.interpretation = interpret(reading, {}, context, meanings(), language_.raising);
+  if (const auto* phrase = noun_phrase(move.interpretation)) move.reference = phrase->reference;
+  move.readings.push_back(std::move(reading));
+  return move;
+}
+
 Move Understanding::not_understood(const Utterance& utterance) const {
   Move move;
   const WordSpan all{0, utterance.words.size()};

@@ -6,17 +6,23 @@
 #include <string_view>
 #include <vector>
 
+#include "language/demonstratives.h"
 #include "language/parser.h"
 #include "language/vocabulary.h"
 #include "moves/move.h"
+#include "perception/gesture.h"
 #include "term/raising.h"
 
 namespace continua {
 
-/// What the engine knows of language: data, loaded once.
+class Catalogue;
+
+/// What the engine knows of words and gestures: data, loaded once.
 struct Language {
   std::shared_ptr<const Lexicon> lexicon;
+  std::shared_ptr<const GestureCatalogue> gestures;
   RaisingRules raising;
+  std::shared_ptr<const Catalogue> voxemes;  ///< what words mean in space; null: nothing is known of that
 };
 
 class Understanding {
@@ -25,12 +31,22 @@ class Understanding {
   /// must outlive the understanding.
   Understanding(const Language& language, const WorldSnapshot& world, const RuleTable& rules);
 
+  /// The human named a program: its name is a word from now on.
+  void learn(const std::string& name, const Type& type) { vocabulary_.learn(name, type); }
+
   Utterance read(std::string_view text) const { return continua::read(text, vocabulary_); }
+
+  /// The words that pointing can go with, by the likeliest reading of each fragment.
+  std::vector<Demonstrative> demonstratives(const Utterance& utterance) const;
 
   /// The move that a fragment of the utterance is.
   Move understood(const Utterance& utterance, std::size_t fragment, const Context& context) const;
   /// The move of an utterance without fragments.
   Move not_understood(const Utterance& utterance) const;
+  /// The move that is made by showing what a term says: \x: e. grasp(x), \x: e. cup(x), grasp(the(\x. cup(x))).
+  Move shown(const Term& term, const std::string& kind, const Context& context) const;
+  /// What a gesture says; null if its words are not known here.
+  Term meaning_of(const std::string& text) const;
 
  private:
   Meanings meanings() const;

@@ -2,28 +2,16 @@
 // the order in which they were told: arrivals that are out of order within `lateness` are put in order first.
 #pragma once
 
+#include <limits>
 #include <optional>
-#include <string>
+#include <variant>
 #include <vector>
 
+#include "perception/binding.h"
 #include "perception/deixis.h"
 #include "perception/input_event.h"
 
 namespace continua {
-
-/// A machine states it in its file; all in seconds. A pointing goes with a word if it ends at most `before` before the
-/// word begins and begins at most `after` after the word ends.
-struct FusionWindow {
-  double before_s = 2;
-  double after_s = 1;
-  double lateness_s = 0;  ///< how long after its event time an event may still arrive; 0: sources tell in order
-};
-
-/// A part of an utterance that pointing can give content to: a demonstrative, or a noun phrase around one.
-struct Taker {
-  SimTime from, until;  ///< of its words
-  bool needs = false;   ///< it says nothing without: here, this one. Else pointing only helps: the cup
-};
 
 /// Something that happened, as it waits to be understood.
 struct Percept {
@@ -37,50 +25,85 @@ struct Percept {
 struct Ensemble {
   Percept percept;
   std::vector<std::optional<Deixis>> bound;  ///< one for each taker
-  SimTime at;                                ///< when it was complete
+  SimTime at;                                ///< when it was complete, in the time of events
 };
-
-/// Assigns pointings to takers: each to one at most, in their order (a taker that comes later gets a later pointing),
-/// those that need one first, then by the smallest total distance in time; within the window. Gestures before
-/// fixations of the samples.
-std::vector<std::optional<Deixis>> bind(const std::vector<Taker>& takers, const std::vector<Deixis>& pointings,
-                                        const FusionWindow& window);
 
 /// What waits for its counterpart: a value.
 ///
-/// - Speech all of whose needing takers have a pointing is complete; other speech waits until no pointing can come any
-///   more (`after` past the end of its last needing taker), and is then released without.
+/// - Speech all of whose needing takers have a pointing is complete. Where it tells when its words were (`words`,
+///   `until`) it is not before the last of those takers was said. Where it does not, it is at once, unless one of the
+///   pointings ended more than `after` before the speech: there may come a better one until that taker was said.
+///   A fixation counts once it is settled (settled_at).
+/// - Other speech waits until no pointing can come any more (`after` past the end of its last needing taker), and is
+///   then released without.
 /// - A gesture that points waits for speech that takes it until `after` past its end, and is released alone then. When
 ///   speech takes it, it is not released at all; a pointing that was released alone can still be taken within `before`.
 /// - Everything else is complete when it arrives.
 /// - What is complete releases what began before it and still waits, in order of time, as it is then: the human has
 ///   gone on. But a pointing that waits is kept for speech that takes it, and speech that waits is not released by
 ///   pointing.
-/// - Released in order of time; at one time in the order: gestures that point, speech, everything else, then serial.
+/// - Released in the order in which they were complete; at one time in order of their beginnings, then gestures that
+///   point, speech, everything else, then serial.
+/// - Fixations of a hand while a gesture of that hand points are that pointing, not another one.
 class Fusion {
  public:
   /// `area`: see PointingTrack.
   Fusion(FusionWindow window, Box area) : window_(window), track_(area) {}
 
   /// A percept arrived at `now`. False, and nothing changes, if it is later than `lateness` allows: what comes after it
-  /// has been released already. `now` never decreases.
+  /// may have been released already. `now` never decreases. Whatever arrives at one time is received before `release`
+  /// of that time.
   bool receive(Percept percept, SimTime now);
 
-  /// A sample of where a hand points. It never waits.
+  /// A sample of where a hand points. It never waits. One that is later than `lateness` allows is left out.
   void sample(const InputEvent& event, int serial);
 
   /// What is complete at `now`, in order.
   std::vector<Ensemble> release(SimTime now);
 
-  /// When something that waits will be complete at the latest; nothing waits if there is none.
+  /// All that waits, in order, as it is now.
+  std::vector<Ensemble> release_all();
+
+  /// Whether an input up to this serial waits.
+  bool waits(int serial) const;
+
+  /// When something that waits will be complete at the latest if nothing more arrives; nothing waits if there is none.
   std::optional<SimTime> due() const;
 
  private:
+  struct Sample {
+    InputEvent event;
+    int serial;
+  };
+  using Arrival = std::variant<Sample, Percept>;
+  struct Plan {
+    struct Part {
+      std::vector<std::optional<Deixis>> bound;  ///< for each taker
+      bool taken = false;                        ///< of a pointing: by speech
+      std::optional<SimTime> complete;           ///< none of what is taken
+    };
+    std::vector<Part> parts;  ///< of each that waits
+  };
+
+  SimTime lateness() const { return SimTime::from_seconds(window_.lateness_s); }
+  void arrive(Arrival arrival);
+  void process_next();
+  std::optional<SimTime> next_arrival() const;
+  std::optional<SimTime> next_complete() const;
+  Plan plan() const;
+  std::vector<Deixis> fixations() const;
+  bool release_first(std::vector<Ensemble>& released);
+  void release_up_to(std::size_t last, const std::vector<Plan::Part>& parts, std::vector<Ensemble>& released);
+  void take(const Deixis& pointing);
+  void forget();
+
   FusionWindow window_;
   PointingTrack track_;
-  std::vector<Percept> waiting_;  // in order of time
+  std::vector<Arrival> arrived_;  // not before now_: their turn is yet to come; in order of time
+  std::vector<Percept> waiting_;  // before now_, in order of time
   std::vector<Deixis> released_;  // pointings of late that were released alone
-  SimTime released_until_;
+  std::vector<Deixis> gestures_;  // of late, whatever became of them
+  SimTime now_{std::numeric_limits<std::int64_t>::min()};  // up to here, in the time of events, everything was done
 };
 
 }  // namespace continua

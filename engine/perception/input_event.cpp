@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "core/result.h"
+
 namespace continua {
 namespace {
 
@@ -110,6 +112,17 @@ InputEvent event_of(std::string_view symbol) {
   for (const auto word : words) append(event.name, std::string(word));
   if (!event.name.empty()) event.name.erase(0, 1);
   return event;
+}
+
+InputEvent alternative(const InputEvent& event, std::size_t k) {
+  require(k <= event.alternatives.size(), "there is no such alternative");
+  if (k == 0) return event;
+  InputEvent other = event;
+  auto& reading = event.modality == Modality::speech ? other.text : other.name;
+  reading = event.alternatives[k - 1].text;
+  other.confidence = event.alternatives[k - 1].confidence;
+  other.alternatives.clear();
+  return other;
 }
 
 std::optional<Vec3> place_of(const InputEvent& event) {

@@ -59,6 +59,10 @@ InputEvent event_of(std::string_view symbol);
 /// Where the event points on the plane of the table (z = 0): its target, else where its ray meets that plane.
 std::optional<Vec3> place_of(const InputEvent& event);
 
+/// The event as its recogniser's k-th other reading has it: with that text or name, that confidence, and no further
+/// alternatives; 0 is the event itself. REQUIRES k <= alternatives.size().
+InputEvent alternative(const InputEvent& event, std::size_t k);
+
 std::string text(Modality modality);
 
 }  // namespace continua

@@ -13,12 +13,11 @@ std::vector<std::string> names(const Term& list) {
   return names;
 }
 
+void add(std::set<int>& because, const std::vector<int>& serials) { because.insert(serials.begin(), serials.end()); }
+
 void add(std::set<int>& because, Resolution::By by, const Discourse& discourse) {
-  const auto* from = by == Resolution::By::focus     ? &discourse.focus
-                     : by == Resolution::By::pointed ? &discourse.pointed
-                     : by == Resolution::By::topic   ? &discourse.topic
-                                                     : nullptr;
-  if (from) because.insert(from->begin(), from->end());
+  if (by == Resolution::By::focus) add(because, discourse.focus);
+  if (by == Resolution::By::topic) add(because, discourse.topic);
 }
 
 }  // namespace
@@ -42,15 +41,21 @@ Discourse discourse_of(Stepper& stepper, const Configuration& configuration, con
 
 std::vector<int> sources(const Move& move, int serial, const Discourse& discourse) {
   std::set<int> because = {serial};
-  for (const auto& resolution : move.interpretation.resolutions) add(because, resolution.by, discourse);
-  if (!discourse.context.among.empty()) because.insert(discourse.among.begin(), discourse.among.end());
-  if (move.kind == deixis) because.insert(discourse.pointed.begin(), discourse.pointed.end());
+  for (const auto& resolution : move.interpretation.resolutions) {
+    add(because, resolution.by, discourse);
+    if (resolution.showing) add(because, discourse.shown[*resolution.showing]);
+  }
+  if (!discourse.context.among.empty()) add(because, discourse.among);
   return {because.begin(), because.end()};
 }
 
 std::vector<int> sources(const Applying& applying, int serial, const Discourse& discourse) {
   std::set<int> because = {serial};
-  for (const auto by : applying.by) add(because, by, discourse);
+  for (const auto by : applying.by) {
+    add(because, by, discourse);
+    if (by == Resolution::By::pointed)
+      for (const auto& serials : discourse.shown) add(because, serials);
+  }
   return {because.begin(), because.end()};
 }
 

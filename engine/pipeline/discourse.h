@@ -11,7 +11,8 @@ namespace continua {
 
 struct Discourse {
   Context context;
-  std::vector<int> focus, among, topic, pointed;  ///< serials of the inputs that these came from
+  std::vector<int> focus, among, topic;  ///< serials of the inputs that these came from
+  std::vector<std::vector<int>> shown;   ///< of each of the context's showings
 };
 
 /// The machine's `context`, evaluated in the configuration. Pointing is left out.

@@ -10,24 +10,45 @@
 namespace continua {
 namespace {
 
+const Catalogue* voxemes_of(const Language* language) { return language ? language->voxemes.get() : nullptr; }
 const RaisingRules* raising_of(const Language* language) { return language ? &language->raising : nullptr; }
 
-bool is_recent(const Pointed& pointed, SimTime now) { return (now - pointed.t).seconds() <= pointing_lasts_s; }
+// Pointings this far beside the table are not believed.
+constexpr double beside_m = 0.25;
 
-std::string kind_of(const Input& input, const Machine& machine) {
-  const auto found = std::find_if(machine.moves.begin(), machine.moves.end(),
-                                  [&](const MoveKind& kind) { return kind.inputs.contains(input.symbol); });
-  return found == machine.moves.end() ? std::string() : found->name;
+Box around(const Box& table) {
+  const Vec3 margin(beside_m, beside_m, 0);
+  return {table.min - margin, table.max + margin};
+}
+
+// Where nothing waits, words still go with a pointing that was made before them.
+FusionWindow window_of(const Machine& machine) {
+  if (!machine.fusion) return {FusionWindow().before_s, 0, 0};
+  const auto& [before_s, after_s, lateness_s] = *machine.fusion;
+  return {before_s, after_s, lateness_s};
+}
+
+// The first that is not what was said last; where there is none, the first.
+const std::string& fresh(const std::vector<std::string>& variants, const std::string& last) {
+  const auto found = std::find_if(variants.begin(), variants.end(), [&](const auto& one) { return one != last; });
+  return found == variants.end() ? variants.front() : *found;
 }
 
 }  // namespace
 
+bool EngineState::waits(int serial) const {
+  return fusion.waits(serial) || std::any_of(complete.begin(), complete.end(),
+                                             [&](const Ensemble& one) { return one.percept.serial <= serial; });
+}
+
 Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const Language> language,
                    Perspective perspective, std::size_t most_branches)
     : machine_(std::move(machine)),
+      window_(window_of(*machine_)),
       language_(std::move(language)),
       perspective_(perspective),
-      methods_(perspective),
+      performer_(voxemes_of(language_.get()), perspective),
+      methods_(perspective, voxemes_of(language_.get())),
       facts_({&term_rules(), &methods_.rules()}, raising_of(language_.get())),
       stepper_(machine_, methods_.rules(), raising_of(language_.get())),
       explorer_(stepper_, most_branches) {
@@ -35,10 +56,22 @@ Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const
 }
 
 Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world) {
-  Tick tick{EngineState{{}, {}, Beliefs(machine_->beliefs), std::move(chooser), "", {}, 0, 0}, {}};
+  Tick tick{EngineState{{},
+                        {},
+                        Beliefs(machine_->beliefs),
+                        std::move(chooser),
+                        Fusion(window_, around(world.table)),
+                        {},
+                        "",
+                        {},
+                        0,
+                        {},
+                        0},
+            {}};
   methods_.see(&world, &tick.after.chooser.random);
   if (!machine_->lexicon.empty()) understanding_.emplace(*language_, world, facts_);
   begin(tick.after, tick.events);
+  perform(tick.after, world, tick.events);
   return tick;
 }
 
@@ -49,10 +82,10 @@ void Pipeline::begin(EngineState& state, std::vector<EngineEvent>& events) {
   behave(state, std::move(step.events), events);
 }
 
-void Pipeline::step(EngineState& state, const Input& input, std::vector<EngineEvent>& events) {
+void Pipeline::step(EngineState& state, std::span<const Input> inputs, std::vector<EngineEvent>& events) {
   if (state.chooser.policy == Choice::explore)
-    return explored(state, explorer_.step(state.exploration, input, state.beliefs), events);
-  Step step = stepper_.step(state.configuration, input, state.beliefs, state.chooser);
+    return explored(state, explorer_.step(state.exploration, inputs, state.beliefs), events);
+  Step step = stepper_.step(state.configuration, inputs, state.beliefs, state.chooser);
   state.configuration = std::move(step.after);
   behave(state, std::move(step.events), events);
 }
@@ -67,85 +100,124 @@ void Pipeline::explored(EngineState& state, ExplorationStep step, std::vector<En
   events.push_back(Explored{state.exploration.branches, std::move(step.dropped), step.merged, step.pruned});
 }
 
-Tick Pipeline::tick(const EngineState& before, const InputEvent& event, const WorldSnapshot& world) {
+Tick Pipeline::receive(const EngineState& before, const InputEvent& event, const WorldSnapshot& world) {
   Tick tick{before, {}};
   EngineState& state = tick.after;
-  methods_.see(&world, &state.chooser.random);
-
-  Input input = to_input(event, ++state.inputs);
-  tick.events.push_back(Perceived{input.serial, input.symbol});
-  if (input.confidence < machine_->minimum_confidence) {
-    tick.events.push_back(StepEvent(RefusedInput{state.configuration.state,
-                                                 input.symbol,
-                                                 fmt::format("confidence {} is below the machine's minimum of {}",
-                                                             input.confidence, machine_->minimum_confidence),
-                                                 {}}));
+  const SimTime now = std::max(event.t, world.t);
+  const int serial = ++state.inputs;
+  tick.events.push_back(Perceived{serial, symbol(event)});
+  const auto refuse = [&](std::string reason) {
+    tick.events.push_back(StepEvent(RefusedInput{state.configuration.state, symbol(event), std::move(reason), {}}));
+  };
+  if (!is_confident(event)) {
+    refuse(fmt::format("confidence {} is below the machine's minimum of {}", event.confidence,
+                       machine_->minimum_confidence));
     return tick;
   }
-  if (understanding_ && event.modality == Modality::speech) {
-    hear(state, event, std::move(input), world, tick.events);
-  } else {
-    see(state, event, input, world, tick.events);
-    offer(state, input, tick.events);
+  if (event.modality == Modality::pointing) {
+    state.fusion.sample(event, serial);
+    if (understanding_) follow(state, event, serial, world, tick.events);
   }
+  if (!state.fusion.receive(percept_of(state, event, serial), now)) {
+    refuse(fmt::format("it came {} s late, when what was after it had been attended to", (now - event.t).seconds()));
+    return tick;
+  }
+  // Where nothing is to be fused, nothing waits.
+  if (!machine_->fusion) {
+    for (auto& ensemble : state.fusion.release_all()) state.complete.push_back(std::move(ensemble));
+    return tick;
+  }
+  for (auto& ensemble : state.fusion.release(now)) state.complete.push_back(std::move(ensemble));
   return tick;
 }
 
-// Each move of an utterance is understood in what the ones before it have left.
-void Pipeline::hear(EngineState& state, const InputEvent& event, Input input, const WorldSnapshot& world,
-                    std::vector<EngineEvent>& events) {
-  const auto utterance = understanding_->read(event.text);
-  if (utterance.fragments.empty()) {
-    events.push_back(Understood{understanding_->not_understood(utterance), {input.serial}});
-    return offer(state, input, events);
-  }
-  for (std::size_t fragment = 0; fragment < utterance.fragments.size(); ++fragment) {
-    const auto discourse = discourse_now(state, input, world);
-    auto move = understanding_->understood(utterance, fragment, discourse.context);
-    carry(move, input);
-    events.push_back(Understood{move, sources(move, input.serial, discourse)});
-    for (const auto& applying : move.interpretation.applied)
-      events.push_back(StepEvent(Applied{applying.application, sources(applying, input.serial, discourse)}));
-    offer(state, input, events);
-  }
+Tick Pipeline::wake(const EngineState& before, SimTime now) {
+  Tick tick{before, {}};
+  for (auto& ensemble : tick.after.fusion.release(now)) tick.after.complete.push_back(std::move(ensemble));
+  return tick;
 }
 
-// Gestures and pointing. That the human points at something else than before is a move too.
-void Pipeline::see(EngineState& state, const InputEvent& event, Input& input, const WorldSnapshot& world,
-                   std::vector<EngineEvent>& events) {
-  Move move;
-  move.kind = kind_of(input, *machine_);
-  if (!understanding_) {
-    if (!move.kind.empty()) events.push_back(Understood{std::move(move), {input.serial}});
-    return;
+Tick Pipeline::tick(const EngineState& before, const InputEvent& event, const WorldSnapshot& world) {
+  Tick all = receive(before, event, world);
+  while (!all.after.complete.empty()) {
+    Tick next = attend(all.after, world);
+    all.after = std::move(next.after);
+    all.events.insert(all.events.end(), std::make_move_iterator(next.events.begin()),
+                      std::make_move_iterator(next.events.end()));
   }
-  const auto before = state.pointed;
-  if (const auto place_W = place_of(event)) state.pointed = Pointed{*place_W, event.t, input.serial, ""};
-  const auto discourse = discourse_now(state, input, world);
-  if (discourse.context.pointed_W) {
-    const auto pointed = refer_to_pointed(discourse.context);
-    if (!pointed.referents.empty()) state.pointed->object = pointed.referents.front().object;
-    const bool elsewhere = !before || before->object != state.pointed->object || !is_recent(*before, event.t);
-    if (event.modality == Modality::pointing && elsewhere) move.kind = deixis;
-    if (move.kind == deixis) move.reference = pointed;
-  }
-  carry(move, input);
-  if (!move.kind.empty()) events.push_back(Understood{move, sources(move, input.serial, discourse)});
+  return all;
 }
 
-Discourse Pipeline::discourse_now(const EngineState& state, Input& input, const WorldSnapshot& world) {
-  auto discourse = discourse_of(stepper_, state.configuration, input, state.beliefs, world);
-  if (state.pointed && is_recent(*state.pointed, SimTime::from_seconds(input.now_s))) {
-    discourse.context.pointed_W = state.pointed->place_W;
-    discourse.pointed = {state.pointed->serial};
-    input.pointed = point_term(state.pointed->place_W);
-  }
-  return discourse;
+Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) {
+  Tick tick{before, {}};
+  EngineState& state = tick.after;
+  const Ensemble ensemble = std::move(state.complete.front());
+  state.complete.pop_front();
+  methods_.see(&world, &state.chooser.random);
+  tick.events.push_back(Attended{ensemble.percept.serial, ensemble.percept.event.t, ensemble.at, bound(ensemble)});
+  if (understanding_ && ensemble.percept.event.modality == Modality::speech)
+    hear(state, ensemble, world, tick.events);
+  else
+    see(state, ensemble, world, tick.events);
+  perform(state, world, tick.events);
+  return tick;
 }
 
-void Pipeline::offer(EngineState& state, const Input& input, std::vector<EngineEvent>& events) {
-  update_beliefs(state, input, events);
-  if (!machine_->ignored.contains(input.symbol)) step(state, input, events);
+bool Pipeline::is_confident(const InputEvent& event) const {
+  const auto enough = [&](double confidence) { return confidence >= machine_->minimum_confidence; };
+  return enough(event.confidence) || std::any_of(event.alternatives.begin(), event.alternatives.end(),
+                                                 [&](const Alternative& one) { return enough(one.confidence); });
+}
+
+std::string Pipeline::symbol(const InputEvent& event) const {
+  if (event.modality != Modality::gesture || !language_ || !language_->gestures) return symbol_of(event);
+  return gesture_symbol(event, language_->gestures->find(event.name));
+}
+
+std::string Pipeline::kind_of(const InputEvent& event) const {
+  const auto name = symbol(event);
+  const auto found = std::find_if(machine_->moves.begin(), machine_->moves.end(),
+                                  [&](const MoveKind& kind) { return kind.inputs.contains(name); });
+  if (found != machine_->moves.end()) return found->name;
+  if (event.modality != Modality::gesture || !language_ || !language_->gestures) return {};
+  const auto* entry = language_->gestures->find(event.name);
+  return entry && entry->acts(event.phase) ? entry->kind : std::string();
+}
+
+Percept Pipeline::percept_of(const EngineState& state, const InputEvent& event, int serial) const {
+  Percept percept{serial, event, {}, {}};
+  if (event.modality == Modality::speech && understanding_) {
+    percept.takers = takers(understanding_->read(event.text), event);
+  } else if (event.modality == Modality::gesture && kind_of(event) == deixis) {
+    // A gesture that does not say where it points points where the hand does.
+    if (!place_of(event) && state.pointed && (event.t - state.pointed->t).seconds() <= window_.before_s)
+      percept.event.target_W = state.pointed->place_W;
+    percept.deixis = deixis_of(percept.event, serial);
+  }
+  return percept;
+}
+
+Discourse Pipeline::discourse_now(const EngineState& state, const Input& input, const WorldSnapshot& world) {
+  return discourse_of(stepper_, state.configuration, input, state.beliefs, world);
+}
+
+// Offers one or several inputs of which one counts; returns which the automaton took.
+std::size_t Pipeline::offer(EngineState& state, std::span<const Input> inputs, std::vector<EngineEvent>& events) {
+  update_beliefs(state, inputs.front(), events);
+  std::vector<Input> offered;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (machine_->ignored.contains(inputs[i].symbol) || inputs[i].confidence < machine_->minimum_confidence) continue;
+    offered.push_back(inputs[i]);
+    which.push_back(i);
+  }
+  if (offered.empty()) return 0;
+  const auto first = events.size();
+  step(state, offered, events);
+  for (auto event = events.begin() + static_cast<std::ptrdiff_t>(first); event != events.end(); ++event)
+    if (const auto* step = std::get_if<StepEvent>(&*event))
+      if (const auto* fired = std::get_if<Fired>(step); fired && fired->input) return which[fired->alternative];
+  return which.front();
 }
 
 void Pipeline::update_beliefs(EngineState& state, const Input& input, std::vector<EngineEvent>& events) {
@@ -166,28 +238,22 @@ void Pipeline::update_beliefs(EngineState& state, const Input& input, std::vecto
 // What the automaton emitted becomes words and commands; what the avatar says, it hears itself.
 void Pipeline::behave(EngineState& state, std::vector<StepEvent> steps, std::vector<EngineEvent>& events) {
   for (auto& step : steps) {
-    if (const auto* said = std::get_if<Said>(&step)) {
-      const std::string words = said->text;
+    if (auto* said = std::get_if<Said>(&step)) {
+      const std::string words = said->text = fresh(said->variants, state.last_utterance);
       if (machine_->repeats_utterances || words != state.last_utterance) events.push_back(std::move(step));
       state.last_utterance = words;
       for (auto& change : state.beliefs.overhear(words)) events.push_back(std::move(change));
       continue;
     }
-    const auto* gestured = std::get_if<Gestured>(&step);
-    const auto* acted = std::get_if<Acted>(&step);
-    if (!gestured && !acted) {
+    if (const auto* gestured = std::get_if<Gestured>(&step)) {
+      const Term term = gestured->term;
       events.push_back(std::move(step));
+      gesture(state, term, events);
       continue;
     }
-    auto command = plan(gestured ? gestured->term : acted->term, gestured != nullptr, perspective_);
-    const bool gesture = gestured != nullptr;
+    if (const auto* acted = std::get_if<Acted>(&step))
+      performer_.begin(state.performance, {++state.acts, acted->term, acted->because});
     events.push_back(std::move(step));
-    if (command) {
-      command->id = ++state.commands;
-      events.push_back(Commanded{*command, gesture});
-    } else {
-      events.push_back(Unplanned{command.error().sentence});
-    }
   }
 }
 

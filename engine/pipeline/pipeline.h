@@ -1,113 +1,89 @@
-// One tick of the engine: what the human did goes in, what the avatar thinks, says and does comes out. Every stage in
-// order, on values: perception → beliefs → automaton → behaviour. The shortest tour of the engine (engine/README.md).
+// The engine: what the human did goes in, what the avatar thinks, says and does comes out. Every stage in order, on
+// values: perception → fusion → understanding → automaton → behaviour. The shortest tour of the engine
+// (engine/README.md).
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "automaton/exploration.h"
-#include "behaviour/planner.h"
 #include "composition/methods.h"
 #include "moves/understanding.h"
-#include "perception/input_event.h"
 #include "pipeline/discourse.h"
+#include "pipeline/engine_state.h"
 
 namespace continua {
 
-/// Where the human pointed last.
-struct Pointed {
-  Vec3 place_W = Vec3::Zero();
-  SimTime t;
-  int serial = 0;      ///< of the input that told it
-  std::string object;  ///< the likeliest one there, or empty
-};
-
-/// All that the engine remembers between ticks: a value.
-struct EngineState {
-  Configuration configuration;  ///< under `explore` that of the leading branch
-  Exploration exploration;      ///< all branches; empty under the other policies
-  Beliefs beliefs;
-  Chooser chooser;
-  std::string last_utterance;
-  std::optional<Pointed> pointed;
-  int inputs = 0;  ///< ticks so far; the running number of the latest is its `because`
-  int commands = 0;
-};
-
-/// The event as an input symbol.
-struct Perceived {
-  int serial = 0;
-  std::string symbol;
-};
-
-/// What the input was taken to mean; for each move of an utterance one. What it applied follows, then what the
-/// automaton did with it.
-struct Understood {
-  Move move;
-  std::vector<int> because;  ///< serials of the inputs that it draws on
-};
-
-/// What the body is told, following the Gestured or Acted it carries out.
-struct Commanded {
-  AvatarCommand command;
-  bool gesture = false;
-};
-
-/// An act that no command could be made of.
-struct Unplanned {
-  std::string reason;
-};
-
-/// Under `explore`: what the automaton may be in beside what led to the events before it.
-struct Explored {
-  std::vector<Branch> branches;
-  std::vector<int> dropped;
-  int merged = 0, pruned = 0;
-};
-
-using EngineEvent = std::variant<Perceived, Understood, BeliefChange, StepEvent, Explored, Commanded, Unplanned>;
-
-struct Tick {
-  EngineState after;
-  std::vector<EngineEvent> events;  ///< in the order in which they happened
-};
-
 inline constexpr std::size_t default_most_branches = 64;
 
-/// So long after the human pointed somewhere words still go with it.
-inline constexpr double pointing_lasts_s = 2;
-
+/// Time passes with each call; it never goes back. What happened is received; what is complete then, alone or with its
+/// counterpart, is attended to, one after the other.
 class Pipeline {
  public:
-  /// `language`: what the machine understands speech by; REQUIRED if the machine names a lexicon. `most_branches`: so
-  /// many configurations are carried along under `explore`.
+  /// `language`: what the machine understands words and gestures by; REQUIRED if the machine names a lexicon.
+  /// `most_branches`: so many configurations are carried along under `explore`.
   Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const Language> language, Perspective perspective,
            std::size_t most_branches = default_most_branches);
 
   /// Before the first input; the chooser's policy decides for the whole run. `world` is what the machine may read.
   Tick begin(Chooser chooser, const WorldSnapshot& world);
+
+  /// Something happened, and is known at `world.t` or at its own time if that is later.
+  Tick receive(const EngineState& before, const InputEvent& event, const WorldSnapshot& world);
+  /// Nothing happened up to `now`: what waited for so long is complete.
+  Tick wake(const EngineState& before, SimTime now);
+  /// When to wake at the latest; nothing waits if there is none.
+  std::optional<SimTime> due(const EngineState& state) const { return state.fusion.due(); }
+  /// Attends to the first of EngineState::complete. REQUIRES that there is one.
+  Tick attend(const EngineState& before, const WorldSnapshot& world);
+
+  /// Receives an event and attends to all that is complete then.
   Tick tick(const EngineState& before, const InputEvent& event, const WorldSnapshot& world);
+  /// What the body reports, and what follows from it: the next steps of acts, and where the machine knows the ends of
+  /// acts as inputs, what it makes of them.
+  Tick reported(const EngineState& before, const std::vector<ActReport>& reports, const WorldSnapshot& world);
 
   const Machine& machine() const { return *machine_; }
 
  private:
+  struct Heard;
+
   void begin(EngineState& state, std::vector<EngineEvent>& events);
-  void step(EngineState& state, const Input& input, std::vector<EngineEvent>& events);
-  void hear(EngineState& state, const InputEvent& event, Input input, const WorldSnapshot& world,
-            std::vector<EngineEvent>& events);
-  void see(EngineState& state, const InputEvent& event, Input& input, const WorldSnapshot& world,
-           std::vector<EngineEvent>& events);
-  Discourse discourse_now(const EngineState& state, Input& input, const WorldSnapshot& world);
-  void offer(EngineState& state, const Input& input, std::vector<EngineEvent>& events);
+  Percept percept_of(const EngineState& state, const InputEvent& event, int serial) const;
+  bool is_confident(const InputEvent& event) const;
+  std::string kind_of(const InputEvent& event) const;
+  std::string symbol(const InputEvent& event) const;
+  Discourse discourse_now(const EngineState& state, const Input& input, const WorldSnapshot& world);
+
+  // pipeline_moves.cpp: an ensemble as moves
+  void hear(EngineState& state, const Ensemble& ensemble, const WorldSnapshot& world, std::vector<EngineEvent>& events);
+  void see(EngineState& state, const Ensemble& ensemble, const WorldSnapshot& world, std::vector<EngineEvent>& events);
+  void follow(EngineState& state, const InputEvent& sample, int serial, const WorldSnapshot& world,
+              std::vector<EngineEvent>& events);
+  std::vector<Taker> takers(const Utterance& utterance, const InputEvent& event) const;
+  std::vector<Bound> bound(const Ensemble& ensemble) const;
+  Heard heard(const EngineState& state, const Ensemble& ensemble, std::size_t alternative, const WorldSnapshot& world);
+  Heard seen(const EngineState& state, const Ensemble& ensemble, std::size_t alternative, const WorldSnapshot& world);
+  void understand(Heard& heard, std::size_t fragment, const EngineState& state, const WorldSnapshot& world);
+  Term said_by(const InputEvent& gesture) const;
+  std::size_t offer_all(EngineState& state, std::vector<Heard>& heard, std::vector<EngineEvent>& events);
+
+  std::size_t offer(EngineState& state, std::span<const Input> inputs, std::vector<EngineEvent>& events);
+  void step(EngineState& state, std::span<const Input> inputs, std::vector<EngineEvent>& events);
   void explored(EngineState& state, ExplorationStep step, std::vector<EngineEvent>& events);
   void update_beliefs(EngineState& state, const Input& input, std::vector<EngineEvent>& events);
   void behave(EngineState& state, std::vector<StepEvent> steps, std::vector<EngineEvent>& events);
 
+  // acting.cpp: what the body is told
+  void gesture(EngineState& state, const Term& gesture, std::vector<EngineEvent>& events);
+  void perform(EngineState& state, const WorldSnapshot& world, std::vector<EngineEvent>& events);
+
   std::shared_ptr<const Machine> machine_;
+  FusionWindow window_;
   std::shared_ptr<const Language> language_;
   Perspective perspective_;
+  Performer performer_;
   Methods methods_;
   RuleTable facts_;
   std::optional<Understanding> understanding_;  ///< once the run has begun, of machines with a lexicon

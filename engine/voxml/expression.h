@@ -20,16 +20,19 @@ struct Expression {
     either,     ///< a | b
   };
   Kind kind = Kind::name;
-  std::string name;
+  std::string name;  ///< y, handle[2], or a place in numbers: <0.5; 0.9; -0.1>
   std::vector<Expression> arguments;
 
   friend bool operator==(const Expression&, const Expression&) = default;
 };
 
-/// As documents write it, with a space after commas and around ^ and |.
+/// As documents write it, with a space after commas and around ^ and |. REQUIRES two or more arguments of `both` and
+/// `either`, one of `negation`.
 std::string print(const Expression& expression);
 
-/// Errors say what was found and expected, and at which character of `text`.
+/// Also written: && and ∧ for ^, || and ∨ for |, ¬ and ~ for !, → for ->, "…" for '…', `;` for the comma of lists.
+/// What ^ or | joins is one list, however it was bracketed. Errors say what was found and expected, and at which
+/// character of `text`; brackets more than 100 deep are one.
 Result<Expression> parse_expression(std::string_view text);
 
 /// One step of a program (semantics §4).
@@ -49,18 +52,23 @@ std::string print(const Subevent& subevent);
 
 /// Brackets around the whole and closing ones that are missing at the end or too many are tolerated, as published
 /// documents have them: [while(hold(x,y),move(x)].
+/// A label before a step is passed over: E1 = grasp(x,y).
 Result<Subevent> parse_subevent(std::string_view text);
+/// Steps in one text, with semicolons between them; there is at least one.
+Result<std::vector<Subevent>> parse_subevents(std::string_view text);
 
 /// What can be done with an object: habitat -> [event] result (VoxML §5; H[4],hold(x,[1])->[stir([1])]).
 struct Affordance {
   std::string habitat;                 ///< number of the habitat that must hold; empty: any (a bare H)
   std::vector<Expression> conditions;  ///< that must hold beside it
-  Expression event;
-  std::vector<Expression> results;  ///< what holds afterwards; may be empty
+  Expression event;                    ///< several as `both` of them
+  std::vector<Expression> results;     ///< what holds afterwards; may be empty
 
   friend bool operator==(const Affordance&, const Affordance&) = default;
 };
 std::string print(const Affordance& affordance);
+/// Its habitat as H, H2, H_2, H[2] or H_[2]; without any before the arrow it is a bare H. Several events, conditions or
+/// results stand between , ; or ^. Closing brackets as in parse_subevent.
 Result<Affordance> parse_affordance(std::string_view text);
 
 }  // namespace continua

@@ -1,8 +1,7 @@
 #include "replay/commands/named_machine.h"
 
-#include "composition/methods.h"
-#include "machine_file/machine_loader.h"
 #include "replay/data_paths.h"
+#include "replay/language_loading.h"
 
 namespace continua {
 
@@ -11,7 +10,7 @@ Result<std::shared_ptr<const Machine>> load_named_machine(const std::string& nam
   if (!data) return data.error();
   const auto path = resolve_machine(name, *data, ".", "");
   if (!path) return path.error();
-  auto machine = load_machine(*path, Methods::signature());
+  auto machine = load_machine(*path, *data);
   if (!machine) return machine.error();
   return std::make_shared<const Machine>(*std::move(machine));
 }

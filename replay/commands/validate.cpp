@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -9,12 +10,15 @@
 #include "core/located_json.h"
 #include "machine_file/jflap.h"
 #include "machine_file/machine_loader.h"
+#include "machine_file/phrase_file.h"
+#include "replay/data_paths.h"
 #include "replay/language_loading.h"
 #include "replay/run_index.h"
 #include "replay/session_import.h"
 #include "replay/trace_file.h"
 #include "simulation/scene.h"
 #include "term/raising_file.h"
+#include "voxml/catalogue.h"
 
 namespace continua {
 namespace {
@@ -58,8 +62,10 @@ FileCheck check_session(std::string_view text, const std::string& path) {
 }
 
 FileCheck check_machine_file(std::string_view text, const std::string& path) {
-  const auto machine = parse_machine(text, path, Methods::signature());
-  if (!machine) return {check_machine(text, path, Methods::signature()), {}, "", exit_impossible};
+  const auto data = find_data_paths();
+  const auto phrases = data ? phrases_folder(*data) : "";
+  const auto machine = parse_machine(text, path, Methods::signature(), phrases);
+  if (!machine) return {check_machine(text, path, Methods::signature(), phrases), {}, "", exit_impossible};
   return {{},
           {},
           fmt::format("machine, {}, {}", counted(machine->states.size(), "state"),
@@ -84,6 +90,36 @@ FileCheck check_lexicon_file(std::string_view, const std::string& path) {
   return check;
 }
 
+// Its terms are those of the machines that use it: of the knowledge folder that it is in, if it is in one.
+FileCheck check_phrase_file(std::string_view text, const std::string& path) {
+  namespace fs = std::filesystem;
+  const auto document = LocatedJson::parse(text, path);
+  if (!document) return {{document.error()}, {}, ""};
+  FileCheck check{phrase_problems(*document), {}, ""};
+  if (!check.problems.empty()) return check;
+  const auto folder = fs::path(path).parent_path();
+  std::vector<fs::path> machines;
+  std::error_code none;
+  for (const auto& file : fs::directory_iterator(fs::absolute(folder).parent_path() / "machines", none))
+    if (file.path().extension() == ".json") machines.push_back(file.path());
+  std::sort(machines.begin(), machines.end());
+  std::size_t users = 0;
+  for (const auto& file : machines) {
+    const auto machine = LocatedJson::read(file.string());
+    if (!machine || !machine->root().is_object() ||
+        machine->root().value("phrases", Json()) != fs::path(path).stem().string())
+      continue;
+    ++users;
+    const auto of_machine = read_file(file.string());
+    for (auto& problem : check_machine(*of_machine, file.string(), Methods::signature(), folder.string()))
+      if (problem.where.starts_with(fs::path(path).lexically_normal().string() + ":"))
+        check.problems.push_back(std::move(problem));
+  }
+  check.summary =
+      counted(document->root()["say"].size(), "phrase") + ", read with " + counted(users, "machine") + " that use them";
+  return check;
+}
+
 FileCheck check_raising(std::string_view text, const std::string& path) {
   const auto rules = parse_raising(text, path, names_of_terms());
   if (!rules) return {{rules.error()}, {}, ""};
@@ -94,6 +130,15 @@ FileCheck check_jflap(std::string_view text, const std::string& path) {
   const auto machine = machine_of_jflap(text, path);
   if (!machine) return {{machine.error()}, {}, ""};
   return check_machine_file(compact(*machine), path);
+}
+
+FileCheck check_voxeme(std::string_view text, const std::string& path) {
+  const auto read = read_voxeme(text, path);
+  if (!read) return {{read.error()}, {}, ""};
+  FileCheck check{
+      {}, {}, fmt::format("voxeme, the {} {}", continua::text(read->voxeme.entity), read->voxeme.predicate)};
+  for (const auto& note : read->notes) check.notes.push_back(note.text());
+  return check;
 }
 
 FileCheck check_scene(std::string_view, const std::string& path) {
@@ -119,6 +164,11 @@ constexpr std::array file_kinds = {
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "run"); }, check_run},
     FileKind{is_lexicon_file, check_lexicon_file},
     FileKind{[](std::string_view text, const std::string& path) {
+               return path.ends_with(".json") && text.find("\"phrases\"") != text.npos &&
+                      text.find("\"transitions\"") == text.npos;
+             },
+             check_phrase_file},
+    FileKind{[](std::string_view text, const std::string& path) {
                return path.ends_with(".json") && text.find("\"raising\"") != text.npos &&
                       text.find("\"transitions\"") == text.npos;
              },
@@ -128,11 +178,31 @@ constexpr std::array file_kinds = {
                                                   text.find("\"transitions\"") != text.npos);
              },
              check_machine_file},
+    FileKind{[](std::string_view text, const std::string&) { return looks_like_voxeme(text); }, check_voxeme},
     FileKind{[](std::string_view text, const std::string&) { return begins_with(text, "<"); }, check_scene},
     FileKind{[](std::string_view text, const std::string&) { return looks_like_session(text); }, check_session},
 };
 
+int validate(const std::string& path);
+
+int validate_folder(const std::string& folder) {
+  constexpr std::array<std::string_view, 4> extensions = {".xml", ".json", ".jsonl", ".jff"};
+  std::vector<std::string> files;
+  std::error_code problem;
+  for (std::filesystem::recursive_directory_iterator each(folder, problem), end; !problem && each != end;
+       each.increment(problem))
+    if (std::find(extensions.begin(), extensions.end(), each->path().extension().string()) != extensions.end() &&
+        !is_folder(each->path()))
+      files.push_back(each->path().lexically_normal().string());
+  std::sort(files.begin(), files.end());
+  int status = exit_done;
+  for (const auto& file : files) status = std::max(status, validate(file));
+  return status;
+}
+
+// Of a folder, the files that may be the project's.
 int validate(const std::string& path) {
+  if (is_folder(path)) return validate_folder(path);
   const auto text = read_file(path);
   if (!text) return report(text.error()), exit_impossible;
   const auto check = check_file(*text, path);
@@ -162,10 +232,10 @@ int run_validate(const ValidateOptions& options) {
 }
 
 void add_validate_command(CLI::App& program, Run& run) {
-  auto* command =
-      program.add_subcommand("validate", "Check traces, machines, lexicons, scenes, run logs and session logs");
+  auto* command = program.add_subcommand(
+      "validate", "Check traces, machines, phrases, lexicons, voxemes, scenes, run logs and session logs");
   auto options = std::make_shared<ValidateOptions>();
-  command->add_option("FILE", options->files, "files of any kind")->required();
+  command->add_option("FILE", options->files, "files of any kind, or folders of them")->required();
   command->footer("Example: continua validate traces/corner/*.trace.jsonl");
   command->callback([options, &run] { run = [options] { return run_validate(*options); }; });
 }

@@ -1,6 +1,7 @@
 // Laws of stacks and of runs, on random stacks, random machines and random words.
 #include <rapidcheck.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <set>
 
@@ -87,6 +88,22 @@ std::string any_word(int longest) {
   std::string word;
   for (int left = pick(longest + 1); left > 0; --left) word += pick(2) == 0 ? 'a' : 'b';
   return word;
+}
+
+// Confidences are powers of two, so that they scale weights exactly.
+std::vector<naive::Offer> any_offers() {
+  std::vector<naive::Offer> offers;
+  for (int left = 1 + pick(4); left > 0; --left)
+    offers.push_back({static_cast<char>('a' + pick(3)), std::ldexp(1.0, -pick(4))});
+  return offers;
+}
+
+// Where a machine may come to; nothing if it does not come to rest there.
+std::optional<Configuration> any_configuration_of(SmallEngine& engine) {
+  auto step = engine.begin();
+  for (const char input : any_word(5)) step = engine.step(step.after, input);
+  if (has<Trouble>(step.events)) return std::nullopt;
+  return step.after;
 }
 
 using Texts = std::set<std::string>;
@@ -211,5 +228,44 @@ TEST_CASE("exploring a set is exploring each of its configurations, equal ones m
       RC_ASSERT(texts_of(together.after.branches) == texts_of(alone));
       if (alone.size() > 10 * most) return;
     }
+  });
+}
+
+TEST_CASE("inputs that are alternatives of one another") {
+  law("how sure all of them are together decides nothing", [] {
+    SmallEngine engine(naive::json(any_machine()));
+    const auto before = any_configuration_of(engine);
+    if (!before) RC_DISCARD("no rest");
+    auto offers = any_offers();
+    const auto step = engine.step(*before, offers);
+    for (auto& offer : offers) offer.confidence /= 8;
+    RC_ASSERT(text_of(engine.step(*before, offers).after) == text_of(step.after));
+  });
+  law("one that is not taken, or of which nothing is sure, takes no part", [] {
+    SmallEngine engine(naive::json(any_machine()));
+    const auto before = any_configuration_of(engine);
+    if (!before) RC_DISCARD("no rest");
+    auto offers = any_offers();
+    const auto step = engine.step(*before, offers);
+    for (const naive::Offer idle : {naive::Offer{'z', 1}, naive::Offer{'a', 0}, naive::Offer{'b', 0}})
+      offers.insert(offers.begin() + pick(static_cast<int>(offers.size()) + 1), idle);
+    const auto more = engine.step(*before, offers);
+    RC_ASSERT(text_of(more.after) == text_of(step.after));
+    RC_ASSERT(has<RefusedInput>(more.events) == has<RefusedInput>(step.events));
+  });
+  law("what exploring them leads to is what each of them leads to", [] {
+    SmallEngine engine(naive::json(any_machine()));
+    const auto before = engine.explore().after;
+    const auto offers = any_offers();
+    const auto together = engine.explore(before, offers);
+    Texts alone;
+    for (const auto& offer : offers) {
+      const auto step = engine.explore(before, {offer});
+      if (has<RefusedInput>(step.events)) continue;
+      if (step.after.branches.size() > 100) RC_DISCARD("stacks grow without end");
+      alone.merge(texts_of(step.after.branches));
+    }
+    RC_ASSERT(has<RefusedInput>(together.events) == alone.empty());
+    if (!alone.empty()) RC_ASSERT(texts_of(together.after.branches) == alone);
   });
 }

@@ -61,6 +61,62 @@ void compare_words(const naive::Machine& machine, Agreement& agreed) {
   ++agreed.machines;
 }
 
+// Sequences of inputs of which one is to be taken, each told from all others by its outcome.
+const std::vector<std::vector<naive::Offer>> offers = {
+    {{'a', 1}, {'b', 0.5}}, {{'a', 0.25}, {'b', 1}},  {{'b', 0.5}, {'a', 0.5}},
+    {{'a', 0}, {'b', 1}},   {{'a', 0.5}, {'a', 0.5}}, {{'b', 0}, {'c', 1}, {'a', 0.125}, {'b', 0.125}}};
+const std::size_t longest_offered = 3;
+
+std::string taken_after(const Step& step) {
+  for (const auto& event : step.events)
+    if (const auto* fired = std::get_if<Fired>(&event)) return " " + std::to_string(fired->alternative);
+  return "";
+}
+
+void compare_offers(const naive::Machine& machine, Agreement& agreed) {
+  const std::string text = naive::json(machine);
+  CAPTURE(text);
+  SmallEngine engine(text);
+  struct Run {
+    std::size_t length;
+    naive::Step twin;
+    Step step;
+  };
+  std::deque<Run> runs = {{0, naive::begin(machine), engine.begin()}};
+  for (; !runs.empty() && runs.front().twin.trouble != naive::Trouble::endless; runs.pop_front()) {
+    const auto& [length, twin, step] = runs.front();
+    if (length == longest_offered) break;
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+      const Run next{length + 1, naive::step(machine, twin.after, offers[i]), engine.step(step.after, offers[i])};
+      CAPTURE(length, i, text_of(step.after));
+      REQUIRE(seen_after(engine.machine(), next.step) + taken_after(next.step) ==
+              seen_after(machine, next.twin) + (next.twin.refused ? "" : " " + std::to_string(next.twin.taken)));
+      ++agreed.words;
+      runs.push_back(next);
+    }
+  }
+  ++agreed.machines;
+}
+
+void compare_offered_sets(const naive::Machine& machine, Agreement& agreed) {
+  const std::string text = naive::json(machine);
+  CAPTURE(text);
+  SmallEngine engine(text, 10 * most_compared);
+  auto twin = naive::explored(machine, most_compared);
+  if (!twin) return;
+  auto step = engine.explore();
+  for (const auto& offered : offers) {
+    const auto next = naive::explored(machine, *twin, offered, most_compared);
+    if (!next) return;
+    step = engine.explore(step.after, offered);
+    REQUIRE(has<RefusedInput>(step.events) == next->empty());
+    if (!next->empty()) twin = next;
+    REQUIRE(seen_after(step) == seen_after(*twin));
+    ++agreed.words;
+  }
+  ++agreed.machines;
+}
+
 // The same of all runs at once, as long as there are not too many for the twin to compare one by one.
 void compare_sets(const naive::Machine& machine, Agreement& agreed) {
   const std::string text = naive::json(machine);
@@ -126,6 +182,16 @@ TEST_CASE("the engine explores what its naive twin explores, on sampled machines
   for (std::uint64_t number = 0; number < samples(150); ++number) {
     CAPTURE(number);
     compare_sets(naive::sampled_machine(number), agreed);
+  }
+  agreed.tell();
+}
+
+TEST_CASE("offered several inputs at once, the engine takes what its naive twin takes") {
+  Agreement agreed;
+  for (std::uint64_t number = 0; number < samples(100); ++number) {
+    CAPTURE(number);
+    compare_offers(naive::sampled_machine(number), agreed);
+    compare_offered_sets(naive::sampled_machine(number), agreed);
   }
   agreed.tell();
 }

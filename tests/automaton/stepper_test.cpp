@@ -267,3 +267,57 @@ TEST_CASE("to act on a list is to act on each of its programs") {
   REQUIRE(player.all<Acted>().size() == 2);
   CHECK(print(player.all<Acted>()[1].term) == "go(2)");
 }
+
+TEST_CASE("of several inputs one is taken, by its confidence and the weight of what takes it") {
+  const std::string text = R"json({"machine":1,"name":"m","start":"A","slots":{"at":"loc"},"transitions":[
+    {"id":"light","from":"A","on":"x","to":"B","weight":1},
+    {"id":"heavy","from":"A","on":"x","to":"C","weight":2},
+    {"id":"y","from":"A","on":"y","to":"D","weight":4,"push":{"at":"target"}},
+    {"id":"never","from":"A","on":"w","when":"at != null","to":"B"}]})json";
+  struct Case {
+    Choice choice;
+    const char* offered;
+    const char* fired;
+    std::size_t taken;
+  };
+  const Case cases[] = {{Choice::likeliest, "x 0.5, y 0.2", "heavy", 0},  {Choice::likeliest, "x 0.3, y 0.5", "y", 1},
+                        {Choice::likeliest, "x 0.5, y 0.25", "heavy", 0},  // a tie
+                        {Choice::likeliest, "y 0.25, x 0.5", "y", 0},     {Choice::likeliest, "x 0, y 0.1", "y", 1},
+                        {Choice::likeliest, "z 1, y 0.1, y 0.2", "y", 2}, {Choice::unique, "y 0.2, z 1, y 0.3", "y", 2},
+                        {Choice::unique, "y 0.9, x 0.1", "", 0},          {Choice::unique, "y 0.9, x 0", "y", 0},
+                        {Choice::likeliest, "w 0.5, z 0.5, x 0", "", 0}};
+  for (const auto& [choice, offered, fired, taken] : cases) {
+    Player player(text, choice);
+    player.offer(std::string(offered));
+    CAPTURE(offered);
+    CHECK(player.fired() == fired);
+    if (*fired) CHECK(player.taken() == taken);
+  }
+  Player player(text);
+  player.offer("x 0.5, y 0.5, w 1");
+  const auto fired = player.all<Fired>().at(0);
+  REQUIRE(fired.candidates.size() == 3);
+  CHECK(fired.candidates[2].alternative == 1);
+  CHECK(fired.candidates[2].weight == 2);
+  CHECK(fired.probability == Approx(2 / 3.5));
+  CHECK(fired.refused.at(0).alternative == 2);
+  CHECK(fired.input == "y");
+  CHECK(player.slot("at") == "<2, 0, 0>");  // what came with the input that was taken
+
+  Player none(text);
+  CHECK(none.offer("w 0.5, z 0.5, x 0").all<RefusedInput>().at(0).reason ==
+        "'w': no transition's condition holds; 'z': no transition from A takes 'z'; 'x': its confidence is 0");
+  Player unique(text, Choice::unique);
+  CHECK(unique.offer("y 0.9, x 0.1").all<RefusedInput>().at(0).reason ==
+        "'y': y applies, but another input is not unique; 'x': more than one transition applies: light, heavy");
+}
+
+TEST_CASE("a draw is over all inputs") {
+  const std::string text = R"({"machine":1,"name":"m","start":"A","transitions":[
+    {"id":"x","from":"A","on":"x","to":"B"},{"id":"y","from":"A","on":"y","to":"B","weight":3}]})";
+  int x = 0;
+  for (std::uint64_t seed = 0; seed < 700; ++seed)
+    x += Player(text, Choice::sample, seed).offer("x 0.5, y 1").fired() == "x";
+  CHECK(x > 60);  // a seventh of 700 is 100
+  CHECK(x < 140);
+}

@@ -44,3 +44,18 @@ TEST_CASE("definitions may use each other in any order, but not in a circle") {
   CHECK(load(R"({"b":"c and true","c":"1 = 1"})").ok());
   CHECK_FALSE(load(R"({"b":"c","c":"b"})").ok());
 }
+
+TEST_CASE("what understands gestures and how long words and pointing wait for each other is the machine's to say") {
+  const auto with = [](const std::string& keys) {
+    return machine_of(R"({"machine":1,"name":"m","start":"A","transitions":[{"id":"a","from":"A","on":"x","to":"A"}])" +
+                      keys + "}");
+  };
+  CHECK(with("")->gestures.empty());
+  CHECK_FALSE(with("")->fusion);
+  const auto machine = with(R"(,"gestures":"hands","fusion":{"after":0.25})");
+  CHECK(machine->gestures == "hands");
+  REQUIRE(machine->fusion);
+  CHECK(machine->fusion->before_s == 2);
+  CHECK(machine->fusion->after_s == 0.25);
+  CHECK(machine->fusion->lateness_s == 0);
+}

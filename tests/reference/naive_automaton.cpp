@@ -73,12 +73,28 @@ std::vector<std::optional<Symbol>> seen_by_pop_until(const Machine& machine, con
   return seen;
 }
 
-std::optional<Transition> chosen(const Machine& machine, const std::vector<Transition>& candidates) {
-  if (candidates.empty() || (machine.unique && candidates.size() > 1)) return std::nullopt;
-  Transition best = candidates[0];
+struct Candidate {
+  Transition transition;
+  std::size_t offer;
+  double weight;
+};
+
+std::optional<Candidate> chosen(const Machine& machine, const std::vector<Candidate>& candidates) {
+  if (candidates.empty()) return std::nullopt;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (machine.unique && candidates[i].offer == candidates[j].offer) return std::nullopt;
+  Candidate best = candidates[0];
   for (const auto& candidate : candidates)
     if (candidate.weight > best.weight) best = candidate;
   return best;
+}
+
+void add_candidates(const Machine& machine, const Configuration& now, std::optional<char> input, double confidence,
+                    std::size_t offer, std::vector<Candidate>& candidates) {
+  if (confidence <= 0) return;
+  for (const auto& transition : applicable(machine, now, input))
+    candidates.push_back({transition, offer, transition.weight * confidence});
 }
 
 bool is_rewrite(const Operation& operation) {
@@ -90,12 +106,14 @@ Step settled(const Machine& machine, Configuration now, bool after_rewrite) {
   std::vector<Configuration> passed = {now};
   if (!machine.epsilon_always && !after_rewrite) return {now, false, Trouble::none};
   while (true) {
-    const auto transition = chosen(machine, applicable(machine, now, std::nullopt));
-    if (!transition) break;
+    std::vector<Candidate> candidates;
+    add_candidates(machine, now, std::nullopt, 1, 0, candidates);
+    const auto best = chosen(machine, candidates);
+    if (!best) break;
     if (static_cast<int>(passed.size()) > most_epsilon_steps) return {now, false, Trouble::endless};
-    const auto way = way_through_gates(machine, now.stack.back(), *transition);
+    const auto way = way_through_gates(machine, now.stack.back(), best->transition);
     if (!way) return {now, false, Trouble::gates};
-    now = *fire(machine, now, *transition);
+    now = *fire(machine, now, best->transition);
     after_rewrite = is_rewrite(way->operation);
     if (!machine.epsilon_always && !after_rewrite) break;
     for (const auto& earlier : passed)
@@ -170,12 +188,17 @@ std::optional<Configuration> fire(const Machine& machine, const Configuration& b
 
 Step begin(const Machine& machine) { return settled(machine, start(), false); }
 
-Step step(const Machine& machine, const Configuration& before, char input) {
-  const auto transition = chosen(machine, applicable(machine, before, input));
-  if (!transition) return {before, true, Trouble::none};
-  const auto way = way_through_gates(machine, before.stack.back(), *transition);
+Step step(const Machine& machine, const Configuration& before, const std::vector<Offer>& offers) {
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < offers.size(); ++i)
+    add_candidates(machine, before, offers[i].input, offers[i].confidence, i, candidates);
+  const auto best = chosen(machine, candidates);
+  if (!best) return {before, true, Trouble::none};
+  const auto way = way_through_gates(machine, before.stack.back(), best->transition);
   if (!way) return {before, true, Trouble::gates};
-  return settled(machine, *fire(machine, before, *transition), is_rewrite(way->operation));
+  Step step = settled(machine, *fire(machine, before, best->transition), is_rewrite(way->operation));
+  step.taken = best->offer;
+  return step;
 }
 
 }  // namespace naive

@@ -74,10 +74,20 @@ struct Step {
   Configuration after;
   bool refused = false;
   Trouble trouble = Trouble::none;
+  std::size_t taken = 0;  ///< which of the inputs offered
+};
+
+/// One of several inputs of which one is to be taken.
+struct Offer {
+  char input;
+  double confidence;
 };
 
 Step begin(const Machine& machine);
-Step step(const Machine& machine, const Configuration& before, char input);
+Step step(const Machine& machine, const Configuration& before, const std::vector<Offer>& offers);
+inline Step step(const Machine& machine, const Configuration& before, char input) {
+  return step(machine, before, {{input, 1}});
+}
 
 /// The configuration of a run that has not yet tried any ε-transition.
 Configuration start();

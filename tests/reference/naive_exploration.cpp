@@ -51,10 +51,12 @@ std::optional<Configurations> explored(const Machine& machine, std::size_t most)
   return with_epsilon(machine, {{start(), machine.epsilon_always}}, most);
 }
 
-std::optional<Configurations> explored(const Machine& machine, const Configurations& before, char input,
-                                       std::size_t most) {
+std::optional<Configurations> explored(const Machine& machine, const Configurations& before,
+                                       const std::vector<Offer>& offers, std::size_t most) {
   std::vector<Reached> reached;
-  for (const auto& configuration : before) add_next(machine, configuration, input, reached);
+  for (const auto& configuration : before)
+    for (const auto& [input, confidence] : offers)
+      if (confidence > 0) add_next(machine, configuration, input, reached);
   return with_epsilon(machine, reached, most);
 }
 

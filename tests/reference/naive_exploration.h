@@ -16,9 +16,13 @@ using Configurations = std::vector<Configuration>;
 /// All in which a run may be that has not yet read anything. Nothing if there are more than `most`.
 std::optional<Configurations> explored(const Machine& machine, std::size_t most);
 
-/// All that an input leads to; empty where none takes it. Nothing if there are more than `most`.
-std::optional<Configurations> explored(const Machine& machine, const Configurations& before, char input,
-                                       std::size_t most);
+/// All that any of the inputs leads to; empty where none is taken. Nothing if there are more than `most`.
+std::optional<Configurations> explored(const Machine& machine, const Configurations& before,
+                                       const std::vector<Offer>& offers, std::size_t most);
+inline std::optional<Configurations> explored(const Machine& machine, const Configurations& before, char input,
+                                              std::size_t most) {
+  return explored(machine, before, {{input, 1}}, most);
+}
 
 enum class Acceptance { final_state, empty_stack };
 

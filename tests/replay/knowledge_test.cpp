@@ -19,7 +19,7 @@ TEST_CASE("every machine of the knowledge folder is sound, and its examples are 
     if (file.path().extension() != ".json") continue;
     ++machines;
     CAPTURE(file.path());
-    auto loaded = load_machine(file.path().string(), Methods::signature());
+    auto loaded = load_machine(file.path().string(), *data);
     if (!loaded) FAIL(loaded.error().text());
     const auto machine = std::make_shared<const Machine>(std::move(*loaded));
     auto language = load_language(*data, *machine);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,10 @@ inline std::shared_ptr<const Machine> machine_of(const std::string& text) {
 class Player {
  public:
   explicit Player(const std::string& text, std::optional<Choice> choice = std::nullopt, std::uint64_t seed = 1)
-      : machine_(machine_of(text)),
+      : Player(machine_of(text), choice, seed) {}
+  explicit Player(std::shared_ptr<const Machine> machine, std::optional<Choice> choice = std::nullopt,
+                  std::uint64_t seed = 1)
+      : machine_(std::move(machine)),
         stepper_(machine_, no_methods),
         beliefs_(machine_->beliefs),
         chooser_{choice.value_or(machine_->choice), Random(seed), {}, 0} {
@@ -45,6 +49,22 @@ class Player {
       take(stepper_.step(configuration_, input, beliefs_, chooser_));
       at = comma + 2;
     }
+    return *this;
+  }
+
+  /// Offers several symbols at once, of which one is to be taken: "yes 0.7, no 0.3".
+  Player& offer(const std::string& alternatives) {
+    std::vector<Input> inputs;
+    std::istringstream words(alternatives);
+    for (std::string symbol, confidence; words >> symbol >> confidence;) {
+      inputs.emplace_back();
+      inputs.back().serial = serial_ + static_cast<int>(inputs.size());
+      inputs.back().symbol = symbol;
+      inputs.back().target = Term::point(inputs.back().serial, 0, 0);
+      inputs.back().confidence = std::stod(confidence);
+    }
+    serial_ += static_cast<int>(inputs.size());
+    take(stepper_.step(configuration_, inputs, beliefs_, chooser_));
     return *this;
   }
 
@@ -72,6 +92,8 @@ class Player {
     for (const auto& one : all<Fired>()) ids += (ids.empty() ? "" : " ") + machine_->transitions[one.transition].id;
     return ids;
   }
+  /// Which of the inputs offered the latest step took; of the first of several transitions.
+  std::size_t taken() const { return all<Fired>().at(0).alternative; }
 
  private:
   void take(Step step) {

@@ -52,19 +52,24 @@ class SmallEngine {
 
   const Machine& machine() const { return *machine_; }
   Step begin() { return stepper_.begin(beliefs_, chooser_); }
-  Step step(const Configuration& before, char symbol) {
-    return stepper_.step(before, input(symbol), beliefs_, chooser_);
+  Step step(const Configuration& before, const std::vector<naive::Offer>& offers) {
+    return stepper_.step(before, inputs(offers), beliefs_, chooser_);
   }
+  Step step(const Configuration& before, char symbol) { return step(before, {{symbol, 1}}); }
   ExplorationStep explore() { return explorer_.begin(beliefs_); }
-  ExplorationStep explore(const Exploration& before, char symbol) {
-    return explorer_.step(before, input(symbol), beliefs_);
+  ExplorationStep explore(const Exploration& before, const std::vector<naive::Offer>& offers) {
+    return explorer_.step(before, inputs(offers), beliefs_);
   }
+  ExplorationStep explore(const Exploration& before, char symbol) { return explore(before, {{symbol, 1}}); }
 
  private:
-  static Input input(char symbol) {
-    Input input;
-    input.symbol = std::string(1, symbol);
-    return input;
+  static std::vector<Input> inputs(const std::vector<naive::Offer>& offers) {
+    std::vector<Input> inputs(offers.size());
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+      inputs[i].symbol = std::string(1, offers[i].input);
+      inputs[i].confidence = offers[i].confidence;
+    }
+    return inputs;
   }
 
   std::shared_ptr<const Machine> machine_;

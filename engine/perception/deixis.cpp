@@ -1,0 +1,75 @@
+#include "perception/deixis.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "perception/fixations.h"
+
+namespace continua {
+namespace {
+
+// NaN has no order; where there is no place, there is infinity.
+Vec3 place_or_nowhere(const InputEvent& event) {
+  const auto place_W = place_of(event);
+  return place_W && place_W->allFinite() ? *place_W : Vec3::Constant(std::numeric_limits<double>::infinity());
+}
+
+auto order(const PointingSample& s) {
+  return std::tie(s.t, s.hand, s.place_W.x(), s.place_W.y(), s.until, s.confidence, s.serial);
+}
+
+}  // namespace
+
+SimTime settled_at(const Deixis& deixis) {
+  if (deixis.gesture) return deixis.from;
+  const SimTime lasted = deixis.from + SimTime::from_seconds(least_dwell_s);
+  return lasted <= deixis.until ? lasted : deixis.until + SimTime::from_seconds(longest_dropout_s);
+}
+
+void PointingTrack::add(const InputEvent& event, int serial) {
+  if (event.modality != Modality::pointing) return;
+  PointingSample sample{event.t,          std::max(event.t, event.until.value_or(event.t)),
+                        event.hand,       place_or_nowhere(event),
+                        event.confidence, serial};
+  const auto after = std::upper_bound(samples_.begin(), samples_.end(), sample,
+                                      [](const auto& a, const auto& b) { return order(a) < order(b); });
+  samples_.insert(after, std::move(sample));
+  if (samples_.size() > most_samples) samples_.erase(samples_.begin());
+}
+
+std::vector<Deixis> PointingTrack::fixations(SimTime from, SimTime until) const {
+  auto found = fixations_in(samples_, area_);
+  std::erase_if(found, [&](const Deixis& each) { return each.until < from || each.from > until; });
+  return found;
+}
+
+void PointingTrack::forget_before(SimTime t) {
+  std::erase_if(samples_, [&](const PointingSample& each) { return each.until < t; });
+}
+
+void PointingTrack::forget(const Deixis& fixation) {
+  std::erase_if(samples_, [&](const PointingSample& each) {
+    const bool in_its_time = each.t >= fixation.from && each.t <= fixation.until;
+    const auto& serials = fixation.serials;
+    return in_its_time &&
+           (each.hand == fixation.hand || std::find(serials.begin(), serials.end(), each.serial) != serials.end());
+  });
+}
+
+std::optional<Deixis> deixis_of(const InputEvent& event, int serial) {
+  if (event.modality != Modality::gesture || event.phase == "stop" || !event.target_W || !event.target_W->allFinite())
+    return std::nullopt;
+  Deixis deixis;
+  deixis.from = event.t;
+  deixis.until = std::max(event.t, event.until.value_or(event.t));
+  deixis.hand = event.hand;
+  deixis.place_W = *event.target_W;
+  deixis.gesture = true;
+  deixis.confidence = event.confidence;
+  deixis.samples = 1;
+  deixis.serials = {serial};
+  return deixis;
+}
+
+}  // namespace continua

@@ -1,0 +1,260 @@
+#include "perception/fusion.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace continua {
+namespace {
+
+SimTime seconds(double s) { return SimTime::from_seconds(s); }
+
+// At one time.
+int rank(const Percept& percept) {
+  if (percept.deixis) return 1;
+  return percept.event.modality == Modality::speech ? 2 : 3;
+}
+
+auto order(const Percept& percept) { return std::tuple(percept.event.t, rank(percept), percept.serial); }
+
+bool is_one_hand(const Deixis& a, const Deixis& b) { return a.hand == b.hand || a.hand.empty() || b.hand.empty(); }
+
+bool overlap(const Deixis& a, const Deixis& b) { return a.from <= b.until && b.from <= a.until; }
+
+bool is_timed(const InputEvent& speech) { return speech.until || !speech.words.empty(); }
+
+// The end of the last taker that needs a pointing.
+std::optional<SimTime> last_need(const std::vector<Taker>& takers) {
+  std::optional<SimTime> last;
+  for (const auto& taker : takers)
+    if (taker.needs) last = std::max(last.value_or(taker.until), taker.until);
+  return last;
+}
+
+// When speech is complete, as things are.
+SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixis>>& bound,
+                    const FusionWindow& window) {
+  const auto last = last_need(speech.takers);
+  if (!last) return speech.event.t;
+  const SimTime latest = std::max(speech.event.t, *last + seconds(window.after_s));
+  SimTime at = is_timed(speech.event) ? *last : speech.event.t;
+  for (std::size_t i = 0; i < bound.size(); ++i) {
+    if (!speech.takers[i].needs) continue;
+    if (!bound[i]) return latest;
+    at = std::max(at, settled_at(*bound[i]));
+    if (bound[i]->until + seconds(window.after_s) < speech.event.t) at = std::max(at, *last);
+  }
+  return std::min(at, latest);
+}
+
+}  // namespace
+
+// Of what waits: what belongs together and when each is complete, as things are.
+bool Fusion::receive(Percept percept, SimTime now) {
+  if (percept.event.t < now_ || percept.event.t + lateness() < now) return false;
+  arrive(std::move(percept));
+  return true;
+}
+
+void Fusion::sample(const InputEvent& event, int serial) {
+  if (event.t >= now_) arrive(Sample{event, serial});
+}
+
+void Fusion::arrive(Arrival arrival) {
+  const auto key = [](const Arrival& each) {
+    if (const auto* percept = std::get_if<Percept>(&each)) return order(*percept);
+    return std::tuple(std::get<Sample>(each).event.t, 0, 0);
+  };
+  const auto after = std::upper_bound(arrived_.begin(), arrived_.end(), arrival,
+                                      [&](const Arrival& a, const Arrival& b) { return key(a) < key(b); });
+  arrived_.insert(after, std::move(arrival));
+}
+
+std::vector<Ensemble> Fusion::release(SimTime now) {
+  std::vector<Ensemble> released;
+  const SimTime until = now - lateness();
+  for (;;) {
+    const auto complete = next_complete();
+    const auto next = next_arrival();
+    if (next && *next <= until && (!complete || *next <= *complete))
+      process_next();
+    else if (complete && *complete <= until)
+      now_ = std::max(now_, *complete);
+    else
+      break;
+    while (release_first(released)) {
+    }
+  }
+  now_ = std::max(now_, until);
+  return released;
+}
+
+// Everything of the earliest time.
+void Fusion::process_next() {
+  now_ = *next_arrival();
+  while (next_arrival() == now_) {
+    Arrival arrival = std::move(arrived_.front());
+    arrived_.erase(arrived_.begin());
+    if (const auto* sample = std::get_if<Sample>(&arrival)) {
+      track_.add(sample->event, sample->serial);
+      continue;
+    }
+    auto& percept = std::get<Percept>(arrival);
+    if (percept.deixis) gestures_.push_back(*percept.deixis);
+    const auto after = std::upper_bound(waiting_.begin(), waiting_.end(), percept,
+                                        [](const Percept& a, const Percept& b) { return order(a) < order(b); });
+    waiting_.insert(after, std::move(percept));
+  }
+  forget();
+}
+
+std::optional<SimTime> Fusion::next_arrival() const {
+  if (arrived_.empty()) return std::nullopt;
+  if (const auto* percept = std::get_if<Percept>(&arrived_.front())) return percept->event.t;
+  return std::get<Sample>(arrived_.front()).event.t;
+}
+
+// Where pointings come from: waiting_, released_ or the track, in this order.
+Fusion::Plan Fusion::plan() const {
+  Plan plan;
+  plan.parts.resize(waiting_.size());
+  std::vector<std::tuple<Taker, std::size_t, std::size_t>> takers;  // with their percept and their place in it
+  std::vector<Deixis> pointings;
+  std::vector<std::size_t> from;
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    plan.parts[i].bound.resize(waiting_[i].takers.size());
+    for (std::size_t k = 0; k < waiting_[i].takers.size(); ++k) takers.emplace_back(waiting_[i].takers[k], i, k);
+    if (!waiting_[i].deixis) continue;
+    pointings.push_back(*waiting_[i].deixis);
+    from.push_back(i);
+  }
+  if (!takers.empty()) {
+    std::stable_sort(takers.begin(), takers.end(), [](const auto& a, const auto& b) {
+      return std::tie(std::get<0>(a).from, std::get<0>(a).until) < std::tie(std::get<0>(b).from, std::get<0>(b).until);
+    });
+    pointings.insert(pointings.end(), released_.begin(), released_.end());
+    for (auto& fixation : fixations()) pointings.push_back(std::move(fixation));
+    std::vector<Taker> bare;
+    for (const auto& each : takers) bare.push_back(std::get<0>(each));
+    const auto assigned = assign(bare, pointings, window_);
+    for (std::size_t t = 0; t < assigned.size(); ++t) {
+      if (!assigned[t]) continue;
+      const auto& [taker, i, k] = takers[t];
+      plan.parts[i].bound[k] = pointings[*assigned[t]];
+      if (*assigned[t] < from.size()) plan.parts[from[*assigned[t]]].taken = true;
+    }
+  }
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    const auto& percept = waiting_[i];
+    auto& part = plan.parts[i];
+    if (percept.deixis) {
+      if (!part.taken) part.complete = percept.deixis->until + seconds(window_.after_s);
+    } else {
+      part.complete = complete_at(percept, part.bound, window_);
+    }
+  }
+  return plan;
+}
+
+// But for those that are what a gesture shows.
+std::vector<Deixis> Fusion::fixations() const {
+  constexpr auto ever = std::numeric_limits<std::int64_t>::max();
+  auto fixations = track_.fixations({std::numeric_limits<std::int64_t>::min()}, {ever});
+  std::erase_if(fixations, [&](const Deixis& fixation) {
+    return std::any_of(gestures_.begin(), gestures_.end(), [&](const Deixis& gesture) {
+      return is_one_hand(gesture, fixation) && overlap(gesture, fixation);
+    });
+  });
+  return fixations;
+}
+
+std::optional<SimTime> Fusion::next_complete() const {
+  std::optional<SimTime> next;
+  for (const auto& part : plan().parts)
+    if (part.complete && (!next || *part.complete < *next)) next = part.complete;
+  return next;
+}
+
+// The first that is complete, and what it releases.
+bool Fusion::release_first(std::vector<Ensemble>& released) {
+  const auto parts = plan().parts;
+  const auto is_complete = [&](const Plan::Part& part) { return part.complete && *part.complete <= now_; };
+  const auto first = std::find_if(parts.begin(), parts.end(), is_complete);
+  if (first == parts.end()) return false;
+  release_up_to(static_cast<std::size_t>(first - parts.begin()), parts, released);
+  return true;
+}
+
+void Fusion::release_up_to(std::size_t last, const std::vector<Plan::Part>& parts, std::vector<Ensemble>& released) {
+  const bool by_pointing = waiting_[last].deixis.has_value();
+  std::vector<Deixis> taken;
+  std::vector<Percept> still;
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    auto& percept = waiting_[i];
+    const bool stays = i > last || (percept.deixis ? parts[i].taken : by_pointing && i != last);
+    if (stays) {
+      still.push_back(std::move(percept));
+      continue;
+    }
+    for (const auto& pointing : parts[i].bound)
+      if (pointing) taken.push_back(*pointing);
+    if (percept.deixis) released_.push_back(*percept.deixis);
+    released.push_back({std::move(percept), parts[i].bound, now_});
+  }
+  waiting_ = std::move(still);
+  for (const auto& pointing : taken) take(pointing);
+}
+
+void Fusion::take(const Deixis& pointing) {
+  if (!pointing.gesture) return track_.forget(pointing);
+  const auto is_it = [&](const Deixis& each) { return each.serials == pointing.serials; };
+  std::erase_if(released_, is_it);
+  std::erase_if(waiting_, [&](const Percept& each) { return each.deixis && is_it(*each.deixis); });
+}
+
+// What no word can go with any more.
+void Fusion::forget() {
+  SimTime first = now_;
+  for (const auto& percept : waiting_) {
+    if (percept.event.modality == Modality::speech) first = std::min(first, percept.event.t);
+    for (const auto& taker : percept.takers) first = std::min(first, taker.from);
+  }
+  const SimTime before = first - seconds(window_.before_s);
+  const auto is_over = [&](const Deixis& each) { return each.until < before; };
+  std::erase_if(released_, is_over);
+  std::erase_if(gestures_, is_over);
+  track_.forget_before(before - seconds(longest_dropout_s));
+}
+
+std::vector<Ensemble> Fusion::release_all() {
+  std::vector<Ensemble> released;
+  while (next_arrival()) process_next();
+  while (!waiting_.empty()) {
+    const auto parts = plan().parts;
+    const auto first = std::find_if(parts.begin(), parts.end(), [](const Plan::Part& part) { return !part.taken; });
+    release_up_to(static_cast<std::size_t>(first - parts.begin()), parts, released);
+  }
+  return released;
+}
+
+bool Fusion::waits(int serial) const {
+  const auto is_up_to = [&](const Percept& percept) { return percept.serial <= serial; };
+  return std::any_of(waiting_.begin(), waiting_.end(), is_up_to) ||
+         std::any_of(arrived_.begin(), arrived_.end(), [&](const Arrival& arrival) {
+           const auto* percept = std::get_if<Percept>(&arrival);
+           return percept && is_up_to(*percept);
+         });
+}
+
+std::optional<SimTime> Fusion::due() const {
+  std::optional<SimTime> due = next_complete();
+  for (const auto& arrival : arrived_)
+    if (const auto* percept = std::get_if<Percept>(&arrival)) {
+      due = std::min(due.value_or(percept->event.t), percept->event.t);
+      break;
+    }
+  if (due) due = *due + lateness();
+  return due;
+}
+
+}  // namespace continua

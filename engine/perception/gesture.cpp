@@ -1,0 +1,47 @@
+#include "perception/gesture.h"
+
+#include <algorithm>
+
+#include "perception/gesture_reader.h"
+
+namespace continua {
+
+const std::string* GestureEntry::meaning(std::string_view direction) const {
+  auto found = meanings.find(direction);
+  if (found == meanings.end()) found = meanings.find("");
+  return found == meanings.end() ? nullptr : &found->second;
+}
+
+bool GestureEntry::acts(std::string_view phase) const {
+  return phase.empty() || std::find(acts_on.begin(), acts_on.end(), phase) != acts_on.end();
+}
+
+const GestureEntry* GestureCatalogue::find(std::string_view gesture) const {
+  const auto found = entries.find(gesture);
+  return found == entries.end() ? nullptr : &found->second;
+}
+
+std::string gesture_symbol(const InputEvent& event, const GestureEntry* entry) {
+  const std::string symbol = text(Modality::gesture) + " " + (entry ? entry->kind : "unknown");
+  const bool acts = entry ? entry->acts(event.phase) : event.phase != "stop";
+  return acts ? symbol : symbol + " " + event.phase;
+}
+
+Result<GestureCatalogue> read_gestures(std::string_view text, const std::string& path) {
+  const auto document = LocatedJson::parse(text, path);
+  if (!document) return document.error();
+  GestureReader reader(*document);
+  auto catalogue = reader.read();
+  if (auto problems = reader.problems(); !problems.empty()) return problems.front();
+  return catalogue;
+}
+
+std::vector<Error> check_gestures(std::string_view text, const std::string& path) {
+  const auto document = LocatedJson::parse(text, path);
+  if (!document) return {document.error()};
+  GestureReader reader(*document);
+  reader.read();
+  return reader.problems();
+}
+
+}  // namespace continua
