@@ -1,6 +1,7 @@
 #include "simulation/avatar.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -21,6 +22,12 @@ bool is_move(Capability what) {
   return what == Capability::put || what == Capability::slide || what == Capability::move;
 }
 
+ObjectShapes shapes_of(const std::vector<SceneObject>& objects) {
+  ObjectShapes shapes;
+  for (const auto& object : objects) shapes[object.name] = object.shape;
+  return shapes;
+}
+
 int index_of(const std::string& name, const WorldSnapshot& world) {
   for (std::size_t i = 0; i < world.objects.size(); ++i) {
     if (world.objects[i].name == name) return static_cast<int>(i);
@@ -33,7 +40,11 @@ int index_of(const std::string& name, const WorldSnapshot& world) {
 bool is_gesture(Capability what) { return what == Capability::reach || what == Capability::point; }
 
 Avatar::Avatar(Physics& physics)
-    : physics_(physics), dt_s_(physics.timestep_s()), path_(HandPath::stay(physics.hinges())) {
+    : physics_(physics),
+      dt_s_(physics.timestep_s()),
+      shapes_(shapes_of(physics.objects())),
+      means_{physics.arm(), shapes_},
+      path_(HandPath::stay(physics.hinges())) {
   wanted_opening_m_ = target_.opening_m = resting_opening_m;
   target_.hinges.q = physics.hinges();
 }
@@ -98,8 +109,8 @@ void Avatar::abandon(std::string reason) {
 void Avatar::decide() {
   const WorldSnapshot world = physics_.snapshot({});
   const auto cannot = [&](Status status, std::string reason) {
-    outcome_.status = status;
-    outcome_.reason = std::move(reason);
+    // What has failed before remains the reason of the failure.
+    if (outcome_.status == Status::done) outcome_ = {0, {}, status, 0, std::move(reason)};
     end_act();
   };
   phases_.clear();
@@ -107,8 +118,6 @@ void Avatar::decide() {
   if (const auto name = missing_thing(command_, world))
     return cannot(Status::unreachable, fmt::format("there is no '{}'", *name));
   if (has_goal() && !command_.object.empty()) {
-    if (command_.goal.relation == Relation::in)
-      return cannot(Status::blocked, "the hand cannot put one thing into another");
     const auto place = placement(command_, world, Occupied::cleared);
     if (!place) return cannot(Status::blocked, place.error().sentence);
   }
@@ -137,11 +146,15 @@ void Avatar::put_away(const WorldSnapshot& world) {
   constexpr double standing_m = 0.005;
   const ObjectState& held = *world.find(world.held);
   const bool stands = held.bounds_W().min.z() - height_under(held, world) < standing_m;
-  const Pose X_WT = tool_pose(physics_.arm(), physics_.hinges());
-  const auto handling = stands ? std::nullopt : set_aside(world.held, world, physics_.arm(), X_WT);
+  const auto handling = stands ? std::nullopt : set_aside(world.held, world, means_, *grasp());
   if (handling) return begin_handling(*handling, true);
   phases_ = {Phase::lower, Phase::open, Phase::retreat};
   begin_phase();
+}
+
+std::optional<Grasp> Avatar::grasp() const {
+  if (physics_.held() < 0) return std::nullopt;
+  return Grasp{tool_pose(physics_.arm(), physics_.hinges()), release_opening_m_};
 }
 
 /// Whether it matters where the object shall go.
@@ -157,9 +170,18 @@ Task Avatar::task(const WorldSnapshot& world) const {
   Task task;
   task.object = command_.object;
   if (has_goal()) {
-    task.p_WG = placement(command_, world, Occupied::cleared).value().p_WO;
+    Placement place = placement(command_, world, Occupied::cleared).value();
+    if (command_.goal.relation && is_side(*command_.goal.relation) &&
+        !is_free(*world.find(command_.object), place.p_WO, world)) {
+      // There may be room a little farther on the same side.
+      const auto free = placement(command_, world, Occupied::avoided);
+      if (free) place = *free;
+    }
+    task.p_WG = place.p_WO;
     task.near_m = 0.9 * set_down_error_m;
     task.landmark = landmark();
+    if (command_.goal.relation == Relation::in) task.into = task.landmark;
+    task.on_end = place.upright;
   }
   if (command_.what == Capability::lift) task.raise_m = command_.height_m;
   return task;
@@ -167,7 +189,6 @@ Task Avatar::task(const WorldSnapshot& world) const {
 
 void Avatar::decide_handling(const WorldSnapshot& world) {
   const auto cannot = [&](Status status, std::string reason) {
-    // What has failed before remains the reason of the failure.
     if (outcome_.status == Status::done) outcome_ = {0, {}, status, 0, std::move(reason)};
     end_act();
   };
@@ -180,8 +201,8 @@ void Avatar::decide_handling(const WorldSnapshot& world) {
     return solve_ik(arm, {p_WO, rotation({yaw, 0})}, arm.home).reached;
   };
   const bool in_hand = world.held == wanted.object;
-  const auto grasp = in_hand ? std::optional(tool_pose(arm, physics_.hinges())) : std::nullopt;
-  const auto handling = plan_handling(wanted, world, arm, grasp, tried_);
+  const auto held = in_hand ? grasp() : std::nullopt;
+  const auto handling = plan_handling(wanted, world, means_, held, tried_);
   if (!handling) return cannot(Status::blocked, fmt::format("{} is too wide for the hand", object.name));
   if (!handling->reached || !reaches(p_WG_)) {
     return cannot(Status::unreachable, in_hand || reaches(object.p_WO)
@@ -193,7 +214,7 @@ void Avatar::decide_handling(const WorldSnapshot& world) {
     outcome_ = {};
   }
   if (!handling->has_room && preparations_ < most_preparations) {
-    if (const auto aside = make_room(wanted, world, arm, grasp)) {
+    if (const auto aside = make_room(wanted, world, means_, held)) {
       ++preparations_;
       stage_ = Stage::preparation;
       if (aside->object != wanted.object) moved_aside_.push_back(aside->object);
@@ -209,7 +230,7 @@ void Avatar::begin_handling(const Handling& handling, bool in_hand) {
   if (!in_hand) phases_ = {Phase::approach, Phase::close};
   const bool preparing = stage_ == Stage::preparation;
   if (handling.set_down && (preparing || is_move(command_.what))) {
-    phases_.insert(phases_.end(), {Phase::carry, Phase::lower});
+    phases_.insert(phases_.end(), {Phase::carry, handling.into.empty() ? Phase::lower : Phase::insert});
     if (handling.set_down->shove_from_W) phases_.push_back(Phase::shove);
     if (preparing || lets_go_) phases_.insert(phases_.end(), {Phase::open, Phase::retreat, Phase::settle});
   } else if (command_.what == Capability::lift) {
@@ -236,12 +257,23 @@ bool Avatar::try_again() {
   return true;
 }
 
+/// Whether the object has come to be in the hollow of a container.
+bool Avatar::is_in(const std::string& container, const WorldSnapshot& world) const {
+  const std::array landmarks = {*Landmark::named(container, world)};
+  return holds_by(Relation::in, *world.find(command_.object), landmarks, world.table, Perspective::avatar) > 0;
+}
+
 /// Measures what has been reached.
 void Avatar::judge() {
   if (!is_move(command_.what)) return;
+  const WorldSnapshot world = physics_.snapshot({});
   const int object = index_of(command_.object, physics_.snapshot({}));
   outcome_.position_error_m = on_grid((physics_.object_pose(object).p_WB - p_WG_).head<2>().norm());
-  if (outcome_.position_error_m <= set_down_error_m) return;
+  if (command_.goal.relation == Relation::in) {
+    if (is_in(landmark(), world)) return;
+  } else if (outcome_.position_error_m <= set_down_error_m) {
+    return;
+  }
   outcome_.status = Status::missed;
   outcome_.reason =
       fmt::format("{} came to lie {:.0f} mm from its goal", command_.object, 1000 * outcome_.position_error_m);

@@ -36,7 +36,7 @@ class Avatar {
   std::optional<ActReport> take_result();
 
  private:
-  enum class Phase { hover, approach, close, raise, carry, lower, shove, open, retreat, go_home, settle, halt };
+  enum class Phase { hover, approach, close, raise, carry, lower, insert, shove, open, retreat, go_home, settle, halt };
   enum class Stage { preparation, act };  // what the phases are for: making the act possible, or the act itself
 
   // avatar.cpp
@@ -45,12 +45,14 @@ class Avatar {
   void put_away(const WorldSnapshot& world);
   void halt();
   Task task(const WorldSnapshot& world) const;
+  std::optional<Grasp> grasp() const;
   bool has_goal() const;
   std::string landmark() const;  // what the goal was said beside, or empty
   void begin_handling(const Handling& handling, bool in_hand);
   void phases_done();
   bool try_again();
   void judge();
+  bool is_in(const std::string& container, const WorldSnapshot& world) const;
   void fail(ActReport::Status status, std::string reason);
   void end_act();
 
@@ -69,6 +71,8 @@ class Avatar {
 
   Physics& physics_;
   const double dt_s_;
+  const ObjectShapes shapes_;
+  const Means means_;
 
   // The act.
   AvatarCommand command_;

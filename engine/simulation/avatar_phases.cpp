@@ -15,6 +15,7 @@ using Status = ActReport::Status;
 constexpr double fade_s = 0.25;  // in which a superseded motion fades out
 constexpr double finger_m_per_s = 0.15;
 constexpr double squeeze_m = 0.01;     // by which the fingers would close further if nothing were between them
+constexpr double further_m = 0.003;    // down, than should be needed: contact ends the motion
 constexpr double touch_force_N = 2.5;  // of set-down: a block weighs about 1 N
 constexpr Pace gentle{0.12, 1.5, 10};
 constexpr Pace loaded{0.9, 2.5, 18};
@@ -28,7 +29,7 @@ Pose Avatar::hand_for_object(const Vec3& p_WO, bool turned) const {
   const Pose X_WT = tool_pose(physics_.arm(), physics_.hinges());
   const Vec3 p_TO = X_WT.R_WB.conjugate() * (physics_.object_pose(object_).p_WB - X_WT.p_WB);
   const Eigen::Quaterniond R_WT = hand_at(handling_.grip, p_WO, turned).R_WB;
-  return {p_WO - R_WT * p_TO, R_WT};
+  return {p_WO + (turned ? handling_.grip.aside_W : Vec3::Zero()) - R_WT * p_TO, R_WT};
 }
 
 Pose Avatar::gesture_pose(const WorldSnapshot& world) const {
@@ -126,7 +127,7 @@ bool Avatar::move_to(Phase phase, const WorldSnapshot& world) {
       return go(way_over(from, gesture_pose(world), world, base_W));
     case Phase::approach:
       wanted_opening_m_ = handling_.grip.opening_m;
-      return go(way_over(from, hand_at(handling_.grip, world.objects[object_].p_WO, false), world, base_W));
+      return go(way_to_grasp(from, hand_at(handling_.grip, world.objects[object_].p_WO, false), world, base_W));
     case Phase::close:
       physics_.set_grip(object_);
       release_opening_m_ = handling_.grip.opening_m;
@@ -139,16 +140,23 @@ bool Avatar::move_to(Phase phase, const WorldSnapshot& world) {
       const Vec3 first_at = handling_.set_down->first_W();
       const bool may_slide = command_.what == Capability::slide || stage_ == Stage::preparation;
       along_table_ = may_slide && way_is_free(world.objects[object_], first_at, landmark(), world);
-      const Pose at_goal = hand_for_object(first_at + Vec3(0, 0, along_table_ ? drag_m : above_m), true);
-      return along_table_ ? go({at_goal}, loaded) : go(way_over(from, at_goal, world, base_W), loaded);
+      const Vec3& half_extents_m = world.objects[object_].half_extents_m;
+      const double half_m = handling_.on_end ? half_extents_m.maxCoeff() : half_extents_m.z();
+      double up_m = along_table_ ? drag_m : above_m;
+      if (const ObjectState* container = world.find(handling_.into))
+        up_m = std::max(up_m, container->bounds_W().max.z() + above_m - (first_at.z() - half_m));
+      const Vec3 over_goal = first_at + Vec3(0, 0, up_m);
+      const Pose at_goal = hand_for_object(over_goal, true);
+      if (along_table_) return go({at_goal}, loaded);
+      return go(way_over(from, at_goal, world, base_W, at_goal.p_WB.z() - (over_goal.z() - half_m)), loaded);
     }
+    case Phase::insert:
+      return held < 0 || go({hand_for_object(handling_.set_down->p_WO - Vec3(0, 0, further_m), true)}, gentle);
     case Phase::lower: {
-      // A little further than it should be needed: contact ends the phase.
-      constexpr double further_m = 0.003;
       if (held < 0) return true;
       const ObjectState& object = world.objects[held];
-      const double down = object.bounds_W().min.z() - height_under(object, world) + further_m;
-      return go({{from.p_WB - Vec3(0, 0, std::max(0.0, down)), from.R_WB}}, gentle);
+      const double down = object.bounds_W().min.z() - height_under(object, world);
+      return go({{from.p_WB - Vec3(0, 0, std::max(0.0, down + further_m)), from.R_WB}}, gentle);
     }
     case Phase::shove: {
       Vec3 p_WO = handling_.set_down->p_WO;
@@ -161,7 +169,7 @@ bool Avatar::move_to(Phase phase, const WorldSnapshot& world) {
       wanted_opening_m_ = std::max(release_opening_m_, target_.opening_m);
       return true;
     case Phase::retreat:
-      return go({{from.p_WB + Vec3(0, 0, 0.09), from.R_WB}});
+      return go({before_grasp(from)});
     case Phase::go_home:
       stop_here();
       path_ = HandPath::between(target_.hinges.q, physics_.arm().home);
@@ -209,7 +217,8 @@ bool Avatar::phase_ended() {
       return arrived();
     case Phase::shove:
       return held != object_ || arrived();
-    case Phase::lower: {
+    case Phase::lower:
+    case Phase::insert: {
       constexpr int firm_steps = 3;
       if (held < 0) return true;
       const bool touches = physics_.outside_force(held) > touch_force_N || physics_.outside_force(-1) > touch_force_N;

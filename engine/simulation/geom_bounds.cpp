@@ -58,4 +58,19 @@ Box body_bounds_B(const mjModel& model, int body) {
   return bounds;
 }
 
+std::vector<Vec3> body_corners_B(const mjModel& model, int body) {
+  std::vector<Vec3> corners;
+  for (int geom = model.body_geomadr[body]; geom < model.body_geomadr[body] + model.body_geomnum[body]; ++geom) {
+    if (model.geom_contype[geom] == 0 && model.geom_conaffinity[geom] == 0) continue;
+    const mjtNum* q = model.geom_quat + 4 * geom;
+    const Mat3 R_BG = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+    const Vec3 half = half_extents(model, geom, Mat3::Identity());
+    for (const double x : {-1, 1})
+      for (const double y : {-1, 1})
+        for (const double z : {-1, 1})
+          corners.push_back(vec(model.geom_pos + 3 * geom) + R_BG * half.cwiseProduct(Vec3(x, y, z)));
+  }
+  return corners;
+}
+
 }  // namespace continua

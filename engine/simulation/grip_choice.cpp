@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "simulation/hand_route.h"
 #include "simulation/stacks.h"
 
 namespace continua {
@@ -32,35 +34,82 @@ bool is_square(const ObjectState& object) {
   return std::abs(object.half_extents_m.x() - object.half_extents_m.y()) < 1e-3;
 }
 
-}  // namespace
+/// Where the fingers come down, in the object's own frame but level with W: how wide it is there, and where its middle.
+struct Span {
+  double half_m = 0, middle_m = 0;
+};
 
-Pose hand_at(const Grip& grip, const Vec3& p_WO, bool turned) {
-  const Eigen::Quaterniond R(Eigen::AngleAxisd(turned ? grip.turn : 0, Vec3::UnitZ()));
-  return {p_WO + R * grip.p_OT, R * rotation(grip.hand)};
+/// How far the object reaches along side x (0) or y (1) where fingers at `shift_m` of the other, their tips at
+/// `tips_m`, would close on it. Nothing if they would close on nothing.
+std::optional<Span> span_at(const ObjectState& object, const ObjectShape* shape, int side, double shift_m,
+                            double tips_m) {
+  constexpr double hold_m = 0.002, same_m = 0.002;
+  const double half = object.half_extents_m[side];
+  if (!shape) return Span{half, 0};
+  const auto slice = shape->slice(side, shift_m, HandShape{}.finger_half_width_m, tips_m + hold_m);
+  if (!slice) return std::nullopt;
+  const Span span{(slice->max_m - slice->min_m) / 2, (slice->max_m + slice->min_m) / 2};
+  const bool as_box = std::abs(slice->max_m - half) < same_m && std::abs(slice->min_m + half) < same_m;
+  return as_box ? Span{half, 0} : span;
 }
 
-std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world, const Vec3& base_W) {
-  const HandShape hand;
-  std::vector<OrientedBox> others;
-  for (const auto& other : world.objects) {
-    if (other.name != object.name) others.push_back(column_of(other));
+/// What stands in the hand's way, as columns that nothing comes down through; a container with its hollow open.
+std::vector<OrientedBox> obstacles(const std::vector<const ObjectState*>& others, const std::string& into) {
+  std::vector<OrientedBox> boxes;
+  for (const ObjectState* other : others) {
+    if (other->name != into || !other->interior) {
+      boxes.push_back(column_of(*other));
+      continue;
+    }
+    const OrientedBox whole = box_of(*other);
+    for (const int axis : {0, 1}) {
+      for (const bool low : {true, false}) {
+        OrientedBox wall = whole;
+        const double from = low ? -whole.half_m[axis] : other->interior->max[axis];
+        const double to = low ? other->interior->min[axis] : whole.half_m[axis];
+        wall.half_m[axis] = (to - from) / 2;
+        wall.center_W += whole.R_WB.col(axis) * (from + to) / 2;
+        boxes.push_back(wall);
+      }
+    }
   }
+  return boxes;
+}
+
+std::vector<const ObjectState*> others_of(const ObjectState& object, const WorldSnapshot& world) {
+  std::vector<const ObjectState*> others;
+  for (const auto& other : world.objects)
+    if (other.name != object.name) others.push_back(&other);
+  return others;
+}
+
+/// Down on two sides.
+void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world, const Vec3& base_W,
+                          const ObjectShape* shape, std::vector<Grip>& grips) {
+  const HandShape hand;
+  const auto others = obstacles(others_of(object, world), "");
   // Held at its middle, but flat things so that the finger tips stay above what they stand on.
   const double height = std::max(0.0, hand.finger_tip_m + 0.003 - object.half_extents_m.z());
   const double natural = natural_yaw(object.p_WO, base_W);
-
-  std::vector<Grip> grips;
   for (const int side : {0, 1}) {
-    const double half = side == 0 ? object.half_extents_m.x() : object.half_extents_m.y();
     const double across = side == 0 ? object.half_extents_m.y() : object.half_extents_m.x();
     const double yaw = nearest(object.yaw + side * quarter, 2 * quarter, natural);
-    const Vec3 sideways(-std::sin(yaw), std::cos(yaw), 0);
+    const Vec3 closing(std::cos(yaw), std::sin(yaw), 0), sideways(-std::sin(yaw), std::cos(yaw), 0);
+    const Eigen::AngleAxisd R_WO(object.yaw, Vec3::UnitZ());
     for (const double margin_m : margins_m) {
-      const double opening_m = half + margin_m;
-      if (opening_m > hand.widest_opening_m) continue;
-      for (const double tilt : tilts) {
-        for (const double shift : shifts) {
-          Grip grip{{yaw, tilt}, Vec3(0, 0, height) + shift * across * sideways, 0, opening_m, 0, 0};
+      for (const double shift : shifts) {
+        const Vec3 shift_W = shift * across * sideways;
+        const double shift_m = (R_WO.inverse() * shift_W)[1 - side];
+        const auto span = span_at(object, shape, side, shift_m, height - hand.finger_tip_m);
+        if (!span) continue;
+        const double opening_m = span->half_m + margin_m;
+        if (opening_m > hand.widest_opening_m) continue;
+        const Vec3 middle_W = R_WO * (span->middle_m * (side == 0 ? Vec3::UnitX() : Vec3::UnitY()));
+        for (const double tilt : tilts) {
+          Grip grip;
+          grip.hand = {yaw, tilt};
+          grip.p_OT = Vec3(0, 0, height) + shift_W + middle_W;
+          grip.opening_m = opening_m;
           grip.conflict_m = beyond_slack(hand_conflict(hand_at(grip, object.p_WO, false), opening_m, others));
           // The middle of the object, wide fingers, the hand upright, little turning of the wrist.
           grip.cost = 0.5 * std::abs(shift) + 20 * (margins_m[0] - margin_m) + 0.3 * std::abs(tilt) +
@@ -70,14 +119,92 @@ std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world
       }
     }
   }
+}
+
+/// One finger below an edge, the other above. In the vertical plane through the object's centre and the edge, r outward
+/// and z up, the fingers point along d = (-cos s, -sin s) and close along n = (-sin s, cos s), where s is how steep
+/// they are: the upper one's tip comes to touch the top, `inset_m` from the edge, the lower one the edge from below.
+void add_grips_on_edges(const ObjectState& object, const WorldSnapshot& world, const Vec3& base_W,
+                        const ObjectShape& shape, std::vector<Grip>& grips) {
+  constexpr double inset_m = 0.012, margin_m = 0.003, thickest_m = 0.03, air_m = 0.006, above_table_m = 0.001;
+  constexpr std::array steeps = {0.6, 0.45, 0.75};
+  const HandShape hand;
+  auto others = obstacles(others_of(object, world), "");
+  const Vec3 below(0, 0, 0.5);
+  others.push_back(
+      {world.table.center() - below, Eigen::Matrix3d::Identity(), (world.table.max - world.table.min) / 2 + below});
+  const double natural = natural_yaw(object.p_WO, base_W);
+  for (const auto& edge : shape.edges(inset_m, hand.finger_half_width_m, thickest_m, air_m)) {
+    const double direction = object.yaw + edge.direction;
+    const Vec3 out(std::cos(direction), std::sin(direction), 0);
+    const double yaw = nearest(std::atan2(-out.x(), out.y()), 4 * quarter, natural);  // ahead is inward
+    for (const double steep : steeps) {
+      const double c = std::cos(steep), s = std::sin(steep);
+      const double half_m = (inset_m * s + (edge.top_m - edge.bottom_m) * c) / 2, opening_m = half_m + margin_m;
+      const double r = edge.radius_m - inset_m + hand.finger_tip_m * c + half_m * s;
+      const double z = edge.top_m + hand.finger_tip_m * s - half_m * c;
+      const double lowest = z - hand.finger_tip_m * s - (opening_m + hand.finger_thickness_m) * c;
+      if (lowest < shape.bottom_m() + above_table_m || opening_m > hand.widest_opening_m) continue;
+      for (const double roll : {quarter, -quarter}) {
+        Grip grip;
+        grip.hand = {yaw, quarter - steep, roll};
+        grip.p_OT = r * out + Vec3(0, 0, z);
+        grip.opening_m = opening_m;
+        const Pose X_WT = hand_at(grip, object.p_WO, false);
+        grip.conflict_m = beyond_slack(
+            std::max(hand_conflict(X_WT, opening_m, others), hand_conflict(before_grasp(X_WT), opening_m, others)));
+        grip.cost = 1 + 0.2 * std::abs(yaw - natural) + 0.05 * std::abs(yaw + roll - natural) + std::abs(steep - 0.6);
+        grips.push_back(grip);
+      }
+    }
+  }
+}
+
+/// Hand, fingers and the way they come and go, at the goal.
+double conflict_at_goal(const Grip& grip, const Vec3& p_WG, const std::vector<OrientedBox>& others) {
+  const Pose X_WT = hand_at(grip, p_WG, true);
+  const double conflict_m = hand_conflict(X_WT, grip.opening_m, others);
+  if (is_level(X_WT.R_WB)) return beyond_slack(conflict_m);
+  return beyond_slack(std::max(conflict_m, hand_conflict(before_grasp(X_WT), grip.opening_m, others)));
+}
+
+/// How far a thing that stands on its end in a hollow can be from the hollow's middle.
+double room_in(const ObjectState& object, const ObjectState& container) {
+  const Box hollow = container.interior_W().value_or(container.bounds_W());
+  const Vec3 half = (hollow.max - hollow.min) / 2;
+  return std::max(0.0, std::min(half.x(), half.y()) - object.half_extents_m.z());
+}
+
+/// By how much it can lean there, from one side of the hollow's floor to the other of its rim.
+double lean_in(const ObjectState& object, const ObjectState& container) {
+  constexpr double most = 0.45, part = 0.9;
+  const Box hollow = container.interior_W().value_or(container.bounds_W());
+  return std::min(most, std::atan2(part * 2 * room_in(object, container), hollow.max.z() - hollow.min.z()));
+}
+
+}  // namespace
+
+Pose hand_at(const Grip& grip, const Vec3& p_WO, bool turned) {
+  if (!turned) return {p_WO + grip.p_OT, rotation(grip.hand)};
+  const Vec3 closing_W(std::cos(grip.hand.yaw), std::sin(grip.hand.yaw), 0);
+  const Eigen::Quaterniond R(Eigen::AngleAxisd(grip.turn, Vec3::UnitZ()) * Eigen::AngleAxisd(-grip.tip, closing_W));
+  return {p_WO + grip.aside_W + R * grip.p_OT, R * rotation(grip.hand)};
+}
+
+std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world, const Vec3& base_W,
+                           const ObjectShape* shape) {
+  // A tipped object shows other sides than its shape has.
+  const bool upright = shape && std::abs(shape->bottom_m() + object.half_extents_m.z()) < 2 * position_grid_m;
+  std::vector<Grip> grips;
+  add_grips_from_above(object, world, base_W, upright ? shape : nullptr, grips);
+  if (upright) add_grips_on_edges(object, world, base_W, *shape, grips);
   std::stable_sort(grips.begin(), grips.end(), [](const Grip& a, const Grip& b) { return a.cost < b.cost; });
   return grips;
 }
 
 std::vector<Grip> grips_at(const Grip& grip, const ObjectState& object, const Vec3& p_WG, const WorldSnapshot& world,
-                           const Vec3& base_W) {
-  std::vector<OrientedBox> others;
-  for (const ObjectState* other : apart_from(object, world)) others.push_back(column_of(*other));
+                           const Vec3& base_W, const std::string& into) {
+  const auto others = obstacles(apart_from(object, world), into);
   const double straighten = nearest(0, quarter, object.yaw) - object.yaw;
   const double start_wrist = std::remainder(grip.hand.yaw - natural_yaw(object.p_WO, base_W), 4 * quarter);
   const double yaw = natural_yaw(object.p_WO, base_W) + start_wrist;
@@ -88,10 +215,44 @@ std::vector<Grip> grips_at(const Grip& grip, const ObjectState& object, const Ve
     turned.turn = straighten + quarters * quarter;
     const double wrist = yaw + turned.turn - natural_yaw(p_WG, base_W);
     if (quarters != 0 && std::abs(wrist) > widest_wrist) continue;
-    const double conflict_m = hand_conflict(hand_at(turned, p_WG, true), grip.opening_m, others);
-    turned.conflict_m = std::max(grip.conflict_m, beyond_slack(conflict_m));
+    turned.conflict_m = std::max(grip.conflict_m, conflict_at_goal(turned, p_WG, others));
     turned.cost += 0.05 * std::abs(turned.turn) + 0.02 * std::abs(wrist) + (std::abs(wrist) > widest_wrist ? 10 : 0);
     grips.push_back(turned);
+  }
+  return grips;
+}
+
+std::vector<Grip> grips_on_end(const Grip& grip, const ObjectState& object, const Vec3& p_WG,
+                               const WorldSnapshot& world, const Vec3& base_W, const std::string& into) {
+  constexpr double near_end = 0.3;  // of the half length: what hangs down is the longer part
+  constexpr std::array asides = {0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.6, -1.6};
+  const bool along_x = object.half_extents_m.x() >= object.half_extents_m.y();
+  const double half_m = std::max(object.half_extents_m.x(), object.half_extents_m.y());
+  const double long_yaw = object.yaw + (along_x ? 0 : quarter);
+  const Vec3 long_W(std::cos(long_yaw), std::sin(long_yaw), 0);
+  const Vec3 closing_W(std::cos(grip.hand.yaw), std::sin(grip.hand.yaw), 0), ahead_W(closing_W.y(), -closing_W.x(), 0);
+  const double held_ahead_m = grip.p_OT.dot(ahead_W);
+  if (grip.hand.roll != 0 || std::abs(closing_W.dot(long_W)) > 0.1 || std::abs(held_ahead_m) < near_end * half_m)
+    return {};
+
+  const auto others = obstacles(apart_from(object, world), into);
+  const double side = held_ahead_m > 0 ? 1 : -1;
+  const double lean = lean_in(object, *world.find(into));
+  const double thick_m = object.half_extents_m.z();
+  std::vector<Grip> grips;
+  for (const double aside : asides) {
+    Grip stood = grip;
+    stood.tip = side * (quarter - lean);
+    const double wrist = aside + (side < 0 ? 2 * quarter * (aside > 0 ? -1 : 1) : 0);
+    const double start_wrist = std::remainder(grip.hand.yaw - natural_yaw(object.p_WO, base_W), 4 * quarter);
+    if (std::abs(wrist) > widest_wrist || std::abs(start_wrist) > widest_wrist) continue;
+    stood.turn = natural_yaw(p_WG, base_W) + wrist - grip.hand.yaw;
+    const Vec3 to_W = Eigen::AngleAxisd(stood.turn, Vec3::UnitZ()) * (side * ahead_W);
+    stood.aside_W = (half_m * std::sin(lean) - room_in(object, *world.find(into))) * to_W;
+    stood.aside_W.z() = half_m * std::cos(lean) + thick_m * std::sin(lean) - half_m;
+    stood.conflict_m = std::max(grip.conflict_m, conflict_at_goal(stood, p_WG, others));
+    stood.cost += 0.3 * std::abs(aside) + 0.1 * std::abs(wrist - start_wrist);
+    grips.push_back(stood);
   }
   return grips;
 }

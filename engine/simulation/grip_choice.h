@@ -4,30 +4,40 @@
 #include <vector>
 
 #include "simulation/hand_shape.h"
+#include "simulation/object_shape.h"
 #include "world/world_snapshot.h"
 
 namespace continua {
 
 /// How the hand holds an object, and how both turn on the way to a goal.
 struct Grip {
-  HandTurn hand;             ///< where the object is
-  Vec3 p_OT = Vec3::Zero();  ///< point between the pads from the object's centre, in W, where the object is
-  double turn = 0;           ///< by which hand and object turn about the vertical on the way to the goal, radians
-  double opening_m = 0;      ///< of each finger before they close and after they open
-  double conflict_m = 0;     ///< how deep hand and other things would overlap; 0: there is room
-  double cost = 0;           ///< of two grips without conflict, the cheaper is more natural
+  HandTurn hand;                ///< where the object is
+  Vec3 p_OT = Vec3::Zero();     ///< point between the pads from the object's centre, in W, where the object is
+  double turn = 0;              ///< by which hand and object turn about the vertical on the way to the goal, radians
+  double tip = 0;               ///< and before that about the closing direction, as the hand tilts
+  Vec3 aside_W = Vec3::Zero();  ///< by how much the object's centre misses the goal, for it leans there
+  double opening_m = 0;         ///< of each finger before they close and after they open
+  double conflict_m = 0;        ///< how deep hand and other things would overlap; 0: there is room
+  double cost = 0;              ///< of two grips without conflict, the cheaper is more natural
 };
 
 /// The hand's pose when the object's centre is at `p_WO` and has not yet been turned, or has.
 Pose hand_at(const Grip& grip, const Vec3& p_WO, bool turned);
 
-/// Every way in which the hand can come down on the object as it stands, without turning it; cheapest first. None if it
-/// is wider than the hand. `base_W` is the arm's first axis, which tells how far the wrist must turn.
-std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world, const Vec3& base_W);
+/// Every way in which the hand can take the object as it stands, without turning it, cheapest first: down on two of its
+/// sides, or with one finger below an edge that sticks out. None if it is wider than the hand and has no such edge.
+/// `base_W` is the arm's first axis, which tells how far the wrist must turn. Without `shape` the object is its box.
+std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world, const Vec3& base_W,
+                           const ObjectShape* shape = nullptr);
 
 /// The grip with each turn after which the object lies along the world's axes and that the wrist can make; with the
-/// conflict that the hand has at `p_WG` too.
+/// conflict that the hand has at `p_WG` too. The hand may be in the hollow of the object named `into`.
 std::vector<Grip> grips_at(const Grip& grip, const ObjectState& object, const Vec3& p_WG, const WorldSnapshot& world,
-                           const Vec3& base_W);
+                           const Vec3& base_W, const std::string& into = "");
+
+/// The grip with each turn that stands the object on its end, held near the other, and that the wrist can make. It
+/// leans as far as the hollow leaves room, so that it does not fall otherwise when the hand opens.
+std::vector<Grip> grips_on_end(const Grip& grip, const ObjectState& object, const Vec3& p_WG,
+                               const WorldSnapshot& world, const Vec3& base_W, const std::string& into);
 
 }  // namespace continua

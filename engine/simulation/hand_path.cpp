@@ -58,21 +58,54 @@ std::vector<Pose> rounded(const std::vector<Pose>& corners) {
 
 std::optional<HandPath> HandPath::plan(const Arm& arm, const ArmVector& from, const std::vector<Pose>& X_WT,
                                        const Pace& pace) {
+  const auto straight = plan_straight(arm, from, X_WT, pace);
+  if (straight || X_WT.size() < 2) return straight;
+  const auto first = plan_straight(arm, from, {X_WT.front()}, pace);
+  const IkSolution goal = solve_ik(arm, X_WT.back(), arm.home);
+  if (!first || !goal.reached) return std::nullopt;
+  // The last line backward, and more of them if that can be done.
+  std::optional<HandPath> last;
+  std::vector<Pose> backward;
+  for (std::size_t i = X_WT.size() - 1; i > 1 || (i == 1 && !last); --i) {
+    backward.push_back(X_WT[i - 1]);
+    auto longer = plan_straight(arm, goal.q, backward, pace);
+    if (!longer) break;
+    last = std::move(longer);
+  }
+  if (!last) return std::nullopt;
+
+  constexpr double knot_turn = 0.04;  // radians
+  std::vector<ArmVector> knots = first->knots_;
+  const ArmVector start = first->end(), end = last->end();
+  const int steps = std::max(1, static_cast<int>(std::ceil((end - start).cwiseAbs().maxCoeff() / knot_turn)));
+  for (int i = 1; i < steps; ++i) knots.push_back(start + (end - start) * i / steps);
+  knots.insert(knots.end(), last->knots_.rbegin(), last->knots_.rend());
+  const double path_m = static_cast<double>(knots.size()) * knot_distance_m;
+  return along(std::move(knots), path_m, pace);
+}
+
+std::optional<HandPath> HandPath::plan_straight(const Arm& arm, const ArmVector& from, const std::vector<Pose>& X_WT,
+                                                const Pace& pace) {
   std::vector<Pose> corners{tool_pose(arm, from)};
   corners.insert(corners.end(), X_WT.begin(), X_WT.end());
   const auto poses = rounded(corners);
 
-  HandPath path;
-  path.knots_.push_back(from);
+  std::vector<ArmVector> knots{from};
   double path_m = 0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    const IkSolution solution = solve_ik(arm, poses[i], path.knots_.back());
+    const IkSolution solution = solve_ik(arm, poses[i], knots.back());
     if (!solution.reached) return std::nullopt;
     path_m += length(poses[i - 1], poses[i]);
-    path.knots_.push_back(solution.q);
+    knots.push_back(solution.q);
   }
+  return along(std::move(knots), path_m, pace);
+}
 
-  // As fast as the slowest limit allows. Per step along the path: how far each hinge turns, and how that changes.
+/// As fast as the slowest limit allows.
+HandPath HandPath::along(std::vector<ArmVector> knots, double path_m, const Pace& pace) {
+  HandPath path;
+  path.knots_ = std::move(knots);
+  // Per step along the path: how far each hinge turns, and how that changes.
   const double steps = static_cast<double>(path.knots_.size() - 1);
   double first = 0, second = 0;
   for (std::size_t i = 1; i < path.knots_.size(); ++i) {

@@ -24,7 +24,9 @@ struct HingeTarget {
 /// A motion from rest to rest, with a minimum-jerk profile along its path.
 class HandPath {
  public:
-  /// Through `X_WT` in order, beginning at hinges `from`. Nothing if some pose on the way cannot be reached.
+  /// Through `X_WT` in order, beginning at hinges `from`. Where the hinges cannot follow that, and it is more than one
+  /// line: as far along the first line and as early along the last ones as they can, and by the hinges alone between.
+  /// Nothing if that cannot be done either.
   static std::optional<HandPath> plan(const Arm& arm, const ArmVector& from, const std::vector<Pose>& X_WT,
                                       const Pace& pace = {});
 
@@ -34,6 +36,10 @@ class HandPath {
   /// Stays at `q`.
   static HandPath stay(const ArmVector& q);
 
+  /// As plan, but never by the hinges alone.
+  static std::optional<HandPath> plan_straight(const Arm& arm, const ArmVector& from, const std::vector<Pose>& X_WT,
+                                               const Pace& pace);
+
   double duration_s() const { return duration_s_; }
   const ArmVector& end() const { return knots_.back(); }
 
@@ -41,6 +47,8 @@ class HandPath {
   HingeTarget at(double t_s) const;
 
  private:
+  static HandPath along(std::vector<ArmVector> knots, double path_m, const Pace& pace);
+
   std::vector<ArmVector> knots_;  // at equal steps along the path
   double duration_s_ = 0;
 };

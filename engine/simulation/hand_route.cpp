@@ -21,11 +21,24 @@ double reach_below(const ObjectState* held, const Pose& X_WT) {
 
 }  // namespace
 
-std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapshot& world, const Vec3& base_W) {
+Pose before_grasp(const Pose& X_WT) {
+  constexpr double above_m = 0.09, back_m = 0.06;
+  if (is_level(X_WT.R_WB)) return {X_WT.p_WB + Vec3(0, 0, above_m), X_WT.R_WB};
+  return {X_WT.p_WB - back_m * (X_WT.R_WB * Vec3::UnitX()), X_WT.R_WB};
+}
+
+std::vector<Pose> way_to_grasp(const Pose& X_WF, const Pose& X_WT, const WorldSnapshot& world, const Vec3& base_W) {
+  if (is_level(X_WT.R_WB)) return way_over(X_WF, X_WT, world, base_W);
+  auto poses = way_over(X_WF, before_grasp(X_WT), world, base_W);
+  poses.push_back(X_WT);
+  return poses;
+}
+
+std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapshot& world, const Vec3& base_W,
+                           double below_m) {
   constexpr double hand_half_m = 0.07;
-  const bool both_over = is_over_table(X_WF.R_WB) && is_over_table(X_WT.R_WB);
   const HandTurn from = turn_of(X_WF.R_WB), to = turn_of(X_WT.R_WB);
-  const double lean = both_over ? std::max(std::abs(std::sin(from.tilt)), std::abs(std::sin(to.tilt))) : 0.0;
+  const double lean = std::max(std::abs(std::sin(from.tilt)), std::abs(std::sin(to.tilt)));
   const double wide_m = hand_half_m + HandShape{}.palm_back_m * lean;
   const Box way{X_WF.p_WB.cwiseMin(X_WT.p_WB) - Vec3(wide_m, wide_m, 1),
                 X_WF.p_WB.cwiseMax(X_WT.p_WB) + Vec3(wide_m, wide_m, 1)};
@@ -39,13 +52,14 @@ std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapsh
     if (std::find(carried.begin(), carried.end(), other.name) == carried.end() && overlap(box, way))
       top = std::max(top, box.max.z());
   }
-  const double height = top + reach_below(held, X_WF) + clearance_m;
+  const double height = top + std::max(below_m, reach_below(held, X_WF)) + clearance_m;
 
   // On the way the wrist turns from where it is to where it shall be, and never through its limit: the shortest turn of
   // the hand in the world may be one that the last hinge cannot make.
   const double from_wrist = std::remainder(from.yaw - natural_yaw(X_WF.p_WB, base_W), full_turn);
   const double to_wrist = std::remainder(to.yaw - natural_yaw(X_WT.p_WB, base_W), full_turn);
-  const bool turns = both_over && std::abs(to_wrist - from_wrist) > 1;
+  const bool turns =
+      std::abs(to_wrist - from_wrist) > 1 || std::abs(to.tilt - from.tilt) > 0.8 || std::abs(to.roll - from.roll) > 0.8;
   const bool far = (X_WF.p_WB - X_WT.p_WB).head<2>().norm() > 0.01;
 
   std::vector<Pose> poses;
@@ -56,7 +70,8 @@ std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapsh
     for (const double s : {0.25, 0.5, 0.75}) {
       const Vec3 p = start + s * (end - start);
       const double yaw = natural_yaw(p, base_W) + from_wrist + s * (to_wrist - from_wrist);
-      poses.push_back({p, rotation({yaw, from.tilt + s * (to.tilt - from.tilt)})});
+      poses.push_back(
+          {p, rotation({yaw, from.tilt + s * (to.tilt - from.tilt), from.roll + s * (to.roll - from.roll)})});
     }
   }
   if ((far || turns) && X_WT.p_WB.z() < height) poses.push_back({end, X_WT.R_WB});

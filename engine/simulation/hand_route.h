@@ -12,8 +12,17 @@ namespace continua {
 
 inline constexpr double resting_opening_m = 0.02;  ///< of each finger, when there is nothing to hold
 
-/// From `X_WF` to `X_WT`, across above everything on the way.
-std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapshot& world, const Vec3& base_W);
+/// From `X_WF` to `X_WT`, across above everything on the way. What is held reaches `below_m` below the point between
+/// the pads when the hand is turned as at `X_WT`.
+std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapshot& world, const Vec3& base_W,
+                           double below_m = 0);
+
+/// As way_over, by way of before_grasp(X_WT).
+std::vector<Pose> way_to_grasp(const Pose& X_WF, const Pose& X_WT, const WorldSnapshot& world, const Vec3& base_W);
+
+/// Where the hand is before it comes to `X_WT`, and after it has left: above, or back along its fingers if one of them
+/// is below what it holds.
+Pose before_grasp(const Pose& X_WT);
 
 /// A little above an object or, without one, a place; clear of what stands beside it. `X_WT` is where the hand is.
 Pose hover_pose(const ObjectState* object, const Vec3& p_W, const WorldSnapshot& world, const Pose& X_WT,

@@ -21,20 +21,20 @@ struct HandShape {
   double widest_opening_m = 0.058;  ///< of one finger, from the middle
 };
 
-/// A hand that is held over the table: its closing direction is level and has `yaw` in W; from pointing straight down
-/// the fingers are tilted by `tilt` about it. For a hand as it is natural, a positive tilt brings the wrist nearer to
-/// the avatar.
+/// How the hand is turned: a level closing direction has `yaw` in W; from pointing straight down the fingers are tilted
+/// by `tilt` about it, and the hand is rolled by `roll` about them. For a hand as it is natural, a positive tilt brings
+/// the wrist nearer to the avatar.
 struct HandTurn {
-  double yaw = 0, tilt = 0;
+  double yaw = 0, tilt = 0, roll = 0;
 };
 
 Eigen::Quaterniond rotation(const HandTurn& turn);
 
-/// The nearest such turn of the hand. REQUIRES that the closing direction is about level.
+/// The turn of the hand; without roll where the closing direction is about level.
 HandTurn turn_of(const Eigen::Quaterniond& R_WT);
 
-/// Whether the hand's fingers point down, more or less, and its closing direction is level.
-bool is_over_table(const Eigen::Quaterniond& R_WT);
+/// Whether the closing direction is about level, so that the hand comes and goes from and to above.
+bool is_level(const Eigen::Quaterniond& R_WT);
 
 /// Yaw of the closing direction at `p_W` when the last hinge is at zero and the fingers point down.
 double natural_yaw(const Vec3& p_W, const Vec3& base_W);

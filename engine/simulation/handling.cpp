@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "simulation/hand_route.h"
 #include "simulation/stacks.h"
 
 namespace continua {
@@ -22,7 +23,7 @@ class Reach {
 
   bool reaches(const Pose& X_WT, bool& forearm_free) {
     const IkSolution solution = solve_ik(arm_, X_WT, arm_.home);
-    if (!solution.reached) return false;
+    if (!solution.reached || !solve_ik(arm_, before_grasp(X_WT), solution.q).reached) return false;
     const auto links = link_poses(arm_, solution.q);
     constexpr int elbow = 3, wrist = 5;
     forearm_free = forearm_free && forearm_conflict(links[elbow].p_WB, links[wrist].p_WB, others_) == 0;
@@ -50,26 +51,45 @@ bool alike(const Grip& a, const Grip& b) {
 Vec3 base_of(const Arm& arm) { return arm.joints[0].X_PJ.p_WB; }
 
 /// The grips there are where the object is: the one that holds it, or those that could take it.
-std::vector<Grip> starts_of(const ObjectState& object, const WorldSnapshot& world, const Arm& arm,
-                            const std::optional<Pose>& grasp) {
-  if (!grasp) return grips_on(object, world, base_of(arm));
+std::vector<Grip> starts_of(const ObjectState& object, const WorldSnapshot& world, const Means& means,
+                            const std::optional<Grasp>& grasp) {
+  if (!grasp) {
+    const auto shape = means.shapes.find(object.name);
+    return grips_on(object, world, base_of(means.arm), shape == means.shapes.end() ? nullptr : &shape->second);
+  }
   Grip grip;
-  grip.hand = turn_of(grasp->R_WB);
-  grip.p_OT = grasp->p_WB - object.p_WO;
-  grip.opening_m = std::max(object.half_extents_m.x(), object.half_extents_m.y());
+  grip.hand = turn_of(grasp->X_WT.R_WB);
+  grip.p_OT = grasp->X_WT.p_WB - object.p_WO;
+  grip.opening_m = grasp->opening_m;
   return {grip};
 }
 
+/// The ways to bring the object about to its goal; into a hollow from as low above its floor as the hand finds room.
+std::vector<SetDown> ways_to(const Task& task, const ObjectState& object, const WorldSnapshot& world) {
+  if (task.into.empty()) return set_downs(object, *task.p_WG, world, task.near_m);
+  std::vector<SetDown> ways;
+  for (const double above_m : {0.0, 0.01, 0.02, 0.035, 0.05, 0.07, 0.09})
+    ways.push_back({*task.p_WG + Vec3(0, 0, above_m), std::nullopt});
+  return ways;
+}
+
+/// A grip with each turn that does at the end of a way.
+std::vector<Grip> turned_for(const Task& task, const Grip& grip, const ObjectState& object, const SetDown& way,
+                             const WorldSnapshot& world, const Arm& arm) {
+  if (task.on_end) return grips_on_end(grip, object, way.first_W(), world, base_of(arm), task.into);
+  return grips_at(grip, object, way.first_W(), world, base_of(arm), task.into);
+}
+
 /// Whether there is room for the task, as far as can be told without the arm.
-bool has_room(const Task& task, const WorldSnapshot& world, const Arm& arm) {
+bool has_room(const Task& task, const WorldSnapshot& world, const Means& means) {
   const ObjectState& object = *world.find(task.object);
-  const auto grips = grips_on(object, world, base_of(arm));
+  const auto grips = starts_of(object, world, means, std::nullopt);
   const auto fits = [](const Grip& grip) { return grip.conflict_m == 0; };
   if (!task.p_WG) return std::any_of(grips.begin(), grips.end(), fits);
-  for (const SetDown& way : set_downs(object, *task.p_WG, world, task.near_m)) {
+  for (const SetDown& way : ways_to(task, object, world)) {
     for (const Grip& grip : grips) {
       if (!fits(grip)) continue;
-      const auto turned = grips_at(grip, object, way.first_W(), world, base_of(arm));
+      const auto turned = turned_for(task, grip, object, way, world, means.arm);
       if (std::any_of(turned.begin(), turned.end(), fits)) return true;
     }
   }
@@ -90,12 +110,12 @@ WorldSnapshot moved(const WorldSnapshot& world, const ObjectState& object, const
 
 }  // namespace
 
-std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& world, const Arm& arm,
-                                      const std::optional<Pose>& grasp, const std::vector<Grip>& tried) {
+std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& world, const Means& means,
+                                      const std::optional<Grasp>& grasp, const std::vector<Grip>& tried) {
   const ObjectState& object = *world.find(task.object);
-  const auto starts = starts_of(object, world, arm, grasp);
+  const auto starts = starts_of(object, world, means, grasp);
   if (starts.empty()) return std::nullopt;
-  Reach reach(arm, object, world);
+  Reach reach(means.arm, object, world);
 
   Handling best;
   best.object = task.object;
@@ -122,7 +142,7 @@ std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& wor
       constexpr double forearm_conflict_m = 0.02;
       const double conflict_m = std::max(grip.conflict_m, free ? 0.0 : forearm_conflict_m);
       if (!reached || (best.reached && conflict_m >= best_conflict_m)) continue;
-      best = {task.object, grip, way, conflict_m == 0, true};
+      best = {task.object, grip, way, task.into, task.on_end, conflict_m == 0, true};
       best_conflict_m = conflict_m;
       if (conflict_m == 0) return;
     }
@@ -132,7 +152,7 @@ std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& wor
     consider(starts, std::nullopt);
     return best;
   }
-  auto ways = set_downs(object, *task.p_WG, world, task.near_m);
+  auto ways = ways_to(task, object, world);
   const bool near_goal = !ways.empty();
   if (!near_goal) ways.push_back(elsewhere(task, object, world));
   for (const SetDown& way : ways) {
@@ -140,7 +160,7 @@ std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& wor
     for (const Grip& start : starts) {
       // What has no room at the start: for the first way only, it would be no better for others.
       if (start.conflict_m > 0 && best.reached) continue;
-      const auto turned = grips_at(start, object, way.first_W(), world, base_of(arm));
+      const auto turned = turned_for(task, start, object, way, world, means.arm);
       grips.insert(grips.end(), turned.begin(), turned.end());
     }
     consider(std::move(grips), way);
@@ -150,8 +170,8 @@ std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& wor
   return best;
 }
 
-std::optional<Handling> set_aside(const std::string& held, const WorldSnapshot& world, const Arm& arm,
-                                  const Pose& grasp) {
+std::optional<Handling> set_aside(const std::string& held, const WorldSnapshot& world, const Means& means,
+                                  const Grasp& grasp) {
   constexpr double step_m = 0.02, nearby_m = 0.3;
   const ObjectState& object = *world.find(held);
   Vec3 below = object.p_WO;
@@ -159,14 +179,14 @@ std::optional<Handling> set_aside(const std::string& held, const WorldSnapshot& 
   auto places = free_places(object, below, world, nearby_m, step_m);
   if (is_free(object, below, world)) places.insert(places.begin(), below);
   for (const Vec3& place : places) {
-    const auto handling = plan_handling({held, place, 0, 0, ""}, world, arm, grasp, {});
+    const auto handling = plan_handling({held, place}, world, means, grasp, {});
     if (handling && handling->has_room) return handling;
   }
   return std::nullopt;
 }
 
-std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, const Arm& arm,
-                                  const std::optional<Pose>& grasp) {
+std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, const Means& means,
+                                  const std::optional<Grasp>& grasp) {
   const ObjectState& object = *world.find(task.object);
   constexpr double step_m = 0.02, nearby_m = 0.2;
 
@@ -175,9 +195,9 @@ std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, 
     ObjectState lying = object;
     lying.p_WO.z() = world.table.max.z() + object.half_extents_m.z();
     for (const Vec3& place : free_places(object, lying.p_WO, world, nearby_m, step_m)) {
-      const Task aside{task.object, place, 0, 0, ""};
-      const auto handling = plan_handling(aside, world, arm, grasp, {});
-      if (handling && handling->has_room && has_room(task, moved(world, object, place - object.p_WO), arm))
+      const Task aside{task.object, place};
+      const auto handling = plan_handling(aside, world, means, grasp, {});
+      if (handling && handling->has_room && has_room(task, moved(world, object, place - object.p_WO), means))
         return handling;
     }
     return std::nullopt;
@@ -208,9 +228,9 @@ std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, 
   std::stable_sort(shifts.begin(), shifts.end(), [](const Shift& a, const Shift& b) { return a.by_m < b.by_m; });
   for (const Shift& shift : shifts) {
     if (!is_free(*shift.other, shift.other->p_WO + shift.by_W, world)) continue;
-    if (!has_room(task, moved(world, *shift.other, shift.by_W), arm)) continue;
-    const Task aside{shift.other->name, shift.other->p_WO + shift.by_W, 0, 0, ""};
-    const auto handling = plan_handling(aside, world, arm, std::nullopt, {});
+    if (!has_room(task, moved(world, *shift.other, shift.by_W), means)) continue;
+    const Task aside{shift.other->name, shift.other->p_WO + shift.by_W};
+    const auto handling = plan_handling(aside, world, means, std::nullopt, {});
     if (handling && handling->has_room) return handling;
   }
   return std::nullopt;

@@ -71,7 +71,9 @@ Result<std::vector<SceneObject>> objects_of(const mjModel& model, const std::str
     }
     const auto interior = interior_of(model, body, path);
     if (!interior) return interior.error();
-    objects.push_back({name, body, attributes_of(model, name), (bounds.max - bounds.min) / 2, *interior});
+    const Vec3 half_extents_m = (bounds.max - bounds.min) / 2;
+    objects.push_back({name, body, attributes_of(model, name), half_extents_m, *interior,
+                       ObjectShape::of_body(model, body, half_extents_m), body_corners_B(model, body)});
   }
   return objects;
 }
@@ -217,9 +219,16 @@ ObjectState observed(const SceneObject& object, const Pose& pose) {
   // An x axis that points up or down has no heading: y tells it then.
   const bool x_is_level = std::abs(R_WB(2, 0)) < 0.7;
   state.yaw = x_is_level ? std::atan2(R_WB(1, 0), R_WB(0, 0)) : std::atan2(-R_WB(0, 1), R_WB(1, 1));
-  if (R_WB(2, 2) < 0.98) {
+  if (R_WB(2, 2) < 0.98 && !object.corners_B.empty()) {
     const Eigen::Matrix3d R_YW = Eigen::AngleAxisd(-state.yaw, Vec3::UnitZ()).toRotationMatrix();
-    state.half_extents_m = on_grid(Vec3((R_YW * R_WB).cwiseAbs() * object.half_extents_m));
+    Vec3 low = R_YW * R_WB * object.corners_B.front(), high = low;
+    for (const Vec3& corner_B : object.corners_B) {
+      const Vec3 corner = R_YW * R_WB * corner_B;
+      low = low.cwiseMin(corner);
+      high = high.cwiseMax(corner);
+    }
+    state.half_extents_m = on_grid(Vec3((high - low) / 2));
+    state.p_WO = on_grid(Vec3(pose.p_WB + R_YW.transpose() * (low + high) / 2));
     state.interior.reset();
   }
   return state;

@@ -10,6 +10,7 @@
 
 #include "core/located_json.h"
 #include "core/result.h"
+#include "simulation/object_shape.h"
 #include "world/world_snapshot.h"
 
 struct mjModel_;
@@ -33,6 +34,8 @@ struct SceneObject {
   std::map<std::string, std::string> attributes;
   Vec3 half_extents_m = Vec3::Zero();
   std::optional<Box> interior = {};  ///< in its own frame
+  ObjectShape shape = {};
+  std::vector<Vec3> corners_B = {};  ///< of what it consists of
 };
 
 /// A value: copies share what never changes.
@@ -74,7 +77,7 @@ class Scene {
 /// not MJCF; MuJoCo does not take it; it lacks what a scene must have; an override names no object of it.
 Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverride>& overrides = {});
 
-/// The object at `pose` as decisions see it: on the grid, upright. A tipped object has the extents of how it lies.
+/// The object at `pose` as decisions see it: on the grid, upright. A tipped object has the bounds of how it lies.
 ObjectState observed(const SceneObject& object, const Pose& pose);
 
 }  // namespace continua

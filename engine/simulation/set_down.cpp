@@ -40,7 +40,11 @@ bool bear(const std::vector<const ObjectState*>& bearers, const OrientedBox& box
     const Vec3 direction(std::cos(full_turn * i / directions), std::sin(full_turn * i / directions), 0);
     double farthest = 0;
     for (const auto* bearer : bearers) {
-      const Box top = bearer->bounds_W();
+      Box top = bearer->bounds_W();
+      if (bearer->interior) {  // the rim of a round one bears no corner of its box
+        const Vec3 off = 0.3 * (top.max - top.min) / 2;
+        top = {top.min + off, top.max - off};
+      }
       const Vec3 low = (box.center_W - box.half_m).cwiseMax(top.min),
                  high = (box.center_W + box.half_m).cwiseMin(top.max);
       if (low.x() >= high.x() || low.y() >= high.y()) continue;

@@ -60,7 +60,7 @@ TEST_CASE("the hand's turn is told from its rotation") {
     const HandTurn turn = turn_of(rotation({0.4, tilt}));
     CHECK(turn.yaw == Approx(0.4));
     CHECK(turn.tilt == Approx(tilt).margin(1e-9));
-    CHECK(is_over_table(rotation({0.4, tilt})));
+    CHECK(is_level(rotation({0.4, tilt})));
   }
   // A positive tilt brings the wrist, which is behind the fingers, nearer to the avatar.
   CHECK((rotation({0, 0.7}) * Vec3::UnitX()).y() < 0);

@@ -127,7 +127,10 @@ TEST_CASE("an error in an included file names that file and its line") {
 }
 
 TEST_CASE("a tipped object is seen as it lies") {
-  const SceneObject knife{"knife", 1, {}, Vec3(0.1, 0.02, 0.01)};
+  SceneObject knife{"knife", 1, {}, Vec3(0.1, 0.02, 0.01)};
+  for (const double x : {-0.1, 0.1})
+    for (const double y : {-0.02, 0.02})
+      for (const double z : {-0.01, 0.01}) knife.corners_B.push_back({x, y, z});
   const auto turn = [](double angle, const Vec3& axis) { return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis)); };
   CHECK(observed(knife, {Vec3(0.12344, 0, 0), turn(0.3, Vec3::UnitZ())}).yaw == Approx(0.3));
   CHECK(observed(knife, {Vec3(0.12344, 0, 0), turn(0.3, Vec3::UnitZ())}).p_WO.x() == 0.1234);

@@ -26,7 +26,7 @@ TEST_CASE("plates and cups and knives have their sizes, and cups are hollow") {
     for (const auto& object : world.objects) {
       INFO(name << " " << object.name);
       const std::map<std::string, Vec3> large = {
-          {"plate", {0.2, 0.2, 0.02}}, {"cup", {0.08, 0.08, 0.1}}, {"knife", {0.2, 0.024, 0.01}}};
+          {"plate", {0.2, 0.2, 0.02}}, {"cup", {0.08, 0.08, 0.1}}, {"knife", {0.18, 0.024, 0.01}}};
       const std::map<std::string, Vec3> small = {{"block", {0.06, 0.06, 0.06}},
                                                  {"plate", {0.108, 0.108, 0.02}},
                                                  {"cup", {0.046, 0.046, 0.1}},
@@ -89,10 +89,10 @@ TEST_CASE("the description for viewers has every part of a cup, and a removed cu
   };
   CHECK(parts(loaded("place_setting"), "cup_blue") ==
         std::map<std::string, int>{
-            {"box", 13}, {"capsule", 0}, {"cylinder", 1}, {"ellipsoid", 0}, {"plane", 0}, {"sphere", 0}});
+            {"box", 15}, {"capsule", 0}, {"cylinder", 1}, {"ellipsoid", 0}, {"plane", 0}, {"sphere", 0}});
   const Scene rest = loaded("place_setting", {{"cup", {}, {}, {}, {}, true}});
   CHECK(parts(rest, "cup")["box"] == 0);
-  CHECK(parts(rest, "cup_blue")["box"] == 13);
+  CHECK(parts(rest, "cup_blue")["box"] == 15);
   CHECK(rest.objects().size() == 3);
 }
 

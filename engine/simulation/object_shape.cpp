@@ -1,0 +1,114 @@
+#include "simulation/object_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <mujoco/mujoco.h>
+
+namespace continua {
+
+namespace {
+
+constexpr double column_m = 0.002;
+
+/// Where a ray that comes straight up, or down, at (x, y) of the body's frame meets a geom first.
+std::optional<double> met_at(const mjModel& model, int geom, const Vec3& from, double direction) {
+  const mjtNum* quat = model.geom_quat + 4 * geom;
+  mjtNum mat[9];
+  mju_quat2Mat(mat, quat);
+  const mjtNum along[3] = {0, 0, direction};
+  const int type = model.geom_type[geom] == mjGEOM_MESH ? static_cast<int>(mjGEOM_BOX) : model.geom_type[geom];
+  const mjtNum distance =
+      mju_rayGeom(model.geom_pos + 3 * geom, mat, model.geom_size + 3 * geom, from.data(), along, type);
+  if (distance < 0) return std::nullopt;
+  return from.z() + direction * distance;
+}
+
+}  // namespace
+
+ObjectShape ObjectShape::of_body(const mjModel& model, int body, const Vec3& half_extents_m) {
+  ObjectShape shape;
+  shape.half_ = half_extents_m;
+  const auto count = [](double half) { return std::max(1, static_cast<int>(std::lround(2 * half / column_m))); };
+  shape.nx_ = count(half_extents_m.x());
+  shape.ny_ = count(half_extents_m.y());
+  for (int iy = 0; iy < shape.ny_; ++iy) {
+    for (int ix = 0; ix < shape.nx_; ++ix) {
+      const Vec3 p = shape.center(ix, iy), outside(0, 0, 2 * half_extents_m.z());
+      Column column;
+      for (int geom = model.body_geomadr[body]; geom < model.body_geomadr[body] + model.body_geomnum[body]; ++geom) {
+        if (model.geom_contype[geom] == 0 && model.geom_conaffinity[geom] == 0) continue;
+        const auto bottom = met_at(model, geom, p - outside, 1), top = met_at(model, geom, p + outside, -1);
+        if (!bottom || !top) continue;
+        column.bottom_m = column.empty ? *bottom : std::min(column.bottom_m, *bottom);
+        column.top_m = column.empty ? *top : std::max(column.top_m, *top);
+        column.empty = false;
+      }
+      shape.columns_.push_back(column);
+    }
+  }
+  return shape;
+}
+
+Vec3 ObjectShape::center(int ix, int iy) const {
+  return {half_.x() * ((2 * ix + 1.0) / nx_ - 1), half_.y() * ((2 * iy + 1.0) / ny_ - 1), 0};
+}
+
+const ObjectShape::Column* ObjectShape::at(double x, double y) const {
+  if (std::abs(x) >= half_.x() || std::abs(y) >= half_.y()) return nullptr;
+  const int ix = std::min(nx_ - 1, static_cast<int>((x / half_.x() + 1) / 2 * nx_));
+  const int iy = std::min(ny_ - 1, static_cast<int>((y / half_.y() + 1) / 2 * ny_));
+  const Column& column = columns_[static_cast<std::size_t>(iy * nx_ + ix)];
+  return column.empty ? nullptr : &column;
+}
+
+std::optional<ObjectShape::Slice> ObjectShape::slice(int side, double at_m, double half_width_m, double above_m) const {
+  std::optional<Slice> slice;
+  for (int iy = 0; iy < ny_; ++iy) {
+    for (int ix = 0; ix < nx_; ++ix) {
+      const Column& column = columns_[static_cast<std::size_t>(iy * nx_ + ix)];
+      const Vec3 p = center(ix, iy);
+      const double across = side == 0 ? p.y() : p.x(), along = side == 0 ? p.x() : p.y();
+      if (column.empty || column.top_m < above_m || std::abs(across - at_m) > half_width_m) continue;
+      const double half_column = side == 0 ? half_.x() / nx_ : half_.y() / ny_;
+      if (!slice) slice = Slice{along, along};
+      slice->min_m = std::min(slice->min_m, along - half_column);
+      slice->max_m = std::max(slice->max_m, along + half_column);
+    }
+  }
+  return slice;
+}
+
+std::vector<ObjectShape::Edge> ObjectShape::edges(double inset_m, double half_width_m, double thickest_m,
+                                                  double air_m) const {
+  constexpr int directions = 16;
+  const double farthest_m = half_.head<2>().norm();
+  std::vector<Edge> found;
+  for (int i = 0; i < directions; ++i) {
+    Edge edge;
+    edge.direction = 6.283185307179586 * i / directions;
+    const Vec3 out(std::cos(edge.direction), std::sin(edge.direction), 0), aside(-out.y(), out.x(), 0);
+    for (double r = 0; r < farthest_m; r += column_m / 2)
+      if (at(r * out.x(), r * out.y())) edge.radius_m = r;
+    // As far in and to both sides as a finger reaches, it must be thin and hollow below.
+    edge.bottom_m = half_.z();
+    edge.top_m = -half_.z();
+    bool whole = edge.radius_m > inset_m;
+    for (double in = column_m; in <= inset_m && whole; in += column_m) {
+      for (const double beside : {-half_width_m, 0.0, half_width_m}) {
+        const Vec3 p = (edge.radius_m - in) * out + beside * aside;
+        const Column* column = at(p.x(), p.y());
+        if (!column) {
+          whole = beside != 0 && in < inset_m / 2;  // round ones end earlier there
+          continue;
+        }
+        edge.bottom_m = std::min(edge.bottom_m, column->bottom_m);
+        edge.top_m = std::max(edge.top_m, column->top_m);
+      }
+    }
+    if (whole && edge.top_m - edge.bottom_m <= thickest_m && edge.bottom_m + half_.z() >= air_m) found.push_back(edge);
+  }
+  return found;
+}
+
+}  // namespace continua
