@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "composition/learning_file.h"
 #include "replay/reading_record.h"
 
 namespace continua {
@@ -29,6 +30,10 @@ Json optional_text(const std::optional<std::string>& text) { return text ? Json(
 
 bool is_empty(const Term& term) {
   return term.is_null() || (term.kind() == Term::Kind::list && term.elements().empty());
+}
+
+std::string text_of(Lesson lesson, const Term& value) {
+  return lesson == Lesson::word ? print(Program{value}) : print(value);
 }
 
 // An operation's name, and what the machine file says of it, unless it is none.
@@ -107,8 +112,7 @@ Json Recorder::fields_of(const Deixis& deixis) const {
 }
 
 void Recorder::one(const Understood& understood) {
-  if (const auto referents = referents_of(understood.move); referents && understood.taken)
-    last_referents_ = *referents;
+  if (const auto referents = referents_of(understood.move); referents && understood.taken) last_referents_ = *referents;
   auto fields = reading_fields(understood.move, inputs(understood.because));
   if (understood.alternative) {
     fields["alternative"] = *understood.alternative;
@@ -237,6 +241,20 @@ void Recorder::one(const Unplanned& unplanned) {
 
 void Recorder::one(const Remembered& remembered) {
   write("memory", {{"register", machine_.memory[remembered.index].name}, {"value", print(remembered.value)}});
+}
+
+void Recorder::one(const Taught& taught) {
+  write("learned", {{"of", text(taught.of)},
+                    {"name", taught.name},
+                    {"value", text_of(taught.of, taught.value)},
+                    {"because", inputs(taught.because)}});
+}
+
+void Recorder::one(const Forgotten& forgotten) {
+  write("forgotten", {{"of", text(*forgotten.of)},
+                      {"name", forgotten.name},
+                      {"value", text_of(*forgotten.of, forgotten.value)},
+                      {"because", inputs(forgotten.because)}});
 }
 
 void Recorder::one(const RefusedInput& refused) {

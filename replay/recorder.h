@@ -60,6 +60,8 @@ class Recorder {
   void one(const Gestured& gestured);
   void one(const Acted& acted);
   void one(const Remembered& remembered);
+  void one(const Taught& taught);
+  void one(const Forgotten& forgotten);
   void one(const RefusedInput& refused);
   void one(const Trouble& trouble);
 

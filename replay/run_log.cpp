@@ -7,9 +7,9 @@ namespace continua {
 namespace {
 
 // What must be equal on every machine; RUNLOG.md says so too.
-constexpr std::array<std::string_view, 14> decision_kinds = {
-    "input",   "reading", "belief", "memory",      "transition", "symbol", "rewrite",
-    "gesture", "refusal", "expect", "application", "utterance",  "act",    "branches"};
+constexpr std::array<std::string_view, 16> decision_kinds = {
+    "input",   "reading", "belief",      "memory",    "transition", "symbol",   "rewrite", "gesture",
+    "refusal", "expect",  "application", "utterance", "act",        "branches", "learned", "forgotten"};
 
 // Numbers of records count poses too, and when an act ends is measured, as are margins and weights: none is a decision.
 std::string decision_line(std::string_view kind, SimTime t, Json fields) {

@@ -157,6 +157,14 @@ Term Methods::offset(const ObjectState& object, const std::string& side) const {
   return Term::number(on_grid((object.p_WO - world_->table.center()).dot(side_W(*named, perspective_))));
 }
 
+Term Methods::meaning_of(const std::string& name, Evaluation& evaluation) const {
+  if (!learned_) return Term::null();
+  if (const auto gesture = learned_->gestures.find(name); gesture != learned_->gestures.end())
+    return evaluation.value(gesture->second);
+  const auto program = learned_->programs.find(name);
+  return program == learned_->programs.end() ? Term::null() : evaluation.value(program->second.acts);
+}
+
 Signature Methods::add_rules() {
   // A function of one object that is in the world.
   const auto of_object = [this](auto compute) {
@@ -171,6 +179,9 @@ Signature Methods::add_rules() {
   };
   const auto held = [this](Arguments, Evaluation&) {
     return world_ && world_->find(world_->held) ? Term::entity(world_->held) : Term::null();
+  };
+  const auto learned = [this](Arguments a, Evaluation&) {
+    return Term::truth(learned_ && learned_->knows(a[0].text_value()));
   };
   rules_.clear();
   Signature signature;
@@ -191,6 +202,9 @@ Signature Methods::add_rules() {
            [this](Arguments a, Evaluation& e) { return clear(a[0], a[1].number_value(), e); }},
           {"fits", "e -> loc -> e* -> t", [this](Arguments a, Evaluation& e) { return fits(a[0], a[1], a[2], e); }},
           {"free_place", "e -> loc -> loc", [this](Arguments a, Evaluation& e) { return free_place(a[0], a[1], e); }},
+          {"learned", "text -> t", learned},
+          {"meaning_of", "text -> term",
+           [this](Arguments a, Evaluation& e) { return meaning_of(a[0].text_value(), e); }},
       },
       rules_, signature);
   // Its place may be a term that is no literal, left(plate), so it is no function of add_functions.

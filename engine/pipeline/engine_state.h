@@ -10,6 +10,7 @@
 
 #include "automaton/exploration.h"
 #include "behaviour/planner.h"
+#include "composition/learning.h"
 #include "moves/move.h"
 #include "perception/fusion.h"
 
@@ -31,7 +32,8 @@ struct EngineState {
   std::deque<Ensemble> complete;  ///< what is to be attended to, in order
   std::string last_utterance;
   std::optional<Pointed> pointed;
-  int inputs = 0;  ///< so far; the running number of the latest is its serial
+  Learned learned;  ///< what the human taught
+  int inputs = 0;   ///< so far; the running number of the latest is its serial
   int commands = 0;
 
   /// Whether an input up to this serial has not been attended to yet.

@@ -6,6 +6,7 @@
 
 #include "pipeline/discourse.h"
 #include "pipeline/inputs.h"
+#include "pipeline/lessons.h"
 
 namespace continua {
 namespace {
@@ -36,8 +37,8 @@ const std::string& fresh(const std::vector<std::string>& variants, const std::st
 }  // namespace
 
 bool EngineState::waits(int serial) const {
-  return fusion.waits(serial) ||
-         std::any_of(complete.begin(), complete.end(), [&](const Ensemble& one) { return one.percept.serial <= serial; });
+  return fusion.waits(serial) || std::any_of(complete.begin(), complete.end(),
+                                             [&](const Ensemble& one) { return one.percept.serial <= serial; });
 }
 
 Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const Language> language,
@@ -53,11 +54,20 @@ Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const
   require(machine_->lexicon.empty() || language_, "a machine with a lexicon needs a language");
 }
 
-Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world) {
-  Tick tick{EngineState{{}, {}, Beliefs(machine_->beliefs), std::move(chooser),
-                        Fusion(window_, around(world.table)), {}, "", {}, 0, 0},
+Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world, Learned learned) {
+  Tick tick{EngineState{{},
+                        {},
+                        Beliefs(machine_->beliefs),
+                        std::move(chooser),
+                        Fusion(window_, around(world.table)),
+                        {},
+                        "",
+                        {},
+                        std::move(learned),
+                        0,
+                        0},
             {}};
-  methods_.see(&world, &tick.after.chooser.random);
+  methods_.see(&world, &tick.after.chooser.random, &tick.after.learned);
   if (!machine_->lexicon.empty()) understanding_.emplace(*language_, world, facts_);
   begin(tick.after, tick.events);
   return tick;
@@ -95,8 +105,7 @@ Tick Pipeline::receive(const EngineState& before, const InputEvent& event, const
   const int serial = ++state.inputs;
   tick.events.push_back(Perceived{serial, symbol(event)});
   const auto refuse = [&](std::string reason) {
-    tick.events.push_back(
-        StepEvent(RefusedInput{state.configuration.state, symbol(event), std::move(reason), {}}));
+    tick.events.push_back(StepEvent(RefusedInput{state.configuration.state, symbol(event), std::move(reason), {}}));
   };
   if (!is_confident(event)) {
     refuse(fmt::format("confidence {} is below the machine's minimum of {}", event.confidence,
@@ -142,9 +151,8 @@ Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) {
   EngineState& state = tick.after;
   const Ensemble ensemble = std::move(state.complete.front());
   state.complete.pop_front();
-  methods_.see(&world, &state.chooser.random);
-  tick.events.push_back(
-      Attended{ensemble.percept.serial, ensemble.percept.event.t, ensemble.at, bound(ensemble)});
+  methods_.see(&world, &state.chooser.random, &state.learned);
+  tick.events.push_back(Attended{ensemble.percept.serial, ensemble.percept.event.t, ensemble.at, bound(ensemble)});
   if (understanding_ && ensemble.percept.event.modality == Modality::speech)
     hear(state, ensemble, world, tick.events);
   else
@@ -179,8 +187,7 @@ Percept Pipeline::percept_of(const EngineState& state, const InputEvent& event, 
     percept.takers = takers(understanding_->read(event.text), event);
   } else if (event.modality == Modality::gesture && kind_of(event) == deixis) {
     // A gesture that does not say where it points points where the hand does.
-    if (!place_of(event) && state.pointed &&
-        (event.t - state.pointed->t).seconds() <= window_.before_s)
+    if (!place_of(event) && state.pointed && (event.t - state.pointed->t).seconds() <= window_.before_s)
       percept.event.target_W = state.pointed->place_W;
     percept.deixis = deixis_of(percept.event, serial);
   }
@@ -227,7 +234,7 @@ void Pipeline::update_beliefs(EngineState& state, const Input& input, std::vecto
 
 // What the automaton emitted becomes words and commands; what the avatar says, it hears itself.
 void Pipeline::behave(EngineState& state, std::vector<StepEvent> steps, std::vector<EngineEvent>& events) {
-  for (auto& step : steps) {
+  for (auto& step : with_lessons(std::move(steps), *machine_, state.learned)) {
     if (auto* said = std::get_if<Said>(&step)) {
       const std::string words = said->text = fresh(said->variants, state.last_utterance);
       if (machine_->repeats_utterances || words != state.last_utterance) events.push_back(std::move(step));

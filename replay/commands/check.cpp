@@ -110,12 +110,14 @@ class Checking {
   void trace(const fs::path& path) {
     ReplayOptions options;
     options.knowledge = options_.knowledge;
+    options.learned = options_.learned;
     options.physics = options_.physics;
     auto session = Session::load(path.string(), options);
     if (!session) return trouble(session.error());
     Nowhere nowhere;
     std::ostream log(&nowhere);
     const auto summary = session->run(log);
+    if (const auto problem = session->keep_learned()) return trouble(*problem);
     const auto unmet = static_cast<std::size_t>(summary.expectations - summary.expectations_met);
     std::vector<std::string> problems(unmet, path.string() + ": an expectation is not met (see continua replay)");
     if (problems.size() > 1) problems.resize(1);
@@ -142,6 +144,8 @@ void add_check_command(CLI::App& program, Run& run) {
   command->add_option("PATH", options->paths,
                       "machines, folders of lexicon/, traces, or folders of them; the knowledge folder if left out");
   command->add_option("--knowledge", options->knowledge, "folder to use instead of engine/knowledge");
+  command->add_option("--learned", options->learned,
+                      "a file of what was taught: traces read it if it exists, and write what they change");
   command->add_flag("!--no-physics", options->physics,
                     "replay traces in the kinematic world, where every act succeeds");
   command->footer(

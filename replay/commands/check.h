@@ -10,6 +10,7 @@ namespace continua {
 
 struct CheckOptions {
   std::vector<std::string> paths;  ///< machines, lexicons, traces, or folders of them; empty: the knowledge folder
+  std::string learned;             ///< file of what was taught, for traces; empty: none
   std::string knowledge;           ///< folder; empty: the program's own
   bool physics = true;
 };

@@ -96,13 +96,18 @@ class Batch {
     const auto& output = outputs_[index];
     auto session = Session::load(trace, std::move(options));
     if (!session) return finish(index, session.error(), output);
-    if (output == "-") return finish(index, session->run(std::cout), output);
+    if (output == "-") return finish(index, kept(*session, session->run(std::cout)), output);
     std::ofstream file(output, std::ios::binary);
     if (!file) return finish(index, Error{output, "cannot be written; expected a writable file"}, output);
     const auto summary = session->run(file);
     file.close();
     if (!file) return finish(index, Error{output, "could not be written to its end"}, output);
-    finish(index, summary, output);
+    finish(index, kept(*session, summary), output);
+  }
+
+  static Result<ReplaySummary> kept(const Session& session, const ReplaySummary& summary) {
+    if (const auto problem = session.keep_learned()) return *problem;
+    return summary;
   }
 
   void finish(std::size_t index, const Result<ReplaySummary>& summary, const std::string& output) {
@@ -173,7 +178,12 @@ void add_forced(const std::string& text, std::map<int, std::string>& forced) {
 int run_replay(const ReplayCommandOptions& options) {
   auto outputs = outputs_of(options);
   if (!outputs) return report(outputs.error()), exit_impossible;
-  return Batch(options, std::move(*outputs)).run();
+  if (options.replay.learned.empty() || options.jobs == 1) return Batch(options, std::move(*outputs)).run();
+  report(
+      {"--learned", "each trace begins with what the ones before it taught: they follow one another, -j counts as 1"});
+  auto one_by_one = options;
+  one_by_one.jobs = 1;
+  return Batch(one_by_one, std::move(*outputs)).run();
 }
 
 void add_replay_command(CLI::App& program, Run& run) {
@@ -201,6 +211,8 @@ void add_replay_command(CLI::App& program, Run& run) {
   command->add_option("--machine", options->replay.machine, "a name or a machine file; otherwise the trace's");
   command->add_option("--knowledge", options->replay.knowledge,
                       "folder of machines, lexicon, voxemes; otherwise the program's");
+  command->add_option("--learned", options->replay.learned,
+                      "a file of what was taught: read if it exists, and written when a run has changed it");
   command->add_flag_callback(
       "--no-physics", [options] { options->replay.physics = false; },
       "the kinematic world, in which acts succeed at once");
