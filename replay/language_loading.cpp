@@ -10,6 +10,7 @@
 #include "core/located_json.h"
 #include "machine_file/machine_loader.h"
 #include "term/raising_file.h"
+#include "voxml/catalogue.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -55,6 +56,9 @@ Result<Language> load_language(const DataPaths& data, const Machine& machine) {
     if (!lexicon) return lexicon.error();
     language.lexicon = *std::move(lexicon);
   }
+  auto voxemes = read_catalogue((data.knowledge / "voxemes").lexically_normal().string());
+  if (!voxemes.problems.empty()) return voxemes.problems.front();
+  language.voxemes = std::make_shared<const Catalogue>(std::move(voxemes.catalogue));
   const auto raising = data.knowledge / "raising.json";
   std::error_code unknown;
   if (!fs::exists(raising, unknown)) return language;

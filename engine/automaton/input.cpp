@@ -6,11 +6,18 @@ namespace continua {
 
 std::span<const Carried> carried_terms() {
   static constexpr std::array terms = {
-      Carried{"target", "loc", &Input::target},          Carried{"said", "text", &Input::said},
-      Carried{"gesture", "text", &Input::gesture},       Carried{"pointed", "loc", &Input::pointed, true},
-      Carried{"move", "text", &Input::move, true},       Carried{"reading", "term", &Input::reading, true},
-      Carried{"meaning", "term", &Input::meaning, true}, Carried{"choices", "e**", &Input::choices, true},
-      Carried{"wanted", "text*", &Input::wanted, true},  Carried{"referents", "e*", &Input::referents, true},
+      Carried{"target", "loc", &Input::target},
+      Carried{"said", "text", &Input::said},
+      Carried{"act", "t", &Input::act},
+      Carried{"reason", "text", &Input::reason},
+      Carried{"gesture", "text", &Input::gesture},
+      Carried{"pointed", "loc", &Input::pointed, true},
+      Carried{"move", "text", &Input::move, true},
+      Carried{"reading", "term", &Input::reading, true},
+      Carried{"meaning", "term", &Input::meaning, true},
+      Carried{"choices", "e**", &Input::choices, true},
+      Carried{"wanted", "text*", &Input::wanted, true},
+      Carried{"referents", "e*", &Input::referents, true},
       Carried{"noun", "e -> t", &Input::noun, true},
   };
   return terms;

@@ -77,12 +77,4 @@ std::vector<std::optional<std::size_t>> assign(const std::vector<Taker>& takers,
   return assigned;
 }
 
-std::vector<std::optional<Deixis>> bind(const std::vector<Taker>& takers, const std::vector<Deixis>& pointings,
-                                        const FusionWindow& window) {
-  std::vector<std::optional<Deixis>> bound;
-  for (const auto index : assign(takers, pointings, window))
-    bound.push_back(index ? std::optional(pointings[*index]) : std::nullopt);
-  return bound;
-}
-
 }  // namespace continua

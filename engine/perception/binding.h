@@ -30,8 +30,4 @@ struct Taker {
 std::vector<std::optional<std::size_t>> assign(const std::vector<Taker>& takers, const std::vector<Deixis>& pointings,
                                                const FusionWindow& window);
 
-/// The same, with the pointings themselves.
-std::vector<std::optional<Deixis>> bind(const std::vector<Taker>& takers, const std::vector<Deixis>& pointings,
-                                        const FusionWindow& window);
-
 }  // namespace continua

@@ -11,6 +11,7 @@
 namespace continua {
 namespace {
 
+const Catalogue* voxemes_of(const Language* language) { return language ? language->voxemes.get() : nullptr; }
 const RaisingRules* raising_of(const Language* language) { return language ? &language->raising : nullptr; }
 
 // Pointings this far beside the table are not believed.
@@ -47,7 +48,8 @@ Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const
       window_(window_of(*machine_)),
       language_(std::move(language)),
       perspective_(perspective),
-      methods_(perspective),
+      performer_(voxemes_of(language_.get()), perspective),
+      methods_(perspective, voxemes_of(language_.get())),
       facts_({&term_rules(), &methods_.rules()}, raising_of(language_.get())),
       stepper_(machine_, methods_.rules(), raising_of(language_.get())),
       explorer_(stepper_, most_branches) {
@@ -65,11 +67,13 @@ Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world, Learned learne
                         {},
                         std::move(learned),
                         0,
+                        {},
                         0},
             {}};
   methods_.see(&world, &tick.after.chooser.random, &tick.after.learned);
   if (!machine_->lexicon.empty()) understanding_.emplace(*language_, world, facts_);
   begin(tick.after, tick.events);
+  perform(tick.after, world, tick.events);
   return tick;
 }
 
@@ -157,6 +161,7 @@ Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) {
     hear(state, ensemble, world, tick.events);
   else
     see(state, ensemble, world, tick.events);
+  perform(state, world, tick.events);
   return tick;
 }
 
@@ -242,21 +247,15 @@ void Pipeline::behave(EngineState& state, std::vector<StepEvent> steps, std::vec
       for (auto& change : state.beliefs.overhear(words)) events.push_back(std::move(change));
       continue;
     }
-    const auto* gestured = std::get_if<Gestured>(&step);
-    const auto* acted = std::get_if<Acted>(&step);
-    if (!gestured && !acted) {
+    if (const auto* gestured = std::get_if<Gestured>(&step)) {
+      const Term term = gestured->term;
       events.push_back(std::move(step));
+      gesture(state, term, events);
       continue;
     }
-    auto command = plan(gestured ? gestured->term : acted->term, gestured != nullptr, perspective_);
-    const bool gesture = gestured != nullptr;
+    if (const auto* acted = std::get_if<Acted>(&step))
+      performer_.begin(state.performance, {++state.acts, acted->term, acted->because});
     events.push_back(std::move(step));
-    if (command) {
-      command->id = ++state.commands;
-      events.push_back(Commanded{*command, gesture});
-    } else {
-      events.push_back(Unplanned{command.error().sentence});
-    }
   }
 }
 

@@ -1,8 +1,7 @@
 #include "replay/commands/replay.h"
 
 #include "core/located_json.h"
-
-#include <unistd.h>
+#include "replay/commands/progress.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -72,12 +71,12 @@ class Batch {
       : options_(options),
         outputs_(std::move(outputs)),
         lines_(options.traces.size()),
-        done_(options.traces.size(), 0.0) {}
+        progress_(options.traces.size()) {}
 
   int run() {
     std::vector<std::thread> threads;
-    const auto count =
-        std::min<std::size_t>(static_cast<std::size_t>(std::max(1, options_.jobs)), options_.traces.size());
+    const auto count = std::min<std::size_t>(
+        static_cast<std::size_t>(jobs_at_a_time(options_.jobs, options_.replay.learned)), options_.traces.size());
     for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
     work();
     for (auto& thread : threads) thread.join();
@@ -92,7 +91,10 @@ class Batch {
   void one(std::size_t index) {
     const auto& trace = options_.traces[index];
     auto options = options_.replay;
-    if (isatty(STDERR_FILENO)) options.progress = [this, index](double done) { show_progress(index, done); };
+    options.progress = [this, index](double done) {
+      const std::lock_guard lock(mutex_);
+      progress_.show(index, done);
+    };
     const auto& output = outputs_[index];
     auto session = Session::load(trace, std::move(options));
     if (!session) return finish(index, session.error(), output);
@@ -112,53 +114,33 @@ class Batch {
 
   void finish(std::size_t index, const Result<ReplaySummary>& summary, const std::string& output) {
     const std::lock_guard lock(mutex_);
-    done_[index] = 1;
+    progress_.show(index, 1);
+    progress_.clear();
     if (!summary) {
-      clear_progress();
       report(summary.error());
       status_ = exit_impossible;
       lines_[index] = "";
     } else {
       lines_[index] = line_of(options_.traces[index], *summary, output);
       for (const auto& [step, transition] : summary->not_forced) {
-        clear_progress();
         report({options_.traces[index],
                 fmt::format("--force {}={}: that transition does not apply at that step", step, transition)});
         status_ = exit_impossible;
       }
       if (summary->expectations_met < summary->expectations && status_ == exit_done) status_ = exit_no;
     }
-    clear_progress();
     for (; printed_ < lines_.size() && lines_[printed_]; ++printed_)
       if (!lines_[printed_]->empty()) fmt::print(output == "-" ? stderr : stdout, "{}\n", *lines_[printed_]);
     std::fflush(stdout);
-  }
-
-  void show_progress(std::size_t index, double done) {
-    const std::lock_guard lock(mutex_);
-    done_[index] = done;
-    double total = 0;
-    for (const double one : done_) total += one;
-    const int percent = static_cast<int>(100 * total / static_cast<double>(done_.size()));
-    if (percent == shown_percent_) return;
-    shown_percent_ = percent;
-    fmt::print(stderr, "\r[{:<40}] {:3} %", std::string(static_cast<std::size_t>(percent * 2 / 5), '='), percent);
-    std::fflush(stderr);
-  }
-
-  void clear_progress() {
-    if (shown_percent_ >= 0) fmt::print(stderr, "\r{:60}\r", "");
-    shown_percent_ = -1;
   }
 
   const ReplayCommandOptions& options_;
   std::vector<std::string> outputs_;
   std::mutex mutex_;
   std::vector<std::optional<std::string>> lines_;
-  std::vector<double> done_;
+  Progress progress_;
   std::size_t printed_ = 0;
   std::atomic<std::size_t> next_ = 0;
-  int shown_percent_ = -1;
   int status_ = exit_done;
 };
 
@@ -178,12 +160,7 @@ void add_forced(const std::string& text, std::map<int, std::string>& forced) {
 int run_replay(const ReplayCommandOptions& options) {
   auto outputs = outputs_of(options);
   if (!outputs) return report(outputs.error()), exit_impossible;
-  if (options.replay.learned.empty() || options.jobs == 1) return Batch(options, std::move(*outputs)).run();
-  report(
-      {"--learned", "each trace begins with what the ones before it taught: they follow one another, -j counts as 1"});
-  auto one_by_one = options;
-  one_by_one.jobs = 1;
-  return Batch(one_by_one, std::move(*outputs)).run();
+  return Batch(options, std::move(*outputs)).run();
 }
 
 void add_replay_command(CLI::App& program, Run& run) {

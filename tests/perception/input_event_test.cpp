@@ -71,3 +71,20 @@ TEST_CASE("a ray that does not reach the table has no place") {
   CHECK_FALSE(place_of(pointing({0, 0, 0.4}, {1e300, 0, -1e-9})));             // beyond what a number holds
   CHECK(*place_of(pointing({0.1, 0.2, 0}, {0, 1, -1})) == Vec3(0.1, 0.2, 0));  // from the table itself
 }
+
+TEST_CASE("an alternative is the event with another reading") {
+  auto event = speech("put it");
+  event.confidence = 0.6;
+  event.until = SimTime::from_seconds(2);
+  event.alternatives = {{"but it", 0.3}, {"putt", 0.1}};
+  CHECK(alternative(event, 0).text == "put it");
+  CHECK(alternative(event, 0).alternatives.size() == 2);
+  const auto other = alternative(event, 2);
+  CHECK(other.text == "putt");
+  CHECK(other.confidence == 0.1);
+  CHECK(other.until == event.until);
+  CHECK(other.alternatives.empty());
+  event.modality = Modality::gesture;
+  CHECK(alternative(event, 1).name == "but it");
+  CHECK(alternative(event, 1).text == "put it");
+}
