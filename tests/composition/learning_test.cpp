@@ -129,7 +129,7 @@ TEST_CASE("acts become a program of what they were done to and of the points the
       {"[hoist(cup), put(cup, on(plate))]", "\\x: e. [hoist(x), put(x, on(plate))]"},
       {"[put(cup, on(v)), put(cup, <1, 0, 0>)]", "\\x: e. \\v1: loc. [put(x, on(v)), put(x, v1)]"},
       {"[]", "nothing was done; expected one act or more"},
-      {"[grasp(null)]", "found null, expected an act that lacks nothing"},
+      {"[null]", "found null, expected an act that lacks nothing"},
       {"[put(cup)]", "found put(cup), expected an act that lacks nothing"},
       {"[\\y. grasp(y)]", "found \\y. grasp(y), expected an act that lacks nothing"},
       {"[cup]", "found cup, expected an act that lacks nothing"},
