@@ -77,6 +77,7 @@ TraceCheck check_trace(const std::string& trace_path, const ReplayOptions& optio
   if (!session) return broken(session.error().text());
   std::ostringstream log;
   const auto summary = session->run(log);
+  if (const auto problem = session->keep_learned()) return broken(problem->text());
   check.expectations = summary.expectations;
   std::string run = std::move(log).str();
   if (summary.expectations_met < summary.expectations) return broken(unmet_expectation(run, trace_path));

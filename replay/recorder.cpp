@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "composition/learning_file.h"
 #include "replay/reading_record.h"
 
 namespace continua {
@@ -29,6 +30,10 @@ Json optional_text(const std::optional<std::string>& text) { return text ? Json(
 
 bool is_empty(const Term& term) {
   return term.is_null() || (term.kind() == Term::Kind::list && term.elements().empty());
+}
+
+std::string text_of(Lesson lesson, const Term& value) {
+  return lesson == Lesson::word ? print(Program{value}) : print(value);
 }
 
 Json result_of(double position_error_m, const std::string& reason, const std::vector<std::string>& moved_aside) {
@@ -113,21 +118,21 @@ void Recorder::one(const Attended& attended) {
   if (const auto record = input_record_.find(attended.serial); record != input_record_.end()) cause_ = record->second;
   if (attended.bound.empty() && attended.at == attended.arrived) return;
   Json bound = Json::array();
-  for (const auto& [words, deixis] : attended.bound)
-    bound.push_back({{"words", fmt::to_string(fmt::join(words, " "))}, {"deixis", fields_of(deixis)}});
+  for (const auto& [words, pointing] : attended.bound)
+    bound.push_back({{"words", fmt::to_string(fmt::join(words, " "))}, {"deixis", fields_of(pointing)}});
   cause_ = write("percept", {{"waited_s", (attended.at - attended.arrived).seconds()}, {"bound", std::move(bound)}});
 }
 
-Json Recorder::fields_of(const Deixis& deixis) const {
-  return {{"place", {rounded(deixis.place_W.x(), 1e5), rounded(deixis.place_W.y(), 1e5)}},
-          {"from", deixis.from.seconds()},
-          {"until", deixis.until.seconds()},
-          {"hand", deixis.hand.empty() ? Json(nullptr) : Json(deixis.hand)},
-          {"gesture", deixis.gesture},
-          {"spread_m", rounded(deixis.spread_m, 1e5)},
-          {"samples", deixis.samples},
-          {"left_out", deixis.left_out},
-          {"inputs", inputs(deixis.serials)}};
+Json Recorder::fields_of(const Deixis& pointing) const {
+  return {{"place", {rounded(pointing.place_W.x(), 1e5), rounded(pointing.place_W.y(), 1e5)}},
+          {"from", pointing.from.seconds()},
+          {"until", pointing.until.seconds()},
+          {"hand", pointing.hand.empty() ? Json(nullptr) : Json(pointing.hand)},
+          {"gesture", pointing.gesture},
+          {"spread_m", rounded(pointing.spread_m, 1e5)},
+          {"samples", pointing.samples},
+          {"left_out", pointing.left_out},
+          {"inputs", inputs(pointing.serials)}};
 }
 
 void Recorder::one(const Understood& understood) {
@@ -270,6 +275,20 @@ void Recorder::one(const ActEnd& end) {
 
 void Recorder::one(const Remembered& remembered) {
   write("memory", {{"register", machine_.memory[remembered.index].name}, {"value", print(remembered.value)}});
+}
+
+void Recorder::one(const Taught& taught) {
+  write("learned", {{"of", text(taught.of)},
+                    {"name", taught.name},
+                    {"value", text_of(taught.of, taught.value)},
+                    {"because", inputs(taught.because)}});
+}
+
+void Recorder::one(const Forgotten& forgotten) {
+  write("forgotten", {{"of", text(*forgotten.of)},
+                      {"name", forgotten.name},
+                      {"value", text_of(*forgotten.of, forgotten.value)},
+                      {"because", inputs(forgotten.because)}});
 }
 
 void Recorder::one(const RefusedInput& refused) {

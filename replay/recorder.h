@@ -62,6 +62,8 @@ class Recorder {
   void one(const Gestured& gestured);
   void one(const Acted& acted);
   void one(const Remembered& remembered);
+  void one(const Taught& taught);
+  void one(const Forgotten& forgotten);
   void one(const RefusedInput& refused);
   void one(const Trouble& trouble);
 
@@ -70,7 +72,7 @@ class Recorder {
   void rest(const RestSpan& span);
   Json refusals(const std::vector<Refused>& refused, std::size_t alternatives) const;
   Json inputs(const std::vector<int>& because) const;
-  Json fields_of(const Deixis& deixis) const;
+  Json fields_of(const Deixis& pointing) const;
   int write(std::string_view kind, Json fields);
   void write_act(int number, const std::string& status, Json more, SimTime t);
 

@@ -8,11 +8,13 @@
 #include <fmt/format.h>
 
 #include "behaviour/kinematic_body.h"
+#include "composition/learning_file.h"
 #include "core/digest.h"
 #include "pipeline/pipeline.h"
 #include "replay/data_paths.h"
 #include "replay/expectation.h"
 #include "replay/language_loading.h"
+#include "replay/learned_file.h"
 #include "replay/recorder.h"
 #include "replay/run_record.h"
 #include "replay/trace_file.h"
@@ -31,6 +33,8 @@ struct LoadedSession {
   Scene scene;
   std::unique_ptr<Body> body;
   std::map<int, std::size_t> forced;  ///< step → transition
+  Learned learned;                    ///< when the run begins
+  std::optional<Learned> learned_at_end;
 };
 
 namespace {
@@ -70,7 +74,7 @@ class Loop {
 
   ReplaySummary run() {
     write_header();
-    take(pipeline_.begin({choice_, Random(seed_), loaded_.forced, 0}, body_.snapshot()), SimTime{});
+    take(pipeline_.begin({choice_, Random(seed_), loaded_.forced, 0}, body_.snapshot(), loaded_.learned), SimTime{});
     const auto& events = loaded_.trace.events;
     for (const auto& note : loaded_.trace.notes) recorder_.problem(note.line, note.sentence, SimTime{});
     for (std::size_t i = 0; i < events.size(); ++i) {
@@ -82,6 +86,9 @@ class Loop {
     settle();
     return finish();
   }
+
+  /// Of the run so far.
+  const Learned& learned() const { return state_->learned; }
 
  private:
   std::size_t most_branches() const {
@@ -114,6 +121,7 @@ class Loop {
       header.phrases_digest = digest(loaded_.machine->phrase_document);
       header.phrases_document = Json::parse(loaded_.machine->phrase_document);
     }
+    if (!(loaded_.learned == Learned())) header.learned = Json::parse(print_learned(loaded_.learned));
     header.graph = graph_of(*loaded_.machine);
     if (loaded_.language->lexicon) {
       header.lexicon_name = loaded_.machine->lexicon;
@@ -297,6 +305,9 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   if (!machine) return machine.error();
   auto language = load_language(*data, *machine);
   if (!language) return language.error();
+  auto learned =
+      options.learned.empty() ? Result<Learned>(Learned()) : read_learned(options.learned, *machine, *language);
+  if (!learned) return learned.error();
   auto forced = forced_of(options, *machine);
   if (!forced) return forced.error();
 
@@ -308,15 +319,32 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   } else {
     body = std::make_unique<KinematicBody>(scene->initial_snapshot());
   }
-  return Session(std::make_unique<LoadedSession>(LoadedSession{
-      std::move(options), std::move(*trace), std::make_shared<const Machine>(std::move(*machine)),
-      std::make_shared<const Language>(std::move(*language)), std::move(*scene), std::move(body), std::move(*forced)}));
+  return Session(std::make_unique<LoadedSession>(LoadedSession{std::move(options),
+                                                               std::move(*trace),
+                                                               std::make_shared<const Machine>(std::move(*machine)),
+                                                               std::make_shared<const Language>(std::move(*language)),
+                                                               std::move(*scene),
+                                                               std::move(body),
+                                                               std::move(*forced),
+                                                               std::move(*learned),
+                                                               {}}));
 }
 
 Session::Session(std::unique_ptr<LoadedSession> loaded) : loaded_(std::move(loaded)) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 
-ReplaySummary Session::run(std::ostream& log) { return Loop(*loaded_, log).run(); }
+ReplaySummary Session::run(std::ostream& log) {
+  Loop loop(*loaded_, log);
+  auto summary = loop.run();
+  loaded_->learned_at_end = loop.learned();
+  return summary;
+}
+
+Outcome Session::keep_learned() const {
+  require(loaded_->learned_at_end.has_value(), "what was learned is kept after the run");
+  if (loaded_->options.learned.empty() || *loaded_->learned_at_end == loaded_->learned) return std::nullopt;
+  return write_learned(loaded_->options.learned, *loaded_->learned_at_end);
+}
 
 }  // namespace continua

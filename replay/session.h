@@ -20,6 +20,7 @@ struct ReplayOptions {
   std::optional<Choice> choice;               ///< else the machine's
   std::string scene, machine;                 ///< names or paths; empty: the trace's
   std::string knowledge;                      ///< folder; empty: the program's own
+  std::string learned;                        ///< file of what was taught in earlier runs; empty: none
   std::map<int, std::string> forced;          ///< step → id of the transition to take there
   std::size_t most_branches = 0;              ///< under `explore`; 0: the engine's own bound
   bool physics = true;                        ///< else the kinematic world
@@ -48,6 +49,9 @@ class Session {
 
   /// Replays the trace and writes its run log. The world is used up by it: REQUIRES that it is called once.
   ReplaySummary run(std::ostream& log);
+
+  /// Writes ReplayOptions::learned, if the run taught or forgot something. REQUIRES that it has run.
+  Outcome keep_learned() const;
 
  private:
   explicit Session(std::unique_ptr<LoadedSession> loaded);

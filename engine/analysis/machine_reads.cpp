@@ -46,7 +46,8 @@ class Reading {
       if (const auto* rewrite = std::get_if<Rewrite>(&effect.what)) read(rewrite->operation);
       if (const auto* group = std::get_if<Group>(&effect.what)) read(group->effects);
       const bool decides = !std::holds_alternative<Say>(effect.what) && !std::holds_alternative<Gesture>(effect.what) &&
-                           !std::holds_alternative<Act>(effect.what);
+                           !std::holds_alternative<Act>(effect.what) && !std::holds_alternative<Learn>(effect.what) &&
+                           !std::holds_alternative<Forget>(effect.what);
       if (decides) read(effect.when);
     }
   }

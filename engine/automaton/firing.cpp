@@ -201,6 +201,23 @@ bool Firing::perform_one(const Remember& remember) {
   configuration_.memory = std::make_shared<const std::vector<Cell>>(std::move(memory));
   return false;
 }
+bool Firing::perform_one(const Learn& learn) {
+  if (!account_) return false;
+  const auto name = compute(learn.name);
+  auto value = compute(learn.value);
+  if (name.value.kind() != Term::Kind::text || value.value.is_null()) return false;
+  std::set<int> inputs(name.because.begin(), name.because.end());
+  inputs.insert(value.because.begin(), value.because.end());
+  note(Taught{learn.of, name.value.text_value(), std::move(value.value), {inputs.begin(), inputs.end()}});
+  return false;
+}
+bool Firing::perform_one(const Forget& forget) {
+  if (!account_) return false;
+  auto name = compute(forget.name);
+  if (forget.of && name.value.kind() != Term::Kind::text) return false;
+  note(Forgotten{forget.of, forget.of ? name.value.text_value() : "", Term::null(), std::move(name.because)});
+  return false;
+}
 bool Firing::perform_one(const Rewrite& rewrite) {
   rewrite_ = rewrite.operation.keeps_stack ? Change{&rewrite.operation, {}} : change(rewrite.operation);
   return true;

@@ -91,6 +91,8 @@ class Firing {
   bool perform_one(const Gesture& gesture);
   bool perform_one(const Act& act);
   bool perform_one(const Remember& remember);
+  bool perform_one(const Learn& learn);
+  bool perform_one(const Forget& forget);
   bool perform_one(const Rewrite& rewrite);
   bool perform_one(const Group& group);
   bool perform_all(const std::vector<Effect>& effects);

@@ -8,6 +8,8 @@ Term empty_value(const Type& type) {
   return type.kind() == Type::Kind::list ? Term::list({}, type.element()) : Term::null();
 }
 
+std::string text(Lesson lesson) { return lesson == Lesson::gesture ? "gesture" : "word"; }
+
 namespace {
 
 void visit_rewrites(const std::vector<Effect>& effects, const auto& visit) {

@@ -80,6 +80,19 @@ struct Act {
 struct Remember {
   std::vector<std::pair<std::size_t, Term>> registers;
 };
+/// What can be taught: what a gesture means, what acts a word stands for.
+enum class Lesson { gesture, word };
+std::string text(Lesson lesson);
+
+struct Learn {
+  Lesson of = Lesson::gesture;
+  Term name;   ///< a text
+  Term value;  ///< the meaning; of a word the acts, a list
+};
+struct Forget {
+  std::optional<Lesson> of;  ///< nullopt: all that was learned
+  Term name;                 ///< a text
+};
 struct Rewrite {
   Operation operation;
 };
@@ -90,7 +103,7 @@ struct Group {
 /// One step of what a state or transition does beside moving.
 struct Effect {
   std::optional<Term> when;
-  std::variant<Say, Gesture, Act, Remember, Rewrite, Group> what;
+  std::variant<Say, Gesture, Act, Remember, Learn, Forget, Rewrite, Group> what;
 };
 
 struct Gate {

@@ -74,6 +74,19 @@ struct Remembered {
   std::size_t index = 0;
   Term value;
 };
+/// The automaton only says that something is to be learned or forgotten: nothing in it changes.
+struct Taught {
+  Lesson of = Lesson::gesture;
+  std::string name;
+  Term value;  ///< the meaning; of a word the acts, a list
+  std::vector<int> because;
+};
+struct Forgotten {
+  std::optional<Lesson> of;  ///< nullopt: all that was learned
+  std::string name;
+  Term value;  ///< what was forgotten, as soon as that is known
+  std::vector<int> because;
+};
 struct RefusedInput {
   StateIndex state = 0;
   std::string input;   ///< the first of those offered
@@ -86,7 +99,7 @@ struct Trouble {
   std::string message;
 };
 
-using StepEvent =
-    std::variant<Fired, MadeSymbol, Rewrote, Applied, Said, Gestured, Acted, Remembered, RefusedInput, Trouble>;
+using StepEvent = std::variant<Fired, MadeSymbol, Rewrote, Applied, Said, Gestured, Acted, Remembered, Taught,
+                               Forgotten, RefusedInput, Trouble>;
 
 }  // namespace continua

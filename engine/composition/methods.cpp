@@ -160,6 +160,14 @@ Term Methods::offset(const ObjectState& object, const std::string& side) const {
   return Term::number(on_grid((object.p_WO - world_->table.center()).dot(side_W(*named, perspective_))));
 }
 
+Term Methods::meaning_of(const std::string& name, Evaluation& evaluation) const {
+  if (!learned_) return Term::null();
+  if (const auto gesture = learned_->gestures.find(name); gesture != learned_->gestures.end())
+    return evaluation.value(gesture->second);
+  const auto program = learned_->programs.find(name);
+  return program == learned_->programs.end() ? Term::null() : evaluation.value(program->second.acts);
+}
+
 Term Methods::affordance(const ObjectState& object, const std::string& what) const {
   const auto afforded = voxemes_ ? affords(object, *voxemes_, what) : std::nullopt;
   return afforded ? Term::truth(*afforded) : Term::null();
@@ -186,6 +194,9 @@ Signature Methods::add_rules() {
   const auto held = [this](Arguments, Evaluation&) {
     return world_ && world_->find(world_->held) ? Term::entity(world_->held) : Term::null();
   };
+  const auto learned = [this](Arguments a, Evaluation&) {
+    return Term::truth(learned_ && learned_->knows(a[0].text_value()));
+  };
   rules_.clear();
   Signature signature;
   add_functions(
@@ -207,6 +218,9 @@ Signature Methods::add_rules() {
            [this](Arguments a, Evaluation& e) { return clear(a[0], a[1].number_value(), e); }},
           {"fits", "e -> loc -> e* -> t", [this](Arguments a, Evaluation& e) { return fits(a[0], a[1], a[2], e); }},
           {"free_place", "e -> loc -> loc", [this](Arguments a, Evaluation& e) { return free_place(a[0], a[1], e); }},
+          {"learned", "text -> t", learned},
+          {"meaning_of", "text -> term",
+           [this](Arguments a, Evaluation& e) { return meaning_of(a[0].text_value(), e); }},
       },
       rules_, signature);
   // A place or program may be a term that is no literal, left(plate), so these are no functions of add_functions.

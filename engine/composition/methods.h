@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "composition/learning.h"
 #include "core/random.h"
 #include "term/evaluate.h"
 #include "world/relations.h"
@@ -22,10 +23,12 @@ class Methods {
   Methods(const Methods&) = delete;  // its rules know where it is
   Methods& operator=(const Methods&) = delete;
 
-  /// What the rules speak of from now on; both must outlive their use. Before that, all is null.
-  void see(const WorldSnapshot* world, Random* random) {
+  /// What the rules speak of from now on; all must outlive their use. Before that, all is null. `learned`: nullptr,
+  /// nothing was.
+  void see(const WorldSnapshot* world, Random* random, const Learned* learned = nullptr) {
     world_ = world;
     random_ = random;
+    learned_ = learned;
   }
 
   const Rules& rules() const { return rules_; }
@@ -44,6 +47,7 @@ class Methods {
   Term affordance(const ObjectState& object, const std::string& what) const;
   Term obstacle(const Term& program) const;
   Term offset(const ObjectState& object, const std::string& side) const;
+  Term meaning_of(const std::string& name, Evaluation& evaluation) const;
   Signature add_rules();
 
   Perspective perspective_;
@@ -51,6 +55,7 @@ class Methods {
   Rules rules_;
   const WorldSnapshot* world_ = nullptr;
   Random* random_ = nullptr;
+  const Learned* learned_ = nullptr;
 };
 
 }  // namespace continua

@@ -127,11 +127,13 @@ std::vector<Effect> MachineReader::read_effects(const Item& list) {
 std::optional<Effect> MachineReader::read_effect(const Item& object) {
   if (!expect_object(object, "an effect")) return std::nullopt;
   std::vector<std::string> kinds;
-  for (const auto* kind : {"say", "phrase", "gesture", "act", "remember", "rewrite", "rewrite_each", "do"})
+  for (const auto* kind :
+       {"say", "phrase", "gesture", "act", "remember", "learn", "forget", "rewrite", "rewrite_each", "do"})
     if (member(object, kind).json) kinds.push_back(kind);
   if (kinds.size() != 1) {
     problem(object,
-            fmt::format("found {}, expected one of say, phrase, gesture, act, remember, rewrite, rewrite_each, do",
+            fmt::format("found {}, expected one of say, phrase, gesture, act, remember, learn, forget, rewrite, "
+                        "rewrite_each, do",
                         kinds.empty() ? "none" : fmt::to_string(fmt::join(kinds, ", "))));
     return std::nullopt;
   }
@@ -149,6 +151,10 @@ std::optional<Effect> MachineReader::read_effect(const Item& object) {
     if (const auto term = parse(item, Type::term())) effect.what = Act{*term};
   } else if (kinds[0] == "remember") {
     effect.what = read_remember(item);
+  } else if (kinds[0] == "learn") {
+    if (const auto learn = read_learn(item)) effect.what = *learn;
+  } else if (kinds[0] == "forget") {
+    if (const auto forget = read_forget(item)) effect.what = *forget;
   } else if (kinds[0] == "do") {
     effect.what = Group{read_effects(item)};
   } else {

@@ -79,6 +79,9 @@ class MachineReader {
   std::optional<Say> read_say(const Item& item);
   std::optional<Say> read_phrase(const Item& item);
   SayCase read_variants(const Item& item);
+  std::optional<Learn> read_learn(const Item& lesson);
+  std::optional<Forget> read_forget(const Item& lesson);
+  std::optional<Lesson> read_lesson(const Item& lesson);
   Remember read_remember(const Item& registers);
 
   // machine_examples.cpp

@@ -55,7 +55,7 @@ void Pipeline::perform(EngineState& state, const WorldSnapshot& world, std::vect
 Tick Pipeline::reported(const EngineState& before, const std::vector<ActReport>& reports, const WorldSnapshot& world) {
   Tick tick{before, {}};
   EngineState& state = tick.after;
-  methods_.see(&world, &state.chooser.random);
+  methods_.see(&world, &state.chooser.random, &state.learned);
   for (const auto& report : reports) performer_.reported(state.performance, report);
   perform(state, world, tick.events);
   return tick;

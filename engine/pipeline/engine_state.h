@@ -10,6 +10,7 @@
 
 #include "automaton/exploration.h"
 #include "behaviour/performance.h"
+#include "composition/learning.h"
 #include "moves/move.h"
 #include "perception/fusion.h"
 #include "pipeline/acting.h"
@@ -32,7 +33,8 @@ struct EngineState {
   std::deque<Ensemble> complete;  ///< what is to be attended to, in order
   std::string last_utterance;
   std::optional<Pointed> pointed;
-  int inputs = 0;  ///< so far; the running number of the latest is its serial
+  Learned learned;  ///< what the human taught
+  int inputs = 0;   ///< so far; the running number of the latest is its serial
   Performance performance;
   int acts = 0;  ///< asked for so far; the running number of the latest
 

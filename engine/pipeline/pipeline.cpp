@@ -6,6 +6,7 @@
 
 #include "pipeline/discourse.h"
 #include "pipeline/inputs.h"
+#include "pipeline/lessons.h"
 
 namespace continua {
 namespace {
@@ -55,7 +56,7 @@ Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const
   require(machine_->lexicon.empty() || language_, "a machine with a lexicon needs a language");
 }
 
-Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world) {
+Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world, Learned learned) {
   Tick tick{EngineState{{},
                         {},
                         Beliefs(machine_->beliefs),
@@ -64,11 +65,12 @@ Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world) {
                         {},
                         "",
                         {},
+                        std::move(learned),
                         0,
                         {},
                         0},
             {}};
-  methods_.see(&world, &tick.after.chooser.random);
+  methods_.see(&world, &tick.after.chooser.random, &tick.after.learned);
   if (!machine_->lexicon.empty()) understanding_.emplace(*language_, world, facts_);
   begin(tick.after, tick.events);
   perform(tick.after, world, tick.events);
@@ -153,7 +155,7 @@ Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) {
   EngineState& state = tick.after;
   const Ensemble ensemble = std::move(state.complete.front());
   state.complete.pop_front();
-  methods_.see(&world, &state.chooser.random);
+  methods_.see(&world, &state.chooser.random, &state.learned);
   tick.events.push_back(Attended{ensemble.percept.serial, ensemble.percept.event.t, ensemble.at, bound(ensemble)});
   if (understanding_ && ensemble.percept.event.modality == Modality::speech)
     hear(state, ensemble, world, tick.events);
@@ -237,7 +239,7 @@ void Pipeline::update_beliefs(EngineState& state, const Input& input, std::vecto
 
 // What the automaton emitted becomes words and commands; what the avatar says, it hears itself.
 void Pipeline::behave(EngineState& state, std::vector<StepEvent> steps, std::vector<EngineEvent>& events) {
-  for (auto& step : steps) {
+  for (auto& step : with_lessons(std::move(steps), *machine_, state.learned)) {
     if (auto* said = std::get_if<Said>(&step)) {
       const std::string words = said->text = fresh(said->variants, state.last_utterance);
       if (machine_->repeats_utterances || words != state.last_utterance) events.push_back(std::move(step));

@@ -26,8 +26,9 @@ class Pipeline {
   Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const Language> language, Perspective perspective,
            std::size_t most_branches = default_most_branches);
 
-  /// Before the first input; the chooser's policy decides for the whole run. `world` is what the machine may read.
-  Tick begin(Chooser chooser, const WorldSnapshot& world);
+  /// Before the first input; the chooser's policy decides for the whole run. `world` is what the machine may read,
+  /// `learned` what was taught before.
+  Tick begin(Chooser chooser, const WorldSnapshot& world, Learned learned = {});
 
   /// Something happened, and is known at `world.t` or at its own time if that is later.
   Tick receive(const EngineState& before, const InputEvent& event, const WorldSnapshot& world);

@@ -64,7 +64,7 @@ Term lacking(Arguments a, Evaluation&) {
 
 std::string characters(const Term& term) { return term.kind() == Term::Kind::text ? term.text_value() : print(term); }
 
-Term says(Arguments a, Evaluation&) {
+Term mentions_text(Arguments a, Evaluation&) {
   return Term::truth(characters(a[0]).find(a[1].text_value()) != std::string::npos);
 }
 
@@ -128,7 +128,7 @@ void add_term_functions(Rules& rules, Signature& signature) {
           {"lacking", "term -> term -> term", lacking},
           {"program", "term -> text", program},
           {"argument", "term -> num -> term", argument},
-          {"mentions", "term -> text -> t", says},
+          {"mentions", "term -> text -> t", mentions_text},
           {"text", "term -> text", text},
           {"place", "term -> loc", place},
           {"words", "text -> text*", words},

@@ -72,7 +72,8 @@ class Checking {
 
   void run() {
     std::vector<std::thread> threads;
-    const auto count = std::min(static_cast<std::size_t>(std::max(1, options_.jobs)), items_.size());
+    const auto count =
+        std::min(static_cast<std::size_t>(jobs_at_a_time(options_.jobs, options_.learned)), items_.size());
     for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
     work();
     for (auto& thread : threads) thread.join();
@@ -200,6 +201,7 @@ class Checking {
   Finding trace(std::size_t index) {
     ReplayOptions options;
     options.knowledge = options_.knowledge;
+    options.learned = options_.learned;
     options.physics = options_.physics.value_or(!options_.approve);
     options.progress = [this, index](double done) {
       const std::lock_guard lock(mutex_);
@@ -269,6 +271,8 @@ void add_check_command(CLI::App& program, Run& run) {
                       "machines, folders of lexicon/, phrases, gestures, folders voxemes, traces, or folders of them;\n"
                       "the knowledge folder if left out");
   command->add_option("--knowledge", options->knowledge, "folder to use instead of engine/knowledge");
+  command->add_option("--learned", options->learned,
+                      "a file of what was taught: traces read it if it exists, and write what they change");
   auto* physics = command->add_flag_callback(
       "--physics", [options] { options->physics = true; },
       "replay traces in MuJoCo's world, also with --approve, which else takes the kinematic one");

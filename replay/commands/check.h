@@ -20,6 +20,7 @@ std::optional<Shard> parse_shard(const std::string& text);
 
 struct CheckOptions {
   std::vector<std::string> paths;  ///< machines, lexicons, traces, or folders of them; empty: the knowledge folder
+  std::string learned;             ///< file of what was taught, for traces; empty: none
   std::string knowledge;           ///< folder; empty: the program's own
   std::optional<bool> physics;     ///< false: the kinematic world; nullopt: that one if runs are to be approved
   int jobs = 1;

@@ -19,6 +19,12 @@ std::string counted(std::size_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+int jobs_at_a_time(int jobs, const std::string& learned) {
+  if (learned.empty() || jobs <= 1) return std::max(1, jobs);
+  report({"--learned", "each trace begins with what the ones before it taught: one at a time, whatever -j says"});
+  return 1;
+}
+
 Outcome write_file(const std::string& path, const std::string& content) {
   if (path == "-") {
     const bool written = std::fwrite(content.data(), 1, content.size(), stdout) == content.size();

@@ -31,6 +31,10 @@ void report(const Error& error);
 /// "1 event", "2 events".
 std::string counted(std::size_t count, const std::string& noun);
 
+/// How many traces are replayed at a time: with a file of what was taught (`learned`, or empty) one, since each begins
+/// with what the ones before it taught; that another number was asked for is told.
+int jobs_at_a_time(int jobs, const std::string& learned);
+
 /// Writes a whole file. "-" is standard output.
 Outcome write_file(const std::string& path, const std::string& content);
 

@@ -75,8 +75,8 @@ class Batch {
 
   int run() {
     std::vector<std::thread> threads;
-    const auto count =
-        std::min<std::size_t>(static_cast<std::size_t>(std::max(1, options_.jobs)), options_.traces.size());
+    const auto count = std::min<std::size_t>(
+        static_cast<std::size_t>(jobs_at_a_time(options_.jobs, options_.replay.learned)), options_.traces.size());
     for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
     work();
     for (auto& thread : threads) thread.join();
@@ -98,13 +98,18 @@ class Batch {
     const auto& output = outputs_[index];
     auto session = Session::load(trace, std::move(options));
     if (!session) return finish(index, session.error(), output);
-    if (output == "-") return finish(index, session->run(std::cout), output);
+    if (output == "-") return finish(index, kept(*session, session->run(std::cout)), output);
     std::ofstream file(output, std::ios::binary);
     if (!file) return finish(index, Error{output, "cannot be written; expected a writable file"}, output);
     const auto summary = session->run(file);
     file.close();
     if (!file) return finish(index, Error{output, "could not be written to its end"}, output);
-    finish(index, summary, output);
+    finish(index, kept(*session, summary), output);
+  }
+
+  static Result<ReplaySummary> kept(const Session& session, const ReplaySummary& summary) {
+    if (const auto problem = session.keep_learned()) return *problem;
+    return summary;
   }
 
   void finish(std::size_t index, const Result<ReplaySummary>& summary, const std::string& output) {
@@ -183,6 +188,8 @@ void add_replay_command(CLI::App& program, Run& run) {
   command->add_option("--machine", options->replay.machine, "a name or a machine file; otherwise the trace's");
   command->add_option("--knowledge", options->replay.knowledge,
                       "folder of machines, lexicon, voxemes; otherwise the program's");
+  command->add_option("--learned", options->replay.learned,
+                      "a file of what was taught: read if it exists, and written when a run has changed it");
   command->add_flag_callback(
       "--no-physics", [options] { options->replay.physics = false; },
       "the kinematic world, in which acts succeed at once");

@@ -64,7 +64,11 @@ class Seen {
  public:
   explicit Seen(WorldSnapshot world, std::uint64_t seed = 1, Perspective perspective = Perspective::human)
       : world_(std::move(world)), random_(seed), methods_(perspective, &voxemes()) {
-    methods_.see(&world_, &random_);
+    const auto program = parse_term("\\x. [grasp(x), lift(x)]", names_of({{"grasp", "e -> t"}, {"lift", "e -> t"}}));
+    learned_.gestures.emplace("claw",
+                              parse_term("lift(block2)", names_of({{"lift", "e -> t"}, {"block2", "e"}})).value());
+    learned_.programs.emplace("hoist", Program{program.value()});
+    methods_.see(&world_, &random_, &learned_);
     names_.insert(Methods::signature().begin(), Methods::signature().end());
     for (const auto& object : world_.objects) names_.emplace(object.name, Type::entity());
     for (const auto* each : {"ghost", "avatar", "human"}) names_.emplace(each, Type::entity());
@@ -91,8 +95,15 @@ class Seen {
   double margin = 0;
 
  private:
+  static Signature names_of(const std::map<std::string, std::string>& types) {
+    Signature names;
+    for (const auto& [name, type] : types) names.emplace(name, Type::parse(type).value());
+    return names;
+  }
+
   WorldSnapshot world_;
   Random random_;
+  Learned learned_;
   Methods methods_;
   Signature names_ = term_signature();
 };

@@ -98,7 +98,7 @@ TEST_CASE("phrases are looked for in the folder that is given") {
   elsewhere.replace(elsewhere.find("talk"), 4, "tolk");
   const auto errors = errors_of(with_cases(R"([{"say":"one"}])"), elsewhere);
   CHECK(errors.find('\n') == errors.size() - 1);
-  CHECK(errors.starts_with("m:1:46: there are no phrases 'tolk' (did you mean 'talk'?); expected a name in "));
+  CHECK(errors.starts_with("m:1:47: there are no phrases 'tolk' (did you mean 'talk'?); expected a name in "));
   auto none = machine;
   none.erase(none.find(R"("phrases":"talk",)"), 17);
   CHECK(errors_of("{}", none) ==

@@ -1,0 +1,86 @@
+#include "pipeline/lessons.h"
+
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "composition/methods.h"
+#include "core/located_json.h"
+
+namespace continua {
+namespace {
+
+Outcome learn(const Taught& taught, const Machine& machine, Learned& learned) {
+  if (taught.name.empty()) return Error{"", "nothing is learned without a name"};
+  if (taught.of == Lesson::gesture) {
+    learned.gestures.insert_or_assign(taught.name, taught.value);
+    return std::nullopt;
+  }
+  if (is_taken(taught.name, machine)) return Error{"", fmt::format("{} means something else", in_quotes(taught.name))};
+  if (taught.value.kind() != Term::Kind::list) return Error{"", fmt::format("{} is no list", print(taught.value))};
+  auto program = composed(taught.value.elements());
+  if (!program) return program.error();
+  return learned.learn_program(taught.name, *std::move(program));
+}
+
+std::vector<StepEvent> taught(Taught event, const Machine& machine, Learned& learned) {
+  if (const auto problem = learn(event, machine, learned))
+    return {Trouble{fmt::format("{} is not learned: {}", in_quotes(event.name), problem->sentence)}};
+  if (event.of == Lesson::word) event.value = learned.programs.find(event.name)->second.acts;
+  return {std::move(event)};
+}
+
+std::vector<StepEvent> forgotten(const Forgotten& event, Learned& learned) {
+  std::vector<StepEvent> events;
+  const auto forget = [&](Lesson of, auto& known, const auto& value_of) {
+    if (event.of && *event.of != of) return;
+    for (auto one = known.begin(); one != known.end();) {
+      if (event.of && one->first != event.name) {
+        ++one;
+        continue;
+      }
+      events.push_back(Forgotten{of, one->first, value_of(one->second), event.because});
+      one = known.erase(one);
+    }
+  };
+  forget(Lesson::gesture, learned.gestures, [](const Term& meaning) { return meaning; });
+  forget(Lesson::word, learned.programs, [](const Program& program) { return program.acts; });
+  return events;
+}
+
+std::vector<StepEvent> acted(Acted event, const Learned& learned) {
+  const auto acts = learned.acts_of(event.term);
+  if (!acts) return {Trouble{acts.error().sentence}};
+  std::vector<StepEvent> events;
+  for (const auto& act : *acts) events.push_back(Acted{act, event.because});
+  return events;
+}
+
+}  // namespace
+
+bool is_taken(const std::string& name, const Machine& machine) {
+  return term_signature().contains(name) || Methods::signature().contains(name) || machine.programs.contains(name) ||
+         machine.bindings.contains(Name(name)) || machine.tables.contains(name);
+}
+
+std::vector<StepEvent> with_lessons(std::vector<StepEvent> events, const Machine& machine, Learned& learned) {
+  std::vector<StepEvent> all;
+  const auto add = [&](std::vector<StepEvent> some) {
+    all.insert(all.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
+  };
+  for (auto& event : events) {
+    if (auto* lesson = std::get_if<Taught>(&event))
+      add(taught(std::move(*lesson), machine, learned));
+    else if (const auto* lost = std::get_if<Forgotten>(&event))
+      add(forgotten(*lost, learned));
+    else if (auto* act = std::get_if<Acted>(&event))
+      add(acted(std::move(*act), learned));
+    else
+      all.push_back(std::move(event));
+  }
+  return all;
+}
+
+}  // namespace continua

@@ -1,0 +1,20 @@
+// Where what was taught is kept from run to run (composition/learning_file.h).
+#pragma once
+
+#include <string>
+
+#include "automaton/machine.h"
+#include "composition/learning.h"
+#include "core/result.h"
+#include "moves/understanding.h"
+
+namespace continua {
+
+/// What the file holds; nothing if there is none. Errors: its first problem, or a word that the machine has another
+/// meaning for.
+Result<Learned> read_learned(const std::string& path, const Machine& machine, const Language& language);
+
+/// The new file takes the place of the old one at once: whoever reads it sees one of them, whole.
+Outcome write_learned(const std::string& path, const Learned& learned);
+
+}  // namespace continua
