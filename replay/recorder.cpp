@@ -113,21 +113,21 @@ void Recorder::one(const Attended& attended) {
   if (const auto record = input_record_.find(attended.serial); record != input_record_.end()) cause_ = record->second;
   if (attended.bound.empty() && attended.at == attended.arrived) return;
   Json bound = Json::array();
-  for (const auto& [words, deixis] : attended.bound)
-    bound.push_back({{"words", fmt::to_string(fmt::join(words, " "))}, {"deixis", fields_of(deixis)}});
+  for (const auto& [words, pointing] : attended.bound)
+    bound.push_back({{"words", fmt::to_string(fmt::join(words, " "))}, {"deixis", fields_of(pointing)}});
   cause_ = write("percept", {{"waited_s", (attended.at - attended.arrived).seconds()}, {"bound", std::move(bound)}});
 }
 
-Json Recorder::fields_of(const Deixis& deixis) const {
-  return {{"place", {rounded(deixis.place_W.x(), 1e5), rounded(deixis.place_W.y(), 1e5)}},
-          {"from", deixis.from.seconds()},
-          {"until", deixis.until.seconds()},
-          {"hand", deixis.hand.empty() ? Json(nullptr) : Json(deixis.hand)},
-          {"gesture", deixis.gesture},
-          {"spread_m", rounded(deixis.spread_m, 1e5)},
-          {"samples", deixis.samples},
-          {"left_out", deixis.left_out},
-          {"inputs", inputs(deixis.serials)}};
+Json Recorder::fields_of(const Deixis& pointing) const {
+  return {{"place", {rounded(pointing.place_W.x(), 1e5), rounded(pointing.place_W.y(), 1e5)}},
+          {"from", pointing.from.seconds()},
+          {"until", pointing.until.seconds()},
+          {"hand", pointing.hand.empty() ? Json(nullptr) : Json(pointing.hand)},
+          {"gesture", pointing.gesture},
+          {"spread_m", rounded(pointing.spread_m, 1e5)},
+          {"samples", pointing.samples},
+          {"left_out", pointing.left_out},
+          {"inputs", inputs(pointing.serials)}};
 }
 
 void Recorder::one(const Understood& understood) {
