@@ -11,6 +11,8 @@ namespace continua {
 
 /// Table 1's name of a deictic gesture. What other inputs are called is for machines and lexicons to say.
 inline constexpr const char* deixis = "δ";
+/// And of a dynamic iconic one, which is what a gesture becomes whose action was taught.
+inline constexpr const char* iconic = "α";
 
 struct Move {
   std::string kind;                ///< δ, ω, α, N, V, P, y, n or another of the lexicon's; empty: not understood

@@ -71,7 +71,11 @@ Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world, Learned learne
                         0},
             {}};
   methods_.see(&world, &tick.after.chooser.random, &tick.after.learned);
-  if (!machine_->lexicon.empty()) understanding_.emplace(*language_, world, facts_);
+  if (!machine_->lexicon.empty()) {
+    untaught_.emplace(*language_, world, facts_);
+    understanding_.emplace(*untaught_);
+    taught_.clear();
+  }
   begin(tick.after, tick.events);
   perform(tick.after, world, tick.events);
   return tick;
@@ -106,10 +110,12 @@ Tick Pipeline::receive(const EngineState& before, const InputEvent& event, const
   Tick tick{before, {}};
   EngineState& state = tick.after;
   const SimTime now = std::max(event.t, world.t);
+  keep_up(state.learned);
   const int serial = ++state.inputs;
-  tick.events.push_back(Perceived{serial, symbol(event)});
+  tick.events.push_back(Perceived{serial, symbol(event, state.learned)});
   const auto refuse = [&](std::string reason) {
-    tick.events.push_back(StepEvent(RefusedInput{state.configuration.state, symbol(event), std::move(reason), {}}));
+    tick.events.push_back(
+        StepEvent(RefusedInput{state.configuration.state, symbol(event, state.learned), std::move(reason), {}}));
   };
   if (!is_confident(event)) {
     refuse(fmt::format("confidence {} is below the machine's minimum of {}", event.confidence,
@@ -155,6 +161,7 @@ Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) {
   EngineState& state = tick.after;
   const Ensemble ensemble = std::move(state.complete.front());
   state.complete.pop_front();
+  keep_up(state.learned);
   methods_.see(&world, &state.chooser.random, &state.learned);
   tick.events.push_back(Attended{ensemble.percept.serial, ensemble.percept.event.t, ensemble.at, bound(ensemble)});
   if (understanding_ && ensemble.percept.event.modality == Modality::speech)
@@ -165,23 +172,34 @@ Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) {
   return tick;
 }
 
+// The words of programs that were taught are words from then on.
+void Pipeline::keep_up(const Learned& learned) {
+  if (!understanding_ || taught_ == learned.programs) return;
+  taught_ = learned.programs;
+  understanding_.emplace(*untaught_);
+  for (const auto& [name, program] : taught_) understanding_->learn(name, program.type());
+}
+
 bool Pipeline::is_confident(const InputEvent& event) const {
   const auto enough = [&](double confidence) { return confidence >= machine_->minimum_confidence; };
   return enough(event.confidence) || std::any_of(event.alternatives.begin(), event.alternatives.end(),
                                                  [&](const Alternative& one) { return enough(one.confidence); });
 }
 
-std::string Pipeline::symbol(const InputEvent& event) const {
+// Gestures that were taught are moves that say an action.
+std::string Pipeline::symbol(const InputEvent& event, const Learned& learned) const {
   if (event.modality != Modality::gesture || !language_ || !language_->gestures) return symbol_of(event);
+  if (learned.gestures.contains(event.name) && event.phase != "stop") return text(Modality::gesture) + " " + iconic;
   return gesture_symbol(event, language_->gestures->find(event.name));
 }
 
-std::string Pipeline::kind_of(const InputEvent& event) const {
-  const auto name = symbol(event);
+std::string Pipeline::kind_of(const InputEvent& event, const Learned& learned) const {
+  const auto name = symbol(event, learned);
   const auto found = std::find_if(machine_->moves.begin(), machine_->moves.end(),
                                   [&](const MoveKind& kind) { return kind.inputs.contains(name); });
   if (found != machine_->moves.end()) return found->name;
   if (event.modality != Modality::gesture || !language_ || !language_->gestures) return {};
+  if (learned.gestures.contains(event.name) && event.phase != "stop") return iconic;
   const auto* entry = language_->gestures->find(event.name);
   return entry && entry->acts(event.phase) ? entry->kind : std::string();
 }
@@ -190,7 +208,7 @@ Percept Pipeline::percept_of(const EngineState& state, const InputEvent& event, 
   Percept percept{serial, event, {}, {}};
   if (event.modality == Modality::speech && understanding_) {
     percept.takers = takers(understanding_->read(event.text), event);
-  } else if (event.modality == Modality::gesture && kind_of(event) == deixis) {
+  } else if (event.modality == Modality::gesture && kind_of(event, state.learned) == deixis) {
     // A gesture that does not say where it points points where the hand does.
     if (!place_of(event) && state.pointed && (event.t - state.pointed->t).seconds() <= window_.before_s)
       percept.event.target_W = state.pointed->place_W;

@@ -51,10 +51,11 @@ class Pipeline {
   struct Heard;
 
   void begin(EngineState& state, std::vector<EngineEvent>& events);
+  void keep_up(const Learned& learned);
   Percept percept_of(const EngineState& state, const InputEvent& event, int serial) const;
   bool is_confident(const InputEvent& event) const;
-  std::string kind_of(const InputEvent& event) const;
-  std::string symbol(const InputEvent& event) const;
+  std::string kind_of(const InputEvent& event, const Learned& learned) const;
+  std::string symbol(const InputEvent& event, const Learned& learned) const;
   Discourse discourse_now(const EngineState& state, const Input& input, const WorldSnapshot& world);
 
   // pipeline_moves.cpp: an ensemble as moves
@@ -67,7 +68,7 @@ class Pipeline {
   Heard heard(const EngineState& state, const Ensemble& ensemble, std::size_t alternative, const WorldSnapshot& world);
   Heard seen(const EngineState& state, const Ensemble& ensemble, std::size_t alternative, const WorldSnapshot& world);
   void understand(Heard& heard, std::size_t fragment, const EngineState& state, const WorldSnapshot& world);
-  Term said_by(const InputEvent& gesture) const;
+  Term said_by(const InputEvent& gesture, const Learned& learned) const;
   std::size_t offer_all(EngineState& state, std::vector<Heard>& heard, std::vector<EngineEvent>& events);
 
   std::size_t offer(EngineState& state, std::span<const Input> inputs, std::vector<EngineEvent>& events);
@@ -87,7 +88,9 @@ class Pipeline {
   Performer performer_;
   Methods methods_;
   RuleTable facts_;
-  std::optional<Understanding> understanding_;  ///< once the run has begun, of machines with a lexicon
+  // Once the run has begun, of machines with a lexicon: without what was taught, and with the words of `taught_`.
+  std::optional<Understanding> untaught_, understanding_;
+  std::map<std::string, Program, std::less<>> taught_;
   Stepper stepper_;
   Explorer explorer_;
 };

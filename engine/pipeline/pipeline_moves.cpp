@@ -99,25 +99,28 @@ Pipeline::Heard Pipeline::seen(const EngineState& state, const Ensemble& ensembl
   Heard seen;
   seen.event = continua::alternative(ensemble.percept.event, alternative);
   seen.input = to_input(seen.event, ensemble.percept.serial);
-  seen.input.symbol = symbol(seen.event);
+  seen.input.symbol = symbol(seen.event, state.learned);
+  if (seen.event.modality == Modality::gesture) seen.input.gesture = Term::text(seen.event.name);
   seen.input.now_s = ensemble.at.seconds();
-  seen.move.kind = kind_of(seen.event);
+  seen.move.kind = kind_of(seen.event, state.learned);
   if (!understanding_) return seen;
   seen.discourse = discourse_now(state, seen.input, world);
   if (const auto place_W = place_of(seen.event); place_W && seen.move.kind == deixis) {
     seen.discourse.context.pointed_W = *place_W;
     seen.input.pointed = point_term(*place_W);
     seen.move.reference = refer_to_pointed(seen.discourse.context);
-  } else if (const Term says = said_by(seen.event); !says.is_null()) {
+  } else if (const Term says = said_by(seen.event, state.learned); !says.is_null()) {
     seen.move = understanding_->shown(says, seen.move.kind, seen.discourse.context);
   }
   carry(seen.move, seen.input);
   return seen;
 }
 
-// What a gesture says, by the catalogue.
-Term Pipeline::said_by(const InputEvent& gesture) const {
+// What a gesture says: what was taught, else what the catalogue has.
+Term Pipeline::said_by(const InputEvent& gesture, const Learned& learned) const {
   if (gesture.modality != Modality::gesture || !language_->gestures) return Term::null();
+  const auto taught = learned.gestures.find(gesture.name);
+  if (taught != learned.gestures.end()) return gesture.phase == "stop" ? Term::null() : taught->second;
   const auto* entry = language_->gestures->find(gesture.name);
   const auto* meaning = entry && entry->acts(gesture.phase) ? entry->meaning(gesture.direction) : nullptr;
   return meaning ? understanding_->meaning_of(*meaning) : Term::null();
