@@ -1,5 +1,5 @@
 // Loads machines with what belongs to them: the facts of the world, what they say, and what they understand speech by:
-// a lexicon, gestures, and the raising rules.
+// a lexicon, gestures, the raising rules, and the voxemes.
 #pragma once
 
 #include <memory>
@@ -19,8 +19,8 @@ Signature names_of_terms();
 /// A machine with this data's phrases. `path` and errors as machine_file/machine_loader.h has them.
 Result<Machine> load_machine(const std::string& path, const DataPaths& data);
 
-/// Lexicon and gestures are null for a machine that names none. The error is the first problem of a file, or that there
-/// is no such lexicon or such gestures.
+/// Lexicon and gestures are null for a machine that names none; the catalogue is empty without a folder voxemes. The
+/// error is the first problem of a file, or that there is no such lexicon or such gestures.
 Result<Language> load_language(const DataPaths& data, const Machine& machine);
 
 /// A lexicon by its name in knowledge/lexicon, or by its path. `where` is the error's place.

@@ -31,6 +31,13 @@ bool is_empty(const Term& term) {
   return term.is_null() || (term.kind() == Term::Kind::list && term.elements().empty());
 }
 
+Json result_of(double position_error_m, const std::string& reason, const std::vector<std::string>& moved_aside) {
+  Json result{{"position_error_m", rounded(position_error_m, 1e5)}};
+  if (!reason.empty()) result["reason"] = reason;
+  if (!moved_aside.empty()) result["moved_aside"] = moved_aside;
+  return result;
+}
+
 // An operation's name, and what the machine file says of it, unless it is none.
 void add_operation(Json& object, const Operation& operation) {
   const auto source = Json::parse(operation.source);
@@ -62,6 +69,11 @@ Json graph_of(const Machine& machine) {
   return {{"states", std::move(states)}, {"start", machine.states[machine.start].name}, {"edges", std::move(edges)}};
 }
 
+int Recorder::write(std::string_view kind, Json fields) {
+  if (measured_) fields["measured"] = true;
+  return log_.write(kind, now_, fields, cause_);
+}
+
 void Recorder::input(const TraceEvent& event, const std::string& symbol) {
   now_ = event.t;
   cause_ = std::nullopt;
@@ -80,9 +92,21 @@ void Recorder::observed(const TraceEvent& event, const Observed& observed) {
 void Recorder::engine(const std::vector<EngineEvent>& events, SimTime t) {
   now_ = t;
   for (const auto& event : events) std::visit([this](const auto& what) { one(what); }, event);
+  measured_ = false;
 }
 
-void Recorder::one(const Perceived& perceived) { input_record_[perceived.serial] = latest_input_; }
+// The end of an act is an input that no line of the trace tells; when it comes is measured.
+void Recorder::one(const Perceived& perceived) {
+  if (perceived.act) {
+    const Act& act = acts_.at(perceived.act);
+    const Json event{{"kind", "act"}, {"act", perceived.act}, {"program", act.program}, {"status", text(act.status)}};
+    measured_ = true;
+    cause_ = act.ended;
+    latest_input_ = write("input", {{"line", nullptr}, {"event", event}, {"symbol", perceived.symbol}});
+    cause_ = latest_input_;
+  }
+  input_record_[perceived.serial] = latest_input_;
+}
 
 void Recorder::one(const Attended& attended) {
   cause_ = std::nullopt;
@@ -107,8 +131,7 @@ Json Recorder::fields_of(const Deixis& deixis) const {
 }
 
 void Recorder::one(const Understood& understood) {
-  if (const auto referents = referents_of(understood.move); referents && understood.taken)
-    last_referents_ = *referents;
+  if (const auto referents = referents_of(understood.move); referents && understood.taken) last_referents_ = *referents;
   auto fields = reading_fields(understood.move, inputs(understood.because));
   if (understood.alternative) {
     fields["alternative"] = *understood.alternative;
@@ -212,27 +235,37 @@ void Recorder::one(const Said& said) {
 }
 
 void Recorder::one(const Gestured& gestured) {
-  const int n = write("gesture", {{"gesture", print(gestured.term)}, {"because", inputs(gestured.because)}});
-  pending_ = {0, n, print(gestured.term), true, ActReport::Status::started};
+  write("gesture", {{"gesture", print(gestured.term)}, {"because", inputs(gestured.because)}});
 }
+
+void Recorder::one(const Unplanned& unplanned) { write("problem", {{"line", nullptr}, {"message", unplanned.reason}}); }
 
 void Recorder::one(const Acted& acted) {
   last_act_ = print(acted.term);
-  const int number = ++act_count_;
-  const int n =
-      write("act", {{"act", number}, {"program", last_act_}, {"status", "asked"}, {"because", inputs(acted.because)}});
-  pending_ = {number, n, last_act_, false, ActReport::Status::started};
+  const int number = static_cast<int>(acts_.size()) + 1;
+  const Json fields{{"act", number}, {"program", last_act_}, {"status", "asked"}, {"because", inputs(acted.because)}};
+  acts_[number] = {write("act", fields), last_act_};
 }
 
-void Recorder::one(const Commanded& commanded) { acts_[commanded.command.id] = pending_; }
+void Recorder::write_act(int number, const std::string& status, Json more, SimTime t) {
+  Json fields{{"act", number}, {"program", acts_.at(number).program}, {"status", status}};
+  for (auto& [key, value] : more.items()) fields[key] = std::move(value);
+  acts_.at(number).ended = log_.write("act", t, fields, acts_.at(number).record);
+}
 
-void Recorder::one(const Unplanned& unplanned) {
-  log_.write("act", now_,
-             {{"act", pending_.number},
-              {"program", pending_.program},
-              {"status", "blocked"},
-              {"result", {{"reason", unplanned.reason}}}},
-             pending_.record);
+void Recorder::one(const ActStep& step) {
+  if (step.step == 1) write_act(step.act, "started", Json::object(), now_);
+  if (step.command)
+    steps_[step.command->id] = step;
+  else
+    write_act(step.act, "done",
+              {{"step", step.step}, {"program", print(step.program)}, {"result", {{"reason", step.reason}}}}, now_);
+}
+
+void Recorder::one(const ActEnd& end) {
+  acts_.at(end.act.number).status = end.status;
+  write_act(end.act.number, text(end.status),
+            {{"result", result_of(end.position_error_m, end.reason, end.moved_aside)}}, now_);
 }
 
 void Recorder::one(const Remembered& remembered) {
@@ -294,18 +327,12 @@ void Recorder::finish() {
 }
 
 void Recorder::report(const ActReport& report) {
-  const auto found = acts_.find(report.id);
-  if (found == acts_.end()) return;
-  auto& act = found->second;
-  act.status = report.status;
-  if (act.gesture) return;
-  Json fields{{"act", act.number}, {"program", act.program}, {"status", text(report.status)}};
-  if (report.status != ActReport::Status::started) {
-    fields["result"] = {{"position_error_m", rounded(report.position_error_m, 1e5)}};
-    if (!report.reason.empty()) fields["result"]["reason"] = report.reason;
-    if (!report.moved_aside.empty()) fields["result"]["moved_aside"] = report.moved_aside;
-  }
-  log_.write("act", report.t, fields, act.record);
+  const auto found = steps_.find(report.id);
+  if (found == steps_.end()) return;
+  Json more{{"step", found->second.step}, {"program", print(found->second.program)}};
+  if (report.status != ActReport::Status::started)
+    more["result"] = result_of(report.position_error_m, report.reason, report.moved_aside);
+  write_act(found->second.act, text(report.status), std::move(more), report.t);
 }
 
 void Recorder::expectation(const TraceEvent& event, bool met, const Json& found) {

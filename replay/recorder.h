@@ -29,14 +29,14 @@ class Recorder {
   void expectation(const TraceEvent& event, bool met, const Json& found);
   void problem(std::size_t line, const std::string& message, SimTime t);
 
-  /// Program and record of an act that was asked for.
+  /// An act that was asked for.
   struct Act {
-    int number = 0;
-    int record = 0;
+    int record = 0;  ///< in which it was asked for
     std::string program;
-    bool gesture = false;
     ActReport::Status status = ActReport::Status::started;
+    int ended = 0;  ///< record in which it ended
   };
+  /// By number.
   const std::map<int, Act>& acts() const { return acts_; }
   const std::string& last_utterance() const { return last_utterance_; }
   const std::string& last_act() const { return last_act_; }
@@ -50,8 +50,10 @@ class Recorder {
   void one(const BeliefChange& change);
   void one(const StepEvent& step);
   void one(const Explored& explored);
-  void one(const Commanded& commanded);
+  void one(const GestureCommand&) {}
   void one(const Unplanned& unplanned);
+  void one(const ActStep& step);
+  void one(const ActEnd& end);
   void one(const Fired& fired);
   void one(const MadeSymbol& made);
   void one(const Rewrote& rewrote);
@@ -69,7 +71,8 @@ class Recorder {
   Json refusals(const std::vector<Refused>& refused, std::size_t alternatives) const;
   Json inputs(const std::vector<int>& because) const;
   Json fields_of(const Deixis& deixis) const;
-  int write(std::string_view kind, const Json& fields) { return log_.write(kind, now_, fields, cause_); }
+  int write(std::string_view kind, Json fields);
+  void write_act(int number, const std::string& status, Json more, SimTime t);
 
   RunLog& log_;
   const Machine& machine_;
@@ -77,9 +80,9 @@ class Recorder {
   std::optional<int> cause_;         ///< number of the record that brought about the next one
   std::map<int, int> input_record_;  ///< serial of an input → number of its record
   int latest_input_ = 0;
-  int act_count_ = 0;
-  Act pending_;              ///< the act or gesture whose command comes next
-  std::map<int, Act> acts_;  ///< by command
+  bool measured_ = false;  ///< the time of what is written depends on how long an act took
+  std::map<int, Act> acts_;
+  std::map<int, ActStep> steps_;  ///< by command
   std::optional<RestSpan> lasting_rest_;
   std::string last_utterance_, last_act_;
   std::vector<std::string> last_referents_;

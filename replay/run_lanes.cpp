@@ -127,7 +127,9 @@ class LaneBuilder {
     steps_["depth"].push_back(depth);
   }
 
+  // Steps are within their act's time.
   void add_act(std::size_t n, const Json& record) {
+    if (record.contains("step")) return;
     const auto act = text_of(record, "act"), status = text_of(record, "status");
     auto& lane = lanes_["act"];
     const auto known = known_acts_.find(act);

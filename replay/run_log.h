@@ -13,6 +13,10 @@
 
 namespace continua {
 
+/// What of a record must be equal on every machine and in every world: {"kind", "fields", "t"}. Nothing, if nothing
+/// must.
+std::optional<Json> decision_of(const Json& record);
+
 class RunLog {
  public:
   /// Every line is written to `out` at once and whole; `out` must outlive the log.
@@ -32,6 +36,7 @@ class RunLog {
   int next_ = 0;
   std::map<std::string, int> counts_;
   RunningDigest all_, decisions_, physics_;
+  std::map<std::int64_t, std::string> outcomes_;  ///< decision line of the latest state of each act
 };
 
 }  // namespace continua

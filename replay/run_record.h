@@ -21,6 +21,7 @@ struct RunHeader {
   Json machine_document, graph;
   std::string phrases_name, phrases_digest;  ///< empty if the machine has none
   Json phrases_document;
+  std::string voxemes_digest;                ///< empty if there are none
   std::string lexicon_name, lexicon_digest;  ///< empty if the machine has none
   std::string scene_name, scene_digest, scene_mjcf;
   Json scene_description;  ///< {"geoms", "bodies"}

@@ -1,6 +1,7 @@
 #include "replay/session.h"
 
 #include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <memory>
 
@@ -18,6 +19,7 @@
 #include "replay/version.h"
 #include "simulation/physics_body.h"
 #include "simulation/scene.h"
+#include "voxml/catalogue.h"
 
 namespace continua {
 
@@ -34,7 +36,9 @@ struct LoadedSession {
 namespace {
 
 // After the last event the world may go on until it rests, but not longer.
-constexpr double longest_tail_s = 30;
+constexpr double longest_tail_s = 120;
+// An act may be answered with another one that is done at once, and so on: so often before time goes on.
+constexpr int most_rounds = 1000;
 
 std::vector<ObjectOverride> overrides_of(const TraceHeader& header) {
   std::vector<ObjectOverride> overrides;
@@ -70,8 +74,7 @@ class Loop {
     const auto& events = loaded_.trace.events;
     for (const auto& note : loaded_.trace.notes) recorder_.problem(note.line, note.sentence, SimTime{});
     for (std::size_t i = 0; i < events.size(); ++i) {
-      now_ = std::max(now_, events[i].t);
-      recorder_.world(body_.advance(now_));
+      wait_until(std::max(now_, events[i].t));
       std::visit([&](const auto& what) { take(events[i], what); }, events[i].what);
       if (loaded_.options.progress && i % 64 == 0)
         loaded_.options.progress(static_cast<double>(i) / static_cast<double>(events.size()));
@@ -116,6 +119,7 @@ class Loop {
       header.lexicon_name = loaded_.machine->lexicon;
       header.lexicon_digest = loaded_.language->lexicon->digest;
     }
+    header.voxemes_digest = loaded_.language->voxemes->digest();
     header.scene_name = std::filesystem::path(loaded_.scene.path()).stem().string();
     header.scene_digest = digest(loaded_.scene.text());
     header.scene_mjcf = loaded_.scene.text();
@@ -125,40 +129,87 @@ class Loop {
 
   void take(const TraceEvent& event, const InputEvent& input) {
     ++summary_.inputs;
-    said_since_input_.clear();
     recorder_.input(event, symbol_of(input));
-    take(pipeline_.tick(*state_, input, body_.snapshot()), now_);
+    take(pipeline_.receive(*state_, input, body_.snapshot()), now_);
+    attend();
   }
   void take(const TraceEvent& event, const Observed& observed) { recorder_.observed(event, observed); }
+  // What is expected is checked once all that happened before has been attended to.
   void take(const TraceEvent& event, const Expectation& expectation) {
+    expected_.push_back({&event, &expectation, state_->inputs});
+    check_expectations();
+  }
+  void take(const TraceEvent&, const End&) {}
+  void take(const TraceEvent&, const UnknownKind&) {}
+
+  void check_expectations() {
+    for (; !expected_.empty() && !state_->waits(expected_.front().inputs); expected_.pop_front())
+      check_expectation(*expected_.front().event, *expected_.front().what);
+  }
+  void check_expectation(const TraceEvent& event, const Expectation& expectation) {
     const auto checked = check(expectation, {pipeline_.machine(), state_->configuration, body_.snapshot(),
                                              said_since_input_, recorder_.last_act(), recorder_.last_referents()});
     recorder_.expectation(event, checked.met, checked.found);
     ++summary_.expectations;
     summary_.expectations_met += checked.met;
   }
-  void take(const TraceEvent&, const End&) {}
-  void take(const TraceEvent&, const UnknownKind&) {}
 
   void take(Tick tick, SimTime t) {
+    obey(std::move(tick), t);
+    go_on(t);  // what is done at once is done before the next event
+  }
+
+  void obey(Tick tick, SimTime t) {
     recorder_.engine(tick.events, t);
     for (const auto& event : tick.events) {
-      if (const auto* commanded = std::get_if<Commanded>(&event)) body_.command(commanded->command);
+      if (const auto* gesture = std::get_if<GestureCommand>(&event)) body_.command(gesture->command);
+      if (const auto* act = std::get_if<ActStep>(&event); act && act->command) body_.command(*act->command);
       if (const auto* explored = std::get_if<Explored>(&event)) summary_.pruned += explored->pruned;
       if (const auto* step = std::get_if<StepEvent>(&event))
         if (const auto* said = std::get_if<Said>(step)) said_since_input_.push_back(said->text);
     }
     state_ = std::move(tick.after);
-    recorder_.world(body_.advance(t));  // what is done at once is done before the next event
+  }
+
+  // Lets the world go on until then. What ends on the way is told to the engine at its time, and what follows from it
+  // begins at once.
+  void go_on(SimTime t) {
+    for (int rounds = 0; rounds < most_rounds; ++rounds) {
+      const auto report = body_.advance(t);
+      recorder_.world(report);
+      if (report.until > now_) rounds = 0;
+      now_ = report.until;
+      const bool ended = std::any_of(report.acts.begin(), report.acts.end(),
+                                     [](const ActReport& act) { return act.status != ActReport::Status::started; });
+      if (ended) obey(pipeline_.reported(*state_, report.acts, body_.snapshot()), now_);
+      if (!ended && now_ >= t) return;
+    }
+  }
+
+  // Attends to what is complete, one after the other.
+  void attend() {
+    while (!state_->complete.empty()) {
+      said_since_input_.clear();
+      take(pipeline_.attend(*state_, body_.snapshot()), now_);
+      check_expectations();
+    }
+  }
+
+  // Time goes on; what has waited long enough on the way is attended to.
+  void wait_until(SimTime t) {
+    for (auto due = pipeline_.due(*state_); due && *due <= t; due = pipeline_.due(*state_)) {
+      go_on(std::max(now_, *due));
+      take(pipeline_.wake(*state_, now_), now_);
+      attend();
+    }
+    go_on(t);
   }
 
   // Acts that are under way when the trace ends are still finished.
   void settle() {
+    while (const auto due = pipeline_.due(*state_)) wait_until(std::max(now_, *due));
     const SimTime last = now_ + SimTime::from_seconds(longest_tail_s);
-    while (!body_.at_rest() && now_ < last) {
-      now_ = now_ + SimTime::from_seconds(0.1);
-      recorder_.world(body_.advance(now_));
-    }
+    while (!body_.at_rest() && now_ < last) go_on(now_ + SimTime::from_seconds(0.1));
   }
 
   ReplaySummary finish() {
@@ -168,9 +219,9 @@ class Loop {
     summary_.utterances = count("utterance");
     summary_.refusals = count("refusal");
     summary_.problems = count("problem");
-    for (const auto& [id, act] : recorder_.acts()) {
-      summary_.acts += !act.gesture;
-      summary_.acts_done += !act.gesture && act.status == ActReport::Status::done;
+    for (const auto& [number, act] : recorder_.acts()) {
+      ++summary_.acts;
+      summary_.acts_done += act.status == ActReport::Status::done;
     }
     for (const auto& [step, transition] : state_->chooser.forced)
       summary_.not_forced[step] = loaded_.machine->transitions[transition].id;
@@ -190,6 +241,12 @@ class Loop {
   Body& body_;
   SimTime now_;
   std::vector<std::string> said_since_input_;
+  struct Expected {
+    const TraceEvent* event;
+    const Expectation* what;
+    int inputs;  ///< that it comes after
+  };
+  std::deque<Expected> expected_;
   ReplaySummary summary_;
 };
 

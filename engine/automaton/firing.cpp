@@ -12,34 +12,30 @@ namespace continua {
 
 Applicable Firing::applicable() {
   Applicable found;
-  if (inputs_.empty()) find_applicable(found, 0);
-  for (std::size_t alternative = 0; alternative < inputs_.size(); ++alternative) {
-    take_input(alternative);
-    find_applicable(found, alternative);
-  }
-  return found;
-}
-
-void Firing::find_applicable(Applicable& found, std::size_t alternative) {
   const auto& exits = machine_.exits[configuration_.state];
-  const auto* takers = input_ ? exits.on(input_->symbol) : &exits.epsilon;
-  const bool may_take = !takers;  // by prefix alone
-  for (const auto index : may_take ? exits.by_prefix : *takers) {
-    const auto& transition = machine_.transitions[index];
-    if (may_take && !transition.on->contains(input_->symbol)) continue;
-    const double weight = transition.weight * (input_ ? input_->confidence : 1);
-    if (!(weight > 0)) continue;
-    if (!transition.when) {
-      found.candidates.push_back({index, weight, alternative});
-      continue;
+  std::size_t alternative = 0;
+  do {
+    if (inputs_.size() > 1) take_input(alternative);
+    const auto* takers = input_ ? exits.on(input_->symbol) : &exits.epsilon;
+    const bool may_take = !takers;  // by prefix alone
+    for (const auto index : may_take ? exits.by_prefix : *takers) {
+      const auto& transition = machine_.transitions[index];
+      if (may_take && !transition.on->contains(input_->symbol)) continue;
+      const double weight = transition.weight * (input_ ? input_->confidence : 1);
+      if (!(weight > 0)) continue;
+      if (!transition.when) {
+        found.candidates.push_back({index, weight, alternative});
+        continue;
+      }
+      auto evaluation = evaluate();
+      if (evaluation.value(*transition.when).is_true())
+        found.candidates.push_back({index, weight, alternative});
+      else if (account_)
+        found.refused.push_back({index, why_not(*transition.when, machine_, evaluation), alternative});
+      found.margin = std::min(found.margin, evaluation.margin);
     }
-    auto evaluation = evaluate();
-    if (evaluation.value(*transition.when).is_true())
-      found.candidates.push_back({index, weight, alternative});
-    else if (account_)
-      found.refused.push_back({index, why_not(*transition.when, machine_, evaluation), alternative});
-    found.margin = std::min(found.margin, evaluation.margin);
-  }
+  } while (++alternative < inputs_.size());
+  return found;
 }
 
 std::optional<Entry> Firing::entry(const Transition& transition) {
@@ -61,7 +57,7 @@ std::optional<Entry> Firing::entry(const Transition& transition) {
 }
 
 std::optional<bool> Firing::fire(const Chosen& chosen, Applicable found, int step) {
-  if (!inputs_.empty()) take_input(chosen.alternative);
+  if (inputs_.size() > 1) take_input(chosen.alternative);
   const auto& transition = machine_.transitions[chosen.transition];
   auto where = entry(transition);
   if (!where) {

@@ -75,7 +75,6 @@ class Firing {
   void enter(StateIndex state);
 
  private:
-  void find_applicable(Applicable& found, std::size_t alternative);
   void take_input(std::size_t alternative);
   Evaluation evaluate();
   const Term* look_up(Name name);

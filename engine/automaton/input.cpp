@@ -8,6 +8,8 @@ std::span<const Carried> carried_terms() {
   static constexpr std::array terms = {
       Carried{"target", "loc", &Input::target},
       Carried{"said", "text", &Input::said},
+      Carried{"act", "t", &Input::act},
+      Carried{"reason", "text", &Input::reason},
       Carried{"gesture", "text", &Input::gesture},
       Carried{"pointed", "loc", &Input::pointed, true},
       Carried{"move", "text", &Input::move, true},

@@ -20,6 +20,9 @@ struct Input {
   Term gesture;  ///< text: the name of the gesture
   Term pointed;  ///< loc: where the human pointed last, if that was just now
 
+  Term act;     ///< t: of the end of an act, its program
+  Term reason;  ///< text: of the end of an act, why it went so; null if there is nothing to tell
+
   // Of what was understood, by machines with a lexicon (automaton/FORMAT.md, Understanding).
   Term move;       ///< text: what kind of move it is: 'V', 'N', 'δ', …
   Term reading;    ///< what the words say, noun phrases included: put(the(\x. knife(x)), there)

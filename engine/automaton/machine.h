@@ -211,9 +211,9 @@ struct Machine {
   std::map<std::string, std::map<std::string, Term, std::less<>>, std::less<>> tables;
   std::vector<Wording> wordings;
   BeliefTable beliefs;
-  std::string lexicon;  ///< with which speech is read; empty: words are only symbols
-  std::string gestures;  ///< the catalogue with which gestures are read; empty: they are only symbols
-  std::string phrases;   ///< the file of what it says beside what stands in its own; empty: none
+  std::string lexicon;                ///< with which speech is read; empty: words are only symbols
+  std::string gestures;               ///< the catalogue with which gestures are read; empty: they are only symbols
+  std::string phrases;                ///< the file of what it says beside what stands in its own; empty: none
   std::string phrase_document;        ///< that file, compact JSON
   std::optional<FusionTimes> fusion;  ///< nullopt: nothing waits for what may go with it
   ContextTerms context;

@@ -22,10 +22,10 @@ enum class Capability {
   grasp,    ///< fingers close on the object, which stays where it is
   lift,     ///< grasped object rises by `height_m` and stays held
   put,      ///< object is grasped if it is not, carried to the goal, set down and released
-  slide,    ///< as put, but along the table
+  slide,    ///< as move, but along the table; what is not held is grasped first and released in the end
   move,     ///< grasped object is carried to the goal and set down there; the fingers stay closed
-  ungrasp,  ///< fingers open
-  stop,     ///< what is under way ends where it is, what waits is given up; what is held stays held
+  ungrasp,  ///< what is held is lowered onto what is below it, the fingers open, the hand backs off
+  stop,     ///< what is under way ends where it is, what waits is given up; what is held stays held, even in mid-air
   signal,   ///< a named gesture (nod, thumbs up); nothing but the log shows one the body has no motion for
 };
 
@@ -53,7 +53,7 @@ struct ActReport {
   int id = 0;
   SimTime t;
   Status status = Status::done;
-  double position_error_m = 0;  ///< put, slide: distance of the object from its goal on the table plane once released
+  double position_error_m = 0;  ///< put, slide, move: distance of the object from its goal on the table plane
   std::string reason;           ///< a sentence, when it was not done, or not just so
   std::vector<std::string> moved_aside = {};  ///< other objects that were put elsewhere to make room, in order
 };
@@ -96,7 +96,7 @@ enum class Occupied {
             ///< something
 };
 
-/// Where the object comes to lie when `command`, a put or slide, succeeds in `world`. At a point it stands on the
+/// Where the object comes to lie when `command`, a put, slide or move, succeeds in `world`. At a point it stands on the
 /// table, whatever is there. Beside another thing (left, right, in_front, behind, touching) it ideally touches it, at
 /// or beside it, near or between it keeps a distance; `in` it stands on the hollow's floor, lying if it fits so, else
 /// upright; before a participant it is near the edge of the table. A side of the object itself is a step that way.
@@ -110,7 +110,8 @@ class Body {
   virtual ~Body() = default;
   virtual void command(const AvatarCommand& command) = 0;
   /// Lets the world go on until `t`, or until an act ends if that is earlier (WorldReport::until), so that what follows
-  /// from it can begin at once; tells what happened. `t` never decreases.
+  /// from it can begin at once; tells what happened. What is done as soon as it begins may end without ending this.
+  /// `t` never decreases.
   virtual WorldReport advance(SimTime t) = 0;
   virtual WorldSnapshot snapshot() const = 0;
   /// Nothing moves and no command waits.

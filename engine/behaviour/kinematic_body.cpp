@@ -12,7 +12,9 @@ namespace {
 
 using Status = ActReport::Status;
 
-bool is_move(Capability what) { return what == Capability::put || what == Capability::slide; }
+bool is_move(Capability what) {
+  return what == Capability::put || what == Capability::slide || what == Capability::move;
+}
 bool needs_object(Capability what) { return what == Capability::grasp || what == Capability::lift || is_move(what); }
 
 ObjectState& object_of(WorldSnapshot& world, std::string_view name) {
@@ -35,18 +37,25 @@ Eigen::Quaterniond turn_of(const ObjectState& now, const ObjectState* lying) {
 
 WorldReport KinematicBody::advance(SimTime t) {
   WorldReport report;
-  world_.t = t;
+  report.until = waiting_.empty() ? std::max(world_.t, t) : world_.t;
+  world_.t = report.until;
   const WorldSnapshot before = world_;
-  for (const auto& command : waiting_) {
-    report.acts.push_back({command.id, t, Status::started, 0, ""});
-    ActReport end = act(command);
-    end.id = command.id;
-    end.t = t;
+  const auto is_stop = [](const AvatarCommand& command) { return command.what == Capability::stop; };
+  const auto last_stop = std::find_if(waiting_.rbegin(), waiting_.rend(), is_stop).base();  // after it
+  for (auto it = waiting_.begin(); it != waiting_.end(); ++it) {
+    if (it + 1 < last_stop && it->what != Capability::look && it->what != Capability::signal) {
+      report.acts.push_back({it->id, world_.t, Status::stopped, 0, ""});
+      continue;
+    }
+    report.acts.push_back({it->id, world_.t, Status::started, 0, ""});
+    ActReport end = act(*it);
+    end.id = it->id;
+    end.t = world_.t;
     report.acts.push_back(std::move(end));
   }
   waiting_.clear();
 
-  PoseSample moved{t, {}};
+  PoseSample moved{world_.t, {}};
   for (std::size_t i = 0; i < world_.objects.size(); ++i) {
     const ObjectState& now = world_.objects[i];
     if (now.p_WO == before.objects[i].p_WO && now.half_extents_m == before.objects[i].half_extents_m) continue;
@@ -76,12 +85,24 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
   AvatarCommand handling = command;
   if (handling.object.empty()) handling.object = world_.held;
   if (handling.object.empty()) return failed(Status::blocked, "there is nothing to move");
+  const bool in_hand = handling.object == world_.held;
+  if (command.what == Capability::move && !in_hand)
+    return failed(Status::blocked, fmt::format("{} is not in the hand", handling.object));
   const WorldSnapshot before = world_;
-  if (handling.object != world_.held) release();
+  if (!in_hand) release();
   if (is_move(command.what)) {
     end = move(handling);
     if (end.status != Status::done) world_ = before;
+    if (end.status == Status::done && (command.what == Capability::put || !in_hand)) world_.held.clear();
     return end;
+  }
+  if (command.what == Capability::grasp && command.next && !in_hand) {
+    handling.goal = *command.next;
+    const auto place = placement(handling, lying_down(handling.object), Occupied::avoided);
+    if (!place) {
+      world_ = before;
+      return failed(Status::blocked, place.error().sentence);
+    }
   }
   world_.held = handling.object;
   if (command.what == Capability::lift) shift(handling.object, Vec3(0, 0, command.height_m));
@@ -90,13 +111,7 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
 
 ActReport KinematicBody::move(const AvatarCommand& command) {
   ActReport end;
-  const auto stood = lying_.find(command.object);
-  WorldSnapshot laid = world_;
-  if (stood != lying_.end()) {
-    ObjectState& object = object_of(laid, command.object);
-    object.half_extents_m = stood->second.half_extents_m;
-    object.interior = stood->second.interior;
-  }
+  const WorldSnapshot laid = lying_down(command.object);
   const auto place = placement(command, laid, Occupied::avoided);
   if (!place) {
     end.status = Status::blocked;
@@ -114,8 +129,17 @@ ActReport KinematicBody::move(const AvatarCommand& command) {
     lying_.emplace(command.object, lying);
     end.reason = fmt::format("{} stands on its end", command.object);
   }
-  world_.held.clear();
   return end;
+}
+
+WorldSnapshot KinematicBody::lying_down(const std::string& name) const {
+  WorldSnapshot laid = world_;
+  const auto stood = lying_.find(name);
+  if (stood == lying_.end()) return laid;
+  ObjectState& object = object_of(laid, name);
+  object.half_extents_m = stood->second.half_extents_m;
+  object.interior = stood->second.interior;
+  return laid;
 }
 
 void KinematicBody::shift(const std::string& object, const Vec3& by_W) {

@@ -5,11 +5,12 @@
 
 namespace continua {
 
-/// Acts are done at the instant of the `advance` after their command, in order; objects stand where acts leave them,
+/// Acts are done as soon as time goes on, in order: the `advance` after their command ends at the time at which it
+/// began. A stop leaves undone what was told before it since the last `advance`. Objects stand where acts leave them,
 /// never in one another. What stands on or in an object moves along with it. What fits into a hollow on its end alone
 /// is stood up, which the report tells; it lies again where it is put next. An act about something that is not in the
-/// world is `unreachable`, one that cannot be done (no room, an object onto itself, a lift of nothing) is `blocked`;
-/// the world is then as before.
+/// world is `unreachable`, one that cannot be done (no room, an object onto itself, a lift or move of nothing held) is
+/// `blocked`; the world is then as before.
 class KinematicBody : public Body {
  public:
   explicit KinematicBody(WorldSnapshot world) : world_(std::move(world)) {}
@@ -23,6 +24,8 @@ class KinematicBody : public Body {
   /// Does the act and says how it went, but for its id and time.
   ActReport act(const AvatarCommand& command);
   ActReport move(const AvatarCommand& command);
+  /// The world with an object shaped as it lies, should it stand on its end.
+  WorldSnapshot lying_down(const std::string& name) const;
   /// Shifts an object and all that stands on it.
   void shift(const std::string& object, const Vec3& by_W);
   /// Lets go of what is held, which falls straight down.

@@ -15,7 +15,7 @@ namespace {
 constexpr double lift_height_m = 0.1;
 
 // The body's programs and what they take: a thing, a place, or either.
-enum class Takes { thing, thing_and_goal, thing_or_place, last_is_thing_or_place };
+enum class Takes { nothing, thing, thing_and_goal, thing_or_place, last_is_thing_or_place };
 struct Program {
   std::string_view name;
   Capability what;
@@ -23,14 +23,27 @@ struct Program {
 };
 constexpr std::array programs = {
     Program{"grasp", Capability::grasp, Takes::thing},
+    Program{"hold", Capability::grasp, Takes::thing},
     Program{"lift", Capability::lift, Takes::thing},
     Program{"ungrasp", Capability::ungrasp, Takes::thing},
     Program{"put", Capability::put, Takes::thing_and_goal},
+    Program{"move", Capability::move, Takes::thing_and_goal},
     Program{"slide", Capability::slide, Takes::thing_and_goal},
+    Program{"stop", Capability::stop, Takes::nothing},
     Program{"reach", Capability::reach, Takes::thing_or_place},
     Program{"look_at", Capability::look, Takes::thing_or_place},
     Program{"point", Capability::point, Takes::last_is_thing_or_place},
 };
+
+const Program* program_named(std::string_view name) {
+  const auto found = std::find_if(programs.begin(), programs.end(), [&](const auto& one) { return one.name == name; });
+  return found == programs.end() ? nullptr : &*found;
+}
+
+std::size_t most(const Program& program) {
+  if (program.takes == Takes::nothing) return 0;
+  return program.takes == Takes::thing_and_goal || program.takes == Takes::last_is_thing_or_place ? 2 : 1;
+}
 
 bool is_thing(const Term& term) { return term.kind() == Term::Kind::constant && term.type() == Type::entity(); }
 
@@ -56,22 +69,18 @@ std::optional<Goal> goal_of(const Term& term, Perspective perspective) {
 Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective) {
   AvatarCommand command;
   const auto [head, arguments] = program.spine();
-  const auto known =
-      head.kind() != Term::Kind::constant
-          ? programs.end()
-          : std::find_if(programs.begin(), programs.end(), [&](const auto& one) { return one.name == head.name(); });
-  if (known == programs.end()) {
+  const auto* known = head.kind() == Term::Kind::constant ? program_named(head.name()) : nullptr;
+  if (!known) {
     if (!gesture) return Error{"", fmt::format("{} is no program that the body can perform", print(program))};
     command.name = program.kind() == Term::Kind::text ? program.text_value() : print(program);
     return command;
   }
   command.what = known->what;
   const auto wrong = [&] { return Error{"", fmt::format("{} lacks an object or a place", print(program))}; };
-  const std::size_t most =
-      known->takes == Takes::thing_and_goal || known->takes == Takes::last_is_thing_or_place ? 2 : 1;
   // Who points with what may be left out.
-  const std::size_t least = known->takes == Takes::last_is_thing_or_place ? 1 : most;
-  if (arguments.size() < least || arguments.size() > most) return wrong();
+  const std::size_t least = known->takes == Takes::last_is_thing_or_place ? 1 : most(*known);
+  if (arguments.size() < least || arguments.size() > most(*known)) return wrong();
+  if (known->takes == Takes::nothing) return command;
   if (known->takes == Takes::thing || known->takes == Takes::thing_and_goal) {
     if (!is_thing(arguments[0])) return wrong();
     command.object = arguments[0].name();
@@ -86,6 +95,11 @@ Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspe
     command.goal = *goal;
   }
   return command;
+}
+
+std::optional<std::size_t> most_arguments(std::string_view program) {
+  const auto* known = program_named(program);
+  return known ? std::optional(most(*known)) : std::nullopt;
 }
 
 }  // namespace continua

@@ -1,6 +1,9 @@
 // From a term that names a program (`put(x, on(y))`, `reach(x)`) to what the body is told.
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "behaviour/avatar_command.h"
 #include "core/result.h"
 #include "term/term.h"
@@ -12,5 +15,8 @@ namespace continua {
 /// program of the body's is a signal of that name when `gesture`, otherwise an error whose sentence says what is wrong
 /// with it.
 Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective);
+
+/// How many arguments the body's own program of that name takes at most; nothing if it has none of that name.
+std::optional<std::size_t> most_arguments(std::string_view program);
 
 }  // namespace continua

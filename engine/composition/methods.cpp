@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "composition/affordances.h"
 #include "term/rules.h"
 
 namespace continua {
@@ -56,7 +57,9 @@ Box standing_at(double x, double y, const ObjectState& object, const WorldSnapsh
 
 }  // namespace
 
-Methods::Methods(Perspective perspective) : perspective_(perspective) { add_rules(); }
+Methods::Methods(Perspective perspective, const Catalogue* voxemes) : perspective_(perspective), voxemes_(voxemes) {
+  add_rules();
+}
 
 const Signature& Methods::signature() {
   static const Signature signature = Methods(Perspective::human).add_rules();
@@ -157,6 +160,17 @@ Term Methods::offset(const ObjectState& object, const std::string& side) const {
   return Term::number(on_grid((object.p_WO - world_->table.center()).dot(side_W(*named, perspective_))));
 }
 
+Term Methods::affordance(const ObjectState& object, const std::string& what) const {
+  const auto afforded = voxemes_ ? affords(object, *voxemes_, what) : std::nullopt;
+  return afforded ? Term::truth(*afforded) : Term::null();
+}
+
+Term Methods::obstacle(const Term& program) const {
+  if (!world_ || !voxemes_) return Term::null();
+  auto reason = continua::obstacle(program, *world_, *voxemes_);
+  return reason.empty() ? Term::null() : Term::text(std::move(reason));
+}
+
 Signature Methods::add_rules() {
   // A function of one object that is in the world.
   const auto of_object = [this](auto compute) {
@@ -187,15 +201,19 @@ Signature Methods::add_rules() {
           {"closest", "e -> loc -> loc", [this](Arguments a, Evaluation&) { return closest(a[0], a[1]); }},
           {"offset", "e -> text -> num",
            of_object([this](const ObjectState& o, Arguments a) { return offset(o, a[1].text_value()); })},
+          {"affords", "e -> text -> t",
+           of_object([this](const ObjectState& o, Arguments a) { return affordance(o, a[1].text_value()); })},
           {"clear", "e -> num -> t",
            [this](Arguments a, Evaluation& e) { return clear(a[0], a[1].number_value(), e); }},
           {"fits", "e -> loc -> e* -> t", [this](Arguments a, Evaluation& e) { return fits(a[0], a[1], a[2], e); }},
           {"free_place", "e -> loc -> loc", [this](Arguments a, Evaluation& e) { return free_place(a[0], a[1], e); }},
       },
       rules_, signature);
-  // Its place may be a term that is no literal, left(plate), so it is no function of add_functions.
+  // A place or program may be a term that is no literal, left(plate), so these are no functions of add_functions.
   signature.emplace("located", Type::parse("e -> loc -> t").value());
   rules_["located"] = {2, [this](Arguments a, Evaluation& e) { return located(a[0], a[1], e); }};
+  signature.emplace("obstacle", Type::parse("t -> text").value());
+  rules_["obstacle"] = {1, [this](Arguments a, Evaluation&) { return obstacle(a[0]); }};
   return signature;
 }
 

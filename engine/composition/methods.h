@@ -12,10 +12,13 @@
 
 namespace continua {
 
+class Catalogue;
+
 class Methods {
  public:
-  /// `perspective` is whose left, right, front and behind the functions speak of.
-  explicit Methods(Perspective perspective);
+  /// `perspective` is whose left, right, front and behind the functions speak of. `voxemes` tell what objects afford,
+  /// and must outlive it; without them nothing is known of that.
+  explicit Methods(Perspective perspective, const Catalogue* voxemes = nullptr);
   Methods(const Methods&) = delete;  // its rules know where it is
   Methods& operator=(const Methods&) = delete;
 
@@ -38,10 +41,13 @@ class Methods {
   Term free_place(const Term& entity, const Term& region, Evaluation& evaluation) const;
   std::optional<Landmark> landmark(const Term& term) const;
   Term located(const Term& entity, const Term& place, Evaluation& evaluation) const;
+  Term affordance(const ObjectState& object, const std::string& what) const;
+  Term obstacle(const Term& program) const;
   Term offset(const ObjectState& object, const std::string& side) const;
   Signature add_rules();
 
   Perspective perspective_;
+  const Catalogue* voxemes_;
   Rules rules_;
   const WorldSnapshot* world_ = nullptr;
   Random* random_ = nullptr;

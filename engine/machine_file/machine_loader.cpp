@@ -15,8 +15,7 @@ Result<Machine> parse_machine(std::string_view text, const std::string& name, co
   return machine;
 }
 
-Result<Machine> load_machine(const std::string& path, const Signature& methods,
-                              const std::string& phrases) {
+Result<Machine> load_machine(const std::string& path, const Signature& methods, const std::string& phrases) {
   auto text = read_file(path);
   if (!text) return text.error();
   if (!is_jflap(*text, path)) return parse_machine(*text, path, methods, phrases);
@@ -26,7 +25,7 @@ Result<Machine> load_machine(const std::string& path, const Signature& methods,
 }
 
 std::vector<Error> check_machine(std::string_view text, const std::string& name, const Signature& methods,
-                              const std::string& phrases) {
+                                 const std::string& phrases) {
   auto document = LocatedJson::parse(text, name);
   if (!document) return {document.error()};
   MachineReader reader(*document, methods, phrases);

@@ -130,8 +130,9 @@ std::optional<Effect> MachineReader::read_effect(const Item& object) {
   for (const auto* kind : {"say", "phrase", "gesture", "act", "remember", "rewrite", "rewrite_each", "do"})
     if (member(object, kind).json) kinds.push_back(kind);
   if (kinds.size() != 1) {
-    problem(object, fmt::format("found {}, expected one of say, phrase, gesture, act, remember, rewrite, rewrite_each, do",
-                                kinds.empty() ? "none" : fmt::to_string(fmt::join(kinds, ", "))));
+    problem(object,
+            fmt::format("found {}, expected one of say, phrase, gesture, act, remember, rewrite, rewrite_each, do",
+                        kinds.empty() ? "none" : fmt::to_string(fmt::join(kinds, ", "))));
     return std::nullopt;
   }
   Effect effect{std::nullopt, Group{}};

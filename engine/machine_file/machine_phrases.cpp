@@ -44,9 +44,10 @@ SayCase MachineReader::read_variants(const Item& item) {
 
 std::optional<Say> MachineReader::read_phrase(const Item& item) {
   const auto name = name_of(item, "the name of a phrase");
+  if (name.empty()) return std::nullopt;
   if (machine_.phrases.empty() && !member({&machine_document_.root(), ""}, "phrases").json)
     problem(item, "there are no phrases without their file; expected \"phrases\" in the machine");
-  if (name.empty() || !phrases_) return std::nullopt;
+  if (!phrases_) return std::nullopt;
   if (const auto known = read_phrases_.find(name); known != read_phrases_.end()) return known->second;
   const auto say = member({&phrases_->root(), ""}, "say");
   const auto cases = member(say, name);

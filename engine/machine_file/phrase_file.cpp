@@ -56,7 +56,9 @@ class Checker {
       if (json.contains(key) && !json[key].is_string()) note(pointer + "/" + key, "expected a string");
     if (!json.contains("say")) return note(pointer, "there is no \"say\"; expected what is said");
     const Json& say = json["say"];
-    const auto is_text = [](const Json& text) { return text.is_string() && !text.get_ref<const std::string&>().empty(); };
+    const auto is_text = [](const Json& text) {
+      return text.is_string() && !text.get_ref<const std::string&>().empty();
+    };
     if (!is_text(say) && (!say.is_array() || say.empty() || !std::all_of(say.begin(), say.end(), is_text)))
       note(pointer + "/say", "expected what is said, a string, or several ways to say it, a list of strings");
   }

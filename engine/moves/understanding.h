@@ -15,11 +15,14 @@
 
 namespace continua {
 
+class Catalogue;
+
 /// What the engine knows of words and gestures: data, loaded once.
 struct Language {
   std::shared_ptr<const Lexicon> lexicon;
   std::shared_ptr<const GestureCatalogue> gestures;
   RaisingRules raising;
+  std::shared_ptr<const Catalogue> voxemes;  ///< what words mean in space; null: nothing is known of that
 };
 
 class Understanding {

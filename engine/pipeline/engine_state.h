@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "automaton/exploration.h"
-#include "behaviour/planner.h"
+#include "behaviour/performance.h"
 #include "moves/move.h"
 #include "perception/fusion.h"
+#include "pipeline/acting.h"
 
 namespace continua {
 
@@ -32,7 +33,8 @@ struct EngineState {
   std::string last_utterance;
   std::optional<Pointed> pointed;
   int inputs = 0;  ///< so far; the running number of the latest is its serial
-  int commands = 0;
+  Performance performance;
+  int acts = 0;  ///< asked for so far; the running number of the latest
 
   /// Whether an input up to this serial has not been attended to yet.
   bool waits(int serial) const;
@@ -42,6 +44,7 @@ struct EngineState {
 struct Perceived {
   int serial = 0;
   std::string symbol;
+  int act = 0;  ///< number of the act whose end it is; 0: it is the human's
 };
 
 /// A pointing and the words that it goes with.
@@ -68,17 +71,6 @@ struct Understood {
   bool taken = true;
 };
 
-/// What the body is told, following the Gestured or Acted it carries out.
-struct Commanded {
-  AvatarCommand command;
-  bool gesture = false;
-};
-
-/// An act that no command could be made of.
-struct Unplanned {
-  std::string reason;
-};
-
 /// Under `explore`: what the automaton may be in beside what led to the events before it.
 struct Explored {
   std::vector<Branch> branches;
@@ -86,8 +78,8 @@ struct Explored {
   int merged = 0, pruned = 0;
 };
 
-using EngineEvent =
-    std::variant<Perceived, Attended, Understood, BeliefChange, StepEvent, Explored, Commanded, Unplanned>;
+using EngineEvent = std::variant<Perceived, Attended, Understood, BeliefChange, StepEvent, Explored, GestureCommand,
+                                 Unplanned, ActStep, ActEnd>;
 
 struct Tick {
   EngineState after;

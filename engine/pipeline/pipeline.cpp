@@ -10,6 +10,7 @@
 namespace continua {
 namespace {
 
+const Catalogue* voxemes_of(const Language* language) { return language ? language->voxemes.get() : nullptr; }
 const RaisingRules* raising_of(const Language* language) { return language ? &language->raising : nullptr; }
 
 // Pointings this far beside the table are not believed.
@@ -36,8 +37,8 @@ const std::string& fresh(const std::vector<std::string>& variants, const std::st
 }  // namespace
 
 bool EngineState::waits(int serial) const {
-  return fusion.waits(serial) ||
-         std::any_of(complete.begin(), complete.end(), [&](const Ensemble& one) { return one.percept.serial <= serial; });
+  return fusion.waits(serial) || std::any_of(complete.begin(), complete.end(),
+                                             [&](const Ensemble& one) { return one.percept.serial <= serial; });
 }
 
 Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const Language> language,
@@ -46,7 +47,8 @@ Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const
       window_(window_of(*machine_)),
       language_(std::move(language)),
       perspective_(perspective),
-      methods_(perspective),
+      performer_(voxemes_of(language_.get()), perspective),
+      methods_(perspective, voxemes_of(language_.get())),
       facts_({&term_rules(), &methods_.rules()}, raising_of(language_.get())),
       stepper_(machine_, methods_.rules(), raising_of(language_.get())),
       explorer_(stepper_, most_branches) {
@@ -54,12 +56,22 @@ Pipeline::Pipeline(std::shared_ptr<const Machine> machine, std::shared_ptr<const
 }
 
 Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world) {
-  Tick tick{EngineState{{}, {}, Beliefs(machine_->beliefs), std::move(chooser),
-                        Fusion(window_, around(world.table)), {}, "", {}, 0, 0},
+  Tick tick{EngineState{{},
+                        {},
+                        Beliefs(machine_->beliefs),
+                        std::move(chooser),
+                        Fusion(window_, around(world.table)),
+                        {},
+                        "",
+                        {},
+                        0,
+                        {},
+                        0},
             {}};
   methods_.see(&world, &tick.after.chooser.random);
   if (!machine_->lexicon.empty()) understanding_.emplace(*language_, world, facts_);
   begin(tick.after, tick.events);
+  perform(tick.after, world, tick.events);
   return tick;
 }
 
@@ -95,8 +107,7 @@ Tick Pipeline::receive(const EngineState& before, const InputEvent& event, const
   const int serial = ++state.inputs;
   tick.events.push_back(Perceived{serial, symbol(event)});
   const auto refuse = [&](std::string reason) {
-    tick.events.push_back(
-        StepEvent(RefusedInput{state.configuration.state, symbol(event), std::move(reason), {}}));
+    tick.events.push_back(StepEvent(RefusedInput{state.configuration.state, symbol(event), std::move(reason), {}}));
   };
   if (!is_confident(event)) {
     refuse(fmt::format("confidence {} is below the machine's minimum of {}", event.confidence,
@@ -143,12 +154,12 @@ Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) {
   const Ensemble ensemble = std::move(state.complete.front());
   state.complete.pop_front();
   methods_.see(&world, &state.chooser.random);
-  tick.events.push_back(
-      Attended{ensemble.percept.serial, ensemble.percept.event.t, ensemble.at, bound(ensemble)});
+  tick.events.push_back(Attended{ensemble.percept.serial, ensemble.percept.event.t, ensemble.at, bound(ensemble)});
   if (understanding_ && ensemble.percept.event.modality == Modality::speech)
     hear(state, ensemble, world, tick.events);
   else
     see(state, ensemble, world, tick.events);
+  perform(state, world, tick.events);
   return tick;
 }
 
@@ -179,8 +190,7 @@ Percept Pipeline::percept_of(const EngineState& state, const InputEvent& event, 
     percept.takers = takers(understanding_->read(event.text), event);
   } else if (event.modality == Modality::gesture && kind_of(event) == deixis) {
     // A gesture that does not say where it points points where the hand does.
-    if (!place_of(event) && state.pointed &&
-        (event.t - state.pointed->t).seconds() <= window_.before_s)
+    if (!place_of(event) && state.pointed && (event.t - state.pointed->t).seconds() <= window_.before_s)
       percept.event.target_W = state.pointed->place_W;
     percept.deixis = deixis_of(percept.event, serial);
   }
@@ -235,21 +245,15 @@ void Pipeline::behave(EngineState& state, std::vector<StepEvent> steps, std::vec
       for (auto& change : state.beliefs.overhear(words)) events.push_back(std::move(change));
       continue;
     }
-    const auto* gestured = std::get_if<Gestured>(&step);
-    const auto* acted = std::get_if<Acted>(&step);
-    if (!gestured && !acted) {
+    if (const auto* gestured = std::get_if<Gestured>(&step)) {
+      const Term term = gestured->term;
       events.push_back(std::move(step));
+      gesture(state, term, events);
       continue;
     }
-    auto command = plan(gestured ? gestured->term : acted->term, gestured != nullptr, perspective_);
-    const bool gesture = gestured != nullptr;
+    if (const auto* acted = std::get_if<Acted>(&step))
+      performer_.begin(state.performance, {++state.acts, acted->term, acted->because});
     events.push_back(std::move(step));
-    if (command) {
-      command->id = ++state.commands;
-      events.push_back(Commanded{*command, gesture});
-    } else {
-      events.push_back(Unplanned{command.error().sentence});
-    }
   }
 }
 

@@ -40,6 +40,9 @@ class Pipeline {
 
   /// Receives an event and attends to all that is complete then.
   Tick tick(const EngineState& before, const InputEvent& event, const WorldSnapshot& world);
+  /// What the body reports, and what follows from it: the next steps of acts, and where the machine knows the ends of
+  /// acts as inputs, what it makes of them.
+  Tick reported(const EngineState& before, const std::vector<ActReport>& reports, const WorldSnapshot& world);
 
   const Machine& machine() const { return *machine_; }
 
@@ -72,10 +75,15 @@ class Pipeline {
   void update_beliefs(EngineState& state, const Input& input, std::vector<EngineEvent>& events);
   void behave(EngineState& state, std::vector<StepEvent> steps, std::vector<EngineEvent>& events);
 
+  // acting.cpp: what the body is told
+  void gesture(EngineState& state, const Term& gesture, std::vector<EngineEvent>& events);
+  void perform(EngineState& state, const WorldSnapshot& world, std::vector<EngineEvent>& events);
+
   std::shared_ptr<const Machine> machine_;
   FusionWindow window_;
   std::shared_ptr<const Language> language_;
   Perspective perspective_;
+  Performer performer_;
   Methods methods_;
   RuleTable facts_;
   std::optional<Understanding> understanding_;  ///< once the run has begun, of machines with a lexicon

@@ -69,7 +69,7 @@ Pipeline::Heard Pipeline::heard(const EngineState& state, const Ensemble& ensemb
   for (const auto& one : ensemble.bound)
     if (one) pointings.push_back(*one);
   const auto demonstratives = understanding_->demonstratives(heard.utterance);
-  const auto bound = bind(takers(heard.utterance, heard.event), pointings, window_);
+  const auto bound = continua::bind(takers(heard.utterance, heard.event), pointings, window_);
   for (std::size_t i = 0; i < bound.size(); ++i) {
     if (!bound[i]) continue;
     heard.showings.push_back({demonstratives[i].words, bound[i]->place_W});
@@ -157,9 +157,7 @@ void Pipeline::follow(EngineState& state, const InputEvent& sample, int serial, 
   move.kind = deixis;
   move.reference = refer_to_pointed(discourse.context);
   if (!move.reference.referents.empty()) state.pointed->object = move.reference.referents.front().object;
-  if (before && before->object == state.pointed->object &&
-      (sample.t - before->t).seconds() <= window_.before_s)
-    return;
+  if (before && before->object == state.pointed->object && (sample.t - before->t).seconds() <= window_.before_s) return;
   events.push_back(Understood{move, {serial}, {}, 1, true});
 }
 
@@ -177,8 +175,7 @@ std::size_t Pipeline::offer_all(EngineState& state, std::vector<Heard>& heard, s
                                 each.input.confidence, k == taken});
     if (k != taken) return;
     for (const auto& applying : each.move.interpretation.applied)
-      events.push_back(
-          StepEvent(Applied{applying.application, sources(applying, each.input.serial, each.discourse)}));
+      events.push_back(StepEvent(Applied{applying.application, sources(applying, each.input.serial, each.discourse)}));
   };
   for (std::size_t k = 0; k < heard.size(); ++k)
     if (k != taken) tell(k);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "simulation/hand_route.h"
+#include "simulation/stacks.h"
 
 namespace continua {
 
@@ -15,7 +16,10 @@ using Status = ActReport::Status;
 constexpr double set_down_error_m = 0.02;  // beyond it a put has missed
 constexpr int most_attempts = 3, most_preparations = 4;
 
-bool is_move(Capability what) { return what == Capability::put || what == Capability::slide; }
+/// The object is carried to a goal.
+bool is_move(Capability what) {
+  return what == Capability::put || what == Capability::slide || what == Capability::move;
+}
 
 int index_of(const std::string& name, const WorldSnapshot& world) {
   for (std::size_t i = 0; i < world.objects.size(); ++i) {
@@ -40,13 +44,44 @@ std::optional<ActReport> Avatar::take_result() { return std::exchange(result_, s
 
 void Avatar::begin(const AvatarCommand& command) {
   command_ = command;
-  busy_ = true;
   outcome_ = {};
   attempts_ = preparations_ = 0;
   tried_.clear();
   moved_aside_.clear();
   result_.reset();
+  if (command.what == Capability::stop) return halt();
+  busy_ = true;
+
+  const WorldSnapshot world = physics_.snapshot({});
+  if (command_.object.empty() && !is_gesture(command_.what)) command_.object = world.held;
+  const bool in_hand = !command_.object.empty() && world.held == command_.object;
+  lets_go_ = command_.what == Capability::put || (command_.what == Capability::slide && !in_hand);
+  if (command_.what == Capability::grasp && command_.next) command_.goal = *command_.next;
+  if (command_.what == Capability::grasp && in_hand) return end_act();
+  if (command_.what == Capability::move && !in_hand) {
+    outcome_.status = Status::blocked;
+    outcome_.reason = command_.object.empty() ? "there is nothing in the hand"
+                                              : fmt::format("{} is not in the hand", command_.object);
+    return end_act();
+  }
   decide();
+}
+
+/// Whatever is under way ends where it is; what the fingers hold they keep, and what they do not yet hold they leave.
+void Avatar::halt() {
+  if (!busy_) return end_act();
+  if (!phases_.empty() && phases_.front() == Phase::close) {
+    if (physics_.held() >= 0) {
+      if (steps_so_ == 0) hold_firmly();
+    } else {
+      physics_.set_grip(-1);
+      wanted_opening_m_ = release_opening_m_;
+    }
+  }
+  brake();
+  stage_ = Stage::act;
+  phases_ = {Phase::halt};
+  begin_phase();
 }
 
 void Avatar::abandon(std::string reason) {
@@ -69,10 +104,9 @@ void Avatar::decide() {
   };
   phases_.clear();
   stage_ = Stage::act;
-  if (command_.object.empty() && !is_gesture(command_.what)) command_.object = world.held;
   if (const auto name = missing_thing(command_, world))
     return cannot(Status::unreachable, fmt::format("there is no '{}'", *name));
-  if (is_move(command_.what) && !command_.object.empty()) {
+  if (has_goal() && !command_.object.empty()) {
     if (command_.goal.relation == Relation::in)
       return cannot(Status::blocked, "the hand cannot put one thing into another");
     const auto place = placement(command_, world, Occupied::cleared);
@@ -90,12 +124,29 @@ void Avatar::decide() {
     return cannot(Status::blocked, "there is nothing in the hand");
   } else if (!world.held.empty() && world.held != command_.object) {
     // What is in the hand is put away before it is decided how to go about the other object.
-    stage_ = Stage::preparation;
-    phases_ = {Phase::lower, Phase::open, Phase::retreat};
+    return put_away(world);
   } else {
     return decide_handling(world);
   }
   begin_phase();
+}
+
+/// Sets down what is in the hand: below, or where there is room nearby.
+void Avatar::put_away(const WorldSnapshot& world) {
+  stage_ = Stage::preparation;
+  constexpr double standing_m = 0.005;
+  const ObjectState& held = *world.find(world.held);
+  const bool stands = held.bounds_W().min.z() - height_under(held, world) < standing_m;
+  const Pose X_WT = tool_pose(physics_.arm(), physics_.hinges());
+  const auto handling = stands ? std::nullopt : set_aside(world.held, world, physics_.arm(), X_WT);
+  if (handling) return begin_handling(*handling, true);
+  phases_ = {Phase::lower, Phase::open, Phase::retreat};
+  begin_phase();
+}
+
+/// Whether it matters where the object shall go.
+bool Avatar::has_goal() const {
+  return is_move(command_.what) || (command_.what == Capability::grasp && command_.next);
 }
 
 std::string Avatar::landmark() const {
@@ -105,7 +156,7 @@ std::string Avatar::landmark() const {
 Task Avatar::task(const WorldSnapshot& world) const {
   Task task;
   task.object = command_.object;
-  if (is_move(command_.what)) {
+  if (has_goal()) {
     task.p_WG = placement(command_, world, Occupied::cleared).value().p_WO;
     task.near_m = 0.9 * set_down_error_m;
     task.landmark = landmark();
@@ -156,10 +207,11 @@ void Avatar::begin_handling(const Handling& handling, bool in_hand) {
   handling_ = handling;
   object_ = index_of(handling.object, physics_.snapshot({}));
   if (!in_hand) phases_ = {Phase::approach, Phase::close};
-  if (handling.set_down) {
+  const bool preparing = stage_ == Stage::preparation;
+  if (handling.set_down && (preparing || is_move(command_.what))) {
     phases_.insert(phases_.end(), {Phase::carry, Phase::lower});
     if (handling.set_down->shove_from_W) phases_.push_back(Phase::shove);
-    phases_.insert(phases_.end(), {Phase::open, Phase::retreat, Phase::settle});
+    if (preparing || lets_go_) phases_.insert(phases_.end(), {Phase::open, Phase::retreat, Phase::settle});
   } else if (command_.what == Capability::lift) {
     phases_.push_back(Phase::raise);
   }
@@ -168,6 +220,7 @@ void Avatar::begin_handling(const Handling& handling, bool in_hand) {
 
 /// When nothing of a handling remains to be done.
 void Avatar::phases_done() {
+  if (command_.what == Capability::stop) return end_act();
   if (outcome_.status == Status::done && stage_ == Stage::preparation) return decide();
   if (outcome_.status == Status::done) judge();
   if (!try_again()) end_act();
@@ -215,6 +268,7 @@ void Avatar::fail(Status status, std::string reason) {
 
 void Avatar::end_act() {
   phases_.clear();
+  if (path_s_ < path_.duration_s()) stop_here();
   busy_ = false;
   outcome_.moved_aside = moved_aside_;
   result_ = outcome_;

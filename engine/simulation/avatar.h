@@ -18,7 +18,7 @@ class Avatar {
   /// `physics` must outlive the avatar.
   explicit Avatar(Physics& physics);
 
-  /// Begins an act. REQUIRES !busy(), or that the act in progress may be superseded.
+  /// Begins an act. REQUIRES !busy(), that the act in progress may be superseded, or that this one is a stop.
   void begin(const AvatarCommand& command);
 
   bool busy() const { return busy_; }
@@ -36,13 +36,16 @@ class Avatar {
   std::optional<ActReport> take_result();
 
  private:
-  enum class Phase { hover, approach, close, raise, carry, lower, shove, open, retreat, go_home, settle };
+  enum class Phase { hover, approach, close, raise, carry, lower, shove, open, retreat, go_home, settle, halt };
   enum class Stage { preparation, act };  // what the phases are for: making the act possible, or the act itself
 
   // avatar.cpp
   void decide();
   void decide_handling(const WorldSnapshot& world);
+  void put_away(const WorldSnapshot& world);
+  void halt();
   Task task(const WorldSnapshot& world) const;
+  bool has_goal() const;
   std::string landmark() const;  // what the goal was said beside, or empty
   void begin_handling(const Handling& handling, bool in_hand);
   void phases_done();
@@ -57,6 +60,8 @@ class Avatar {
   bool phase_ended();
   bool go(const std::vector<Pose>& X_WT, const Pace& pace = {});
   void stop_here();
+  void brake();
+  void hold_firmly();
   bool arrived() const;
   bool pushes_hard();
   Pose hand_for_object(const Vec3& p_WO, bool turned) const;
@@ -68,6 +73,7 @@ class Avatar {
   // The act.
   AvatarCommand command_;
   bool busy_ = false;
+  bool lets_go_ = false;  // in the end the hand is empty
   std::optional<ActReport> result_;
   ActReport outcome_;
   Vec3 p_WG_ = Vec3::Zero();  // the goal of the object's centre
@@ -90,6 +96,7 @@ class Avatar {
   HandPath path_;
   double path_s_ = 0;
   ArmVector leftover_qdot_ = ArmVector::Zero();  // speed of the motion before, which fades out
+  ArmVector behind_q_ = ArmVector::Zero();       // how far before its end a braking arm began
   double wanted_opening_m_ = 0, release_opening_m_ = 0;
   AvatarTarget target_;
 };

@@ -48,6 +48,7 @@ bool Avatar::go(const std::vector<Pose>& X_WT, const Pace& pace) {
   path_ = std::move(*path);
   path_s_ = 0;
   leftover_qdot_ = target_.hinges.qdot;
+  behind_q_.setZero();
   return true;
 }
 
@@ -55,7 +56,19 @@ void Avatar::stop_here() {
   path_ = HandPath::stay(target_.hinges.q);
   path_s_ = 0;
   leftover_qdot_.setZero();
+  behind_q_.setZero();
 }
+
+/// Comes to a stand in the way it is going.
+void Avatar::brake() {
+  const HingeTarget from = target_.hinges;
+  stop_here();
+  behind_q_ = from.qdot * fade_s / 3;
+  path_ = HandPath::stay(from.q + behind_q_);
+}
+
+/// Presses by position, not by force: what is between the fingers then has a place there.
+void Avatar::hold_firmly() { wanted_opening_m_ = std::max(0.0, target_.opening_m - squeeze_m); }
 
 bool Avatar::arrived() const {
   constexpr double near_rad = 2e-3, patience_s = 0.25;
@@ -84,8 +97,9 @@ const AvatarTarget& Avatar::update() {
   target_.hinges = path_.at(path_s_);
   if (path_s_ < fade_s) {
     const double left = 1 - path_s_ / fade_s;
-    target_.hinges.q += leftover_qdot_ * path_s_ * left * left * left;
+    target_.hinges.q += (leftover_qdot_ * path_s_ - behind_q_) * left * left * left;
     target_.hinges.qdot += leftover_qdot_ * left * left * (left - 3 * path_s_ / fade_s);
+    target_.hinges.qdot += behind_q_ * 3 / fade_s * left * left;
   }
   const double step_m = finger_m_per_s * dt_s_;
   target_.opening_m += std::clamp(wanted_opening_m_ - target_.opening_m, -step_m, step_m);
@@ -149,10 +163,11 @@ bool Avatar::move_to(Phase phase, const WorldSnapshot& world) {
     case Phase::retreat:
       return go({{from.p_WB + Vec3(0, 0, 0.09), from.R_WB}});
     case Phase::go_home:
+      stop_here();
       path_ = HandPath::between(target_.hinges.q, physics_.arm().home);
-      path_s_ = 0;
       return true;
     case Phase::settle:
+    case Phase::halt:
       return true;
   }
   return true;
@@ -176,8 +191,7 @@ bool Avatar::phase_ended() {
       constexpr int firm_steps = 50;
       constexpr double patience_s = 1.2;
       steps_so_ = held == object_ ? steps_so_ + 1 : 0;
-      // Pressing by position, not by force: what is between the fingers then has a place there.
-      if (steps_so_ == 1) wanted_opening_m_ = std::max(0.0, target_.opening_m - squeeze_m);
+      if (steps_so_ == 1) hold_firmly();
       if (steps_so_ >= firm_steps) return true;
       if (phase_s_ > patience_s) fail(Status::blocked, "the fingers found no hold");
       return false;
@@ -211,6 +225,11 @@ bool Avatar::phase_ended() {
       constexpr double patience_s = 1.5;
       steps_so_ = physics_.slower_than(0.01, 0.2) ? steps_so_ + 1 : 0;
       return steps_so_ >= still_steps || phase_s_ > patience_s;
+    }
+    case Phase::halt: {
+      constexpr double patience_s = 0.8;
+      const bool fingers_done = held >= 0 || target_.opening_m == wanted_opening_m_;
+      return phase_s_ > patience_s || (phase_s_ > fade_s && arrived() && fingers_done);
     }
   }
   return true;

@@ -150,6 +150,21 @@ std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& wor
   return best;
 }
 
+std::optional<Handling> set_aside(const std::string& held, const WorldSnapshot& world, const Arm& arm,
+                                  const Pose& grasp) {
+  constexpr double step_m = 0.02, nearby_m = 0.3;
+  const ObjectState& object = *world.find(held);
+  Vec3 below = object.p_WO;
+  below.z() = world.table.max.z() + object.half_extents_m.z();
+  auto places = free_places(object, below, world, nearby_m, step_m);
+  if (is_free(object, below, world)) places.insert(places.begin(), below);
+  for (const Vec3& place : places) {
+    const auto handling = plan_handling({held, place, 0, 0, ""}, world, arm, grasp, {});
+    if (handling && handling->has_room) return handling;
+  }
+  return std::nullopt;
+}
+
 std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, const Arm& arm,
                                   const std::optional<Pose>& grasp) {
   const ObjectState& object = *world.find(task.object);

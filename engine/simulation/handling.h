@@ -40,4 +40,9 @@ std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& wor
 std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, const Arm& arm,
                                   const std::optional<Pose>& grasp);
 
+/// How to set down what is in the hand, `grasp`ed so, where it is in nobody's way: below, or nearby. Nothing if there
+/// is no such place.
+std::optional<Handling> set_aside(const std::string& held, const WorldSnapshot& world, const Arm& arm,
+                                  const Pose& grasp);
+
 }  // namespace continua

@@ -17,9 +17,6 @@ bool differs(const Pose& a, const Pose& b) {
   return (a.p_WB - b.p_WB).cwiseAbs().maxCoeff() > position_grid_m || a.R_WB.angularDistance(b.R_WB) > turn_grid;
 }
 
-bool at_once(Capability what) { return what == Capability::look || what == Capability::signal; }
-bool gesture(Capability what) { return what == Capability::reach || what == Capability::point; }
-
 }  // namespace
 
 Result<std::unique_ptr<PhysicsBody>> PhysicsBody::create(const Scene& scene) {
@@ -50,7 +47,11 @@ void PhysicsBody::set_back() {
 
 WorldReport PhysicsBody::advance(SimTime t) {
   WorldReport report;
-  begin_acts(report);
+  report.until = std::max(told_until_, t);
+  if (begin_acts(report)) {
+    report.until = told_until_ = std::max(told_until_, now_);
+    return report;
+  }
   while (true) {
     if (at_rest()) {
       if (now_ < t) report.rests.push_back({now_, t});
@@ -64,47 +65,77 @@ WorldReport PhysicsBody::advance(SimTime t) {
       set_back();
     else
       still_steps_ = !avatar_.busy() && physics_->slower_than(rest_m_per_s, rest_rad_per_s) ? still_steps_ + 1 : 0;
-    finish_act(report, now_);
-    begin_acts(report);
+    const bool ended = finish_act(report, now_);
     sample(report);
+    if (ended) {
+      report.until = now_;
+      break;
+    }
   }
-  told_until_ = std::max(told_until_, t);
+  told_until_ = report.until;
   return report;
 }
 
-/// Begins what need not wait.
-void PhysicsBody::begin_acts(WorldReport& report) {
+/// Begins what need not wait. Whether an act has ended with it.
+bool PhysicsBody::begin_acts(WorldReport& report) {
   const SimTime t = std::max(now_, told_until_);
-  const auto is_at_once = [](const AvatarCommand& command) { return at_once(command.what); };
-  for (auto it = std::find_if(waiting_.begin(), waiting_.end(), is_at_once); it != waiting_.end();
-       it = std::find_if(waiting_.begin(), waiting_.end(), is_at_once)) {
+  const auto next = [&](auto... what) {
+    return std::find_if(waiting_.begin(), waiting_.end(),
+                        [&](const AvatarCommand& command) { return ((command.what == what) || ...); });
+  };
+  for (auto it = next(Capability::look, Capability::signal); it != waiting_.end();
+       it = next(Capability::look, Capability::signal)) {
     report.acts.push_back({it->id, t, ActReport::Status::started, 0, ""});
     report.acts.push_back({it->id, t, ActReport::Status::done, 0, ""});
     waiting_.erase(it);
   }
+  if (next(Capability::stop) != waiting_.end()) {
+    begin_stop(report, t);
+    if (finish_act(report, t)) return true;
+  }
   while (!waiting_.empty()) {
-    const AvatarCommand next = waiting_.front();
+    const AvatarCommand command = waiting_.front();
     if (avatar_.busy()) {
-      if (!avatar_.may_be_superseded() || !gesture(next.what)) return;
+      if (!avatar_.may_be_superseded() || !is_gesture(command.what)) return false;
       report.acts.push_back({act_id_, t, ActReport::Status::done, 0, "superseded by a newer act"});
     }
-    // What stands still is worth coming back to.
-    if (is_still()) physics_->save();
     waiting_.pop_front();
-    act_id_ = next.id;
-    still_steps_ = 0;
-    report.acts.push_back({next.id, t, ActReport::Status::started, 0, ""});
-    avatar_.begin(next);
-    finish_act(report, t);
+    begin_act(command, report, t);
+    if (finish_act(report, t)) return true;
   }
+  return false;
 }
 
-void PhysicsBody::finish_act(WorldReport& report, SimTime t) {
+/// Gives up what is under way and what waits before the last stop, and begins that.
+void PhysicsBody::begin_stop(WorldReport& report, SimTime t) {
+  const auto is_stop = [](const AvatarCommand& command) { return command.what == Capability::stop; };
+  if (avatar_.busy()) report.acts.push_back({act_id_, t, ActReport::Status::stopped, 0, ""});
+  while (std::count_if(waiting_.begin(), waiting_.end(), is_stop) > 1 || !is_stop(waiting_.front())) {
+    report.acts.push_back({waiting_.front().id, t, ActReport::Status::stopped, 0, ""});
+    waiting_.pop_front();
+  }
+  const AvatarCommand stop = waiting_.front();
+  waiting_.pop_front();
+  begin_act(stop, report, t);
+}
+
+void PhysicsBody::begin_act(const AvatarCommand& command, WorldReport& report, SimTime t) {
+  // What stands still is worth coming back to.
+  if (is_still()) physics_->save();
+  act_id_ = command.id;
+  still_steps_ = 0;
+  report.acts.push_back({command.id, t, ActReport::Status::started, 0, ""});
+  avatar_.begin(command);
+}
+
+/// Whether the act under way has ended.
+bool PhysicsBody::finish_act(WorldReport& report, SimTime t) {
   auto result = avatar_.take_result();
-  if (!result) return;
+  if (!result) return false;
   result->id = act_id_;
   result->t = t;
   report.acts.push_back(std::move(*result));
+  return true;
 }
 
 void PhysicsBody::sample(WorldReport& report) {

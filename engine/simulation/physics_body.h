@@ -11,12 +11,12 @@
 
 namespace continua {
 
-/// One act at a time, others wait in order, but for two things a person does not queue: a look or signal is done at
-/// once, and a reach or point takes the place of one that is under way (which is then reported done, with the reason
-/// that it was superseded). Physics is stepped only while an act is under way or something moves; otherwise time jumps
-/// and a RestSpan tells so. Spans of successive `advance`s adjoin. Should MuJoCo diverge, the act under way ends as
-/// dropped, its reason says so, and the world is what it was when it was last at rest. The same commands at the same
-/// times give the same poses, bit for bit.
+/// One act at a time, others wait in order, but for three things a person does not queue: a look or signal is done at
+/// once; a reach or point takes the place of one that is under way (which is then reported done, with the reason that
+/// it was superseded); and a stop ends at once what is under way and what waited before it. Physics is stepped only
+/// while an act is under way or something moves; otherwise time jumps and a RestSpan tells so. Spans of successive
+/// `advance`s adjoin. Should MuJoCo diverge, the act under way ends as dropped, its reason says so, and the world is
+/// what it was when it was last at rest. The same commands at the same times give the same poses, bit for bit.
 class PhysicsBody : public Body {
  public:
   /// Errors: the scene's avatar is incomplete.
@@ -32,8 +32,10 @@ class PhysicsBody : public Body {
 
   bool is_still() const;
   void set_back();
-  void begin_acts(WorldReport& report);
-  void finish_act(WorldReport& report, SimTime t);
+  bool begin_acts(WorldReport& report);
+  void begin_stop(WorldReport& report, SimTime t);
+  void begin_act(const AvatarCommand& command, WorldReport& report, SimTime t);
+  bool finish_act(WorldReport& report, SimTime t);
   void sample(WorldReport& report);
 
   std::unique_ptr<Physics> physics_;

@@ -3,7 +3,7 @@
 //   { "raising": 1,
 //     "programs": { "in": "e -> loc" },
 //     "rules": [ { "name": "object_to_place_in", "from": "e", "to": "loc",
-//                  "when": "\\x. attribute(x, 'affords') = 'containment'", "by": "in" } ] }
+//                  "when": "\\x. affords(x, 'in')", "by": "in" } ] }
 //
 // `programs` are names that compute nothing, with their types; `when` may be missing; "about" may stand beside
 // "raising" and in each rule, for people.

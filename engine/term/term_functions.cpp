@@ -6,6 +6,7 @@
 
 #include "term/raising.h"
 #include "term/rules.h"
+#include "term/substitution.h"
 #include "term/term_text.h"
 
 namespace continua {
@@ -54,9 +55,16 @@ Term argument(Arguments a, Evaluation&) {
   return Term::null();
 }
 
+// The continuation of a part: what the term does with it.
+Term lacking(Arguments a, Evaluation&) {
+  if (a[1].is_null() || !a[0].closed() || !a[1].closed()) return Term::null();
+  const char* hint = a[1].type() == Type::location() ? "v" : "x";
+  return Term::lambda(hint, a[1].type(), abstracted(a[0], a[1]));
+}
+
 std::string characters(const Term& term) { return term.kind() == Term::Kind::text ? term.text_value() : print(term); }
 
-Term mentions(Arguments a, Evaluation&) {
+Term says(Arguments a, Evaluation&) {
   return Term::truth(characters(a[0]).find(a[1].text_value()) != std::string::npos);
 }
 
@@ -117,9 +125,10 @@ void add_term_functions(Rules& rules, Signature& signature) {
           {"missing", "term -> text", missing},
           {"type", "term -> text", type},
           {"fill", "term -> term -> term", fill},
+          {"lacking", "term -> term -> term", lacking},
           {"program", "term -> text", program},
           {"argument", "term -> num -> term", argument},
-          {"mentions", "term -> text -> t", mentions},
+          {"mentions", "term -> text -> t", says},
           {"text", "term -> text", text},
           {"place", "term -> loc", place},
           {"words", "text -> text*", words},

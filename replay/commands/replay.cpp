@@ -1,8 +1,7 @@
 #include "replay/commands/replay.h"
 
 #include "core/located_json.h"
-
-#include <unistd.h>
+#include "replay/commands/progress.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -72,7 +71,7 @@ class Batch {
       : options_(options),
         outputs_(std::move(outputs)),
         lines_(options.traces.size()),
-        done_(options.traces.size(), 0.0) {}
+        progress_(options.traces.size()) {}
 
   int run() {
     std::vector<std::thread> threads;
@@ -92,7 +91,10 @@ class Batch {
   void one(std::size_t index) {
     const auto& trace = options_.traces[index];
     auto options = options_.replay;
-    if (isatty(STDERR_FILENO)) options.progress = [this, index](double done) { show_progress(index, done); };
+    options.progress = [this, index](double done) {
+      const std::lock_guard lock(mutex_);
+      progress_.show(index, done);
+    };
     const auto& output = outputs_[index];
     auto session = Session::load(trace, std::move(options));
     if (!session) return finish(index, session.error(), output);
@@ -107,53 +109,33 @@ class Batch {
 
   void finish(std::size_t index, const Result<ReplaySummary>& summary, const std::string& output) {
     const std::lock_guard lock(mutex_);
-    done_[index] = 1;
+    progress_.show(index, 1);
+    progress_.clear();
     if (!summary) {
-      clear_progress();
       report(summary.error());
       status_ = exit_impossible;
       lines_[index] = "";
     } else {
       lines_[index] = line_of(options_.traces[index], *summary, output);
       for (const auto& [step, transition] : summary->not_forced) {
-        clear_progress();
         report({options_.traces[index],
                 fmt::format("--force {}={}: that transition does not apply at that step", step, transition)});
         status_ = exit_impossible;
       }
       if (summary->expectations_met < summary->expectations && status_ == exit_done) status_ = exit_no;
     }
-    clear_progress();
     for (; printed_ < lines_.size() && lines_[printed_]; ++printed_)
       if (!lines_[printed_]->empty()) fmt::print(output == "-" ? stderr : stdout, "{}\n", *lines_[printed_]);
     std::fflush(stdout);
-  }
-
-  void show_progress(std::size_t index, double done) {
-    const std::lock_guard lock(mutex_);
-    done_[index] = done;
-    double total = 0;
-    for (const double one : done_) total += one;
-    const int percent = static_cast<int>(100 * total / static_cast<double>(done_.size()));
-    if (percent == shown_percent_) return;
-    shown_percent_ = percent;
-    fmt::print(stderr, "\r[{:<40}] {:3} %", std::string(static_cast<std::size_t>(percent * 2 / 5), '='), percent);
-    std::fflush(stderr);
-  }
-
-  void clear_progress() {
-    if (shown_percent_ >= 0) fmt::print(stderr, "\r{:60}\r", "");
-    shown_percent_ = -1;
   }
 
   const ReplayCommandOptions& options_;
   std::vector<std::string> outputs_;
   std::mutex mutex_;
   std::vector<std::optional<std::string>> lines_;
-  std::vector<double> done_;
+  Progress progress_;
   std::size_t printed_ = 0;
   std::atomic<std::size_t> next_ = 0;
-  int shown_percent_ = -1;
   int status_ = exit_done;
 };
 

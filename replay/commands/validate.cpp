@@ -18,6 +18,7 @@
 #include "replay/trace_file.h"
 #include "simulation/scene.h"
 #include "term/raising_file.h"
+#include "voxml/catalogue.h"
 
 namespace continua {
 namespace {
@@ -105,7 +106,8 @@ FileCheck check_phrase_file(std::string_view text, const std::string& path) {
   std::size_t users = 0;
   for (const auto& file : machines) {
     const auto machine = LocatedJson::read(file.string());
-    if (!machine || !machine->root().is_object() || machine->root().value("phrases", Json()) != fs::path(path).stem())
+    if (!machine || !machine->root().is_object() ||
+        machine->root().value("phrases", Json()) != fs::path(path).stem().string())
       continue;
     ++users;
     const auto of_machine = read_file(file.string());
@@ -152,6 +154,15 @@ FileCheck check_jflap(std::string_view text, const std::string& path) {
   return check_machine_file(compact(*machine), path);
 }
 
+FileCheck check_voxeme(std::string_view text, const std::string& path) {
+  const auto read = read_voxeme(text, path);
+  if (!read) return {{read.error()}, {}, ""};
+  FileCheck check{
+      {}, {}, fmt::format("voxeme, the {} {}", continua::text(read->voxeme.entity), read->voxeme.predicate)};
+  for (const auto& note : read->notes) check.notes.push_back(note.text());
+  return check;
+}
+
 FileCheck check_scene(std::string_view, const std::string& path) {
   const auto scene = load_scene(path);
   if (!scene) return {{scene.error()}, {}, ""};
@@ -190,11 +201,31 @@ constexpr std::array file_kinds = {
                                                   text.find("\"transitions\"") != text.npos);
              },
              check_machine_file},
+    FileKind{[](std::string_view text, const std::string&) { return looks_like_voxeme(text); }, check_voxeme},
     FileKind{[](std::string_view text, const std::string&) { return begins_with(text, "<"); }, check_scene},
     FileKind{[](std::string_view text, const std::string&) { return looks_like_session(text); }, check_session},
 };
 
+int validate(const std::string& path);
+
+int validate_folder(const std::string& folder) {
+  constexpr std::array<std::string_view, 4> extensions = {".xml", ".json", ".jsonl", ".jff"};
+  std::vector<std::string> files;
+  std::error_code problem;
+  for (std::filesystem::recursive_directory_iterator each(folder, problem), end; !problem && each != end;
+       each.increment(problem))
+    if (std::find(extensions.begin(), extensions.end(), each->path().extension().string()) != extensions.end() &&
+        !is_folder(each->path()))
+      files.push_back(each->path().lexically_normal().string());
+  std::sort(files.begin(), files.end());
+  int status = exit_done;
+  for (const auto& file : files) status = std::max(status, validate(file));
+  return status;
+}
+
+// Of a folder, the files that may be the project's.
 int validate(const std::string& path) {
+  if (is_folder(path)) return validate_folder(path);
   const auto text = read_file(path);
   if (!text) return report(text.error()), exit_impossible;
   const auto check = check_file(*text, path);
@@ -225,9 +256,13 @@ int run_validate(const ValidateOptions& options) {
 
 void add_validate_command(CLI::App& program, Run& run) {
   auto* command = program.add_subcommand(
+<<<<<<< HEAD
       "validate", "Check traces, machines, phrases, lexicons, scenes, run logs and session logs");
+=======
+      "validate", "Check traces, machines, phrases, lexicons, voxemes, scenes, run logs and session logs");
+>>>>>>> main
   auto options = std::make_shared<ValidateOptions>();
-  command->add_option("FILE", options->files, "files of any kind")->required();
+  command->add_option("FILE", options->files, "files of any kind, or folders of them")->required();
   command->footer("Example: continua validate traces/corner/*.trace.jsonl");
   command->callback([options, &run] { run = [options] { return run_validate(*options); }; });
 }

@@ -43,9 +43,12 @@ Vec3 place(const KinematicBody& body, const std::string& name) { return body.sna
 
 TEST_CASE("acts are done at once, and what stands on an object moves along") {
   KinematicBody body(three_blocks());
+  body.advance(SimTime{5});
   body.command(move(Capability::put, "b", Relation::on, "a"));
   CHECK_FALSE(body.at_rest());
-  const WorldReport report = body.advance(SimTime{5});
+  const WorldReport report = body.advance(SimTime{9});
+  CHECK(report.until == SimTime{5});
+  CHECK(body.advance(SimTime{9}).until == SimTime{9});
   CHECK(body.at_rest());
   REQUIRE(report.acts.size() == 2);
   CHECK(report.acts[0].status == Status::started);
@@ -115,6 +118,55 @@ TEST_CASE("what stands on its end in a cup goes along with it, and lies again wh
   CHECK(told.poses.at(0).bodies.at("knife").R_WB.isApprox(Eigen::Quaterniond::Identity()));
 }
 
+TEST_CASE("a put is a grasp, a move and an ungrasp") {
+  KinematicBody body(three_blocks()), at_once(three_blocks());
+  AvatarCommand grasp = command(Capability::grasp, "b");
+  grasp.next = move(Capability::move, "b", Relation::on, "a").goal;
+  CHECK(act(body, grasp).status == Status::done);
+  CHECK(act(body, grasp).status == Status::done);
+  CHECK(place(body, "b").isApprox(Vec3(0.2, 0, 0.03)));
+  CHECK(act(body, move(Capability::move, "", Relation::on, "a")).status == Status::done);
+  CHECK(body.snapshot().held == "b");
+  CHECK(act(body, command(Capability::ungrasp, "")).status == Status::done);
+  CHECK(body.snapshot().held.empty());
+  act(at_once, move(Capability::put, "b", Relation::on, "a"));
+  for (const char* name : {"a", "b", "c"}) CHECK(place(body, name) == place(at_once, name));
+
+  // A grasp for what cannot be done then is not begun.
+  grasp.next = move(Capability::move, "b", Relation::on, "b").goal;
+  CHECK(act(body, grasp).status == Status::blocked);
+  grasp.next = move(Capability::move, "b", Relation::on, "d").goal;
+  CHECK(act(body, grasp).status == Status::unreachable);
+  CHECK(body.snapshot().held.empty());
+  CHECK(act(body, move(Capability::move, "b", Relation::on, "a")).reason == "b is not in the hand");
+}
+
+TEST_CASE("what is slid or moved while held stays held") {
+  KinematicBody body(three_blocks());
+  CHECK(act(body, move(Capability::slide, "a", Relation::left, "b")).status == Status::done);
+  CHECK(body.snapshot().held.empty());
+  act(body, command(Capability::grasp, "a"));
+  CHECK(act(body, move(Capability::slide, "a", Relation::right, "b")).status == Status::done);
+  CHECK(body.snapshot().held == "a");
+}
+
+TEST_CASE("a stop leaves undone what was told before it") {
+  KinematicBody body(three_blocks());
+  body.command(command(Capability::grasp, "c"));
+  body.advance(SimTime{1});
+  body.command(move(Capability::move, "c", Relation::on, "a"));
+  body.command(command(Capability::look, "a"));
+  body.command(command(Capability::stop, ""));
+  body.command(command(Capability::reach, "a"));
+  const WorldReport report = body.advance(SimTime{2});
+  std::string told;
+  for (const auto& one : report.acts) told += text(one.status) + " ";
+  CHECK(told == "stopped started done started done started done ");
+  CHECK(body.snapshot().held == "c");
+  CHECK(place(body, "c").isApprox(Vec3(0.2, 0.01, 0.09)));
+  CHECK(body.at_rest());
+}
+
 TEST_CASE("acts that cannot be done leave the world as it was") {
   KinematicBody body(three_blocks());
   CHECK(act(body, command(Capability::reach, "d")).status == Status::unreachable);
@@ -134,5 +186,7 @@ TEST_CASE("acts that cannot be done leave the world as it was") {
 
 TEST_CASE("capabilities and statuses have the names of the log") {
   CHECK(text(Capability::ungrasp) == "ungrasp");
+  CHECK(text(Capability::move) == "move");
   CHECK(text(Status::unreachable) == "unreachable");
+  CHECK(text(Status::stopped) == "stopped");
 }

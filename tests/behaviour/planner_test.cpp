@@ -13,7 +13,8 @@ const Signature& names() {
     const auto type = [](const char* text) { return *Type::parse(text); };
     for (const char* object : {"block1", "block2", "avatar"}) names.emplace(object, Type::entity());
     for (const char* program : {"grasp", "ungrasp", "lift", "shine", "turn"}) names.emplace(program, type("e -> t"));
-    for (const char* program : {"put", "slide"}) names.emplace(program, type("e -> loc -> t"));
+    for (const char* program : {"put", "slide", "move"}) names.emplace(program, type("e -> loc -> t"));
+    names.emplace("stop", Type::truth());
     for (const char* place : {"left", "right", "in_front", "behind", "on", "in", "at", "beside", "touching", "under"})
       names.emplace(place, type("e -> loc"));
     names.emplace("between", type("e -> e -> loc"));
@@ -46,6 +47,8 @@ std::string planned(const std::string& text, bool gesture = false, Perspective p
 TEST_CASE("programs become commands of the body") {
   CHECK(planned("grasp(block1)") == "grasp [block1] <0, 0, 0>");
   CHECK(planned("put(block1, on(block2))") == "put [block1] avatar's on block2");
+  CHECK(planned("move(block1, on(block2))") == "move [block1] avatar's on block2");
+  CHECK(planned("stop") == "stop [] <0, 0, 0>");
   CHECK(planned("put(block1, <0.1, 0.2, 0>)") == "put [block1] <0.1, 0.2, 0>");
   CHECK(planned("put(block1, near('x', <0.1, 0.2, 0>))") == "put [block1] <0.1, 0.2, 0>");
   CHECK(planned("reach(block1)", true) == "reach [block1] <0, 0, 0>");

@@ -6,6 +6,7 @@
 #include "core/located_json.h"
 #include "support/catch.h"
 #include "support/markdown_table.h"
+#include "voxml/catalogue.h"
 
 namespace continua {
 namespace {
@@ -37,6 +38,11 @@ WorldSnapshot documented_world() {
   return world;
 }
 
+const Catalogue& voxemes() {
+  static const Catalogue catalogue = read_catalogue(CONTINUA_SOURCE_DIR "/engine/knowledge/voxemes").catalogue;
+  return catalogue;
+}
+
 ObjectState cube(const char* name, double side, double x, double y, double z, double yaw = 0) {
   ObjectState object;
   object.name = name;
@@ -57,7 +63,7 @@ WorldSnapshot world_of(std::vector<ObjectState> objects) {
 class Seen {
  public:
   explicit Seen(WorldSnapshot world, std::uint64_t seed = 1, Perspective perspective = Perspective::human)
-      : world_(std::move(world)), random_(seed), methods_(perspective) {
+      : world_(std::move(world)), random_(seed), methods_(perspective, &voxemes()) {
     methods_.see(&world_, &random_);
     names_.insert(Methods::signature().begin(), Methods::signature().end());
     for (const auto& object : world_.objects) names_.emplace(object.name, Type::entity());
@@ -65,6 +71,7 @@ class Seen {
     for (const auto* each : {"left", "right", "in_front", "behind", "on", "over"})
       names_.emplace(each, Type::parse("e -> loc").value());
     for (const auto* each : {"in", "near"}) names_.emplace(each, Type::parse("term -> loc").value());
+    for (const auto* each : {"put", "slide"}) names_.emplace(each, Type::parse("e -> loc -> t").value());
     names_.emplace("between", Type::parse("e -> term -> loc").value());
   }
 

@@ -22,10 +22,10 @@ ObjectState thing(const std::string& name, std::map<std::string, std::string> at
 
 WorldSnapshot table_with_things() {
   WorldSnapshot world;
-  world.objects = {thing("plate", {{"type", "plate"}, {"affords", "support"}}, -0.3, 0),
+  world.objects = {thing("plate", {{"type", "plate"}, {"affords", "on"}}, -0.3, 0),
                    thing("knife", {{"type", "knife"}}, 0.3, 0.2),
-                   thing("cup1", {{"type", "cup"}, {"color", "blue"}, {"affords", "containment"}}, 0.3, -0.2),
-                   thing("cup2", {{"type", "cup"}, {"color", "red"}, {"affords", "containment"}}, 0, -0.2),
+                   thing("cup1", {{"type", "cup"}, {"color", "blue"}, {"affords", "in"}}, 0.3, -0.2),
+                   thing("cup2", {{"type", "cup"}, {"color", "red"}, {"affords", "in"}}, 0, -0.2),
                    thing("block1", {{"type", "block"}, {"color", "red"}}, 0, 0.2),
                    thing("block2", {{"type", "block"}, {"color", "red"}}, -0.3, 0.2),
                    thing("block3", {{"type", "block"}, {"color", "green"}}, 0.15, 0.2)};
@@ -49,6 +49,7 @@ Signature names_of_readings() {
   add("e -> e -> loc", {"between"});
   add("e -> loc -> t", {"put", "near"});
   add("e -> text -> text", {"attribute"});
+  add("e -> text -> t", {"affords"});
   add("t", {"stop"});
   return names;
 }
@@ -98,6 +99,11 @@ struct Scene {
                             const auto found = object->attributes.find(a[1].text_value());
                             return found == object->attributes.end() ? Term::null() : Term::text(found->second);
                           }};
+    facts["affords"] = {2, [this](auto a, Evaluation&) {
+                          const auto* object = world.find(a[0].name());
+                          return Term::truth(object && object->attributes.contains("affords") &&
+                                             object->attributes.at("affords") == a[1].text_value());
+                        }};
     facts["near"] = {2, [this](auto a, Evaluation&) {
                        const auto *one = world.find(a[0].name()), *other = world.find(a[1].argument().name());
                        return Term::truth(one && other && (one->p_WO - other->p_WO).norm() < 0.2);

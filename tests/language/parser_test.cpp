@@ -226,9 +226,9 @@ TEST_CASE("noun phrases and nouns are kept with their words") {
     return all;
   };
   CHECK(phrases("please put the shiny red knife in it") ==
-        R"(the shiny red knife = the(\x. red(x) and knife(x)); red knife = \x. red(x) and knife(x); it = it)");
+        R"(the shiny red knife = the(\x. red(x) and knife(x)); red knife = \x. red(x) and knife(x); in it = in(it); it = it)");
   CHECK(phrases("cup") == R"(cup = \x. cup(x))");
-  CHECK(phrases("put, um, the cup, there") == R"(the cup = the(\x. cup(x)); cup = \x. cup(x))");
+  CHECK(phrases("put, um, the cup, there") == R"(the cup = the(\x. cup(x)); cup = \x. cup(x); there = there)");
   CHECK(
       phrases("the cup and the block on the plate") ==
       R"(the cup and the block on the plate = [the(\x. cup(x)), the(\x. block(x) and located(x, on(the(\y. plate(y)))))]; )"
@@ -335,4 +335,26 @@ TEST_CASE("the descriptions of the EMRE data set are single noun phrases, with c
     std::erase(text, '.');
     CHECK(reading_of(text) == with_commas);
   }
+}
+
+TEST_CASE("words that nobody knows are names where something takes one") {
+  const auto first = [](const char* text, const Vocabulary& vocabulary) {
+    const auto utterance = read(text, vocabulary);
+    std::string all = utterance.fragments.empty() ? "" : print(utterance.fragments[0].readings[0].term);
+    for (const auto word : utterance.unknown) all += " ? " + utterance.words[word];
+    return all;
+  };
+  auto words = english_words();
+  CHECK(first("call that hoist", words) == "call('hoist')");
+  CHECK(first("Call that: hoist.", words) == " ? hoist");
+  CHECK(first("call that build tower", words) == "call('build tower')");
+  CHECK(first("put the glorp there", words) == "\\x. put(x, there) ? glorp");
+  CHECK(first("hoist the plate", words) == "the(\\x. plate(x)) ? hoist");
+
+  words.learn("hoist", Type::parse("e -> t").value());
+  CHECK(first("hoist the plate", words) == "hoist(the(\\x. plate(x)))");
+  CHECK(first("hoist", words) == "\\x. hoist(x)");
+  CHECK(first("call that hoist", words) == "call('hoist')");
+  words.learn("build tower", Type::parse("e -> loc -> t").value());
+  CHECK(first("build tower that there", words) == "build tower(that(\\x. true), there)");
 }

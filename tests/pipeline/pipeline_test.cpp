@@ -22,7 +22,10 @@ const char* machine_text = R"json({
   "transitions": [
     { "id": "point", "from": ["Wait", "Asked"], "on": "POINT", "to": "Asked", "push": { "indicated": "nearest" } },
     { "id": "yes", "from": "Asked", "on": "speech yes", "to": "Wait", "do": [ { "act": "grasp(indicated)" } ] },
-    { "id": "fly", "from": "Asked", "on": "speech fly", "to": "Wait", "do": [ { "act": "fly(indicated)" } ] } ] })json";
+    { "id": "well", "from": "*", "on": "speech well", "to": "Wait", "do": [ { "say": ["Well?", "So?"] } ] },
+    { "id": "so", "from": "*", "on": "speech so", "to": "Wait", "do": [ { "say": "So?" } ] },
+    { "id": "fly", "from": "Asked", "on": "speech fly", "to": "Wait", "do": [ { "act": "fly(indicated)" } ] },
+    { "id": "failed", "from": "Wait", "on": "act blocked", "to": "Wait", "do": [ { "say": "Sorry, {reason}." } ] } ] })json";
 
 WorldSnapshot world() {
   WorldSnapshot snapshot;
@@ -61,15 +64,21 @@ struct Play {
     return take(event);
   }
 
-  std::string take(const InputEvent& event) {
-    Tick tick = pipeline->tick(*state, event, snapshot);
+  std::string take(const InputEvent& event) { return told(pipeline->tick(*state, event, snapshot)); }
+  std::string reports(ActReport::Status status) {
+    return told(pipeline->reported(*state, {{latest, {}, status, 0, "so it is"}}, snapshot));
+  }
+
+  std::string told(Tick tick) {
     std::string happened;
     const auto add = [&](const std::string& what) { happened += (happened.empty() ? "" : "; ") + what; };
     for (const auto& one : tick.events) {
       if (const auto* change = std::get_if<BeliefChange>(&one))
         add(fmt::format("belief {} {}", change->name, change->value));
-      if (const auto* commanded = std::get_if<Commanded>(&one))
-        add(text(commanded->command.what) + " " + commanded->command.object);
+      if (const auto* gesture = std::get_if<GestureCommand>(&one))
+        add(text(gesture->command.what) + " " + gesture->command.object);
+      if (const auto* act = std::get_if<ActStep>(&one)) add(print(act->program)), latest = act->command->id;
+      if (const auto* end = std::get_if<ActEnd>(&one)) add("act " + text(end->status) + " " + end->reason);
       if (const auto* unplanned = std::get_if<Unplanned>(&one)) add(unplanned->reason);
       if (const auto* step = std::get_if<StepEvent>(&one)) {
         if (const auto* said = std::get_if<Said>(step)) add("\"" + said->text + "\"");
@@ -83,6 +92,7 @@ struct Play {
   WorldSnapshot snapshot = world();
   std::optional<Pipeline> pipeline;
   std::optional<EngineState> state;
+  int latest = 0;  // command
 };
 
 }  // namespace
@@ -90,13 +100,22 @@ struct Play {
 TEST_CASE("a tick goes from what the human did to what the avatar says and does") {
   Play play;
   CHECK(play.point(0.28) == "belief point 0.5; \"This?\"; belief this 0.5; reach far_one");
-  CHECK(play.say("Yes!") == "grasp far_one");
+  CHECK(play.say("Yes!") == "grasp(far_one)");
 }
 
 TEST_CASE("an utterance equal to the last is not said again where the machine says so") {
   Play play;
   play.point(0.28);
   CHECK(play.point(0.12) == "belief point 1; reach near_one");
+}
+
+TEST_CASE("of several ways to say something the first is taken that is not what was said last") {
+  Play play;
+  CHECK(play.say("well") == "\"Well?\"");
+  CHECK(play.say("well") == "\"So?\"");
+  CHECK(play.say("well") == "\"Well?\"");
+  CHECK(play.say("so") == "\"So?\"");
+  CHECK(play.say("well") == "\"Well?\"");
 }
 
 TEST_CASE("an answer lowers the belief in what was asked about") {
@@ -110,8 +129,21 @@ TEST_CASE("an input of too little confidence is refused, and the beliefs stay") 
   CHECK(play.point(0.28, 0.3) == "confidence 0.3 is below the machine's minimum of 0.5");
 }
 
+TEST_CASE("how an act ended is an input where the machine knows it, and else only told") {
+  Play play;
+  play.point(0.28);
+  play.say("yes");
+  CHECK(play.reports(ActReport::Status::started) == "");
+  CHECK(play.reports(ActReport::Status::blocked) == "act blocked so it is; \"Sorry, so it is.\"");
+  play.point(0.28);
+  play.say("yes");
+  CHECK(play.reports(ActReport::Status::dropped) == "act dropped so it is");
+}
+
 TEST_CASE("an act that the body does not know is told, not fatal") {
   Play play;
   play.point(0.28);
-  CHECK(play.say("fly") == "fly(far_one) is no program that the body can perform");
+  CHECK(play.say("fly") ==
+        "act blocked fly(far_one) is no program that the body can perform; "
+        "\"Sorry, fly(far_one) is no program that the body can perform.\"");
 }

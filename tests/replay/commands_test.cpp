@@ -3,6 +3,7 @@
 #include "core/located_json.h"
 #include "inspector_log.h"
 #include "replay/commands/accept.h"
+#include "replay/commands/check.h"
 #include "replay/commands/export.h"
 #include "replay/commands/import.h"
 #include "replay/commands/machine.h"
@@ -137,6 +138,37 @@ TEST_CASE("validate knows JFLAP's files, by name or by root element") {
   CHECK(check_file("\xEF\xBB\xBF" + fa, "x").problems.empty());
   CHECK(check_file("<structure>\n<type>", "x").problems.at(0).text().find("x:2: not valid XML") == 0);
   CHECK(check_file("hello", "x.jff").problems.at(0).text().find("x.jff:1: not valid XML") == 0);
+}
+
+TEST_CASE("validate knows voxemes, and reads folders") {
+  const TemporaryFolder folder;
+  const std::string voxeme = "<VoxML><Entity Type='Object'/><Lex><Pred>jug</Pred></Lex>\n<Extra/></VoxML>";
+  const auto check = check_file(voxeme, "v.xml");
+  CHECK(check.problems.empty());
+  CHECK(check.summary == "voxeme, the object jug");
+  CHECK(check.notes == std::vector<std::string>{"v.xml:2: the element <Extra> is unknown"});
+  CHECK(check_file("<VoxML/>", "v.xml").problems.at(0).where == "v.xml:1");
+  folder.file("a/jug.xml", voxeme);
+  folder.file("a/notes.txt", "none of the project's files");
+  CHECK(run_validate({{folder.at("a")}}) == exit_done);
+  folder.file("a/b/bad.xml", "<VoxML/>");
+  CHECK(run_validate({{folder.at("a")}}) == exit_no);
+}
+
+TEST_CASE("check counts voxemes, and tells programs of which no step exists") {
+  const TemporaryFolder folder;
+  const auto program = [](const char* step) {
+    return std::string("<VoxML><Entity Type='Program'/><Lex><Pred>sit</Pred></Lex><Type><Args><Arg Value='x:agent'/>") +
+           "</Args><Body><Subevent Value='" + step + "'/></Body></Type></VoxML>";
+  };
+  CheckOptions options;
+  options.paths = {folder.at("voxemes")};
+  folder.file("voxemes/programs/sit.xml", program("sit(x)"));
+  CHECK(run_check(options) == exit_done);
+  folder.file("voxemes/programs/sit.xml", program("stand(x)"));
+  CHECK(run_check(options) == exit_no);
+  folder.file("voxemes/programs/sit.xml", "<VoxML/>");
+  CHECK(run_check(options) == exit_impossible);
 }
 
 TEST_CASE("machine describes a machine, or draws it") {

@@ -17,6 +17,7 @@ TEST_CASE("the paper's examples and other conversations go as their traces expec
   int traces = 0;
   for (const auto& examples : {folder, folder.parent_path() / "talk"})
     for (const auto& file : fs::directory_iterator(examples)) {
+      if (!file.path().string().ends_with(".trace.jsonl")) continue;
       CAPTURE(file.path());
       ++traces;
       const auto played = play(file.path());

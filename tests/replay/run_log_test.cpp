@@ -51,3 +51,20 @@ TEST_CASE("decisions are digested apart from poses, from margins, and from what 
   CHECK(end_of(transition, pose, 2.6)["decisions"] == same["decisions"]);
   CHECK(end_of({{"id", "b"}, {"margin", 0.1}}, pose)["decisions"] != same["decisions"]);
 }
+
+TEST_CASE("between which records an act goes on does not count, what it came to does") {
+  const Json said{{"text", "OK."}}, act{{"act", 1}, {"status", "done"}}, other{{"act", 2}, {"status", "done"}};
+  const auto decisions = [](const std::vector<std::pair<std::string, Json>>& records) {
+    std::ostringstream out;
+    RunLog log(out);
+    for (const auto& [kind, fields] : records) log.write(kind, SimTime{}, fields);
+    log.finish(SimTime{});
+    const auto all = out.str();
+    return Json::parse(all.substr(all.rfind('\n', all.size() - 2) + 1))["decisions"].get<std::string>();
+  };
+  const Json step{{"act", 1}, {"step", 1}, {"status", "done"}};
+  const auto one = decisions({{"act", act}, {"act", other}, {"utterance", said}});
+  CHECK(decisions({{"act", other}, {"utterance", said}, {"act", act}}) == one);
+  CHECK(decisions({{"act", step}, {"act", act}, {"act", other}, {"utterance", said}}) == one);
+  CHECK(decisions({{"act", {{"act", 1}, {"status", "missed"}}}, {"act", other}, {"utterance", said}}) != one);
+}

@@ -1,5 +1,6 @@
 #include "replay/session.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -108,6 +109,51 @@ TEST_CASE("a replay writes what was heard, decided, said and done, each with its
   CHECK(of_kind(records, "expect").size() == 2);
   const auto before_end = log.substr(0, log.rfind("{\"kind\":\"end\""));
   CHECK(records.back()["digest"] == digest(before_end));
+}
+
+TEST_CASE("an act is told with the steps that the body does, which come of it") {
+  const Folder folder;
+  const auto records = records_of(log_of(folder.file("talk.jsonl")));
+  std::vector<std::string> told;
+  int asked = -1;
+  for (const auto& act : of_kind(records, "act")) {
+    told.push_back((act.contains("step") ? act["step"].dump() + " " : std::string()) +
+                   act["program"].get<std::string>() + " " + act["status"].get<std::string>());
+    CHECK(act["act"] == 1);
+    if (asked < 0)
+      asked = act["n"].get<int>();
+    else
+      CHECK(act["cause"] == asked);
+  }
+  const std::string goal = "(block6, <0.05, -0.06, 0>)";
+  CHECK(told == std::vector<std::string>{"put" + goal + " asked", "put" + goal + " started", "1 grasp(block6) started",
+                                         "1 grasp(block6) done", "2 move" + goal + " started",
+                                         "2 move" + goal + " done", "3 ungrasp(block6) started",
+                                         "3 ungrasp(block6) done", "put" + goal + " done"});
+}
+
+TEST_CASE("the end of an act is an input where the machine knows it, and decisions are the same in both worlds") {
+  const Folder folder;
+  auto told = Json::parse(machine);
+  told["transitions"].push_back(Json::parse(
+      R"json({ "id": "told", "from": "Done", "on": "act done", "to": "Wait", "do": [ { "say": "I did {act}." } ] })json"));
+  folder.write("fetch.json", told.dump());
+  folder.write("told.jsonl", R"json({"kind":"trace","version":1,"scene":"staircase","machine":"fetch.json"}
+{"t":1,"kind":"gesture","name":"point","hand":"right","phase":"start","target":[-0.1,0.05]}
+{"t":2,"kind":"pointing","hand":"right","target":[0.05,-0.06]}
+{"t":40,"kind":"expect","state":"Wait"}
+)json");
+  const auto kinematic_run = records_of(log_of(folder.file("told.jsonl")));
+  const auto physical_run = records_of(log_of(folder.file("told.jsonl"), {}));
+  CHECK(of_kind(kinematic_run, "expect").back()["met"] == true);
+  CHECK(kinematic_run.back()["decisions"] == physical_run.back()["decisions"]);
+
+  const auto inputs = of_kind(physical_run, "input");
+  const auto act = *std::find_if(inputs.begin(), inputs.end(), [](const Json& one) { return one["line"].is_null(); });
+  CHECK(act["symbol"] == "act done");
+  CHECK(act["event"]["program"] == "put(block6, <0.05, -0.06, 0>)");
+  CHECK(physical_run.at(act["cause"].get<std::size_t>())["status"] == "done");
+  CHECK(of_kind(physical_run, "utterance").back()["text"] == "I did put(block6, <0.05, -0.06, 0>).");
 }
 
 TEST_CASE("the same trace gives the same bytes, in either world") {

@@ -27,7 +27,10 @@ inline std::shared_ptr<const Machine> machine_of(const std::string& text) {
 class Player {
  public:
   explicit Player(const std::string& text, std::optional<Choice> choice = std::nullopt, std::uint64_t seed = 1)
-      : machine_(machine_of(text)),
+      : Player(machine_of(text), choice, seed) {}
+  explicit Player(std::shared_ptr<const Machine> machine, std::optional<Choice> choice = std::nullopt,
+                  std::uint64_t seed = 1)
+      : machine_(std::move(machine)),
         stepper_(machine_, no_methods),
         beliefs_(machine_->beliefs),
         chooser_{choice.value_or(machine_->choice), Random(seed), {}, 0} {

@@ -19,7 +19,7 @@ const Signature& names() {
     add("sweep", "region -> t");
     add("put_anywhere", "e -> term -> t");
     add("true_of", "((e -> t) -> t) -> t");
-    add("attribute", "e -> text -> text");
+    add("affords", "e -> text -> t");
     return names;
   }();
   return all;
@@ -27,11 +27,11 @@ const Signature& names() {
 
 // A cup holds things, a plate carries them; of other things nothing is known.
 const Rules& facts() {
-  static const Rules rules = {{"attribute", {2, [](auto a, Evaluation&) {
-                                               const auto& object = a[0].name();
-                                               if (object == "cup") return Term::text("containment");
-                                               return object == "plate" ? Term::text("support") : Term::null();
-                                             }}}};
+  static const Rules rules = {{"affords", {2, [](auto a, Evaluation&) {
+                                             const auto &object = a[0].name(), &what = a[1].text_value();
+                                             if (object == "cup") return Term::truth(what == "in");
+                                             return object == "plate" ? Term::truth(what == "on") : Term::null();
+                                           }}}};
   return rules;
 }
 

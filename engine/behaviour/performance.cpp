@@ -1,0 +1,118 @@
+#include "behaviour/performance.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "behaviour/performance_turn.h"
+#include "behaviour/planner.h"
+
+namespace continua {
+namespace {
+
+using Status = ActReport::Status;
+
+bool moves_arm(Capability what) { return what != Capability::look && what != Capability::signal; }
+
+bool stops(const Term& program, Perspective perspective) {
+  const auto command = plan(program, false, perspective);
+  return command && command->what == Capability::stop;
+}
+
+// Where things are that have moved is where they were before the act.
+void remember_places(const ActUnderWay& act, const WorldSnapshot& world, Bindings& was) {
+  for (const auto& object : world.objects) {
+    const auto before = act.before.find(object.name);
+    if (before != act.before.end() && (object.p_WO - before->second).norm() > contact_m)
+      was[object.name] = act.places_before.at(object.name);
+  }
+}
+
+ActUnderWay under_way(AskedAct act, const WorldSnapshot& world) {
+  ActUnderWay doing;
+  doing.end.act = std::move(act);
+  doing.held_before = world.held;
+  doing.before = places_of(world);
+  for (const auto& object : world.objects) doing.places_before.emplace(object.name, place_term(object, world));
+  return doing;
+}
+
+}  // namespace
+
+void Performer::begin(Performance& performance, AskedAct act) const {
+  performance.stopping = performance.stopping || stops(act.program, circumstances_.perspective());
+  performance.waiting.emplace_back(std::move(act));
+}
+
+std::optional<AvatarCommand> Performer::begin(Performance& performance, AvatarCommand gesture) const {
+  gesture.id = ++performance.commands;
+  if (performance.idle() || !moves_arm(gesture.what)) return gesture;
+  performance.waiting.emplace_back(std::move(gesture));
+  return std::nullopt;
+}
+
+std::optional<PerformanceEvent> Performer::next(Performance& performance, const WorldSnapshot& world) {
+  circumstances_.see(world);
+  if (performance.stopping) give_up(performance, world);
+  if (!performance.given_up.empty()) {
+    ActEnd end = std::move(performance.given_up.front());
+    performance.given_up.pop_front();
+    return end;
+  }
+  if (!performance.doing) {
+    if (performance.waiting.empty()) return std::nullopt;
+    auto waiting = std::move(performance.waiting.front());
+    performance.waiting.pop_front();
+    if (auto* gesture = std::get_if<AvatarCommand>(&waiting)) return GestureCommand{std::move(*gesture)};
+    performance.doing = under_way(std::get<AskedAct>(std::move(waiting)), world);
+    PerformanceTurn(catalogue_, circumstances_, *performance.doing).begin(performance.was);
+  }
+  ActUnderWay& doing = *performance.doing;
+  if (doing.in_flight) return std::nullopt;
+  if (auto step = PerformanceTurn(catalogue_, circumstances_, doing).step()) {
+    if (step->command) doing.in_flight = step->command->id = ++performance.commands;
+    return *std::move(step);
+  }
+  remember_places(doing, world, performance.was);
+  ActEnd end = std::move(doing.end);
+  performance.doing.reset();
+  return end;
+}
+
+// All that was asked for before the last stop.
+void Performer::give_up(Performance& performance, const WorldSnapshot& world) const {
+  performance.stopping = false;
+  const auto stop = [&](ActEnd end) {
+    end.status = Status::stopped;
+    performance.given_up.push_back(std::move(end));
+  };
+  if (performance.doing) {
+    remember_places(*performance.doing, world, performance.was);
+    stop(std::move(performance.doing->end));
+    performance.doing.reset();
+  }
+  const auto is_stop = [&](const auto& waiting) {
+    const auto* asked = std::get_if<AskedAct>(&waiting);
+    return asked && stops(asked->program, circumstances_.perspective());
+  };
+  auto& waiting = performance.waiting;
+  const auto last = std::find_if(waiting.rbegin(), waiting.rend(), is_stop).base() - 1;
+  for (auto each = waiting.begin(); each != last; ++each)
+    if (auto* asked = std::get_if<AskedAct>(&*each)) stop({std::move(*asked), {}, {}, {}, {}});
+  waiting.erase(waiting.begin(), last);
+}
+
+void Performer::reported(Performance& performance, const ActReport& report) const {
+  if (!performance.doing || performance.doing->in_flight != report.id || report.status == Status::started) return;
+  ActUnderWay& doing = *performance.doing;
+  doing.in_flight.reset();
+  if (doing.ending) return;
+  ActEnd& end = doing.end;
+  if (report.position_error_m > 0) end.position_error_m = report.position_error_m;
+  if (!report.reason.empty()) end.reason = report.reason;
+  end.moved_aside.insert(end.moved_aside.end(), report.moved_aside.begin(), report.moved_aside.end());
+  if (report.status == Status::done) return;
+  end.status = report.status;
+  doing.ending = true;
+}
+
+}  // namespace continua

@@ -1,0 +1,57 @@
+// One turn of an act under way: from where it is in its programs to the next thing for the body.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "behaviour/performance.h"
+
+namespace continua {
+
+/// Where the things of the world are, by name.
+std::map<std::string, Vec3> places_of(const WorldSnapshot& world);
+
+class PerformanceTurn {
+ public:
+  /// All must outlive the turn.
+  PerformanceTurn(const Catalogue* catalogue, const Circumstances& circumstances, ActUnderWay& act)
+      : catalogue_(catalogue), circumstances_(circumstances), act_(act) {}
+
+  /// Begins the act's program; `was` says where things were.
+  void begin(const Bindings& was);
+  /// The next step, its command without id; nothing once the act has ended, with what came of it in `end`.
+  std::optional<ActStep> step();
+
+ private:
+  using Frame = ProgramFrame;
+
+  void perform(const Term& program, bool documented);
+  void perform_event(const Expression& event);
+  void push(Frame frame);
+  void define(const Expression& event);
+  void repeat(const Expression& event);
+  std::optional<Bindings> bind(const Voxeme& voxeme, const Term& program, bool documented);
+  Term resolved(const Term& term, const Bindings& was) const;
+  Term fixed_place(const Term& thing, const Term& place) const;
+
+  void advance();
+  void advance_loop(const Subevent& loop);
+  std::optional<ActStep> own_step();
+  std::optional<ActStep> let_go();
+  bool prepare(Frame& frame);
+  const Term* there_already(const Voxeme& voxeme, const Bindings& bindings) const;
+  std::optional<Goal> next_goal(const std::string& object) const;
+  Expression event_of(const Subevent& subevent) const;
+  Term of_body(const Term& program, bool documented) const;
+  std::optional<bool> decided(const Expression& condition, const Bindings& bindings);
+  ActStep new_step(Term program) { return {act_.end.act.number, ++act_.steps, std::move(program), {}, {}}; }
+  void fail(ActReport::Status status, std::string reason);
+
+  const WorldSnapshot& world() const { return circumstances_.world(); }
+
+  const Catalogue* catalogue_;
+  const Circumstances& circumstances_;
+  ActUnderWay& act_;
+};
+
+}  // namespace continua

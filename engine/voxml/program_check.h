@@ -1,0 +1,16 @@
+// Whether the steps of programs name what exists.
+#pragma once
+
+#include <vector>
+
+#include "voxml/catalogue.h"
+
+namespace continua {
+
+/// What is wrong with the programs' steps, each at its document: an event that names no program, a condition or place
+/// that names no relation, or one of them with another number of arguments. An agent may be left out, and the thing of
+/// a place is: at(y,z), near(z). Beside what the catalogue has there are
+/// def(loc(y),as('l1')) and repeat(2,'swap(y,z)').
+std::vector<Error> check_programs(const Catalogue& catalogue);
+
+}  // namespace continua

@@ -1,0 +1,25 @@
+// A bar on standard error, where that is a terminal, for what takes long.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace continua {
+
+/// How far several things are, together. Not safe to use from several threads at once.
+class Progress {
+ public:
+  explicit Progress(std::size_t count);
+
+  /// `done`: 0 … 1.
+  void show(std::size_t index, double done);
+  /// Takes the bar off the screen until it is shown again.
+  void clear();
+
+ private:
+  const bool on_terminal_;
+  std::vector<double> done_;
+  int shown_percent_ = -1;
+};
+
+}  // namespace continua

@@ -1,0 +1,203 @@
+#include "replay/run_approved.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/located_json.h"
+#include "replay/line_scan.h"
+#include "replay/run_log.h"
+
+namespace continua {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view trace_ending = ".trace.jsonl";
+
+std::string beside(const std::string& trace_path, const char* ending) {
+  const std::string_view trace = trace_path;
+  const auto stem = trace.ends_with(trace_ending)
+                        ? trace.substr(0, trace.size() - trace_ending.size())
+                        : trace.substr(0, trace.size() - fs::path(trace).extension().string().size());
+  return std::string(stem) + ending;
+}
+
+bool is_whole_log(const ApprovedRun& approved) { return approved.path.ends_with(".jsonl"); }
+
+Json part(const Json& record, const char* pointer) {
+  const Json::json_pointer at(pointer);
+  return record.contains(at) ? record[at] : Json();
+}
+
+// A run log as text, with what its first and last line say. Of poses there may be very many: they are never parsed.
+struct Log {
+  std::vector<std::string_view> lines;
+  Json header, end;
+};
+
+Result<Log> read_log(std::string_view text, const std::string& name) {
+  Log log;
+  while (!text.empty()) {
+    const auto length = std::min(text.find('\n'), text.size());
+    log.lines.push_back(text.substr(0, length));
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  if (log.lines.empty()) return Error{name, "is empty; expected a run log"};
+  auto header = parse_json_line(log.lines.front(), name, 1);
+  if (!header) return header.error();
+  auto end = parse_json_line(log.lines.back(), name, log.lines.size());
+  if (!end) return end.error();
+  log.header = *std::move(header);
+  log.end = *std::move(end);
+  if (part(log.header, "/kind") != "run") return Error{name + ":1", "is no header of a run log"};
+  if (part(log.end, "/kind") != "end")
+    return Error{fmt::format("{}:{}", name, log.lines.size()), "the log is cut short; expected an 'end'"};
+  return log;
+}
+
+bool same_bytes(Log a, Log b) {
+  for (Log* log : {&a, &b}) {
+    log->header.erase("fingerprint");
+    log->end.erase("digest");
+  }
+  return a.lines.size() == b.lines.size() && a.header == b.header && a.end == b.end &&
+         std::equal(a.lines.begin() + 1, a.lines.end() - 1, b.lines.begin() + 1);
+}
+
+// The decisions of a log, one after another; null after the last.
+class Decisions {
+ public:
+  Decisions(const Log& log, const std::string& name) : log_(log), name_(name) {}
+
+  Result<Json> next() {
+    for (; at_ < log_.lines.size(); ++at_) {
+      bool is_pose = false;
+      const auto look = [&](std::string_view key, std::string_view value) {
+        is_pose = is_pose || (key == "\"kind\"" && value == "\"pose\"");
+      };
+      if (scan_members(log_.lines[at_], look) && is_pose) continue;
+      auto record = parse_json_line(log_.lines[at_], name_, at_ + 1);
+      if (!record) return record.error();
+      if (auto decision = decision_of(*record)) {
+        ++at_;
+        return *std::move(decision);
+      }
+    }
+    return Json();
+  }
+
+ private:
+  const Log& log_;
+  const std::string& name_;
+  std::size_t at_ = 0;
+};
+
+std::string named(const Json& decision) {
+  const auto kind = decision["kind"].get<std::string>();
+  return decision.contains("t") ? fmt::format("{} at {} s", kind, compact(decision["t"])) : kind;
+}
+
+// Two texts from a little before where they part.
+std::string parting(const std::string& now, const std::string& approved) {
+  constexpr std::size_t before = 24, longest = 100;
+  const auto parted = std::mismatch(now.begin(), now.end(), approved.begin(), approved.end()).first;
+  const auto from = std::max<std::ptrdiff_t>(parted - now.begin() - static_cast<std::ptrdiff_t>(before), 0);
+  const auto cut = [from](const std::string& text) {
+    const auto inside = [&](std::size_t at) { return at < text.size() && (text[at] & 0xC0) == 0x80; };
+    auto first = static_cast<std::size_t>(from), last = std::min(first + longest, text.size());
+    while (inside(first)) ++first;
+    while (inside(last)) ++last;
+    return (first > 0 ? "…" : "") + text.substr(first, last - first) + (last < text.size() ? "…" : "");
+  };
+  return fmt::format("{}, approved {}", cut(now), cut(approved));
+}
+
+std::string difference(const Json& now, const Json& approved) {
+  if (now.is_null()) return fmt::format("the run ends; approved it goes on with {}", named(approved));
+  if (approved.is_null()) return fmt::format("the run goes on with {}; approved it ends", named(now));
+  if (now["kind"] != approved["kind"]) return fmt::format("{}, approved {}", named(now), named(approved));
+  const auto of = [](const Json& fields, const std::string& key) {
+    return fields.contains(key) ? compact(fields[key]) : "nothing";
+  };
+  for (const auto& fields : {now["fields"], approved["fields"]})
+    for (const auto& [key, value] : fields.items())
+      if (of(now["fields"], key) != of(approved["fields"], key))
+        return fmt::format("{}: {} {}", named(now), key, parting(of(now["fields"], key), of(approved["fields"], key)));
+  return fmt::format("{}, approved {}", named(now), named(approved));
+}
+
+Result<RunComparison> compare_logs(const Log& run, const ApprovedRun& approved) {
+  const auto other = read_log(approved.content, approved.path);
+  if (!other) return other.error();
+  if (part(run.header, "/trace/digest") != part(other->header, "/trace/digest"))
+    return RunComparison{Sameness::stale, ""};
+  if (same_bytes(run, *other)) return RunComparison{Sameness::same, ""};
+  Decisions now(run, approved.path), before(*other, approved.path);
+  for (;;) {
+    const auto a = now.next(), b = before.next();
+    if (!a) return a.error();
+    if (!b) return b.error();
+    if (*a != *b) return RunComparison{Sameness::changed, difference(*a, *b)};
+    if (a->is_null()) return RunComparison{Sameness::same_decisions, ""};
+  }
+}
+
+Json digests_of(const Log& run) {
+  return {{"approved", 1},
+          {"trace", part(run.header, "/trace/digest")},
+          {"world", part(run.header, "/world")},
+          {"decisions", part(run.end, "/decisions")},
+          {"digest", part(run.end, "/digest")},
+          {"counts", part(run.end, "/counts")}};
+}
+
+Result<RunComparison> compare_digests(const Log& run, const ApprovedRun& approved) {
+  const auto document = LocatedJson::parse(approved.content, approved.path);
+  if (!document) return document.error();
+  const Json now = digests_of(run), before = document->root();
+  if (!before.is_object() || part(before, "/approved") != 1)
+    return Error{approved.path, "is no approved run; expected \"approved\": 1"};
+  if (now["trace"] != part(before, "/trace")) return RunComparison{Sameness::stale, ""};
+  if (now["digest"] == part(before, "/digest")) return RunComparison{Sameness::same, ""};
+  if (now["decisions"] == part(before, "/decisions")) return RunComparison{Sameness::same_decisions, ""};
+  const auto counts = part(before, "/counts");
+  for (const auto& [kind, count] : now["counts"].items())
+    if (const Json was = counts.is_object() && counts.contains(kind) ? counts[kind] : Json(0);
+        was != count && decision_of({{"kind", kind}}))
+      return RunComparison{Sameness::changed,
+                           fmt::format("{} records of {}, approved {}", compact(count), kind, compact(was))};
+  return RunComparison{Sameness::changed, "decisions differ; only their digest was approved"};
+}
+
+}  // namespace
+
+Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_path) {
+  std::optional<ApprovedRun> found;
+  for (const char* ending : {".run.jsonl", ".run.json"}) {
+    const auto path = beside(trace_path, ending);
+    if (!fs::exists(path)) continue;
+    if (found) return Error{path, fmt::format("is approved beside {}; expected one of them", found->path)};
+    auto content = read_file(path);
+    if (!content) return content.error();
+    found = ApprovedRun{path, *std::move(content)};
+  }
+  return found;
+}
+
+ApprovedRun approval_of(const std::string& trace_path, std::string_view run, const std::optional<ApprovedRun>& before) {
+  const bool whole = before ? is_whole_log(*before) : true;
+  if (whole && run.size() <= longest_approved_log) return {beside(trace_path, ".run.jsonl"), std::string(run)};
+  const auto log = read_log(run, trace_path);
+  require(log.ok(), "a run is a run log");
+  return {beside(trace_path, ".run.json"), digests_of(*log).dump(2) + "\n"};
+}
+
+Result<RunComparison> compare_to_approved(std::string_view run, const ApprovedRun& approved) {
+  const auto log = read_log(run, "the run");
+  require(log.ok(), "a run is a run log");
+  return is_whole_log(approved) ? compare_logs(*log, approved) : compare_digests(*log, approved);
+}
+
+}  // namespace continua

@@ -1,0 +1,44 @@
+// Approved runs: what the replay of a trace is held against (traces/FORMAT.md, Approved runs). Reads and writes run
+// logs as text; knows nothing of replays.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace continua {
+
+/// Runs with longer logs are approved by their digests alone.
+inline constexpr std::size_t longest_approved_log = 256 * 1024;
+
+/// The file beside a trace that says how its run is to go.
+struct ApprovedRun {
+  std::string path;  ///< NAME.run.jsonl: a whole log; NAME.run.json: its digests
+  std::string content;
+};
+
+/// That of a trace, NAME.trace.jsonl; nullopt if there is none. An error if it cannot be read or there are both.
+Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_path);
+
+/// What to write to approve a run: its log, or its digests if the log is long or `before` has no more. A path that is
+/// another than that of `before` takes its place.
+ApprovedRun approval_of(const std::string& trace_path, std::string_view run, const std::optional<ApprovedRun>& before);
+
+enum class Sameness {
+  same,            ///< every byte, but for what the run was made with
+  same_decisions,  ///< of another world, another machine file, …
+  changed,
+  stale,  ///< the approved run was made from another trace
+};
+
+struct RunComparison {
+  Sameness sameness = Sameness::same;
+  std::string difference;  ///< of decisions, the first; one line
+};
+
+/// `run`: the log of a replay. An error if the approved run is none, or is cut short.
+Result<RunComparison> compare_to_approved(std::string_view run, const ApprovedRun& approved);
+
+}  // namespace continua

@@ -1,0 +1,39 @@
+// Which parts of an utterance pointing can give content to.
+#include "language/demonstratives.h"
+
+#include "english.h"
+#include "language/parser.h"
+#include "support/catch.h"
+
+using namespace continua;
+
+namespace {
+
+// "that cup!, the plate": those that need pointing with an exclamation mark.
+std::string takers(const char* text) {
+  const auto words = english_words();
+  const auto utterance = read(text, words);
+  std::string all;
+  for (const auto& fragment : utterance.fragments)
+    for (const auto& [span, needs] : demonstratives(fragment.readings.front(), words.operators())) {
+      all += all.empty() ? "" : ", ";
+      for (auto i = span.begin; i < span.end; ++i) all += (i > span.begin ? " " : "") + utterance.words[i];
+      all += needs ? "!" : "";
+    }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("demonstratives need pointing, definite noun phrases and nouns alone can use it") {
+  CHECK(takers("put it there") == "there!");
+  CHECK(takers("put that there") == "that!, there!");
+  CHECK(takers("put that on that") == "that!, that!");
+  CHECK(takers("put the knife in the blue cup") == "the knife, the blue cup");
+  CHECK(takers("cup") == "cup");
+  CHECK(takers("in that blue cup") == "that blue cup!");
+  CHECK(takers("the cup behind that plate") == "the cup behind that plate!");
+  CHECK(takers("take a cup") == "");
+  CHECK(takers("never mind") == "");
+  CHECK(takers("no, that one") == "that one!");
+}

@@ -1,0 +1,255 @@
+// continua check: what becomes of a trace whose run was approved, once something is another.
+#include <unistd.h>
+
+#include <functional>
+#include <set>
+#include <sstream>
+
+#include "core/digest.h"
+#include "core/located_json.h"
+#include "replay/check.h"
+#include "replay/commands/check.h"
+#include "replay/commands/junit.h"
+#include "replay/run_log.h"
+#include "support/catch.h"
+#include "support/temporary_folder.h"
+
+using namespace continua;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string conversation =
+    R"({"kind":"trace","version":1,"scene":"place_setting","machine":"interaction"}
+{"t":1,"kind":"speech","text":"Put the knife in the blue cup."}
+{"t":2,"kind":"expect","act":"put(knife, in(cup_blue))"
+}
+{"t":3,"kind":"end"}
+)";
+
+TraceCheck checked(const std::string& trace) {
+  ReplayOptions options;
+  options.physics = false;
+  return check_trace(trace, options);
+}
+
+// A trace and its approved run in a folder of their own.
+struct Approved {
+  TemporaryFolder folder;
+  std::string trace = folder.file("one.trace.jsonl", conversation);
+  std::string run_path = folder.at("one.run.jsonl");
+  std::string run = checked(trace).run;
+  Approved() { folder.file("one.run.jsonl", run); }
+};
+
+std::string replaced(std::string text, const std::string& old, const std::string& with) {
+  const auto at = text.find(old);
+  INFO(old);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, old.size(), with);
+}
+
+std::string verdict_and_reason(const TraceCheck& check) {
+  return std::string(text(check.verdict)) + (check.reason.empty() ? "" : ": " + check.reason);
+}
+
+// The text without the names of temporary folders.
+std::string without(std::string text, const std::string& folder) {
+  for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder)) text.erase(at, folder.size() + 1);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a trace is held against the run beside it") {
+  struct Case {
+    const char* what;
+    std::function<void(Approved&)> change;
+    const char* verdict;
+  };
+  const auto in_run = [](const char* old, const char* with) {
+    return [=](Approved& one) { one.folder.file("one.run.jsonl", replaced(one.run, old, with)); };
+  };
+  const auto in_trace = [](const char* old, const char* with) {
+    return [=](Approved& one) { one.folder.file("one.trace.jsonl", replaced(conversation, old, with)); };
+  };
+  const Case cases[] = {
+      {"nothing", [](Approved&) {}, "same"},
+      {"what it was made with", in_run(R"("arch":")", R"("arch":"another )"), "same"},
+      {"no decision", in_run(R"("world":"kinematic")", R"("world":"physics")"), "same decisions"},
+      {"what was said", in_run(R"("text":"Okay.")", R"("text":"Well.")"),
+       R"(changed: utterance at 1 s: text "Okay.", approved "Well.")"},
+      {"when it was said", in_run(R"("t":1.0,"cause")", R"("t":0.5,"cause")"),
+       "changed: reading at 1.0 s, approved reading at 0.5 s"},
+      {"another kind of record", in_run(R"("kind":"utterance")", R"("kind":"gesture")"),
+       "changed: utterance at 1.0 s, approved gesture at 1.0 s"},
+      {"a record fewer", in_run(R"("kind":"expect")", R"("kind":"other")"),
+       "changed: the run goes on with expect at 2.0 s; approved it ends"},
+      {"a record more", in_run(R"({"kind":"end")", "{\"kind\":\"problem\"}\n{\"kind\":\"memory\",\"t\":3}\n{\"kind\":\"end\""),
+       "changed: the run ends; approved it goes on with memory at 3 s"},
+      {"the trace", in_trace("\"t\":3", "\"t\":4"), "stale: one.run.jsonl was made from another trace"},
+      {"what is expected", in_trace("cup_blue)\"", "plate)\""),
+       R"(broken: one.trace.jsonl:3: expected {"act":"put(knife, in(plate))"}, found {"act":"put(knife, in(cup_blue))"})"},
+      {"the trace is none", in_trace("\"version\":1", "\"version\":7"), "broken"},
+      {"the run is cut short", [](Approved& one) {
+    one.folder.file("one.run.jsonl", one.run.substr(0, one.run.rfind("{\"kind\":\"end\""))); },
+       "broken"},
+      {"the run is empty", [](Approved& one) {
+    one.folder.file("one.run.jsonl", ""); }, "broken"},
+      {"the run is none", [](Approved& one) {
+    one.folder.file("one.run.jsonl", "[]\n7\n"); }, "broken"},
+      {"approved twice", [](Approved& one) {
+    one.folder.file("one.run.json", "{}"); }, "broken"},
+      {"no approved run", [](Approved& one) {
+    fs::remove(one.run_path); }, "new: no run is approved"},
+  };
+  for (const auto& [what, change, verdict] : cases) {
+    Approved one;
+    change(one);
+    INFO(what);
+    const auto found = without(verdict_and_reason(checked(one.trace)), one.folder.path().string());
+    const std::string wanted = verdict;
+    CHECK((wanted == "broken" ? found.substr(0, 8) : found) == (wanted == "broken" ? "broken: " : wanted));
+  }
+}
+
+TEST_CASE("a run that was approved by its digests is held against them") {
+  Approved one;
+  fs::remove(one.run_path);
+  const auto approval = approval_of(one.trace, one.run, ApprovedRun{one.folder.at("one.run.json"), "{}"});
+  CHECK(approval.path == one.folder.at("one.run.json"));
+  struct Case {
+    const char* key;
+    Json value;
+    const char* verdict;
+  };
+  const Case cases[] = {{"approved", 1, "same"},
+                        {"digest", "0", "same decisions"},
+                        {"trace", "0", "stale"},
+                        {"approved", 2, "broken"},
+                        {"counts", nullptr, "same"}};
+  for (const auto& [key, value, verdict] : cases) {
+    auto digests = Json::parse(approval.content);
+    digests[key] = value;
+    one.folder.file("one.run.json", digests.dump());
+    CAPTURE(key, value.dump());
+    CHECK(text(checked(one.trace).verdict) == std::string(verdict));
+  }
+  auto changed = Json::parse(approval.content);
+  changed["digest"] = changed["decisions"] = "0";
+  one.folder.file("one.run.json", changed.dump());
+  CHECK(checked(one.trace).reason == "decisions differ; only their digest was approved");
+  changed["counts"]["utterance"] = 7;
+  one.folder.file("one.run.json", changed.dump());
+  CHECK(checked(one.trace).reason == "1 records of utterance, approved 7");
+  one.folder.file("one.run.json", "[");
+  CHECK(checked(one.trace).verdict == Verdict::broken);
+}
+
+TEST_CASE("a long run is approved by its digests, and takes the place of what was there") {
+  Approved one;
+  std::string longer = one.run;
+  const auto pose = std::string(R"({"kind":"pose","n":1,"t":1,"bodies":{}})") + "\n";
+  const auto end = longer.rfind("{\"kind\":\"end\"");
+  std::string poses;
+  while (poses.size() < longest_approved_log) poses += pose;
+  longer.insert(end, poses);
+  CHECK(approval_of(one.trace, one.run, std::nullopt).path == one.run_path);
+  CHECK(approval_of(one.trace, longer, std::nullopt).path == one.folder.at("one.run.json"));
+  CHECK(approval_of(one.trace, longer, ApprovedRun{one.run_path, one.run}).path == one.folder.at("one.run.json"));
+  one.folder.file("one.run.jsonl", longer);
+  CHECK(checked(one.trace).verdict == Verdict::same_decisions);
+}
+
+TEST_CASE("the decisions of a log are those whose digest its end states") {
+  const Approved one;
+  RunningDigest decisions;
+  Json last;
+  std::istringstream lines(one.run);
+  for (std::string line; std::getline(lines, line);) {
+    last = Json::parse(line);
+    if (const auto decision = decision_of(last)) decisions.add(compact(*decision));
+  }
+  CHECK(decisions.text() == last["decisions"]);
+}
+
+TEST_CASE("to approve is to write the runs that are not as they were approved") {
+  TemporaryFolder folder;
+  const auto fresh = folder.file("a.trace.jsonl", conversation);
+  folder.file("b.trace.jsonl", replaced(conversation, "blue", "white"));  // not as it expects
+  CheckOptions options;
+  options.paths = {folder.path().string()};
+  options.physics = false;
+  options.junit = folder.at("junit.xml");
+  CHECK(run_check(options) == exit_no);
+  options.approve = true;
+  if (!isatty(STDIN_FILENO)) {
+    CHECK(run_check(options) == exit_impossible);
+    CHECK_FALSE(fs::exists(folder.at("a.run.jsonl")));
+  }
+  options.yes = true;
+  CHECK(run_check(options) == exit_no);
+  CHECK(checked(fresh).verdict == Verdict::same);
+  CHECK_FALSE(fs::exists(folder.at("b.run.jsonl")));
+  CHECK(read_file(options.junit).value().find("tests=\"2\" failures=\"1\"") != std::string::npos);
+
+  fs::remove(folder.at("b.trace.jsonl"));
+  folder.file("a.trace.jsonl", replaced(conversation, "\"t\":3", "\"t\":4"));
+  options.approve = options.yes = false;
+  CHECK(run_check(options) == exit_no);  // stale
+  options.approve = options.yes = true;
+  CHECK(run_check(options) == exit_done);
+  options.approve = options.yes = false;
+  CHECK(run_check(options) == exit_done);
+}
+
+TEST_CASE("shards are parts, and together the whole") {
+  struct Case {
+    const char* text;
+    bool valid;
+  };
+  for (const auto& [text, valid] : {Case{"1/1", true},
+                                    {"2/4", true},
+                                    {"4/4", true},
+                                    {"0/4", false},
+                                    {"5/4", false},
+                                    {"", false},
+                                    {"1", false},
+                                    {"1/", false},
+                                    {"/1", false},
+                                    {"1/2x", false},
+                                    {"-1/2", false},
+                                    {"1/99999999999999999999999", false}}) {
+    CAPTURE(text);
+    CHECK(parse_shard(text).has_value() == valid);
+  }
+  TemporaryFolder folder;
+  for (int i = 0; i < 3; ++i) folder.file(std::string(1, static_cast<char>('a' + i)) + ".trace.jsonl", conversation);
+  CheckOptions options;
+  options.paths = {folder.path().string()};
+  options.physics = false;
+  options.junit = folder.at("junit.xml");
+  std::multiset<std::string> names;
+  for (std::size_t index = 1; index <= 2; ++index) {
+    options.shard = {index, 2};
+    CHECK(run_check(options) == exit_done);
+    const auto xml = read_file(options.junit).value();
+    for (const std::string name : {"a", "b", "c"})
+      if (xml.find("name=\"" + name + ".trace.jsonl\"") != std::string::npos) names.insert(name);
+  }
+  CHECK(names == std::multiset<std::string>{"a", "b", "c"});
+}
+
+TEST_CASE("JUnit's XML of what holds and what does not") {
+  CHECK(junit_xml("s", {{"f", "a<b>&\"c\"", ""}, {"f", "d", "x\ny"}}) ==
+        R"(<?xml version="1.0" encoding="UTF-8"?>
+<testsuites name="s" tests="2" failures="1" errors="0">
+  <testsuite name="s" tests="2" failures="1" errors="0">
+    <testcase classname="f" name="a&lt;b&gt;&amp;&quot;c&quot;"/>
+    <testcase classname="f" name="d">
+      <failure message="x y"/>
+    </testcase>
+  </testsuite>
+</testsuites>
+)");
+}

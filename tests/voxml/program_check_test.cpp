@@ -1,0 +1,62 @@
+#include "voxml/program_check.h"
+
+#include "support/catch.h"
+
+using namespace continua;
+
+namespace {
+
+void add(Catalogue& catalogue, Voxeme::Entity entity, const char* name, std::vector<VoxemeArgument> arguments,
+         const char* body = nullptr) {
+  Voxeme voxeme;
+  voxeme.entity = entity;
+  voxeme.predicate = name;
+  voxeme.path = std::string(name) + ".xml";
+  voxeme.arguments = std::move(arguments);
+  if (body) voxeme.body = parse_subevents(body).value();
+  catalogue.add(std::move(voxeme));
+}
+
+// What is wrong with a program whose steps are these.
+std::string wrong(const char* body) {
+  const VoxemeArgument x{"x", "agent"}, y{"y", "physobj"}, z{"z", "location"};
+  Catalogue catalogue;
+  add(catalogue, Voxeme::Entity::relation, "at", {y, z});
+  add(catalogue, Voxeme::Entity::relation, "near", {y, z});
+  add(catalogue, Voxeme::Entity::relation, "hold", {x, y});
+  add(catalogue, Voxeme::Entity::program, "grasp", {x, y}, "grasp(x,y)");
+  add(catalogue, Voxeme::Entity::program, "go", {x, y, {"a", "T[]"}}, "go(x,y)");
+  add(catalogue, Voxeme::Entity::program, "tried", {x, y, z}, body);
+  std::string all;
+  for (const auto& problem : check_programs(catalogue)) all += problem.text() + "\n";
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("Steps name programs and relations that exist, with as many arguments as they have") {
+  CHECK(wrong("grasp(x,y);while(hold(x,y)^!at(y,z)):tried(x,y,z);if(at(y,z)):grasp(y);while(hold(y))").empty());
+  CHECK(wrong("def(loc(y),as('l1'));tried(x,y,near(z));tried(y,loc(z));repeat(2,'grasp(y)')").empty());
+  CHECK(wrong("go(x,y);go(x,y,z,'A.Plan',loc(y),z)").empty());
+  CHECK(wrong("go()") == "tried.xml: 'go()': the program 'go' has 3 arguments\n");
+  CHECK(wrong("grab(x,y)") == "tried.xml: 'grab(x, y)': there is no program 'grab'\n");
+  CHECK(wrong("grasp(x,y,z)") == "tried.xml: 'grasp(x, y, z)': the program 'grasp' has 2 arguments\n");
+  CHECK(wrong("grasp") == "tried.xml: 'grasp': there is no program 'grasp'\n");
+  CHECK(wrong("while(hold(x,y)^!over(y,z)):grasp(x,y)") == "tried.xml: 'over(y, z)': there is no relation 'over'\n");
+  CHECK(wrong("if(at(y)):grasp(y)") == "tried.xml: 'at(y)': the relation 'at' has 2 arguments\n");
+  CHECK(wrong("tried(x,y,near(y,z))") == "tried.xml: 'near(y, z)': the relation 'near' has 2 arguments\n");
+  CHECK(wrong("tried(x,y,over(z))") == "tried.xml: 'over(z)': there is no relation 'over'\n");
+  CHECK(wrong("def(y)") == "tried.xml: 'def(y)': expected def(loc(y),as('l1'))\n");
+  CHECK(wrong("repeat(2)") == "tried.xml: 'repeat(2)': expected repeat(2,'swap(y,z)')\n");
+  CHECK(wrong("repeat(2,'grab(y)')") == "tried.xml: 'grab(y)': there is no program 'grab'\n");
+  CHECK(wrong("repeat(2,\"repeat(2,'grasp(y)')\")") ==
+        "tried.xml: 'repeat(2, 'grasp(y)')': repeats within what is repeated\n");
+}
+
+TEST_CASE("The project's own voxemes load without a note, and their programs name what exists") {
+  const auto read = read_catalogue(CONTINUA_SOURCE_DIR "/engine/knowledge/voxemes");
+  CHECK(read.documents > 0);
+  for (const auto& problem : read.problems) FAIL_CHECK(problem.text());
+  for (const auto& note : read.notes) FAIL_CHECK(note.text());
+  for (const auto& problem : check_programs(read.catalogue)) FAIL_CHECK(problem.text());
+}
