@@ -11,11 +11,8 @@
 #include "language/vocabulary.h"
 #include "machine_file/machine_loader.h"
 #include "term/raising_file.h"
-<<<<<<< HEAD
 #include "term/term_text.h"
-=======
 #include "voxml/catalogue.h"
->>>>>>> main
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -87,18 +84,15 @@ Result<Language> load_language(const DataPaths& data, const Machine& machine) {
     if (!lexicon) return lexicon.error();
     language.lexicon = *std::move(lexicon);
   }
-<<<<<<< HEAD
   if (!machine.gestures.empty()) {
     auto gestures =
         load_gestures(data, machine.gestures, language.lexicon, fmt::format("\"gestures\" of {}", machine.name));
     if (!gestures) return gestures.error();
     language.gestures = *std::move(gestures);
   }
-=======
   auto voxemes = read_catalogue((data.knowledge / "voxemes").lexically_normal().string());
   if (!voxemes.problems.empty()) return voxemes.problems.front();
   language.voxemes = std::make_shared<const Catalogue>(std::move(voxemes.catalogue));
->>>>>>> main
   const auto raising = data.knowledge / "raising.json";
   std::error_code unknown;
   if (!fs::exists(raising, unknown)) return language;

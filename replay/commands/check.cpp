@@ -37,13 +37,7 @@ bool is_data(const fs::path& path) {
   const auto folder = path.parent_path().filename();
   return path.extension() == ".json" && (folder == "phrases" || folder == "gestures");
 }
-<<<<<<< HEAD
-bool is_gestures(const fs::path& path) {
-  return path.extension() == ".json" && path.parent_path().filename() == "gestures";
-}
-=======
 bool is_voxemes(const fs::path& path) { return is_folder(path) && path.filename() == "voxemes"; }
->>>>>>> main
 bool is_trace(const fs::path& path) { return path.string().ends_with(".trace.jsonl"); }
 // Goes with its trace.
 bool is_approved_run(const fs::path& path) {
@@ -59,12 +53,7 @@ void collect(const fs::path& path, std::vector<fs::path>& items) {
   for (const auto& entry : fs::directory_iterator(path, problem)) entries.push_back(entry.path());
   std::sort(entries.begin(), entries.end());
   for (const auto& entry : entries)
-<<<<<<< HEAD
-    if (is_folder(entry) || is_machine(entry) || is_phrases(entry) || is_gestures(entry) || is_trace(entry))
-      collect(entry, items);
-=======
     if (is_folder(entry) || is_machine(entry) || is_data(entry) || is_trace(entry)) collect(entry, items);
->>>>>>> main
 }
 
 // What came out for one file.
@@ -81,22 +70,6 @@ class Checking {
   Checking(const CheckOptions& options, const DataPaths& data, std::vector<fs::path> items)
       : options_(options), data_(data), items_(std::move(items)), findings_(items_.size()), progress_(items_.size()) {}
 
-<<<<<<< HEAD
-  int run() {
-    auto paths = options_.paths;
-    if (paths.empty()) paths = {data_.knowledge.string()};
-    std::vector<fs::path> items;
-    for (const auto& path : paths) collect(fs::path(path).lexically_normal(), items);
-    for (const auto& item : items) {
-      if (is_lexicon(item))
-        lexicon(item);
-      else if (is_phrases(item) || is_gestures(item))
-        file(item);
-      else if (item.extension() == ".jsonl")
-        trace(item);
-      else
-        machine(item);
-=======
   void run() {
     std::vector<std::thread> threads;
     const auto count = std::min(static_cast<std::size_t>(std::max(1, options_.jobs)), items_.size());
@@ -118,7 +91,6 @@ class Checking {
       std::string failure = finding.status == exit_done ? "" : finding.verdict;
       for (const auto& problem : finding.problems) failure += "; " + problem;
       cases.push_back({items_[i].parent_path().string(), items_[i].filename().string(), failure});
->>>>>>> main
     }
     return cases;
   }
@@ -194,10 +166,6 @@ class Checking {
     return examples((*lexicon)->examples.size(), std::move(problems));
   }
 
-<<<<<<< HEAD
-  // What its reader checks is all there is to check.
-  void file(const fs::path& path) {
-=======
   Finding voxemes(const fs::path& folder) {
     const auto read = read_catalogue(folder.string());
     std::vector<std::string> problems;
@@ -209,7 +177,6 @@ class Checking {
   }
 
   Finding data(const fs::path& path) {
->>>>>>> main
     const auto text = read_file(path.string());
     if (!text) return cannot_be_used(text.error());
     const auto check = check_file(*text, path.string());
@@ -296,19 +263,20 @@ int run_check(const CheckOptions& options) {
 
 void add_check_command(CLI::App& program, Run& run) {
   auto* command = program.add_subcommand(
-<<<<<<< HEAD
-      "check", "Run the examples of machines and lexicons, check phrases and traces' expectations");
-=======
       "check", "Check what the project's files say of themselves, and hold traces against their approved runs");
->>>>>>> main
   auto options = std::make_shared<CheckOptions>();
   command->add_option("PATH", options->paths,
                       "machines, folders of lexicon/, phrases, gestures, folders voxemes, traces, or folders of them;\n"
                       "the knowledge folder if left out");
   command->add_option("--knowledge", options->knowledge, "folder to use instead of engine/knowledge");
-  command->add_flag("--physics,!--no-physics", options->physics,
-                    "replay traces in MuJoCo's world, or in the kinematic one, where every act succeeds; "
-                    "MuJoCo's if left out, with --approve the kinematic one");
+  auto* physics = command->add_flag_callback(
+      "--physics", [options] { options->physics = true; },
+      "replay traces in MuJoCo's world, also with --approve, which else takes the kinematic one");
+  command
+      ->add_flag_callback(
+          "--no-physics", [options] { options->physics = false; },
+          "replay traces in the kinematic world, where every act succeeds")
+      ->excludes(physics);
   command->add_flag("--approve", options->approve,
                     "ask, then write the runs that are new or not as approved beside their traces");
   command->add_flag("--yes", options->yes, "with --approve: do not ask")->needs("--approve");

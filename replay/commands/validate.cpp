@@ -256,11 +256,7 @@ int run_validate(const ValidateOptions& options) {
 
 void add_validate_command(CLI::App& program, Run& run) {
   auto* command = program.add_subcommand(
-<<<<<<< HEAD
-      "validate", "Check traces, machines, phrases, lexicons, scenes, run logs and session logs");
-=======
-      "validate", "Check traces, machines, phrases, lexicons, voxemes, scenes, run logs and session logs");
->>>>>>> main
+      "validate", "Check traces, machines, phrases, lexicons, gestures, voxemes, scenes, run logs and session logs");
   auto options = std::make_shared<ValidateOptions>();
   command->add_option("FILE", options->files, "files of any kind, or folders of them")->required();
   command->footer("Example: continua validate traces/corner/*.trace.jsonl");
