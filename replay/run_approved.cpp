@@ -80,22 +80,26 @@ class Decisions {
       if (scan_members(log_.lines[at_], look) && is_pose) continue;
       auto record = parse_json_line(log_.lines[at_], name_, at_ + 1);
       if (!record) return record.error();
-      if (auto decision = decision_of(*record)) {
+      if (auto decision = order_.next(*record)) {
         ++at_;
         return *std::move(decision);
       }
     }
-    return Json();
+    if (!outcomes_) outcomes_ = order_.outcomes();
+    return told_ < outcomes_->size() ? (*outcomes_)[told_++] : Json();
   }
 
  private:
   const Log& log_;
   const std::string& name_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0, told_ = 0;
+  DecisionOrder order_;
+  std::optional<std::vector<Json>> outcomes_;  // once all records are read
 };
 
 std::string named(const Json& decision) {
   const auto kind = decision["kind"].get<std::string>();
+  if (kind == "act") return "act " + compact(part(decision, "/fields/act"));
   return decision.contains("t") ? fmt::format("{} at {} s", kind, compact(decision["t"])) : kind;
 }
 
@@ -165,7 +169,7 @@ Result<RunComparison> compare_digests(const Log& run, const ApprovedRun& approve
   const auto counts = part(before, "/counts");
   for (const auto& [kind, count] : now["counts"].items())
     if (const Json was = counts.is_object() && counts.contains(kind) ? counts[kind] : Json(0);
-        was != count && decision_of({{"kind", kind}}))
+        was != count && is_decision(kind))
       return RunComparison{Sameness::changed,
                            fmt::format("{} records of {}, approved {}", compact(count), kind, compact(was))};
   return RunComparison{Sameness::changed, "decisions differ; only their digest was approved"};

@@ -1,11 +1,13 @@
 // Writes run logs (RUNLOG.md): numbers the lines and keeps the digests that the last line states.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/digest.h"
 #include "core/located_json.h"
@@ -13,9 +15,22 @@
 
 namespace continua {
 
-/// What of a record must be equal on every machine and in every world: {"kind", "fields", "t"}. Nothing, if nothing
-/// must.
-std::optional<Json> decision_of(const Json& record);
+/// Whether records of this kind are decisions (RUNLOG.md, `decisions`).
+bool is_decision(std::string_view kind);
+
+/// Takes the records of a run one after another and gives what of them must be equal on every machine and in every
+/// world, {"kind", "fields", "t"}, in the order in which it counts.
+class DecisionOrder {
+ public:
+  /// Nothing, if the record is no decision, or tells how an act goes on.
+  std::optional<Json> next(std::string_view kind, double t_s, Json fields);
+  std::optional<Json> next(const Json& record);
+  /// After the last record: what each act came to, by the acts' numbers.
+  std::vector<Json> outcomes() const;
+
+ private:
+  std::map<std::int64_t, Json> outcomes_;
+};
 
 class RunLog {
  public:
@@ -36,7 +51,7 @@ class RunLog {
   int next_ = 0;
   std::map<std::string, int> counts_;
   RunningDigest all_, decisions_, physics_;
-  std::map<std::int64_t, std::string> outcomes_;  ///< decision line of the latest state of each act
+  DecisionOrder decision_order_;
 };
 
 }  // namespace continua

@@ -69,11 +69,11 @@ Pipeline::Heard Pipeline::heard(const EngineState& state, const Ensemble& ensemb
   for (const auto& one : ensemble.bound)
     if (one) pointings.push_back(*one);
   const auto demonstratives = understanding_->demonstratives(heard.utterance);
-  const auto bound = continua::bind(takers(heard.utterance, heard.event), pointings, window_);
+  const auto bound = assign(takers(heard.utterance, heard.event), pointings, window_);
   for (std::size_t i = 0; i < bound.size(); ++i) {
     if (!bound[i]) continue;
-    heard.showings.push_back({demonstratives[i].words, bound[i]->place_W});
-    heard.shown.push_back(bound[i]->serials);
+    heard.showings.push_back({demonstratives[i].words, pointings[*bound[i]].place_W});
+    heard.shown.push_back(pointings[*bound[i]].serials);
   }
   heard.input = to_input(heard.event, ensemble.percept.serial);
   heard.input.now_s = ensemble.at.seconds();

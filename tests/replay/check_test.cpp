@@ -20,12 +20,11 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string conversation =
-    R"({"kind":"trace","version":1,"scene":"place_setting","machine":"interaction"}
+    R"json({"kind":"trace","version":1,"scene":"place_setting","machine":"interaction"}
 {"t":1,"kind":"speech","text":"Put the knife in the blue cup."}
-{"t":2,"kind":"expect","act":"put(knife, in(cup_blue))"
-}
+{"t":2,"kind":"expect","act":"put(knife, in(cup_blue))"}
 {"t":3,"kind":"end"}
-)";
+)json";
 
 TraceCheck checked(const std::string& trace) {
   ReplayOptions options;
@@ -78,30 +77,49 @@ TEST_CASE("a trace is held against the run beside it") {
       {"what it was made with", in_run(R"("arch":")", R"("arch":"another )"), "same"},
       {"no decision", in_run(R"("world":"kinematic")", R"("world":"physics")"), "same decisions"},
       {"what was said", in_run(R"("text":"Okay.")", R"("text":"Well.")"),
-       R"(changed: utterance at 1 s: text "Okay.", approved "Well.")"},
+       R"(changed: utterance at 1.0 s: text "Okay.", approved "Well.")"},
       {"when it was said", in_run(R"("t":1.0,"cause")", R"("t":0.5,"cause")"),
        "changed: reading at 1.0 s, approved reading at 0.5 s"},
       {"another kind of record", in_run(R"("kind":"utterance")", R"("kind":"gesture")"),
        "changed: utterance at 1.0 s, approved gesture at 1.0 s"},
-      {"a record fewer", in_run(R"("kind":"expect")", R"("kind":"other")"),
-       "changed: the run goes on with expect at 2.0 s; approved it ends"},
-      {"a record more", in_run(R"({"kind":"end")", "{\"kind\":\"problem\"}\n{\"kind\":\"memory\",\"t\":3}\n{\"kind\":\"end\""),
-       "changed: the run ends; approved it goes on with memory at 3 s"},
+      {"when an act ends",
+       [](Approved& one) {
+         const auto done = one.run.rfind("{\"kind\":\"act\"");
+         const auto line = one.run.substr(done, one.run.find('\n', done) + 1 - done);
+         std::string later = one.run;
+         later.erase(done, line.size()).insert(later.rfind("{\"kind\":\"end\""), line);
+         one.folder.file("one.run.jsonl", later);
+       },
+       "same decisions"},
+      {"how an act ends", in_run(R"("status":"done")", R"("status":"dropped")"),
+       R"(changed: act 1: status "done", approved "dropped")"},
+      {"a record fewer", in_run(R"("kind":"expect")", R"("kind":"other")"), "changed: expect at 2.0 s, approved act 1"},
+      {"a record more",
+       in_run(R"({"kind":"end")", "{\"kind\":\"problem\"}\n{\"kind\":\"memory\",\"t\":3}\n{\"kind\":\"end\""),
+       "changed: act 1, approved memory at 3.0 s"},
+      {"an act fewer",
+       [](Approved& one) {
+         std::string run;
+         std::istringstream lines(one.run);
+         for (std::string line; std::getline(lines, line);)
+           if (!line.starts_with(R"({"kind":"act")") || line.find(R"("asked")") != std::string::npos)
+             run += line + "\n";
+         one.folder.file("one.run.jsonl", run);
+       },
+       "changed: the run goes on with act 1; approved it ends"},
+      {"an act more", in_run(R"({"kind":"end")", "{\"kind\":\"act\",\"act\":2}\n{\"kind\":\"end\""),
+       "changed: the run ends; approved it goes on with act 2"},
       {"the trace", in_trace("\"t\":3", "\"t\":4"), "stale: one.run.jsonl was made from another trace"},
-      {"what is expected", in_trace("cup_blue)\"", "plate)\""),
-       R"(broken: one.trace.jsonl:3: expected {"act":"put(knife, in(plate))"}, found {"act":"put(knife, in(cup_blue))"})"},
+      {"what is expected", in_trace("cup_blue))", "plate))"),
+       R"json(broken: one.trace.jsonl:3: expected {"act":"put(knife, in(plate))"}, found {"act":"put(knife, in(cup_blue))"})json"},
       {"the trace is none", in_trace("\"version\":1", "\"version\":7"), "broken"},
-      {"the run is cut short", [](Approved& one) {
-    one.folder.file("one.run.jsonl", one.run.substr(0, one.run.rfind("{\"kind\":\"end\""))); },
+      {"the run is cut short",
+       [](Approved& one) { one.folder.file("one.run.jsonl", one.run.substr(0, one.run.rfind("{\"kind\":\"end\""))); },
        "broken"},
-      {"the run is empty", [](Approved& one) {
-    one.folder.file("one.run.jsonl", ""); }, "broken"},
-      {"the run is none", [](Approved& one) {
-    one.folder.file("one.run.jsonl", "[]\n7\n"); }, "broken"},
-      {"approved twice", [](Approved& one) {
-    one.folder.file("one.run.json", "{}"); }, "broken"},
-      {"no approved run", [](Approved& one) {
-    fs::remove(one.run_path); }, "new: no run is approved"},
+      {"the run is empty", [](Approved& one) { one.folder.file("one.run.jsonl", ""); }, "broken"},
+      {"the run is none", [](Approved& one) { one.folder.file("one.run.jsonl", "[]\n7\n"); }, "broken"},
+      {"approved twice", [](Approved& one) { one.folder.file("one.run.json", "{}"); }, "broken"},
+      {"no approved run", [](Approved& one) { fs::remove(one.run_path); }, "new: no run is approved"},
   };
   for (const auto& [what, change, verdict] : cases) {
     Approved one;
@@ -164,12 +182,14 @@ TEST_CASE("a long run is approved by its digests, and takes the place of what wa
 TEST_CASE("the decisions of a log are those whose digest its end states") {
   const Approved one;
   RunningDigest decisions;
+  DecisionOrder order;
   Json last;
   std::istringstream lines(one.run);
   for (std::string line; std::getline(lines, line);) {
     last = Json::parse(line);
-    if (const auto decision = decision_of(last)) decisions.add(compact(*decision));
+    if (const auto decision = order.next(last)) decisions.add(compact(*decision));
   }
+  for (const auto& outcome : order.outcomes()) decisions.add(compact(outcome));
   CHECK(decisions.text() == last["decisions"]);
 }
 
