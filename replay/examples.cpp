@@ -19,7 +19,8 @@ Problem problem_of(const RunExample& example, const std::shared_ptr<const Machin
   const WorldSnapshot empty_table;
   Pipeline pipeline(machine, language, Perspective::human);
   auto state = pipeline.begin({machine->choice, Random(0), {}, 0}, empty_table).after;
-  for (const auto& symbol : example.inputs) state = pipeline.tick(state, event_of(symbol), empty_table).after;
+  for (const auto& symbol : example.inputs)
+    state = pipeline.settle(pipeline.tick(state, event_of(symbol), empty_table).after, empty_table).after;
   const auto &expected = machine->states[example.ends].name, &found = machine->states[state.configuration.state].name;
   if (expected == found) return std::nullopt;
   return fmt::format("after {} the machine is in {}, expected {}", fmt::join(example.inputs, ", "), found, expected);

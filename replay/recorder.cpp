@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -118,12 +119,17 @@ void Recorder::one(const Attended& attended) {
   if (const auto record = input_record_.find(attended.serial); record != input_record_.end()) cause_ = record->second;
   if (attended.bound.empty() && attended.at == attended.arrived) return;
   Json bound = Json::array();
-  for (const auto& [words, pointing] : attended.bound)
+  std::set<int> because = {attended.serial};
+  for (const auto& [words, pointing] : attended.bound) {
     bound.push_back({{"words", fmt::to_string(fmt::join(words, " "))}, {"deixis", fields_of(pointing)}});
-  cause_ = write("percept", {{"waited_s", (attended.at - attended.arrived).seconds()}, {"bound", std::move(bound)}});
+    because.insert(pointing.serials.begin(), pointing.serials.end());
+  }
+  cause_ = write("percept", {{"waited_s", (attended.at - attended.arrived).seconds()},
+                             {"bound", std::move(bound)},
+                             {"because", inputs({because.begin(), because.end()})}});
 }
 
-Json Recorder::fields_of(const Deixis& pointing) const {
+Json Recorder::fields_of(const Deixis& pointing) {
   return {{"place", {rounded(pointing.place_W.x(), 1e5), rounded(pointing.place_W.y(), 1e5)}},
           {"from", pointing.from.seconds()},
           {"until", pointing.until.seconds()},
@@ -131,8 +137,7 @@ Json Recorder::fields_of(const Deixis& pointing) const {
           {"gesture", pointing.gesture},
           {"spread_m", rounded(pointing.spread_m, 1e5)},
           {"samples", pointing.samples},
-          {"left_out", pointing.left_out},
-          {"inputs", inputs(pointing.serials)}};
+          {"left_out", pointing.left_out}};
 }
 
 void Recorder::one(const Understood& understood) {

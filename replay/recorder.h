@@ -72,7 +72,7 @@ class Recorder {
   void rest(const RestSpan& span);
   Json refusals(const std::vector<Refused>& refused, std::size_t alternatives) const;
   Json inputs(const std::vector<int>& because) const;
-  Json fields_of(const Deixis& pointing) const;
+  static Json fields_of(const Deixis& pointing);
   int write(std::string_view kind, Json fields);
   void write_act(int number, const std::string& status, Json more, SimTime t);
 

@@ -19,6 +19,7 @@ std::span<const Carried> carried_terms() {
       Carried{"wanted", "text*", &Input::wanted, true},
       Carried{"referents", "e*", &Input::referents, true},
       Carried{"noun", "e -> t", &Input::noun, true},
+      Carried{"more", "t", &Input::more, true},
   };
   return terms;
 }

@@ -31,6 +31,7 @@ struct Input {
   Term wanted;     ///< text*: for each, the words that were to name it; '' where nothing was said
   Term referents;  ///< e*: what the noun phrase or the pointing can mean, the likeliest first
   Term noun;       ///< e -> t: the last noun of the words
+  Term more;       ///< t: whether the same utterance makes further moves
 };
 
 /// A term that inputs carry, as machines know it.

@@ -20,6 +20,14 @@ Term applied(const std::string& function, const std::vector<Term>& arguments) {
 
 bool is_constant(const Term& term) { return term.kind() == Term::Kind::constant; }
 
+// Of a point, and of what a thing bears or holds, the world tells whether something was brought there.
+bool is_wide(const Term& place) {
+  if (place.kind() == Term::Kind::place) return false;
+  const auto [head, landmarks] = place.spine();
+  const auto relation = is_constant(head) ? relation_named(head.name()) : std::nullopt;
+  return relation && *relation != Relation::on && *relation != Relation::in && *relation != Relation::at;
+}
+
 }  // namespace
 
 Term agent_term() { return Term::entity("avatar"); }
@@ -99,6 +107,8 @@ std::optional<bool> Circumstances::one_holds(const Expression& condition, const 
   arguments.erase(arguments.begin());
   // A place may be at(y, on(z)) or at(y, <0, 0, 0>) as well as at(y, z).
   const bool is_place = relation == text(Relation::at) && arguments.size() == 1 && !is_constant(arguments[0]);
+  if (is_place && is_wide(arguments[0]) && brought_ && is_constant(thing) && !brought_->contains(thing.name()))
+    return false;
   const RuleTable none({});
   Evaluation evaluation(none, [](Name) { return nullptr; });
   const Term given[] = {thing, is_place ? arguments[0] : applied(relation, arguments)};

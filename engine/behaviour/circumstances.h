@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "composition/methods.h"
@@ -33,6 +34,10 @@ class Circumstances {
   const WorldSnapshot& world() const { return *world_; }
   Perspective perspective() const { return perspective_; }
 
+  /// The things that the act has brought to their places so far; must outlive its use. A thing is at a place that is
+  /// wide, such as left(plate), only once it was brought there: that it stands somewhere to the left is not enough.
+  void see_brought(const std::set<std::string>& brought) { brought_ = &brought; }
+
   /// put(x, on(y)) with what x and y stand for; loc(y) is the place where it is. A name that stands for nothing is the
   /// thing of the world that is called so, else itself.
   Term value(const Expression& expression, const Bindings& bindings) const;
@@ -46,6 +51,7 @@ class Circumstances {
   Perspective perspective_;
   Methods methods_;
   const WorldSnapshot* world_ = nullptr;
+  const std::set<std::string>* brought_ = nullptr;
 };
 
 }  // namespace continua

@@ -64,10 +64,12 @@ std::optional<PerformanceEvent> Performer::next(Performance& performance, const 
     performance.waiting.pop_front();
     if (auto* gesture = std::get_if<AvatarCommand>(&waiting)) return GestureCommand{std::move(*gesture)};
     performance.doing = under_way(std::get<AskedAct>(std::move(waiting)), world);
+    circumstances_.see_brought(performance.doing->brought);
     PerformanceTurn(catalogue_, circumstances_, *performance.doing).begin(performance.was);
   }
   ActUnderWay& doing = *performance.doing;
   if (doing.in_flight) return std::nullopt;
+  circumstances_.see_brought(doing.brought);
   if (auto step = PerformanceTurn(catalogue_, circumstances_, doing).step()) {
     if (step->command) doing.in_flight = step->command->id = ++performance.commands;
     return *std::move(step);

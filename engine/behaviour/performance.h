@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -71,6 +72,7 @@ struct ActUnderWay {
   std::string held_before;
   std::map<std::string, Vec3> before;  ///< where things were when it began
   Bindings places_before;              ///< the same as place terms
+  std::set<std::string> brought;       ///< the things that its steps have carried so far
 };
 
 /// All that is being done or waits for it: a value.

@@ -320,6 +320,8 @@ std::optional<ActStep> PerformanceTurn::own_step() {
     }
     command->next = next_goal(command->object);
   }
+  if (command->what == Capability::move || command->what == Capability::slide || command->what == Capability::put)
+    act_.brought.insert(command->object);
   step.command = *std::move(command);
   return step;
 }

@@ -221,7 +221,7 @@ Utterance read(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabula
     } else if (!word.comma && !words.empty()) {
       words.back().before_unknown = true;
     }
-    if (!known && !word.comma) utterance.unknown.push_back(utterance.words.size() - 1);
+    if (!known && !word.comma && !(name && after_name)) utterance.unknown.push_back(utterance.words.size() - 1);
     after_name = name && !word.ends_after;
     if (word.ends_after) end_segment();
   }

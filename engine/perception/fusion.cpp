@@ -23,8 +23,6 @@ bool is_one_hand(const Deixis& a, const Deixis& b) { return a.hand == b.hand || 
 
 bool overlap(const Deixis& a, const Deixis& b) { return a.from <= b.until && b.from <= a.until; }
 
-bool is_timed(const InputEvent& speech) { return speech.until || !speech.words.empty(); }
-
 // The end of the last taker that needs a pointing.
 std::optional<SimTime> last_need(const std::vector<Taker>& takers) {
   std::optional<SimTime> last;
@@ -39,12 +37,11 @@ SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixi
   const auto last = last_need(speech.takers);
   if (!last) return speech.event.t;
   const SimTime latest = std::max(speech.event.t, *last + seconds(window.after_s));
-  SimTime at = is_timed(speech.event) ? *last : speech.event.t;
+  SimTime at = std::max(speech.event.t, *last);
   for (std::size_t i = 0; i < bound.size(); ++i) {
     if (!speech.takers[i].needs) continue;
     if (!bound[i]) return latest;
     at = std::max(at, settled_at(*bound[i]));
-    if (bound[i]->until + seconds(window.after_s) < speech.event.t) at = std::max(at, *last);
   }
   return std::min(at, latest);
 }

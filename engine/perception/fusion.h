@@ -30,10 +30,9 @@ struct Ensemble {
 
 /// What waits for its counterpart: a value.
 ///
-/// - Speech all of whose needing takers have a pointing is complete. Where it tells when its words were (`words`,
-///   `until`) it is not before the last of those takers was said. Where it does not, it is at once, unless one of the
-///   pointings ended more than `after` before the speech: there may come a better one until that taker was said.
-///   A fixation counts once it is settled (settled_at).
+/// - Speech all of whose needing takers have a pointing is complete once the last of them was said
+///   (perception/speech_times.h): until then a better pointing may come. A fixation counts once it is settled
+///   (settled_at).
 /// - Other speech waits until no pointing can come any more (`after` past the end of its last needing taker), and is
 ///   then released without.
 /// - A gesture that points waits for speech that takes it until `after` past its end, and is released alone then. When

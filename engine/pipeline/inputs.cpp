@@ -32,7 +32,6 @@ void carry(const Move& move, Input& input) {
   for (const auto& referent : move.reference.referents) referents.push_back(referent.object);
   input.referents = entities(referents);
   if (move.readings.empty()) return;
-  input.symbol = text(Modality::speech) + " " + move.kind;
   input.reading = move.readings[move.chosen].term;
   input.meaning = move.interpretation.meaning;
   input.noun = move.noun;

@@ -10,7 +10,7 @@ namespace continua {
 /// The event as an input, before anything is understood. `serial` names it.
 Input to_input(const InputEvent& event, int serial);
 
-/// Adds what a move says to the input, and if it is one of speech makes its kind the symbol.
+/// Adds what a move says to the input.
 void carry(const Move& move, Input& input);
 
 Term point_term(const Vec3& p_W);

@@ -146,7 +146,17 @@ Tick Pipeline::wake(const EngineState& before, SimTime now) {
 }
 
 Tick Pipeline::tick(const EngineState& before, const InputEvent& event, const WorldSnapshot& world) {
-  Tick all = receive(before, event, world);
+  return attended(receive(before, event, world), world);
+}
+
+Tick Pipeline::settle(const EngineState& before, const WorldSnapshot& world) {
+  Tick tick{before, {}};
+  for (auto& ensemble : tick.after.fusion.release_all()) tick.after.complete.push_back(std::move(ensemble));
+  return attended(std::move(tick), world);
+}
+
+// Attends to all that is complete.
+Tick Pipeline::attended(Tick all, const WorldSnapshot& world) {
   while (!all.after.complete.empty()) {
     Tick next = attend(all.after, world);
     all.after = std::move(next.after);

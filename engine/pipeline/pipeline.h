@@ -45,6 +45,9 @@ class Pipeline {
   /// acts as inputs, what it makes of them.
   Tick reported(const EngineState& before, const std::vector<ActReport>& reports, const WorldSnapshot& world);
 
+  /// Nothing more happens: all that waits is attended to, as it is.
+  Tick settle(const EngineState& before, const WorldSnapshot& world);
+
   const Machine& machine() const { return *machine_; }
 
  private:
@@ -52,6 +55,7 @@ class Pipeline {
 
   void begin(EngineState& state, std::vector<EngineEvent>& events);
   void keep_up(const Learned& learned);
+  Tick attended(Tick tick, const WorldSnapshot& world);
   Percept percept_of(const EngineState& state, const InputEvent& event, int serial) const;
   bool is_confident(const InputEvent& event) const;
   std::string kind_of(const InputEvent& event, const Learned& learned) const;

@@ -32,6 +32,14 @@ bool is_on(const Box& table, const Vec3& p_W) {
   return p_W.x() >= table.min.x() && p_W.x() <= table.max.x() && p_W.y() >= table.min.y() && p_W.y() <= table.max.y();
 }
 
+// What speaks of something that is not there is less likely to have been said.
+constexpr double share_of_unseen = 0.5;
+
+bool finds_all(const Interpretation& interpretation) {
+  return std::none_of(interpretation.gaps.begin(), interpretation.gaps.end(),
+                      [](const Gap& gap) { return gap.why == Gap::Why::none; });
+}
+
 std::size_t alternatives_of(const InputEvent& event) { return event.alternatives.size() + 1; }
 
 }  // namespace
@@ -78,11 +86,13 @@ Pipeline::Heard Pipeline::heard(const EngineState& state, const Ensemble& ensemb
   heard.input = to_input(heard.event, ensemble.percept.serial);
   heard.input.now_s = ensemble.at.seconds();
   if (!heard.showings.empty()) heard.input.pointed = point_term(heard.showings.front().place_W);
-  if (ensemble.percept.event.alternatives.size() > 0) heard.input.confidence *= understood_share(heard.utterance);
+  if (alternatives_of(ensemble.percept.event) > 1) heard.input.confidence *= understood_share(heard.utterance);
   if (heard.utterance.fragments.empty())
     heard.move = understanding_->not_understood(heard.utterance);
   else
     understand(heard, 0, state, world);
+  if (alternatives_of(ensemble.percept.event) > 1 && !finds_all(heard.move.interpretation))
+    heard.input.confidence *= share_of_unseen;
   return heard;
 }
 
@@ -92,6 +102,8 @@ void Pipeline::understand(Heard& heard, std::size_t fragment, const EngineState&
   heard.discourse.shown = heard.shown;
   heard.move = understanding_->understood(heard.utterance, fragment, heard.discourse.context);
   carry(heard.move, heard.input);
+  heard.input.symbol = text(Modality::speech) + " " + heard.move.kind;
+  heard.input.more = Term::truth(fragment + 1 < heard.utterance.fragments.size());
 }
 
 Pipeline::Heard Pipeline::seen(const EngineState& state, const Ensemble& ensemble, std::size_t alternative,

@@ -114,7 +114,7 @@ TEST_CASE("a file of what was learned that cannot be used is told, and stays as 
   };
   CHECK(problem("{").starts_with(":1:"));
   CHECK(problem(R"({"learned":1,"programs":{"grasp":{"acts":"[lift(cup)]"}}})") ==
-        ": found the word 'grasp', which means something else in the machine m");
+        ":1:34: the name 'grasp' has another meaning");
   CHECK(problem(R"({"learned":1})").empty());
   CHECK(write_learned(lessons.folder.at("no/such/folder.json"), {}));
 }
