@@ -82,7 +82,7 @@ TraceCheck check_trace(const std::string& trace_path, const ReplayOptions& optio
   std::string run = std::move(log).str();
   if (summary.expectations_met < summary.expectations) return broken(unmet_expectation(run, trace_path));
 
-  auto approved = find_approved_run(trace_path);
+  auto approved = find_approved_run(trace_path, options.physics ? "physics" : "kinematic");
   if (!approved) return broken(approved.error().text());
   check.approved = *std::move(approved);
   if (check.approved) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view trace_ending = ".trace.jsonl";
 
-std::string beside(const std::string& trace_path, const char* ending) {
+std::string beside(const std::string& trace_path, const std::string& ending) {
   const std::string_view trace = trace_path;
   const auto stem = trace.ends_with(trace_ending)
                         ? trace.substr(0, trace.size() - trace_ending.size())
@@ -175,27 +175,49 @@ Result<RunComparison> compare_digests(const Log& run, const ApprovedRun& approve
   return RunComparison{Sameness::changed, "decisions differ; only their digest was approved"};
 }
 
+std::string world_of(const ApprovedRun& approved) {
+  const auto document = is_whole_log(approved)
+                            ? parse_json_line(approved.content.substr(0, approved.content.find('\n')), approved.path, 1)
+                            : parse_json_line(approved.content, approved.path, 1);
+  const auto world = document ? part(*document, "/world") : Json();
+  return world.is_string() ? world.get<std::string>() : "";
+}
+
 }  // namespace
 
-Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_path) {
-  std::optional<ApprovedRun> found;
-  for (const char* ending : {".run.jsonl", ".run.json"}) {
-    const auto path = beside(trace_path, ending);
-    if (!fs::exists(path)) continue;
-    if (found) return Error{path, fmt::format("is approved beside {}; expected one of them", found->path)};
-    auto content = read_file(path);
-    if (!content) return content.error();
-    found = ApprovedRun{path, *std::move(content)};
+Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_path, const std::string& world) {
+  for (const auto& of_world : {"." + world, std::string()}) {
+    std::optional<ApprovedRun> found;
+    for (const char* ending : {".run.jsonl", ".run.json"}) {
+      const auto path = beside(trace_path, of_world + ending);
+      if (!fs::exists(path)) continue;
+      if (found) return Error{path, fmt::format("is approved beside {}; expected one of them", found->path)};
+      auto content = read_file(path);
+      if (!content) return content.error();
+      found = ApprovedRun{path, *std::move(content)};
+    }
+    if (found) return found;
   }
-  return found;
+  return std::optional<ApprovedRun>();
+}
+
+bool takes_place_of(const ApprovedRun& approval, const ApprovedRun& before) {
+  const auto stem = [](const std::string& path) { return path.substr(0, path.rfind(".run.")); };
+  return approval.path != before.path && stem(approval.path) == stem(before.path);
 }
 
 ApprovedRun approval_of(const std::string& trace_path, std::string_view run, const std::optional<ApprovedRun>& before) {
   const bool whole = before ? is_whole_log(*before) : true;
-  if (whole && run.size() <= longest_approved_log) return {beside(trace_path, ".run.jsonl"), std::string(run)};
   const auto log = read_log(run, trace_path);
   require(log.ok(), "a run is a run log");
-  return {beside(trace_path, ".run.json"), digests_of(*log).dump(2) + "\n"};
+  const auto world = part(log->header, "/world").get<std::string>();
+  const auto of_before = before ? world_of(*before) : "";
+  const bool elsewhere = before && (before->path.find("." + world + ".run.") != std::string::npos ||
+                                    (!of_before.empty() && of_before != world));
+  const std::string of_world = elsewhere ? "." + world : "";
+  if (whole && run.size() <= longest_approved_log)
+    return {beside(trace_path, of_world + ".run.jsonl"), std::string(run)};
+  return {beside(trace_path, of_world + ".run.json"), digests_of(*log).dump(2) + "\n"};
 }
 
 Result<RunComparison> compare_to_approved(std::string_view run, const ApprovedRun& approved) {

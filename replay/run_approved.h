@@ -19,12 +19,17 @@ struct ApprovedRun {
   std::string content;
 };
 
-/// That of a trace, NAME.trace.jsonl; nullopt if there is none. An error if it cannot be read or there are both.
-Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_path);
+/// That of a trace, NAME.trace.jsonl, in a world, "physics" or "kinematic": where what the body does there leads
+/// elsewhere, NAME.WORLD.run.jsonl or .json, else NAME.run.jsonl or .json; nullopt if there is none. An error if it
+/// cannot be read or there are both.
+Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_path, const std::string& world);
 
-/// What to write to approve a run: its log, or its digests if the log is long or `before` has no more. A path that is
-/// another than that of `before` takes its place.
+/// What to write to approve a run: its log, or its digests if the log is long or `before` has no more. If `before` is
+/// of another world it stays; another path in the same world takes its place (takes_place_of).
 ApprovedRun approval_of(const std::string& trace_path, std::string_view run, const std::optional<ApprovedRun>& before);
+
+/// Whether `before` is to be removed once `approval` is written.
+bool takes_place_of(const ApprovedRun& approval, const ApprovedRun& before);
 
 enum class Sameness {
   same,            ///< every byte, but for what the run was made with

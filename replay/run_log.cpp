@@ -27,6 +27,10 @@ bool is_decision(std::string_view kind) {
 std::optional<Json> DecisionOrder::next(std::string_view kind, double t_s, Json fields) {
   if (!is_decision(kind)) return std::nullopt;
   for (const char* field : {"because", "margin", "result", "weights", "resolved"}) fields.erase(field);
+  // Why a condition did not hold may be measured: values of the world at that moment.
+  if (fields.contains("refused") && fields["refused"].is_array())
+    for (auto& refused : fields["refused"])
+      if (refused.is_object()) refused.erase("reason");
   const bool timed = kind != "act" && !fields.contains("measured");
   Json decision{{"kind", kind}, {"fields", std::move(fields)}};
   if (timed) decision["t"] = t_s;

@@ -87,7 +87,8 @@ void Firing::enter(StateIndex state) {
 
 void Firing::take_input(std::size_t alternative) {
   input_ = &inputs_[alternative];
-  serial_ = input_->serial;
+  sources_ = input_->because;
+  if (input_->serial > 0) sources_.push_back(input_->serial);
   now_s_ = input_->now_s;
 }
 
@@ -226,7 +227,7 @@ bool Firing::perform_one(const Group& group) { return perform_all(group.effects)
 
 void Firing::begin_because() {
   because_.clear();
-  if (serial_ > 0) because_.insert(serial_);
+  because_.insert(sources_.begin(), sources_.end());
 }
 
 Cell Firing::compute(const Term& term) {

@@ -103,7 +103,7 @@ class Firing {
   std::span<const Input> inputs_;
   const Input* input_ = nullptr;
   // Of the input that brought all this about, also once it is used up; 0 and nullopt: there was none.
-  int serial_ = 0;
+  std::vector<int> sources_;
   std::optional<double> now_s_;
   std::vector<StepEvent>* account_;
   std::set<int> because_;  ///< inputs that what is being computed came from

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "term/term.h"
 
@@ -10,7 +11,8 @@ namespace continua {
 
 /// Terms that an input does not carry are null.
 struct Input {
-  int serial = 0;  ///< names the input in `because`
+  int serial = 0;            ///< names the input in `because`
+  std::vector<int> because;  ///< serials of other inputs that it draws on: a pointing that goes with its words
   std::string symbol;
   double confidence = 1;
   double now_s = 0;

@@ -20,6 +20,7 @@ std::string symbol_of(const ActEnd& end) { return "act " + text(end.status); }
 Input to_input(const ActEnd& end, int serial, SimTime now) {
   Input input;
   input.serial = serial;
+  input.because = end.act.because;
   input.symbol = symbol_of(end);
   input.now_s = now.seconds();
   input.act = end.act.program;

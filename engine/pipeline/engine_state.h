@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,7 +35,9 @@ struct EngineState {
   std::string last_utterance;
   std::optional<Pointed> pointed;
   Learned learned;  ///< what the human taught
-  int inputs = 0;   ///< so far; the running number of the latest is its serial
+  std::map<std::string, std::vector<int>, std::less<>>
+      lessons;     ///< what was learned in this run: serials of the inputs it came from
+  int inputs = 0;  ///< so far; the running number of the latest is its serial
   Performance performance;
   int acts = 0;  ///< asked for so far; the running number of the latest
 

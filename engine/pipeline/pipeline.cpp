@@ -66,6 +66,7 @@ Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world, Learned learne
                         "",
                         {},
                         std::move(learned),
+                        {},
                         0,
                         {},
                         0},
@@ -268,6 +269,7 @@ void Pipeline::update_beliefs(EngineState& state, const Input& input, std::vecto
 // What the automaton emitted becomes words and commands; what the avatar says, it hears itself.
 void Pipeline::behave(EngineState& state, std::vector<StepEvent> steps, std::vector<EngineEvent>& events) {
   for (auto& step : with_lessons(std::move(steps), *machine_, state.learned)) {
+    if (const auto* taught = std::get_if<Taught>(&step)) state.lessons[taught->name] = taught->because;
     if (auto* said = std::get_if<Said>(&step)) {
       const std::string words = said->text = fresh(said->variants, state.last_utterance);
       if (machine_->repeats_utterances || words != state.last_utterance) events.push_back(std::move(step));

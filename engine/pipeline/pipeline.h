@@ -73,6 +73,7 @@ class Pipeline {
   Heard seen(const EngineState& state, const Ensemble& ensemble, std::size_t alternative, const WorldSnapshot& world);
   void understand(Heard& heard, std::size_t fragment, const EngineState& state, const WorldSnapshot& world);
   Term said_by(const InputEvent& gesture, const Learned& learned) const;
+  std::vector<int> because_of(const Heard& heard, const EngineState& state) const;
   std::size_t offer_all(EngineState& state, std::vector<Heard>& heard, std::vector<EngineEvent>& events);
 
   std::size_t offer(EngineState& state, std::span<const Input> inputs, std::vector<EngineEvent>& events);

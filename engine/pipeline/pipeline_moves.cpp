@@ -6,6 +6,7 @@
 #include "perception/speech_times.h"
 #include "pipeline/inputs.h"
 #include "pipeline/pipeline.h"
+#include "term/substitution.h"
 
 namespace continua {
 
@@ -18,6 +19,7 @@ struct Pipeline::Heard {
   Discourse discourse;
   Move move;
   Input input;
+  std::vector<int> because;  ///< serials of what it draws on, its own among them
 };
 
 namespace {
@@ -102,8 +104,27 @@ void Pipeline::understand(Heard& heard, std::size_t fragment, const EngineState&
   heard.discourse.shown = heard.shown;
   heard.move = understanding_->understood(heard.utterance, fragment, heard.discourse.context);
   carry(heard.move, heard.input);
+  heard.because = because_of(heard, state);
+  heard.input.because = heard.because;
   heard.input.symbol = text(Modality::speech) + " " + heard.move.kind;
   heard.input.more = Term::truth(fragment + 1 < heard.utterance.fragments.size());
+}
+
+// Words and gestures that were taught draw on what was said then.
+std::vector<int> Pipeline::because_of(const Heard& heard, const EngineState& state) const {
+  auto because = sources(heard.move, heard.input.serial, heard.discourse);
+  const auto add = [&](const std::string& name) {
+    const auto lesson = state.lessons.find(name);
+    if (lesson != state.lessons.end()) because.insert(because.end(), lesson->second.begin(), lesson->second.end());
+  };
+  if (heard.event.modality == Modality::gesture && state.learned.gestures.contains(heard.event.name))
+    add(heard.event.name);
+  if (!heard.move.readings.empty())
+    for (const auto& [name, program] : state.learned.programs)
+      if (contains(heard.move.readings[heard.move.chosen].term, Term::constant(name, program.type()))) add(name);
+  std::sort(because.begin(), because.end());
+  because.erase(std::unique(because.begin(), because.end()), because.end());
+  return because;
 }
 
 Pipeline::Heard Pipeline::seen(const EngineState& state, const Ensemble& ensemble, std::size_t alternative,
@@ -125,6 +146,8 @@ Pipeline::Heard Pipeline::seen(const EngineState& state, const Ensemble& ensembl
     seen.move = understanding_->shown(says, seen.move.kind, seen.discourse.context);
   }
   carry(seen.move, seen.input);
+  seen.because = because_of(seen, state);
+  seen.input.because = seen.because;
   return seen;
 }
 
@@ -186,8 +209,7 @@ std::size_t Pipeline::offer_all(EngineState& state, std::vector<Heard>& heard, s
     const auto& each = heard[k];
     if (each.move.kind.empty() && each.move.words.empty()) return;
     const auto alternative = heard.size() > 1 ? std::optional(k) : std::nullopt;
-    events.push_back(Understood{each.move, sources(each.move, each.input.serial, each.discourse), alternative,
-                                each.input.confidence, k == taken});
+    events.push_back(Understood{each.move, each.because, alternative, each.input.confidence, k == taken});
     if (k != taken) return;
     for (const auto& applying : each.move.interpretation.applied)
       events.push_back(StepEvent(Applied{applying.application, sources(applying, each.input.serial, each.discourse)}));

@@ -118,7 +118,7 @@ class Checking {
       const auto approval = approval_of(items_[i].string(), check.run, check.approved);
       if (const auto problem = write_file(approval.path, approval.content)) return report(*problem), exit_impossible;
       std::error_code none;
-      if (check.approved && check.approved->path != approval.path) fs::remove(check.approved->path, none);
+      if (check.approved && takes_place_of(approval, *check.approved)) fs::remove(check.approved->path, none);
       fmt::print("approved {}\n", approval.path);
       findings_[i]->status = exit_done;
     }
@@ -173,6 +173,11 @@ class Checking {
     for (const auto& problem : read.problems) problems.push_back(problem.text());
     for (const auto& problem : check_programs(read.catalogue)) problems.push_back(problem.text());
     const auto all = counted(read.documents, "voxeme");
+    if (!read.problems.empty())
+      return {fmt::format("{} cannot be used", counted(read.problems.size(), "document")),
+              exit_impossible,
+              std::move(problems),
+              {}};
     if (problems.empty()) return {all, exit_done, {}, {}};
     return {fmt::format("{} in {}", counted(problems.size(), "problem"), all), exit_no, std::move(problems), {}};
   }

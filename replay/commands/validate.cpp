@@ -115,8 +115,7 @@ FileCheck check_phrase_file(std::string_view text, const std::string& path) {
       if (problem.where.starts_with(fs::path(path).lexically_normal().string() + ":"))
         check.problems.push_back(std::move(problem));
   }
-  check.summary =
-      counted(document->root()["say"].size(), "phrase") + ", read with " + counted(users, "machine") + " that use them";
+  check.summary = counted(document->root()["say"].size(), "phrase") + ", read with " + counted(users, "machine");
   return check;
 }
 

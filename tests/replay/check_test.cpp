@@ -91,7 +91,9 @@ TEST_CASE("a trace is held against the run beside it") {
          one.folder.file("one.run.jsonl", later);
        },
        "same decisions"},
-      {"how an act ends", in_run(R"("status":"done")", R"("status":"dropped")"),
+      {"how an act ends",
+       in_run(R"json("program":"put(knife, in(cup_blue))","status":"done")json",
+              R"json("program":"put(knife, in(cup_blue))","status":"dropped")json"),
        R"(changed: act 1: status "done", approved "dropped")"},
       {"a record fewer", in_run(R"("kind":"expect")", R"("kind":"other")"), "changed: expect at 2.0 s, approved act 1"},
       {"a record more",
@@ -272,4 +274,25 @@ TEST_CASE("JUnit's XML of what holds and what does not") {
   </testsuite>
 </testsuites>
 )");
+}
+
+TEST_CASE("a world may have an approved run of its own") {
+  Approved one;
+  const auto in_world = [&](const char* world) { return find_approved_run(one.trace, world).value()->path; };
+  CHECK(in_world("physics") == one.run_path);
+  const auto own = one.folder.file("one.physics.run.jsonl", one.run);
+  CHECK(in_world("physics") == own);
+  CHECK(in_world("kinematic") == one.run_path);
+
+  // What is approved in another world stands beside what was approved before.
+  std::string elsewhere = one.run;
+  const std::string kinematic = R"("world":"kinematic")";
+  elsewhere.replace(elsewhere.find(kinematic), kinematic.size(), R"("world":"physics")");
+  const ApprovedRun before{one.run_path, one.run};
+  const auto approval = approval_of(one.trace, elsewhere, before);
+  CHECK(approval.path == own);
+  CHECK_FALSE(takes_place_of(approval, before));
+  CHECK(approval_of(one.trace, elsewhere, approval).path == own);
+  CHECK(takes_place_of({one.folder.at("one.run.json"), ""}, before));
+  CHECK_FALSE(takes_place_of(before, before));
 }

@@ -1,5 +1,6 @@
 // The paper's examples, replayed in the kinematic world.
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "played.h"
@@ -64,4 +65,62 @@ TEST_CASE("one state asks about any number of objects, three states about three"
   CHECK(states_of("figure_three_states") == std::set<std::string>{"?cup", "?knife", "?plate", "Chosen"});
   CHECK(states_of("figure_one_state") == std::set<std::string>{"?arg", "Chosen"});
   CHECK(states_of("figure_one_state_exhausted") == std::set<std::string>{"?arg", "Exhausted"});
+}
+
+namespace {
+
+// What the human said and showed that an act came of, by following `because` and `cause` from its record back to
+// inputs.
+std::string contributions(const Played& played, const Json& act) {
+  std::set<int> inputs;
+  for (auto record = act;;) {
+    for (const auto& n : record.value("because", Json::array())) inputs.insert(n.get<int>());
+    if (record["kind"] == "input") inputs.insert(record["n"].get<int>());
+    if (!record.contains("cause")) break;
+    record = played.records.at(record["cause"].get<std::size_t>());
+  }
+  std::string all;
+  for (const auto n : inputs) {
+    const auto& event = played.records.at(static_cast<std::size_t>(n))["event"];
+    const auto kind = event["kind"].get<std::string>();
+    all += (all.empty() ? "" : " + ") + (kind == "speech"    ? event["text"].get<std::string>()
+                                         : kind == "gesture" ? event["name"].get<std::string>()
+                                                             : kind);
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("an act's record leads back to each word and gesture that it came of") {
+  const std::map<std::string, std::vector<std::string>> expected = {
+      {"dialogue_language", {"put(plate, in_front(avatar)) <- The plate. + Put it in front of you."}},
+      {"dialogue_gesture", {"put(plate, <-0.1, -0.15, 0>) <- The plate. + pointing + Put it there."}},
+      {"one_breath", {"put(knife, in(cup_blue)) <- Put the knife in the blue cup."}},
+      {"predicate_first", {"put(plate, <-0.1, -0.15, 0>) <- pointing + Put it there. + The plate."}},
+      {"region_place", {"put(knife, in(cup_blue)) <- The knife. + In that blue cup. + point + Put it there."}},
+      {"disambiguation", {"grasp(block6) <- Take the block. + Yes."}},
+      {"one_shot_learning",
+       {"grasp(cup) <- two_fingers + Grasp the cup. + two_fingers",
+        "ungrasp(cup) <- two_fingers + Grasp the cup. + two_fingers + Let go of it.",
+        "put(cup, on(plate)) <- two_fingers + Grasp the cup. + Put on the plate. + two_fingers"}},
+      {"live_composition",
+       {"grasp(cup) <- Take the white cup.", "lift(cup) <- Take the white cup. + Lift it.",
+        "ungrasp(cup) <- Take the white cup. + Lift it. + Let go of it.",
+        "grasp(cup_blue) <- Watch. + Take the white cup. + Lift it. + Call that hoist. + Hoist the blue cup.",
+        "lift(cup_blue) <- Watch. + Take the white cup. + Lift it. + Call that hoist. + Hoist the blue cup."}},
+      {"correction",
+       {"put(cup, <-0.05, -0.18, 0>) <- Put the white cup there. + point", "stop <- No, that one. + point",
+        "put(cup, was(cup)) <- Put the white cup there. + point + No, that one. + point",
+        "put(cup_blue, <-0.05, -0.18, 0>) <- Put the white cup there. + point + No, that one. + point"}},
+  };
+  for (const auto& [trace, acts] : expected) {
+    const auto played = play(folder / (trace + ".trace.jsonl"));
+    std::vector<std::string> found;
+    for (const auto& act : played.all("act"))
+      if (act["status"] == "asked")
+        found.push_back(act["program"].get<std::string>() + " <- " + contributions(played, act));
+    INFO(trace);
+    CHECK(found == acts);
+  }
 }
