@@ -87,9 +87,13 @@ Term PerformanceTurn::resolved(const Term& term, const Bindings& was) const {
   return whole;
 }
 
-// A side of the thing itself is a step that way, and the place it leads to stays when the thing has gone there.
+// A side of the thing itself is a step that way, and the place it leads to stays when the thing has gone there. What is
+// no relation but says a point, as part('left', 'front', <0.1, 0, 0>), is that point.
 Term PerformanceTurn::fixed_place(const Term& thing, const Term& place) const {
   const auto [head, landmarks] = place.spine();
+  const bool is_relation = head.kind() == Term::Kind::constant && relation_named(head.name());
+  const Term* point = place.kind() == Term::Kind::apply && !is_relation ? first_place(place) : nullptr;
+  if (point) return *point;
   if (std::find(landmarks.begin(), landmarks.end(), thing) == landmarks.end()) return place;
   const auto move = plan(Term::apply(Term::apply(Term::constant("move", Type::term()), thing), place), false,
                          circumstances_.perspective());

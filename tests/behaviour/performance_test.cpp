@@ -22,6 +22,7 @@ const Signature& names() {
     for (const char* program : {"put", "slide", "set", "carry"}) names.emplace(program, type("e -> loc -> t"));
     for (const char* program : {"swap"}) names.emplace(program, type("e -> e -> t"));
     for (const char* place : {"left", "on", "in", "near", "was"}) names.emplace(place, type("e -> loc"));
+    names.emplace("part", type("text -> loc -> loc"));
     names.emplace("stop", Type::truth());
     return names;
   }();
@@ -200,6 +201,11 @@ TEST_CASE("a place beside where the thing itself is stays where it was meant") {
   Avatar avatar;
   CHECK(avatar.does("put(cup, left(cup))") ==
         "grasp(cup) for a place, move(cup, <0.1, 0, 0>), ungrasp(cup), put(cup, left(cup)): done");
+}
+
+TEST_CASE("a place that is no relation is the point that it says") {
+  CHECK(Avatar().does("put(cup, part('front', <0.3, 0.1, 0>))") ==
+        "grasp(cup) for a place, move(cup, <0.3, 0.1, 0>), ungrasp(cup), put(cup, part('front', <0.3, 0.1, 0>)): done");
 }
 
 TEST_CASE("was is where a thing was before the act that last moved it") {
