@@ -9,7 +9,7 @@ cmake --build build/bytes --target continua
 
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
-traces=(traces/*.trace.jsonl traces/talk/*.trace.jsonl)
+traces=(traces/*.trace.jsonl traces/{paper,talk}/*.trace.jsonl)
 sessions=../shared/data/pilot2018
 if [[ -d $sessions ]]; then
   # Every seventh: the debug build is ten times slower.
