@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "composition/methods.h"
@@ -68,6 +69,8 @@ class Pipeline {
   void follow(EngineState& state, const InputEvent& sample, int serial, const WorldSnapshot& world,
               std::vector<EngineEvent>& events);
   std::vector<Taker> takers(const Utterance& utterance, const InputEvent& event) const;
+  std::vector<std::pair<WordSpan, Deixis>> shown(const Ensemble& ensemble, const InputEvent& event,
+                                                 const Utterance& utterance) const;
   std::vector<Bound> bound(const Ensemble& ensemble) const;
   Heard heard(const EngineState& state, const Ensemble& ensemble, std::size_t alternative, const WorldSnapshot& world);
   Heard seen(const EngineState& state, const Ensemble& ensemble, std::size_t alternative, const WorldSnapshot& world);

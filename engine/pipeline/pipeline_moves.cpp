@@ -54,36 +54,41 @@ std::vector<Taker> Pipeline::takers(const Utterance& utterance, const InputEvent
   return takers;
 }
 
+// The pointings that came with the words, on these words: another alternative has others, and so may the same text once
+// something was learned.
+std::vector<std::pair<WordSpan, Deixis>> Pipeline::shown(const Ensemble& ensemble, const InputEvent& event,
+                                                         const Utterance& utterance) const {
+  std::vector<Deixis> pointings;
+  for (const auto& one : ensemble.bound)
+    if (one) pointings.push_back(*one);
+  const auto demonstratives = understanding_->demonstratives(utterance);
+  const auto assigned = assign(takers(utterance, event), pointings, window_);
+  std::vector<std::pair<WordSpan, Deixis>> shown;
+  for (std::size_t i = 0; i < assigned.size(); ++i)
+    if (assigned[i]) shown.emplace_back(demonstratives[i].words, pointings[*assigned[i]]);
+  return shown;
+}
+
 std::vector<Bound> Pipeline::bound(const Ensemble& ensemble) const {
   std::vector<Bound> all;
-  if (!understanding_ || ensemble.percept.event.modality != Modality::speech) return all;
-  const auto utterance = understanding_->read(ensemble.percept.event.text);
-  const auto demonstratives = understanding_->demonstratives(utterance);
-  for (std::size_t i = 0; i < ensemble.bound.size(); ++i) {
-    if (!ensemble.bound[i]) continue;
-    const auto& [begin, end] = demonstratives[i].words;
-    all.push_back({{utterance.words.begin() + static_cast<std::ptrdiff_t>(begin),
-                    utterance.words.begin() + static_cast<std::ptrdiff_t>(end)},
-                   *ensemble.bound[i]});
-  }
+  const auto& event = ensemble.percept.event;
+  if (!understanding_ || event.modality != Modality::speech) return all;
+  const auto utterance = understanding_->read(event.text);
+  for (auto& [span, pointing] : shown(ensemble, event, utterance))
+    all.push_back({{utterance.words.begin() + static_cast<std::ptrdiff_t>(span.begin),
+                    utterance.words.begin() + static_cast<std::ptrdiff_t>(span.end)},
+                   std::move(pointing)});
   return all;
 }
 
-// Another alternative has other words; the pointings are the same.
 Pipeline::Heard Pipeline::heard(const EngineState& state, const Ensemble& ensemble, std::size_t alternative,
                                 const WorldSnapshot& world) {
   Heard heard;
   heard.event = continua::alternative(ensemble.percept.event, alternative);
   heard.utterance = understanding_->read(heard.event.text);
-  std::vector<Deixis> pointings;
-  for (const auto& one : ensemble.bound)
-    if (one) pointings.push_back(*one);
-  const auto demonstratives = understanding_->demonstratives(heard.utterance);
-  const auto bound = assign(takers(heard.utterance, heard.event), pointings, window_);
-  for (std::size_t i = 0; i < bound.size(); ++i) {
-    if (!bound[i]) continue;
-    heard.showings.push_back({demonstratives[i].words, pointings[*bound[i]].place_W});
-    heard.shown.push_back(pointings[*bound[i]].serials);
+  for (const auto& [words, pointing] : shown(ensemble, heard.event, heard.utterance)) {
+    heard.showings.push_back({words, pointing.place_W});
+    heard.shown.push_back(pointing.serials);
   }
   heard.input = to_input(heard.event, ensemble.percept.serial);
   heard.input.now_s = ensemble.at.seconds();
