@@ -29,7 +29,8 @@ int main(int argc, char** argv) {
                  100.0 * figures.done / std::max(1, figures.counted), figures.refused, figures.trials,
                  1000 * figures.median_m, 1000 * figures.most_m, 1000 * figures.deepest_m,
                  wall.count() / std::max(1, figures.trials));
-      for (const auto& list : {figures.failures, figures.lies, figures.depths})
+      std::fflush(stdout);
+    for (const auto& list : {figures.failures, figures.lies, figures.depths})
         wrong.insert(wrong.end(), list.begin(), list.end());
     }
   }
