@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
                  1000 * figures.median_m, 1000 * figures.most_m, 1000 * figures.deepest_m,
                  wall.count() / std::max(1, figures.trials));
       std::fflush(stdout);
-    for (const auto& list : {figures.failures, figures.lies, figures.depths})
+      for (const auto& list : {figures.failures, figures.lies, figures.depths})
         wrong.insert(wrong.end(), list.begin(), list.end());
     }
   }
