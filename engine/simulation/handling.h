@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "simulation/arm_ik.h"
 #include "simulation/grip_choice.h"
 #include "simulation/object_shape.h"
 #include "simulation/set_down.h"
@@ -40,9 +39,9 @@ struct Handling {
   bool reached = false;   ///< the arm gets to where the object is and goes
 };
 
-/// What the hand works with: an arm, and things of known form.
+/// What the hand works with: the avatar, and things of known form.
 struct Means {
-  const Arm& arm;
+  const AvatarForm& avatar;
   const ObjectShapes& shapes;
 };
 

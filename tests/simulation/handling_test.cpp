@@ -10,7 +10,14 @@ using namespace continua;
 
 namespace {
 
-const Vec3 base_W(0, 0.428, 0.42);
+/// A hand of thin fingers, on an arm whose base is behind the table.
+AvatarForm thin_fingers() {
+  AvatarForm avatar;
+  avatar.arm.joints.push_back({{Vec3(0, 0.428, 0.42), Eigen::Quaterniond::Identity()}, Vec3::UnitZ(), -2.6, 2.6});
+  avatar.hand = {0.009, 0.005, 0.02, 0.1, 0.14, 0.062, 0.022, 0.058};
+  return avatar;
+}
+const AvatarForm avatar = thin_fingers();
 
 ObjectState block(const std::string& name, double x, double y, int level = 0, double yaw = 0) {
   return {name, {}, Vec3::Constant(0.03), Vec3(x, y, 0.03 + 0.06 * level), yaw};
@@ -25,7 +32,7 @@ WorldSnapshot world_of(const std::vector<ObjectState>& objects) {
 
 /// The cheapest grip on the first object for which there is room.
 std::optional<Grip> first_grip(const WorldSnapshot& world) {
-  for (const Grip& grip : grips_on(world.objects[0], world, base_W)) {
+  for (const Grip& grip : grips_on(world.objects[0], world, avatar)) {
     if (grip.conflict_m == 0) return grip;
   }
   return std::nullopt;
@@ -90,7 +97,7 @@ TEST_CASE("a square thing comes to lie along the table, turned so that the finge
   REQUIRE(grip);
   const Vec3 between(0, 0, 0.03);
   int with_room = 0;
-  for (const Grip& turned : grips_at(*grip, world.objects[0], between, world, base_W)) {
+  for (const Grip& turned : grips_at(*grip, world.objects[0], between, world, avatar)) {
     CHECK(std::remainder(0.3 + turned.turn, 1.5707963267948966) == Approx(0).margin(1e-9));
     if (turned.conflict_m > 0) continue;
     ++with_room;
