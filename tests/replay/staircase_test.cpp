@@ -54,7 +54,7 @@ TEST_CASE("a staircase of three steps is built by commands, and stands for ten s
   // Nor does it creep when the world is not taken to be at rest.
   const Scene scene = load_scene(source + "/mjcf/scenes/staircase.xml", standing).value();
   auto physics = Physics::create(scene).value();
-  const AvatarTarget home{{physics->arm().home, ArmVector::Zero()}, 0.02};
+  const AvatarTarget home{{physics->arm().home, ArmVector::Zero(physics->arm().size())}, 0.02};
   for (int i = 0; i < 5000; ++i) REQUIRE(physics->step(home));
   for (std::size_t i = 0; i < scene.objects().size(); ++i)
     CHECK((physics->object_pose(static_cast<int>(i)).p_WB - places.at(scene.objects()[i].name)).norm() < 1e-3);
