@@ -124,10 +124,12 @@ void settings_table(int puts) {
       {"4 ms", R"(timestep="0.004" )" + base},
       {"solver CG", R"(timestep="0.002" solver="CG" )" + base},
       {"solver PGS", R"(timestep="0.002" solver="PGS" )" + base},
+      {"sparse Jacobian", R"(timestep="0.002" jacobian="sparse" )" + base},
       {"pyramidal cone", R"(timestep="0.002" integrator="implicit" cone="pyramidal" impratio="10")"},
       {"impratio 1", R"(timestep="0.002" integrator="implicit" cone="elliptic" impratio="1")"},
       {"impratio 100", R"(timestep="0.002" integrator="implicit" cone="elliptic" impratio="100")"},
       {"integrator Euler", R"(timestep="0.002" integrator="Euler" cone="elliptic" impratio="10")"},
+      {"Euler, sparse", R"(timestep="0.002" integrator="Euler" jacobian="sparse" cone="elliptic" impratio="10")"},
       {"integrator RK4", R"(timestep="0.002" integrator="RK4" cone="elliptic" impratio="10")"},
   };
   fmt::print(
