@@ -172,6 +172,7 @@ std::string Avatar::landmark() const {
 Task Avatar::task(const WorldSnapshot& world) const {
   Task task;
   task.object = command_.object;
+  task.parts = command_.parts;
   if (has_goal()) {
     Placement place = placement(command_, world, Occupied::cleared).value();
     if (command_.goal.relation && is_side(*command_.goal.relation) &&

@@ -15,6 +15,7 @@ namespace continua {
 /// What shall be done with an object.
 struct Task {
   std::string object;
+  std::vector<std::string> parts;  ///< components by which it is best held, best first
   std::optional<Vec3> p_WG;   ///< where its centre shall come to lie; without it, the object is only held
   double raise_m = 0;         ///< and raised by so much
   double near_m = 0;          ///< how far from p_WG it may be set down
