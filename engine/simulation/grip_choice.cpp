@@ -119,8 +119,8 @@ void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world,
               beyond_slack(hand_conflict(avatar.hand, hand_at(grip, object.p_WO, false), opening_m, others));
           // The middle of the object, its narrow sides, room for the fingers, the hand upright, little turning of the
           // wrist.
-          grip.cost = 0.5 * std::abs(shift) + 3 * span->half_m + 20 * (margins_m[0] - margin_m) +
-                      0.3 * std::abs(tilt) + 0.02 * std::abs(yaw - natural);
+          grip.cost = 0.5 * std::abs(shift) + 3 * span->half_m + 20 * (margins_m[0] - margin_m) + 0.3 * std::abs(tilt) +
+                      0.02 * std::abs(yaw - natural);
           grips.push_back(grip);
         }
       }
@@ -197,6 +197,8 @@ Pose hand_at(const Grip& grip, const Vec3& p_WO, bool turned) {
   return {p_WO + grip.aside_W + R * grip.p_OT, R * rotation(grip.hand)};
 }
 
+double straightened(double yaw) { return nearest(0, quarter, yaw); }
+
 std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world, const AvatarForm& avatar,
                            const ObjectShape* shape, const std::vector<std::string>& parts) {
   // A tipped object shows other sides than its shape has.
@@ -215,7 +217,7 @@ std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world
 std::vector<Grip> grips_at(const Grip& grip, const ObjectState& object, const Vec3& p_WG, const WorldSnapshot& world,
                            const AvatarForm& avatar, const std::string& into) {
   const auto others = obstacles(apart_from(object, world), into);
-  const double straighten = nearest(0, quarter, object.yaw) - object.yaw;
+  const double straighten = straightened(object.yaw) - object.yaw;
   const double start_wrist = std::remainder(grip.hand.yaw - avatar.natural_yaw(object.p_WO), 4 * quarter);
   const double yaw = avatar.natural_yaw(object.p_WO) + start_wrist;
   std::vector<Grip> grips;

@@ -25,6 +25,9 @@ struct Grip {
 /// The hand's pose when the object's centre is at `p_WO` and has not yet been turned, or has.
 Pose hand_at(const Grip& grip, const Vec3& p_WO, bool turned);
 
+/// The yaw nearest to `yaw` that lies along the world's axes.
+double straightened(double yaw);
+
 /// Every way in which the hand can take the object as it stands, without turning it, cheapest first: down on two of its
 /// sides, or with one finger below an edge that sticks out. None if it is wider than the hand and has no such edge.
 /// Without `shape` the object is its box. By one of

@@ -1,6 +1,5 @@
 #include "simulation/handling.h"
 
-
 #include <algorithm>
 #include <cmath>
 
