@@ -15,6 +15,7 @@ namespace {
 using Status = ActReport::Status;
 
 constexpr double set_down_error_m = 0.02;  // beyond it a put has missed
+constexpr double room_within_m = 0.012;    // how far from its place a thing may be set down to find room
 constexpr int most_attempts = 3, most_preparations = 4;
 
 /// The object is carried to a goal.
@@ -169,9 +170,15 @@ std::string Avatar::landmark() const {
   return command_.goal.landmarks.empty() ? std::string() : command_.goal.landmarks.front();
 }
 
-Task Avatar::task(const WorldSnapshot& world) const {
+Task Avatar::task(const WorldSnapshot& now) const {
+  // What is put somewhere comes to lie along the world's axes: its place is one for a thing that lies so.
+  WorldSnapshot world = now;
+  for (auto& object : world.objects)
+    if (has_goal() && object.name == command_.object) object.yaw = straightened(object.yaw);
+
   Task task;
   task.object = command_.object;
+  task.parts = command_.parts;
   if (has_goal()) {
     Placement place = placement(command_, world, Occupied::cleared).value();
     if (command_.goal.relation && is_side(*command_.goal.relation) &&
@@ -181,7 +188,7 @@ Task Avatar::task(const WorldSnapshot& world) const {
       if (free) place = *free;
     }
     task.p_WG = place.p_WO;
-    task.near_m = 0.9 * set_down_error_m;
+    task.near_m = room_within_m;
     task.landmark = landmark();
     if (command_.goal.relation == Relation::in) task.into = task.landmark;
     task.on_end = place.upright;

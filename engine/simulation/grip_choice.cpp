@@ -21,6 +21,8 @@ constexpr std::array tilts = {0.0, 0.7, -0.7};
 constexpr std::array shifts = {0.0, 0.35, -0.35, 0.6, -0.6};
 // Of each open finger from the object.
 constexpr std::array margins_m = {0.008, 0.004, 0.002};
+// Of a grip that is not where the object is best held.
+constexpr double elsewhere_cost = 1;
 
 /// `angle` plus whole turns of `period`, as near to `wanted` as can be.
 double nearest(double angle, double period, double wanted) {
@@ -84,7 +86,7 @@ std::vector<const ObjectState*> others_of(const ObjectState& object, const World
 
 /// Down on two sides.
 void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world, const AvatarForm& avatar,
-                          const ObjectShape* shape, std::vector<Grip>& grips) {
+                          const ObjectShape* shape, const Box* part, std::vector<Grip>& grips) {
   const HandShape& hand = avatar.hand;
   const auto others = obstacles(others_of(object, world), "");
   // Held at its middle, but flat things so that the finger tips stay above what they stand on.
@@ -95,10 +97,14 @@ void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world,
     const double yaw = nearest(object.yaw + side * quarter, 2 * quarter, natural);
     const Vec3 closing(std::cos(yaw), std::sin(yaw), 0), sideways(-std::sin(yaw), std::cos(yaw), 0);
     const Eigen::AngleAxisd R_WO(object.yaw, Vec3::UnitZ());
+    // Along what the fingers are moved: the object or the part of it, from its middle.
+    const double middle = part ? part->center()[1 - side] : 0;
+    const double length = part ? (part->max - part->min)[1 - side] / 2 : across;
+    const double along = (R_WO.inverse() * sideways)[1 - side];
     for (const double margin_m : margins_m) {
       for (const double shift : shifts) {
-        const Vec3 shift_W = shift * across * sideways;
-        const double shift_m = (R_WO.inverse() * shift_W)[1 - side];
+        const double shift_m = middle + shift * length * along;
+        const Vec3 shift_W = shift_m * along * sideways;
         const auto span = span_at(object, shape, hand, side, shift_m, height - hand.finger_tip_m);
         if (!span) continue;
         const double opening_m = span->half_m + margin_m;
@@ -111,8 +117,9 @@ void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world,
           grip.opening_m = opening_m;
           grip.conflict_m =
               beyond_slack(hand_conflict(avatar.hand, hand_at(grip, object.p_WO, false), opening_m, others));
-          // The middle of the object, wide fingers, the hand upright, little turning of the wrist.
-          grip.cost = 0.5 * std::abs(shift) + 20 * (margins_m[0] - margin_m) + 0.3 * std::abs(tilt) +
+          // The middle of the object, its narrow sides, room for the fingers, the hand upright, little turning of the
+          // wrist.
+          grip.cost = 0.5 * std::abs(shift) + 3 * span->half_m + 20 * (margins_m[0] - margin_m) + 0.3 * std::abs(tilt) +
                       0.02 * std::abs(yaw - natural);
           grips.push_back(grip);
         }
@@ -190,12 +197,18 @@ Pose hand_at(const Grip& grip, const Vec3& p_WO, bool turned) {
   return {p_WO + grip.aside_W + R * grip.p_OT, R * rotation(grip.hand)};
 }
 
+double straightened(double yaw) { return nearest(0, quarter, yaw); }
+
 std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world, const AvatarForm& avatar,
-                           const ObjectShape* shape) {
+                           const ObjectShape* shape, const std::vector<std::string>& parts) {
   // A tipped object shows other sides than its shape has.
   const bool upright = shape && std::abs(shape->bottom_m() + object.half_extents_m.z()) < 2 * position_grid_m;
   std::vector<Grip> grips;
-  add_grips_from_above(object, world, avatar, upright ? shape : nullptr, grips);
+  add_grips_from_above(object, world, avatar, upright ? shape : nullptr, nullptr, grips);
+  if (const Box* part = upright ? shape->part(parts) : nullptr) {
+    for (Grip& grip : grips) grip.cost += elsewhere_cost;
+    add_grips_from_above(object, world, avatar, shape, part, grips);
+  }
   if (upright) add_grips_on_edges(object, world, avatar, *shape, grips);
   std::stable_sort(grips.begin(), grips.end(), [](const Grip& a, const Grip& b) { return a.cost < b.cost; });
   return grips;
@@ -204,7 +217,7 @@ std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world
 std::vector<Grip> grips_at(const Grip& grip, const ObjectState& object, const Vec3& p_WG, const WorldSnapshot& world,
                            const AvatarForm& avatar, const std::string& into) {
   const auto others = obstacles(apart_from(object, world), into);
-  const double straighten = nearest(0, quarter, object.yaw) - object.yaw;
+  const double straighten = straightened(object.yaw) - object.yaw;
   const double start_wrist = std::remainder(grip.hand.yaw - avatar.natural_yaw(object.p_WO), 4 * quarter);
   const double yaw = avatar.natural_yaw(object.p_WO) + start_wrist;
   std::vector<Grip> grips;

@@ -25,11 +25,15 @@ struct Grip {
 /// The hand's pose when the object's centre is at `p_WO` and has not yet been turned, or has.
 Pose hand_at(const Grip& grip, const Vec3& p_WO, bool turned);
 
+/// The yaw nearest to `yaw` that lies along the world's axes.
+double straightened(double yaw);
+
 /// Every way in which the hand can take the object as it stands, without turning it, cheapest first: down on two of its
 /// sides, or with one finger below an edge that sticks out. None if it is wider than the hand and has no such edge.
-/// Without `shape` the object is its box.
+/// Without `shape` the object is its box. By one of
+/// `parts` it is held where it can be, the first that it has.
 std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world, const AvatarForm& avatar,
-                           const ObjectShape* shape = nullptr);
+                           const ObjectShape* shape = nullptr, const std::vector<std::string>& parts = {});
 
 /// The grip with each turn after which the object lies along the world's axes and that the wrist can make; with the
 /// conflict that the hand has at `p_WG` too. The hand may be in the hollow of the object named `into`.

@@ -51,9 +51,10 @@ class HandPath {
   HingeTarget at(double t_s) const;
 
  private:
-  static HandPath along(std::vector<ArmVector> knots, double path_m, const Pace& pace);
+  static HandPath along(const Arm& arm, std::vector<ArmVector> knots, const Pace& pace);
 
-  std::vector<ArmVector> knots_;  // at equal steps along the path
+  std::vector<ArmVector> knots_;
+  std::vector<double> at_s_;  // where along the path each knot is: when, were it at full speed all the way
   double duration_s_ = 0;
 };
 

@@ -47,11 +47,12 @@ bool alike(const Grip& a, const Grip& b) {
 }
 
 /// The grips there are where the object is: the one that holds it, or those that could take it.
-std::vector<Grip> starts_of(const ObjectState& object, const WorldSnapshot& world, const Means& means,
+std::vector<Grip> starts_of(const Task& task, const WorldSnapshot& world, const Means& means,
                             const std::optional<Grasp>& grasp) {
+  const ObjectState& object = *world.find(task.object);
   if (!grasp) {
     const auto shape = means.shapes.find(object.name);
-    return grips_on(object, world, means.avatar, shape == means.shapes.end() ? nullptr : &shape->second);
+    return grips_on(object, world, means.avatar, shape == means.shapes.end() ? nullptr : &shape->second, task.parts);
   }
   Grip grip;
   grip.hand = turn_of(grasp->X_WT.R_WB);
@@ -79,7 +80,7 @@ std::vector<Grip> turned_for(const Task& task, const Grip& grip, const ObjectSta
 /// Whether there is room for the task, as far as can be told without the arm.
 bool has_room(const Task& task, const WorldSnapshot& world, const Means& means) {
   const ObjectState& object = *world.find(task.object);
-  const auto grips = starts_of(object, world, means, std::nullopt);
+  const auto grips = starts_of(task, world, means, std::nullopt);
   const auto fits = [](const Grip& grip) { return grip.conflict_m == 0; };
   if (!task.p_WG) return std::any_of(grips.begin(), grips.end(), fits);
   for (const SetDown& way : ways_to(task, object, world)) {
@@ -109,7 +110,7 @@ WorldSnapshot moved(const WorldSnapshot& world, const ObjectState& object, const
 std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& world, const Means& means,
                                       const std::optional<Grasp>& grasp, const std::vector<Grip>& tried) {
   const ObjectState& object = *world.find(task.object);
-  const auto starts = starts_of(object, world, means, grasp);
+  const auto starts = starts_of(task, world, means, grasp);
   if (starts.empty()) return std::nullopt;
   Reach reach(means.avatar, object, world);
 
@@ -175,7 +176,7 @@ std::optional<Handling> set_aside(const std::string& held, const WorldSnapshot& 
   auto places = free_places(object, below, world, nearby_m, step_m);
   if (is_free(object, below, world)) places.insert(places.begin(), below);
   for (const Vec3& place : places) {
-    const auto handling = plan_handling({held, place}, world, means, grasp, {});
+    const auto handling = plan_handling({held, {}, place}, world, means, grasp, {});
     if (handling && handling->has_room) return handling;
   }
   return std::nullopt;
@@ -191,7 +192,7 @@ std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, 
     ObjectState lying = object;
     lying.p_WO.z() = world.table.max.z() + object.half_extents_m.z();
     for (const Vec3& place : free_places(object, lying.p_WO, world, nearby_m, step_m)) {
-      const Task aside{task.object, place};
+      const Task aside{task.object, {}, place};
       const auto handling = plan_handling(aside, world, means, grasp, {});
       if (handling && handling->has_room && has_room(task, moved(world, object, place - object.p_WO), means))
         return handling;
@@ -225,7 +226,7 @@ std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, 
   for (const Shift& shift : shifts) {
     if (!is_free(*shift.other, shift.other->p_WO + shift.by_W, world)) continue;
     if (!has_room(task, moved(world, *shift.other, shift.by_W), means)) continue;
-    const Task aside{shift.other->name, shift.other->p_WO + shift.by_W};
+    const Task aside{shift.other->name, {}, shift.other->p_WO + shift.by_W};
     const auto handling = plan_handling(aside, world, means, std::nullopt, {});
     if (handling && handling->has_room) return handling;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/scene.h"
 #include "simulation/stacks.h"
 #include "support/catch.h"
 
@@ -139,4 +140,27 @@ TEST_CASE("nothing is set down beyond the table's edge") {
   REQUIRE_FALSE(ways.empty());
   for (const SetDown& way : ways) CHECK(way.p_WO.y() < world.table.max.y());
   CHECK(set_downs(a, {0, 0.2, 0.03}, world, 0.018).empty());
+}
+
+TEST_CASE("a thing is held by the component that its voxeme names, where there is room") {
+  const auto scene = load_scene(CONTINUA_SOURCE_DIR "/mjcf/scenes/place_setting.xml").value();
+  const auto knife = std::find_if(scene.objects().begin(), scene.objects().end(),
+                                  [](const SceneObject& object) { return object.name == "knife"; });
+  WorldSnapshot world = scene.initial_snapshot();
+  std::swap(world.objects.front(), *std::find_if(world.objects.begin(), world.objects.end(),
+                                                 [](const ObjectState& object) { return object.name == "knife"; }));
+  const auto held_at = [&](const std::vector<std::string>& parts) {
+    for (const Grip& grip : grips_on(world.objects.front(), world, avatar, &knife->shape, parts))
+      if (grip.conflict_m == 0) return grip.p_OT.x();
+    return 1.0;
+  };
+  CHECK(held_at({}) == Approx(0).margin(1e-9));
+  CHECK(held_at({"spout"}) == Approx(0).margin(1e-9));
+  CHECK(held_at({"spout", "handle"}) == Approx(-0.0475).margin(1e-4));
+
+  // Where something stands over the handle, it is held elsewhere.
+  ObjectState board = block("board", world.objects.front().p_WO.x() - 0.07, world.objects.front().p_WO.y(), 1);
+  board.half_extents_m = {0.05, 0.15, 0.03};
+  world.objects.push_back(board);
+  CHECK(held_at({"handle"}) > -0.02);
 }
