@@ -18,7 +18,8 @@ using Status = ActReport::Status;
 
 constexpr double set_down_error_m = 0.02;  // beyond it a put has missed
 constexpr double turned_wrong = 0.17;      // radians: beyond it a turn has missed
-constexpr int most_attempts = 2, most_preparations = 4, most_pushes = 8;
+// One retry of what failed in the world; that the arm finds no way with a grip, two more grips may mend.
+constexpr int most_retries = 1, most_detours = 2, most_preparations = 4, most_pushes = 8;
 
 /// The object is carried to a goal.
 bool is_move(Capability what) {
@@ -59,7 +60,7 @@ std::optional<ActReport> Avatar::take_result() { return std::exchange(result_, s
 void Avatar::begin(const AvatarCommand& command) {
   command_ = command;
   outcome_ = {};
-  attempts_ = preparations_ = pushes_ = 0;
+  retried_ = detours_ = preparations_ = pushes_ = 0;
   tried_.clear();
   moved_aside_.clear();
   retries_.clear();
@@ -126,7 +127,7 @@ void Avatar::cannot(Status status, std::string reason) {
 /// Counts what has failed before, if anything has, as an attempt.
 void Avatar::begin_attempt() {
   if (outcome_.status == Status::done) return;
-  ++attempts_;
+  ++(outcome_.status == Status::unreachable ? detours_ : retried_);
   pushes_ = 0;
   retries_.push_back(outcome_.reason);
   outcome_ = {};
@@ -341,9 +342,10 @@ void Avatar::phases_done() {
 
 /// Whether the act has failed in a way that another attempt may mend, which then has begun.
 bool Avatar::try_again() {
-  if (outcome_.status == Status::done || is_gesture(command_.what) || command_.what == Capability::ungrasp ||
-      command_.what == Capability::retract || attempts_ + 1 >= most_attempts)
-    return false;
+  const bool once =
+      is_gesture(command_.what) || command_.what == Capability::ungrasp || command_.what == Capability::retract;
+  const bool spent = outcome_.status == Status::unreachable ? detours_ >= most_detours : retried_ >= most_retries;
+  if (outcome_.status == Status::done || once || spent) return false;
   if (stage_ == Stage::act) tried_.push_back(handling_.grip);
   decide();
   return true;

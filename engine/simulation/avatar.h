@@ -106,7 +106,7 @@ class Avatar {
   ActReport outcome_;
   Vec3 p_WG_ = Vec3::Zero();      // the goal of the object's centre
   std::optional<double> yaw_WG_;  // how it shall be turned then
-  int attempts_ = 0, preparations_ = 0, pushes_ = 0;
+  int retried_ = 0, detours_ = 0, preparations_ = 0, pushes_ = 0;
   std::vector<Grip> tried_;  // grips that failed
   std::vector<std::string> moved_aside_, retries_;
 
