@@ -46,9 +46,10 @@ struct AvatarCommand {
   std::string object;             ///< what is reached for, pointed at, grasped, moved; empty: the goal's place is
   Goal goal;                      ///< for put, slide, push and move; for reach, point, look without object: the place
   std::optional<Goal> next = {};  ///< for grasp: where the object will go then, so that the grip suits that too
-  double height_m = 0;            ///< for lift
-  double turn_rad = 0;            ///< for turn: counterclockwise as seen from above
-  std::string name;               ///< for signal
+  std::vector<std::string> parts = {};  ///< for grasp: the components by which it is best held, best first
+  double height_m = 0;                  ///< for lift
+  double turn_rad = 0;                  ///< for turn: counterclockwise as seen from above
+  std::string name;                     ///< for signal
 };
 
 /// How an act went.

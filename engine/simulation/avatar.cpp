@@ -47,10 +47,11 @@ Avatar::Avatar(Physics& physics)
     : physics_(physics),
       dt_s_(physics.timestep_s()),
       shapes_(shapes_of(physics.objects())),
-      means_{physics.arm(), shapes_},
+      means_{physics.avatar(), shapes_},
       path_(HandPath::stay(physics.hinges())) {
   wanted_opening_m_ = target_.opening_m = resting_opening_m;
-  target_.hinges.q = physics.hinges();
+  target_.hinges = {physics.hinges(), ArmVector::Zero(physics.arm().size())};
+  leftover_qdot_ = behind_q_ = target_.hinges.qdot;
 }
 
 bool Avatar::may_be_superseded() const { return busy_ && is_gesture(command_.what); }
@@ -103,6 +104,7 @@ void Avatar::halt() {
     }
   }
   brake();
+  failing_ = false;
   stage_ = Stage::act;
   phases_ = {Phase::halt};
   begin_phase();
@@ -137,6 +139,7 @@ void Avatar::begin_attempt() {
 void Avatar::decide() {
   const WorldSnapshot world = physics_.snapshot({});
   phases_.clear();
+  failing_ = false;
   stage_ = Stage::act;
   if (const auto name = missing_thing(command_, world))
     return cannot(Status::unreachable, fmt::format("there is no '{}'", *name));
@@ -146,7 +149,7 @@ void Avatar::decide() {
   }
 
   if (is_gesture(command_.what)) {
-    if (!solve_ik(physics_.arm(), gesture_pose(world), physics_.arm().home).reached)
+    if (!find_ik(physics_.arm(), gesture_pose(world)).reached)
       return cannot(Status::unreachable, "that place is out of my reach");
     phases_ = {Phase::hover};
   } else if (command_.what == Capability::ungrasp) {
@@ -196,6 +199,7 @@ std::string Avatar::landmark() const {
 Task Avatar::task(const WorldSnapshot& world) const {
   Task task;
   task.object = command_.object;
+  task.parts = command_.parts;
   if (has_goal()) {
     Placement place = placement(command_, world, Occupied::cleared).value();
     if (command_.goal.relation && is_side(*command_.goal.relation) &&
@@ -218,10 +222,9 @@ void Avatar::decide_handling(const WorldSnapshot& world) {
   const Task wanted = task(world);
   const ObjectState& object = *world.find(wanted.object);
   p_WG_ = wanted.p_WG.value_or(object.p_WO + Vec3(0, 0, wanted.raise_m));
-  const Arm& arm = physics_.arm();
+  const AvatarForm& avatar = physics_.avatar();
   const auto reaches = [&](const Vec3& p_WO) {
-    const double yaw = natural_yaw(p_WO, arm.joints[0].X_PJ.p_WB);
-    return solve_ik(arm, {p_WO, rotation({yaw, 0})}, arm.home).reached;
+    return find_ik(avatar.arm, {p_WO, rotation({avatar.natural_yaw(p_WO), 0})}).reached;
   };
   const bool in_hand = world.held == wanted.object;
   const auto held = in_hand ? grasp() : std::nullopt;
@@ -256,7 +259,10 @@ void Avatar::decide_turn(const WorldSnapshot& world) {
   const double by_rad = std::remainder(*yaw_WG_ - object.yaw, 4 * quarter_turn);
   const auto held = in_hand ? grasp() : std::nullopt;
   const bool may_prepare = preparations_ < most_preparations;
-  auto handling = plan_turn(object.name, by_rad, world, means_, held, tried_);
+  Task what;
+  what.object = command_.object;
+  what.parts = command_.parts;
+  auto handling = plan_turn(what, by_rad, world, means_, held, tried_);
   if (!handling) return cannot(Status::blocked, fmt::format("{} is too wide for the hand", object.name));
   if ((!handling->reached || !handling->has_room) && in_hand && may_prepare) {
     ++preparations_;
@@ -264,7 +270,7 @@ void Avatar::decide_turn(const WorldSnapshot& world) {
   }
   bool halfway = false;
   if (!handling->reached && !in_hand && may_prepare) {
-    handling = plan_turn(object.name, by_rad / 2, world, means_, held, tried_);
+    handling = plan_turn(what, by_rad / 2, world, means_, held, tried_);
     halfway = true;
   }
   if (!handling->reached) return cannot(Status::unreachable, fmt::format("the arm cannot turn {} there", object.name));
@@ -405,6 +411,7 @@ void Avatar::fail(Status status, std::string reason) {
     outcome_.status = status;
     outcome_.reason = std::move(reason);
   }
+  failing_ = true;
   const bool retreating = !phases_.empty() && phases_.front() == Phase::retreat;
   stop_here();
   // By the hinges alone the arm gets home from wherever it is: what it could not do before, it can from there.

@@ -54,14 +54,29 @@ std::vector<Pose> rounded(const std::vector<Pose>& corners) {
   return poses;
 }
 
+/// From posture to posture by the hinges alone, both ends left out.
+std::vector<ArmVector> by_hinges(const ArmVector& from, const ArmVector& to) {
+  constexpr double knot_turn = 0.04;  // radians
+  std::vector<ArmVector> knots;
+  const int steps = std::max(1, static_cast<int>(std::ceil((to - from).cwiseAbs().maxCoeff() / knot_turn)));
+  for (int i = 1; i < steps; ++i) knots.push_back(from + (to - from) * i / steps);
+  return knots;
+}
+
+double deepest(const std::vector<ArmVector>& knots, const HandPath::Depth& depth) {
+  double most = 0;
+  for (const auto& q : knots) most = std::max(most, depth(q));
+  return most;
+}
+
 }  // namespace
 
 std::optional<HandPath> HandPath::plan(const Arm& arm, const ArmVector& from, const std::vector<Pose>& X_WT,
-                                       const Pace& pace) {
+                                       const Pace& pace, const Depth& depth) {
   const auto straight = plan_straight(arm, from, X_WT, pace);
   if (straight || X_WT.size() < 2) return straight;
   const auto first = plan_straight(arm, from, {X_WT.front()}, pace);
-  const IkSolution goal = solve_ik(arm, X_WT.back(), arm.home);
+  const IkSolution goal = find_ik(arm, X_WT.back());
   if (!first || !goal.reached) return std::nullopt;
   // The last line backward, and more of them if that can be done.
   std::optional<HandPath> last;
@@ -74,11 +89,16 @@ std::optional<HandPath> HandPath::plan(const Arm& arm, const ArmVector& from, co
   }
   if (!last) return std::nullopt;
 
-  constexpr double knot_turn = 0.04;  // radians
-  std::vector<ArmVector> knots = first->knots_;
   const ArmVector start = first->end(), end = last->end();
-  const int steps = std::max(1, static_cast<int>(std::ceil((end - start).cwiseAbs().maxCoeff() / knot_turn)));
-  for (int i = 1; i < steps; ++i) knots.push_back(start + (end - start) * i / steps);
+  auto between = by_hinges(start, end);
+  if (depth && deepest(between, depth) > 0) {
+    auto by_home = by_hinges(start, arm.home);
+    by_home.push_back(arm.home);
+    for (const auto& q : by_hinges(arm.home, end)) by_home.push_back(q);
+    if (deepest(by_home, depth) < deepest(between, depth)) between = std::move(by_home);
+  }
+  std::vector<ArmVector> knots = first->knots_;
+  knots.insert(knots.end(), between.begin(), between.end());
   knots.insert(knots.end(), last->knots_.rbegin(), last->knots_.rend());
   const double path_m = static_cast<double>(knots.size()) * knot_distance_m;
   return along(std::move(knots), path_m, pace);
@@ -137,7 +157,7 @@ HandPath HandPath::stay(const ArmVector& q) {
 }
 
 HingeTarget HandPath::at(double t_s) const {
-  if (t_s >= duration_s_ || knots_.size() < 2) return {knots_.back(), ArmVector::Zero()};
+  if (t_s >= duration_s_ || knots_.size() < 2) return {knots_.back(), ArmVector::Zero(knots_.back().size())};
   const double u = std::max(0.0, t_s / duration_s_);
   const double along = u * u * u * (10 + u * (-15 + 6 * u));
   const double rate = 30 * u * u * (1 - u) * (1 - u) / duration_s_;

@@ -15,7 +15,6 @@ namespace continua {
 namespace {
 
 constexpr double half_turn = 3.141592653589793;
-constexpr double widest_wrist = 2.9;    // radians from natural: a little within the last hinge's limits
 constexpr double tips_above_m = 0.002;  // the table: a flat thing is met too
 constexpr double standing_m = 0.005;
 
@@ -66,7 +65,8 @@ Result<Push> push_along(const Leg& leg, const ObjectState& object, const std::st
   if (const auto other = met_on_way(object, object.p_WO + leg.length_m * leg.ahead_W, landmark, world))
     return cannot(fmt::format("{} is in the way of {}", *other, object.name));
 
-  const HandShape hand;
+  const AvatarForm& avatar = means.avatar;
+  const HandShape& hand = avatar.hand;
   Push push;
   push.ahead_W = leg.ahead_W;
   push.opening_m = std::max(0.0, std::min(part_of_face * leg.half_across_m, widest_m) - hand.finger_thickness_m / 2);
@@ -82,27 +82,25 @@ Result<Push> push_along(const Leg& leg, const ObjectState& object, const std::st
     if (other.name != object.name) others.push_back(column_of(other));
   OrientedBox itself = box_of(object);
   if (is_round(object, means)) itself.half_m.head<2>() *= inscribed;
-  const Arm& arm = means.arm;
-  const Vec3 base_W = arm.joints[0].X_PJ.p_WB;
   const double across = std::atan2(leg.ahead_W.y(), leg.ahead_W.x()) + half_turn / 2;
   bool has_room = false;
   for (const double gap_m : gaps_m) {
     for (const int turns : {0, 1, -1}) {
       const Vec3 behind_W = contact_W - gap_m * leg.ahead_W;
-      const double natural = natural_yaw(behind_W, base_W);
+      const double natural = avatar.natural_yaw(behind_W);
       const double yaw = across + half_turn * (std::round((natural - across) / half_turn) + turns);
-      if (std::abs(yaw - natural) > widest_wrist) continue;
+      if (!avatar.wrist_turns(yaw - natural)) continue;
       push.behind_X_WT = {behind_W, rotation({yaw, 0})};
       push.end_X_WT = {contact_W + leg.length_m * leg.ahead_W, push.behind_X_WT.R_WB};
       auto around = others;
       around.push_back(itself);
-      if (hand_conflict(push.behind_X_WT, push.opening_m, around) > 0 ||
-          hand_conflict(push.end_X_WT, push.opening_m, others) > 0)
+      if (hand_conflict(hand, push.behind_X_WT, push.opening_m, around) > 0 ||
+          hand_conflict(hand, push.end_X_WT, push.opening_m, others) > 0)
         continue;
       has_room = true;
-      const IkSolution behind = solve_ik(arm, push.behind_X_WT, arm.home);
-      if (behind.reached && solve_ik(arm, before_grasp(push.behind_X_WT), behind.q).reached &&
-          solve_ik(arm, push.end_X_WT, behind.q).reached)
+      const IkSolution behind = find_ik(avatar.arm, push.behind_X_WT);
+      if (behind.reached && solve_ik(avatar.arm, before_grasp(push.behind_X_WT), behind.q).reached &&
+          solve_ik(avatar.arm, push.end_X_WT, behind.q).reached)
         return push;
     }
   }

@@ -11,7 +11,6 @@ namespace continua {
 namespace {
 
 constexpr double half_turn = 3.141592653589793;
-constexpr double widest_wrist = 2.9;  // radians from natural: a little within the last hinge's limits
 
 /// The grips as they are and, where that is another posture of the wrist, with the hand the other way round.
 std::vector<Grip> both_ways_round(std::vector<Grip> grips) {
@@ -28,13 +27,12 @@ std::vector<Grip> both_ways_round(std::vector<Grip> grips) {
 
 }  // namespace
 
-std::optional<Handling> plan_turn(const std::string& name, double by_rad, const WorldSnapshot& world,
-                                  const Means& means, const std::optional<Grasp>& grasp,
-                                  const std::vector<Grip>& tried) {
-  const ObjectState& object = *world.find(name);
-  const Vec3 base_W = means.arm.joints[0].X_PJ.p_WB;
-  const double natural = natural_yaw(object.p_WO, base_W);
-  auto grips = starts_of(object, world, means, grasp);
+std::optional<Handling> plan_turn(const Task& task, double by_rad, const WorldSnapshot& world, const Means& means,
+                                  const std::optional<Grasp>& grasp, const std::vector<Grip>& tried) {
+  const ObjectState& object = *world.find(task.object);
+  const AvatarForm& avatar = means.avatar;
+  const double natural = avatar.natural_yaw(object.p_WO);
+  auto grips = starts_of(task, world, means, grasp);
   if (grips.empty()) return std::nullopt;
   if (!grasp) grips = both_ways_round(std::move(grips));
 
@@ -45,11 +43,12 @@ std::optional<Handling> plan_turn(const std::string& name, double by_rad, const 
     for (const double round : {0.0, -2 * half_turn, 2 * half_turn}) {
       const double by = by_rad + round, wrist = std::remainder(grip.hand.yaw - natural, 2 * half_turn);
       // With the other turn of the wrist the same grip is among those the other way round.
-      if (std::abs(grip.hand.yaw - natural) > widest_wrist && !grasp) continue;
-      if (std::abs(by) > 1.01 * half_turn || std::abs(wrist + by) > widest_wrist) continue;
+      if (!avatar.wrist_turns(grip.hand.yaw - natural) && !grasp) continue;
+      if (std::abs(by) > 1.01 * half_turn || !avatar.wrist_turns(wrist + by)) continue;
       Grip one = grip;
       one.turn = by;
-      one.conflict_m = std::max(grip.conflict_m, hand_conflict(hand_at(one, object.p_WO, true), one.opening_m, others));
+      one.conflict_m =
+          std::max(grip.conflict_m, hand_conflict(avatar.hand, hand_at(one, object.p_WO, true), one.opening_m, others));
       for (const Grip& before : tried) one.cost += alike(grip, before) ? 5 : 0;
       one.cost += 0.05 * std::abs(wrist) + 0.05 * std::abs(wrist + by) + (round == 0 ? 0 : 0.1);
       turned.push_back(one);
@@ -66,12 +65,13 @@ std::optional<Handling> plan_turn(const std::string& name, double by_rad, const 
     return overlap_depth(box_of(after), other) > std::max(slack_m, overlap_depth(box_of(object), other));
   });
   Handling best;
-  best.object = name;
+  best.object = task.object;
   constexpr std::size_t most_tries = 100;
   for (std::size_t i = 0; i < std::min(turned.size(), most_tries); ++i) {
-    const IkSolution start = solve_ik(means.arm, hand_at(turned[i], object.p_WO, false), means.arm.home);
-    if (!start.reached || !solve_ik(means.arm, hand_at(turned[i], object.p_WO, true), means.arm.home).reached) continue;
-    if (!grasp && !solve_ik(means.arm, before_grasp(hand_at(turned[i], object.p_WO, false)), start.q).reached) continue;
+    const IkSolution start = find_ik(avatar.arm, hand_at(turned[i], object.p_WO, false));
+    if (!start.reached || !find_ik(avatar.arm, hand_at(turned[i], object.p_WO, true)).reached) continue;
+    if (!grasp && !solve_ik(avatar.arm, before_grasp(hand_at(turned[i], object.p_WO, false)), start.q).reached)
+      continue;
     best.grip = turned[i];
     best.set_down = SetDown{object.p_WO, std::nullopt};
     best.reached = true;
