@@ -37,10 +37,14 @@ std::string text_of(Lesson lesson, const Term& value) {
   return lesson == Lesson::word ? print(Program{value}) : print(value);
 }
 
-Json result_of(double position_error_m, const std::string& reason, const std::vector<std::string>& moved_aside) {
-  Json result{{"position_error_m", rounded(position_error_m, 1e5)}};
-  if (!reason.empty()) result["reason"] = reason;
-  if (!moved_aside.empty()) result["moved_aside"] = moved_aside;
+// What an act, or a step of it, came to.
+template <typename End>
+Json result_of(const End& end) {
+  Json result{{"position_error_m", rounded(end.position_error_m, 1e5)}, {"yaw_error", rounded(end.yaw_error, 1e3)}};
+  if (!end.reason.empty()) result["reason"] = end.reason;
+  if (!end.touches.empty()) result["touches"] = end.touches;
+  if (!end.moved_aside.empty()) result["moved_aside"] = end.moved_aside;
+  if (!end.retries.empty()) result["retries"] = end.retries;
   return result;
 }
 
@@ -274,8 +278,7 @@ void Recorder::one(const ActStep& step) {
 
 void Recorder::one(const ActEnd& end) {
   acts_.at(end.act.number).status = end.status;
-  write_act(end.act.number, text(end.status),
-            {{"result", result_of(end.position_error_m, end.reason, end.moved_aside)}}, now_);
+  write_act(end.act.number, text(end.status), {{"result", result_of(end)}}, now_);
 }
 
 void Recorder::one(const Remembered& remembered) {
@@ -354,8 +357,7 @@ void Recorder::report(const ActReport& report) {
   const auto found = steps_.find(report.id);
   if (found == steps_.end()) return;
   Json more{{"step", found->second.step}, {"program", print(found->second.program)}};
-  if (report.status != ActReport::Status::started)
-    more["result"] = result_of(report.position_error_m, report.reason, report.moved_aside);
+  if (report.status != ActReport::Status::started) more["result"] = result_of(report);
   write_act(found->second.act, text(report.status), std::move(more), report.t);
 }
 

@@ -2,6 +2,10 @@
 
 namespace continua {
 
+bool moves_to_goal(Capability what) {
+  return what == Capability::put || what == Capability::slide || what == Capability::push || what == Capability::move;
+}
+
 std::string text(Capability what) {
   switch (what) {
     case Capability::reach:
@@ -20,8 +24,14 @@ std::string text(Capability what) {
       return "slide";
     case Capability::move:
       return "move";
+    case Capability::push:
+      return "push";
+    case Capability::turn:
+      return "turn";
     case Capability::ungrasp:
       return "ungrasp";
+    case Capability::retract:
+      return "retract";
     case Capability::stop:
       return "stop";
     case Capability::signal:
@@ -44,6 +54,8 @@ std::string text(ActReport::Status status) {
       return "blocked";
     case ActReport::Status::unreachable:
       return "unreachable";
+    case ActReport::Status::unstable:
+      return "unstable";
     case ActReport::Status::stopped:
       return "stopped";
   }

@@ -24,7 +24,10 @@ enum class Capability {
   put,      ///< object is grasped if it is not, carried to the goal, set down and released
   slide,    ///< as move, but along the table; what is not held is grasped first and released in the end
   move,     ///< grasped object is carried to the goal and set down there; the fingers stay closed
+  push,     ///< the hand comes down behind the object and moves it along the table by contact; nothing is grasped
+  turn,     ///< object turns about the vertical by `turn_rad`; what is not held is grasped first and set down again
   ungrasp,  ///< what is held is lowered onto what is below it, the fingers open, the hand backs off
+  retract,  ///< the hand goes back to where it was at the start; what is held is kept
   stop,     ///< what is under way ends where it is, what waits is given up; what is held stays held, even in mid-air
   signal,   ///< a named gesture (nod, thumbs up); nothing but the log shows one the body has no motion for
 };
@@ -40,23 +43,28 @@ struct Goal {
 struct AvatarCommand {
   int id = 0;  ///< running number, given back in reports
   Capability what = Capability::signal;
-  std::string object;                   ///< what is reached for, pointed at, grasped, moved; empty: the goal's place is
-  Goal goal;                            ///< for put, slide and move; for reach, point, look without object: the place
-  std::optional<Goal> next = {};        ///< for grasp: where the object will go then, so that the grip suits that too
+  std::string object;             ///< what is reached for, pointed at, grasped, moved; empty: the goal's place is
+  Goal goal;                      ///< for put, slide, push and move; for reach, point, look without object: the place
+  std::optional<Goal> next = {};  ///< for grasp: where the object will go then, so that the grip suits that too
   std::vector<std::string> parts = {};  ///< for grasp: the components by which it is best held, best first
   double height_m = 0;                  ///< for lift
+  double turn_rad = 0;                  ///< for turn: counterclockwise as seen from above
   std::string name;                     ///< for signal
 };
 
 /// How an act went.
 struct ActReport {
-  enum class Status { started, done, missed, dropped, blocked, unreachable, stopped };
+  /// unstable: what was let go of moved again within a second.
+  enum class Status { started, done, missed, dropped, blocked, unreachable, unstable, stopped };
   int id = 0;
   SimTime t;
   Status status = Status::done;
-  double position_error_m = 0;  ///< put, slide, move: distance of the object from its goal on the table plane
+  double position_error_m = 0;  ///< put, slide, push, move, turn: distance from the goal on the table plane
   std::string reason;           ///< a sentence, when it was not done, or not just so
   std::vector<std::string> moved_aside = {};  ///< other objects that were put elsewhere to make room, in order
+  double yaw_error = 0;  ///< of the object from how it was meant to be turned, radians; 0 for round things
+  std::vector<std::string> touches = {};  ///< what the object that was handled touches in the end: objects, `table`
+  std::vector<std::string> retries = {};  ///< why earlier attempts had failed, in order
 };
 
 std::string text(Capability what);
@@ -97,10 +105,13 @@ enum class Occupied {
             ///< something
 };
 
-/// Where the object comes to lie when `command`, a put, slide or move, succeeds in `world`. At a point it stands on the
-/// table, whatever is there. Beside another thing (left, right, in_front, behind, touching) it ideally touches it, at
-/// or beside it, near or between it keeps a distance; `in` it stands on the hollow's floor, lying if it fits so, else
-/// upright; before a participant it is near the edge of the table. A side of the object itself is a step that way.
+/// The object is brought to a goal.
+bool moves_to_goal(Capability what);
+
+/// Where the object comes to lie when `command`, a put, slide, push or move, succeeds in `world`. At a point it stands
+/// on the table, whatever is there. Beside another thing (left, right, in_front, behind, touching) it ideally touches
+/// it, at or beside it, near or between it keeps a distance; `in` it stands on the hollow's floor, lying if it fits so,
+/// else upright; before a participant it is near the edge of the table. A side of the object itself is a step that way.
 /// Whatever place is chosen, world/relations says of it that the relation holds. The error's sentence is the reason why
 /// there is no such place. REQUIRES that nothing is missing.
 Result<Placement> placement(const AvatarCommand& command, const WorldSnapshot& world, Occupied occupied);

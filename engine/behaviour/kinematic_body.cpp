@@ -1,6 +1,7 @@
 #include "behaviour/kinematic_body.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -12,10 +13,11 @@ namespace {
 
 using Status = ActReport::Status;
 
-bool is_move(Capability what) {
-  return what == Capability::put || what == Capability::slide || what == Capability::move;
+constexpr double full_turn = 6.283185307179586;
+
+bool needs_object(Capability what) {
+  return what == Capability::grasp || what == Capability::lift || what == Capability::turn || moves_to_goal(what);
 }
-bool needs_object(Capability what) { return what == Capability::grasp || what == Capability::lift || is_move(what); }
 
 ObjectState& object_of(WorldSnapshot& world, std::string_view name) {
   const auto found = std::find_if(world.objects.begin(), world.objects.end(),
@@ -33,6 +35,21 @@ Eigen::Quaterniond turn_of(const ObjectState& now, const ObjectState* lying) {
   return yaw * Eigen::AngleAxisd(quarter_turn, x_upright ? Vec3::UnitY() : Vec3(-Vec3::UnitX()));
 }
 
+/// What an object touches: other objects, and `table`.
+std::vector<std::string> touched_by(const ObjectState& object, const WorldSnapshot& world) {
+  std::vector<std::string> touched;
+  for (const auto& other : world.objects) {
+    if (other.name == object.name) continue;
+    const Vec3 depth = depth_of(object.bounds_W(), other.bounds_W());
+    // By a face, not only along an edge.
+    const bool faces = (depth.array() > touching_m).count() >= 2;
+    if (faces && depth.minCoeff() > -touching_m) touched.push_back(other.name);
+  }
+  if (object.bounds_W().min.z() < world.table.max.z() + touching_m) touched.emplace_back("table");
+  std::sort(touched.begin(), touched.end());
+  return touched;
+}
+
 }  // namespace
 
 WorldReport KinematicBody::advance(SimTime t) {
@@ -48,9 +65,13 @@ WorldReport KinematicBody::advance(SimTime t) {
       continue;
     }
     report.acts.push_back({it->id, world_.t, Status::started, 0, ""});
+    const std::string held = world_.held;
     ActReport end = act(*it);
     end.id = it->id;
     end.t = world_.t;
+    const bool handles = needs_object(it->what) || it->what == Capability::ungrasp;
+    if (const ObjectState* object = world_.find(it->object.empty() ? held : it->object); object && handles)
+      end.touches = touched_by(*object, world_);
     report.acts.push_back(std::move(end));
   }
   waiting_.clear();
@@ -58,7 +79,8 @@ WorldReport KinematicBody::advance(SimTime t) {
   PoseSample moved{world_.t, {}};
   for (std::size_t i = 0; i < world_.objects.size(); ++i) {
     const ObjectState& now = world_.objects[i];
-    if (now.p_WO == before.objects[i].p_WO && now.half_extents_m == before.objects[i].half_extents_m) continue;
+    const ObjectState& then = before.objects[i];
+    if (now.p_WO == then.p_WO && now.half_extents_m == then.half_extents_m && now.yaw == then.yaw) continue;
     const auto lying = lying_.find(now.name);
     moved.bodies[now.name] = {now.p_WO, turn_of(now, lying == lying_.end() ? nullptr : &lying->second)};
   }
@@ -90,10 +112,18 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
     return failed(Status::blocked, fmt::format("{} is not in the hand", handling.object));
   const WorldSnapshot before = world_;
   if (!in_hand) release();
-  if (is_move(command.what)) {
+  if (command.what == Capability::turn) {
+    if (const auto why = turn(handling)) {
+      world_ = before;
+      return failed(Status::blocked, *why);
+    }
+    return end;
+  }
+  if (moves_to_goal(command.what)) {
     end = move(handling);
     if (end.status != Status::done) world_ = before;
-    if (end.status == Status::done && (command.what == Capability::put || !in_hand)) world_.held.clear();
+    const bool lets_go = command.what == Capability::put || command.what == Capability::push || !in_hand;
+    if (end.status == Status::done && lets_go) world_.held.clear();
     return end;
   }
   if (command.what == Capability::grasp && command.next && !in_hand) {
@@ -130,6 +160,25 @@ ActReport KinematicBody::move(const AvatarCommand& command) {
     end.reason = fmt::format("{} stands on its end", command.object);
   }
   return end;
+}
+
+/// Why the object cannot be turned, if it cannot. What stands on it turns along.
+std::optional<std::string> KinematicBody::turn(const AvatarCommand& command) {
+  const auto moves = carried_with(command.object, world_);
+  const Vec3 axis_W = world_.find(command.object)->p_WO;
+  const Eigen::AngleAxisd R(command.turn_rad, Vec3::UnitZ());
+  WorldSnapshot turned = world_;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    if (!moves[i]) continue;
+    ObjectState& object = turned.objects[i];
+    object.p_WO = on_grid(Vec3(axis_W + R * (object.p_WO - axis_W)));
+    object.yaw = std::remainder(object.yaw + command.turn_rad, full_turn);
+    for (std::size_t j = 0; j < moves.size(); ++j)
+      if (!moves[j] && overlap(object, world_.objects[j]) && !overlap(world_.objects[i], world_.objects[j]))
+        return fmt::format("there is no room to turn {}: {} is in the way", command.object, world_.objects[j].name);
+  }
+  world_ = std::move(turned);
+  return std::nullopt;
 }
 
 WorldSnapshot KinematicBody::lying_down(const std::string& name) const {

@@ -33,13 +33,16 @@ struct ActStep {
   std::string reason;
 };
 
-/// What came of an act. Error, reason and what was moved aside are those of its steps.
+/// What came of an act, as its steps have reported it: the last errors, reason and touches of any, what was moved aside
+/// and tried again in all of them.
 struct ActEnd {
   AskedAct act;
   ActReport::Status status = ActReport::Status::done;
   double position_error_m = 0;
   std::string reason;
   std::vector<std::string> moved_aside;
+  double yaw_error = 0;  ///< radians
+  std::vector<std::string> touches = {}, retries = {};
 };
 
 /// What the body is told to do for a gesture, whose turn has come.

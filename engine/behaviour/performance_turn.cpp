@@ -325,8 +325,7 @@ std::optional<ActStep> PerformanceTurn::own_step() {
     command->next = next_goal(command->object);
     if (const auto* object = world().find(command->object)) command->parts = grasp_parts(*object);
   }
-  if (command->what == Capability::move || command->what == Capability::slide || command->what == Capability::put)
-    act_.brought.insert(command->object);
+  if (moves_to_goal(command->what)) act_.brought.insert(command->object);
   step.command = *std::move(command);
   return step;
 }
@@ -356,8 +355,7 @@ std::optional<Goal> PerformanceTurn::next_goal(const std::string& object) const 
       const auto command = plan(program, false, circumstances_.perspective());
       if (!command || command->object != object) continue;
       if (command->what == Capability::ungrasp) return std::nullopt;
-      if (command->what == Capability::move || command->what == Capability::slide || command->what == Capability::put)
-        return command->goal;
+      if (moves_to_goal(command->what)) return command->goal;
     }
   return std::nullopt;
 }

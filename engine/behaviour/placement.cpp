@@ -76,6 +76,7 @@ class Places {
 
   std::vector<Vec3> ideals() const;
   std::vector<Vec3> before_participant(Perspective who) const;
+  std::vector<std::string> contents_of(const ObjectState& container) const;
   bool is_narrow(const ObjectState& below) const;
   double support_height(const Vec3& p_W, Occupied occupied) const;
   bool free(const ObjectState& placed) const;
@@ -209,7 +210,21 @@ Result<Placement> Places::in_hollow() const {
     }
   }
   if (!fits) return no(fmt::format("{} does not fit into {}", object_.name, container->name));
-  return no_room();
+  const auto inside = contents_of(*container);
+  if (inside.empty()) return no_room();
+  return no(fmt::format("{} is full: {} {} in it", container->name, fmt::join(inside, " and "),
+                        inside.size() > 1 ? "are" : "is"));
+}
+
+/// What is in a container, the object itself apart.
+std::vector<std::string> Places::contents_of(const ObjectState& container) const {
+  std::vector<std::string> inside;
+  const std::array landmarks = {Landmark::object(container)};
+  for (const auto& other : world_.objects)
+    if (other.name != container.name && other.name != object_.name &&
+        holds_by(Relation::in, other, landmarks, world_.table, goal_.perspective) > 0)
+      inside.push_back(other.name);
+  return inside;
 }
 
 Result<Placement> Places::on_top(Occupied occupied) const {
@@ -217,6 +232,10 @@ Result<Placement> Places::on_top(Occupied occupied) const {
   const ObjectState& below = *landmarks_.front().thing;
   const Box top = below.bounds_W();
   const Vec3 ideal(below.p_WO.x(), below.p_WO.y(), top.max.z() + object_.half_extents_m.z());
+  // What is set down on less than a quarter of its width tips at the least push.
+  const Vec3 bearing = half_of(top), needed = (half_of(object_.bounds_W()) / 4).cwiseMax(rim_m);
+  if (bearing.x() <= needed.x() || bearing.y() <= needed.y())
+    return no(fmt::format("{} is too narrow to bear {}", below.name, object_.name));
   if (occupied == Occupied::cleared) return Placement{on_grid(ideal)};
   for (const Vec3& step : steps_around(farthest_m)) {
     const ObjectState there = placed(ideal + step);

@@ -14,8 +14,10 @@ namespace {
 // How far a lifted object rises: clear of what stands beside it, low enough for the arm everywhere on the table.
 constexpr double lift_height_m = 0.1;
 
-// The body's programs and what they take: a thing, a place, or either.
-enum class Takes { nothing, thing, thing_and_goal, thing_or_place, last_is_thing_or_place };
+constexpr double quarter_turn_deg = 90, rad_per_deg = 0.017453292519943295;
+
+// The body's programs and what they take: a thing, a place, or either; an angle is in degrees.
+enum class Takes { nothing, thing, thing_and_angle, thing_and_goal, thing_or_place, last_is_thing_or_place };
 struct Program {
   std::string_view name;
   Capability what;
@@ -29,6 +31,10 @@ constexpr std::array programs = {
     Program{"put", Capability::put, Takes::thing_and_goal},
     Program{"move", Capability::move, Takes::thing_and_goal},
     Program{"slide", Capability::slide, Takes::thing_and_goal},
+    Program{"push", Capability::push, Takes::thing_and_goal},
+    Program{"turn", Capability::turn, Takes::thing},
+    Program{"turn_by", Capability::turn, Takes::thing_and_angle},
+    Program{"retract", Capability::retract, Takes::nothing},
     Program{"stop", Capability::stop, Takes::nothing},
     Program{"reach", Capability::reach, Takes::thing_or_place},
     Program{"look_at", Capability::look, Takes::thing_or_place},
@@ -42,7 +48,7 @@ const Program* program_named(std::string_view name) {
 
 std::size_t most(const Program& program) {
   if (program.takes == Takes::nothing) return 0;
-  return program.takes == Takes::thing_and_goal || program.takes == Takes::last_is_thing_or_place ? 2 : 1;
+  return program.takes == Takes::thing || program.takes == Takes::thing_or_place ? 1 : 2;
 }
 
 bool is_thing(const Term& term) { return term.kind() == Term::Kind::constant && term.type() == Type::entity(); }
@@ -81,10 +87,17 @@ Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspe
   const std::size_t least = known->takes == Takes::last_is_thing_or_place ? 1 : most(*known);
   if (arguments.size() < least || arguments.size() > most(*known)) return wrong();
   if (known->takes == Takes::nothing) return command;
+  if (known->takes == Takes::thing_and_angle) {
+    if (!is_thing(arguments[0]) || arguments[1].kind() != Term::Kind::number) return wrong();
+    command.object = arguments[0].name();
+    command.turn_rad = rad_per_deg * arguments[1].number_value();
+    return command;
+  }
   if (known->takes == Takes::thing || known->takes == Takes::thing_and_goal) {
     if (!is_thing(arguments[0])) return wrong();
     command.object = arguments[0].name();
     if (known->what == Capability::lift) command.height_m = lift_height_m;
+    if (known->what == Capability::turn) command.turn_rad = rad_per_deg * quarter_turn_deg;
   } else if (is_thing(arguments.back())) {
     command.object = arguments.back().name();
     return command;

@@ -18,7 +18,7 @@ constexpr int deepest = 10;
 constexpr std::size_t most_events = 1000;
 
 // The body's own programs that take something to another place or attitude.
-constexpr std::array<std::string_view, 4> moving = {"lift", "move", "slide", "turn"};
+constexpr std::array<std::string_view, 6> moving = {"lift", "move", "slide", "push", "turn", "turn_by"};
 
 bool takes_part(const Expression& call) {
   return std::any_of(call.arguments.begin(), call.arguments.end(),

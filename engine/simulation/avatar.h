@@ -10,6 +10,7 @@
 #include "behaviour/avatar_command.h"
 #include "simulation/handling.h"
 #include "simulation/physics.h"
+#include "simulation/pushing.h"
 
 namespace continua {
 
@@ -36,12 +37,34 @@ class Avatar {
   std::optional<ActReport> take_result();
 
  private:
-  enum class Phase { hover, approach, close, raise, carry, lower, insert, shove, open, retreat, go_home, settle, halt };
+  enum class Phase {
+    hover,
+    approach,
+    close,
+    raise,
+    carry,
+    lower,
+    insert,
+    shove,
+    open,
+    retreat,
+    behind,
+    push,
+    back_off,
+    withdraw,
+    go_home,
+    settle,
+    halt
+  };
   enum class Stage { preparation, act };  // what the phases are for: making the act possible, or the act itself
 
   // avatar.cpp
   void decide();
   void decide_handling(const WorldSnapshot& world);
+  void decide_turn(const WorldSnapshot& world);
+  void decide_push(const WorldSnapshot& world);
+  void cannot(ActReport::Status status, std::string reason);
+  void begin_attempt();
   void put_away(const WorldSnapshot& world);
   void halt();
   Task task(const WorldSnapshot& world) const;
@@ -52,6 +75,7 @@ class Avatar {
   void phases_done();
   bool try_again();
   void judge();
+  bool moved_again() const;
   bool is_in(const std::string& container, const WorldSnapshot& world) const;
   void fail(ActReport::Status status, std::string reason);
   void end_act();
@@ -80,14 +104,26 @@ class Avatar {
   bool lets_go_ = false;  // in the end the hand is empty
   std::optional<ActReport> result_;
   ActReport outcome_;
-  Vec3 p_WG_ = Vec3::Zero();  // the goal of the object's centre
-  int attempts_ = 0, preparations_ = 0;
+  Vec3 p_WG_ = Vec3::Zero();      // the goal of the object's centre
+  std::optional<double> yaw_WG_;  // how it shall be turned then
+  int retried_ = 0, detours_ = 0, preparations_ = 0, pushes_ = 0;
   std::vector<Grip> tried_;  // grips that failed
-  std::vector<std::string> moved_aside_;
+  std::vector<std::string> moved_aside_, retries_;
+
+  // What was let go of last, and where it was then.
+  struct LetGo {
+    int object = -1;
+    Pose X_WO;
+    double ago_s = 0;
+  };
+  std::optional<LetGo> let_go_;
+  int quiet_steps_ = 0;  // for how long no object has moved
 
   // The handling under way.
   Stage stage_ = Stage::act;
   Handling handling_;
+  Push push_;
+  double short_m_ = 0;        // by how much the pushes before it in its direction fell short
   int object_ = -1;           // its index
   bool along_table_ = false;  // slides rather than is carried
 
@@ -105,6 +141,9 @@ class Avatar {
   double wanted_opening_m_ = 0, release_opening_m_ = 0;
   AvatarTarget target_;
 };
+
+/// Nothing has moved for so long, seconds: it will not by itself.
+inline constexpr double quiet_s = 0.1;
 
 /// The body only shows something, and moves nothing.
 bool is_gesture(Capability what);

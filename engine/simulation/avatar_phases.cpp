@@ -19,6 +19,8 @@ constexpr double further_m = 0.003;    // down, than should be needed: contact e
 constexpr double touch_force_N = 2.5;  // of set-down: a block weighs about 1 N
 constexpr Pace gentle{0.12, 1.5, 10};
 constexpr Pace loaded{0.9, 2.5, 18};
+// Half of what counts as rest: what is about to topple does not stay below this for so long.
+constexpr double quiet_m_per_s = 1e-3, quiet_rad_per_s = 0.025;
 
 }  // namespace
 
@@ -99,6 +101,8 @@ bool Avatar::pushes_hard() {
 }
 
 const AvatarTarget& Avatar::update() {
+  if (let_go_) let_go_->ago_s += dt_s_;
+  quiet_steps_ = physics_.objects_slower_than(quiet_m_per_s, quiet_rad_per_s) ? quiet_steps_ + 1 : 0;
   if (busy_ && phase_ended()) {
     phases_.pop_front();
     begin_phase();
@@ -153,7 +157,8 @@ bool Avatar::move_to(Phase phase, const WorldSnapshot& world) {
       constexpr double above_m = 0.01, drag_m = 0.001;
       const Vec3 first_at = handling_.set_down->first_W();
       const bool may_slide = command_.what == Capability::slide || stage_ == Stage::preparation;
-      along_table_ = may_slide && way_is_free(world.objects[object_], first_at, landmark(), world);
+      along_table_ = may_slide && command_.what != Capability::turn &&
+                     way_is_free(world.objects[object_], first_at, landmark(), world);
       const Vec3& half_extents_m = world.objects[object_].half_extents_m;
       const double half_m = handling_.on_end ? half_extents_m.maxCoeff() : half_extents_m.z();
       double up_m = along_table_ ? drag_m : above_m;
@@ -179,11 +184,30 @@ bool Avatar::move_to(Phase phase, const WorldSnapshot& world) {
     }
     case Phase::open:
       stop_here();
+      if (held >= 0) let_go_ = {held, physics_.object_pose(held), 0};
       physics_.set_grip(-1);
       wanted_opening_m_ = std::max(release_opening_m_, target_.opening_m);
       return true;
     case Phase::retreat:
       return go({before_grasp(from)});
+    case Phase::behind:
+      wanted_opening_m_ = push_.opening_m;
+      return go(way_over(from, push_.behind_X_WT, world, avatar));
+    case Phase::push:
+      return go({push_.end_X_WT}, gentle);
+    case Phase::back_off: {
+      constexpr double back_m = 0.015;
+      const Pose back{from.p_WB - back_m * push_.ahead_W, from.R_WB};
+      let_go_ = {object_, physics_.object_pose(object_), 0};
+      return go({back, before_grasp(back)});
+    }
+    case Phase::withdraw: {
+      if (held < 0) wanted_opening_m_ = resting_opening_m;
+      const double below_m = held < 0 ? 0 : from.p_WB.z() - world.objects[held].bounds_W().min.z();
+      // What cannot be done in a straight line is done by the hinges alone, in the next phase.
+      go(way_over(from, tool_pose(physics_.arm(), physics_.arm().home), world, avatar, below_m));
+      return true;
+    }
     case Phase::go_home:
       stop_here();
       path_ = HandPath::between(target_.hinges.q, physics_.arm().home);
@@ -201,8 +225,22 @@ bool Avatar::phase_ended() {
   switch (phases_.front()) {
     case Phase::hover:
     case Phase::retreat:
-    case Phase::go_home:
+    case Phase::back_off:
       return arrived();
+    case Phase::withdraw:
+    case Phase::go_home:
+      if (command_.what == Capability::retract && pushes_hard()) {
+        fail(Status::blocked, "something is in the hand's way");
+        return false;
+      }
+      return arrived();
+    case Phase::push:
+      if (pushes_hard()) {
+        fail(Status::blocked, fmt::format("something is in {}'s way", command_.object));
+        return false;
+      }
+      return arrived();
+    case Phase::behind:
     case Phase::approach:
       if (pushes_hard()) {
         fail(Status::blocked, "something is in the hand's way");
@@ -244,10 +282,9 @@ bool Avatar::phase_ended() {
       return target_.opening_m >= wanted_opening_m_ || phase_s_ > patience_s;
     }
     case Phase::settle: {
-      constexpr int still_steps = 25;
-      constexpr double patience_s = 1.5;
-      steps_so_ = physics_.slower_than(0.01, 0.2) ? steps_so_ + 1 : 0;
-      return steps_so_ >= still_steps || phase_s_ > patience_s;
+      constexpr double patience_s = 1, least_s = 0.1;
+      const double since_s = let_go_ ? let_go_->ago_s : phase_s_;
+      return quiet_steps_ * dt_s_ >= quiet_s || (since_s > patience_s && phase_s_ > least_s);
     }
     case Phase::halt: {
       constexpr double patience_s = 0.8;

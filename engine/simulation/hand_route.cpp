@@ -118,10 +118,10 @@ std::vector<Pose> pointing_poses(const Vec3& p_W, const Vec3& base_W) {
   return poses;
 }
 
-bool way_is_free(const ObjectState& object, const Vec3& p_WG, const std::string& landmark, const WorldSnapshot& world) {
+std::optional<std::string> met_on_way(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
+                                      const WorldSnapshot& world) {
   constexpr double margin_m = 0.003, step_m = 0.005, leaving_m = 0.02;
   const Vec3 way = p_WG - object.p_WO;
-  if (std::abs(way.z()) > 0.005) return false;
   const int steps = std::max(1, static_cast<int>(std::ceil(way.norm() / step_m)));
   for (int i = 0; i <= steps; ++i) {
     OrientedBox box = box_of(object);
@@ -131,10 +131,15 @@ bool way_is_free(const ObjectState& object, const Vec3& p_WG, const std::string&
       const bool may_touch = other->name == landmark || i * step_m < leaving_m;
       OrientedBox theirs = box_of(*other);
       theirs.half_m += Vec3(may_touch ? -margin_m : margin_m, may_touch ? -margin_m : margin_m, -margin_m);
-      if (overlap_depth(box, theirs) > 0) return false;
+      if (overlap_depth(box, theirs) > 0) return other->name;
     }
   }
-  return true;
+  return std::nullopt;
+}
+
+bool way_is_free(const ObjectState& object, const Vec3& p_WG, const std::string& landmark, const WorldSnapshot& world) {
+  constexpr double level_m = 0.005;
+  return std::abs((p_WG - object.p_WO).z()) <= level_m && !met_on_way(object, p_WG, landmark, world);
 }
 
 }  // namespace continua

@@ -1,6 +1,7 @@
 // Poses and ways of the hand over the table, clear of what stands there.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,10 @@ std::vector<OrientedBox> things_around(const WorldSnapshot& world);
 
 /// Fingers stretched toward a place, from the side of the avatar, at some distance: the ways to do so, best first.
 std::vector<Pose> pointing_poses(const Vec3& p_W, const Vec3& base_W);
+
+/// What an object would meet first if it were slid to its goal; it may touch `landmark`.
+std::optional<std::string> met_on_way(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
+                                      const WorldSnapshot& world);
 
 /// Whether an object can be slid to its goal without meeting others; it may touch `landmark`.
 bool way_is_free(const ObjectState& object, const Vec3& p_WG, const std::string& landmark, const WorldSnapshot& world);

@@ -40,27 +40,6 @@ SetDown elsewhere(const Task& task, const ObjectState& object, const WorldSnapsh
   return {places.empty() ? *task.p_WG : places.front(), std::nullopt};
 }
 
-bool alike(const Grip& a, const Grip& b) {
-  constexpr double same_rad = 0.2;
-  return std::abs(a.hand.yaw - b.hand.yaw) < same_rad && std::abs(a.hand.tilt - b.hand.tilt) < same_rad &&
-         std::abs(a.turn - b.turn) < same_rad;
-}
-
-/// The grips there are where the object is: the one that holds it, or those that could take it.
-std::vector<Grip> starts_of(const Task& task, const WorldSnapshot& world, const Means& means,
-                            const std::optional<Grasp>& grasp) {
-  const ObjectState& object = *world.find(task.object);
-  if (!grasp) {
-    const auto shape = means.shapes.find(object.name);
-    return grips_on(object, world, means.avatar, shape == means.shapes.end() ? nullptr : &shape->second, task.parts);
-  }
-  Grip grip;
-  grip.hand = turn_of(grasp->X_WT.R_WB);
-  grip.p_OT = grasp->X_WT.p_WB - object.p_WO;
-  grip.opening_m = grasp->opening_m;
-  return {grip};
-}
-
 /// The ways to bring the object about to its goal; into a hollow from as low above its floor as the hand finds room.
 std::vector<SetDown> ways_to(const Task& task, const ObjectState& object, const WorldSnapshot& world) {
   if (task.into.empty()) return set_downs(object, *task.p_WG, world, task.near_m);
@@ -106,6 +85,26 @@ WorldSnapshot moved(const WorldSnapshot& world, const ObjectState& object, const
 }
 
 }  // namespace
+
+bool alike(const Grip& a, const Grip& b) {
+  constexpr double same_rad = 0.2;
+  return std::abs(a.hand.yaw - b.hand.yaw) < same_rad && std::abs(a.hand.tilt - b.hand.tilt) < same_rad &&
+         std::abs(a.turn - b.turn) < same_rad;
+}
+
+std::vector<Grip> starts_of(const Task& task, const WorldSnapshot& world, const Means& means,
+                            const std::optional<Grasp>& grasp) {
+  const ObjectState& object = *world.find(task.object);
+  if (!grasp) {
+    const auto shape = means.shapes.find(object.name);
+    return grips_on(object, world, means.avatar, shape == means.shapes.end() ? nullptr : &shape->second, task.parts);
+  }
+  Grip grip;
+  grip.hand = turn_of(grasp->X_WT.R_WB);
+  grip.p_OT = grasp->X_WT.p_WB - object.p_WO;
+  grip.opening_m = grasp->opening_m;
+  return {grip};
+}
 
 std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& world, const Means& means,
                                       const std::optional<Grasp>& grasp, const std::vector<Grip>& tried) {

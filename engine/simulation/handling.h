@@ -46,6 +46,13 @@ struct Means {
   const ObjectShapes& shapes;
 };
 
+/// The grips there are where the task's object is: the one that holds it, or those that could take it.
+std::vector<Grip> starts_of(const Task& task, const WorldSnapshot& world, const Means& means,
+                            const std::optional<Grasp>& grasp);
+
+/// Whether two grips would fail alike.
+bool alike(const Grip& a, const Grip& b);
+
 /// The best handling, in `world` as it is. `grasp` is how the hand holds the object if it does, and is kept. Grips like
 /// those `tried` before come last. Nothing if there is no way to hold the object.
 std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& world, const Means& means,

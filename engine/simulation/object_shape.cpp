@@ -125,4 +125,18 @@ std::vector<ObjectShape::Edge> ObjectShape::edges(double inset_m, double half_wi
   return found;
 }
 
+bool ObjectShape::is_round() const {
+  constexpr int directions = 16;
+  constexpr double as_round = 0.1;  // a regular octagon is
+  const double radius_m = std::max(half_.x(), half_.y()), margin_m = as_round * radius_m + column_m;
+  for (int i = 0; i < directions; ++i) {
+    const double angle = 6.283185307179586 * i / directions;
+    double reach_m = 0;
+    for (double r = 0; r < half_.head<2>().norm(); r += column_m / 2)
+      if (at(r * std::cos(angle), r * std::sin(angle))) reach_m = r;
+    if (std::abs(reach_m - radius_m) > margin_m) return false;
+  }
+  return true;
+}
+
 }  // namespace continua

@@ -36,6 +36,9 @@ class ObjectShape {
   /// Those no thicker than `thickest_m` and with at least `air_m` below, at `inset_m` from their outline.
   std::vector<Edge> edges(double inset_m, double half_width_m, double thickest_m, double air_m) const;
 
+  /// Seen from above it is much the same however it is turned.
+  bool is_round() const;
+
   double bottom_m() const { return -half_.z(); }
 
   /// The first of these components that the object has, as a box; null if it has none.

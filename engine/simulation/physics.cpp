@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@ struct Physics::State {
   DataOwner data;
   std::vector<SceneObject> objects;
   Box table;
+  int table_body = -1;
   AvatarForm avatar;
   AvatarElements ids;
   int grip = -1;  // the object the weld may hold
@@ -116,6 +118,7 @@ Result<std::unique_ptr<Physics>> Physics::create(const Scene& scene) {
   state->data = DataOwner(mj_makeData(state->model.get()));
   state->objects = scene.objects();
   state->table = scene.table();
+  state->table_body = state->model->geom_bodyid[id_of(*state->model, mjOBJ_GEOM, "table_top")];
   std::tie(state->avatar, state->ids) = *avatar;
   state->soften_pads();
   std::copy(scene.initial_qpos().begin(), scene.initial_qpos().end(), state->data->qpos);
@@ -200,6 +203,22 @@ double Physics::outside_force(int object) const {
   return largest;
 }
 
+std::vector<std::string> Physics::touched_by(int object) const {
+  const State& s = *state_;
+  std::set<std::string> names;
+  for (int i = 0; i < s.data->ncon; ++i) {
+    if (s.data->contact[i].dist > 0) continue;
+    const int body1 = s.model->geom_bodyid[s.data->contact[i].geom1];
+    const int body2 = s.model->geom_bodyid[s.data->contact[i].geom2];
+    if (body1 != s.objects[object].body && body2 != s.objects[object].body) continue;
+    const int other = body1 == s.objects[object].body ? body2 : body1;
+    const auto is_other = [&](const SceneObject& one) { return one.body == other; };
+    if (other == s.table_body) names.insert("table");
+    if (std::any_of(s.objects.begin(), s.objects.end(), is_other)) names.insert(name_of(*s.model, mjOBJ_BODY, other));
+  }
+  return {names.begin(), names.end()};
+}
+
 ArmVector Physics::hinges() const {
   ArmVector q(arm().size());
   for (int i = 0; i < arm().size(); ++i) q[i] = state_->data->qpos[state_->ids.qpos[static_cast<std::size_t>(i)]];
@@ -233,6 +252,14 @@ bool Physics::slower_than(double m_per_s, double rad_per_s) const {
     if (!free && std::abs(v[0]) > (slide ? m_per_s : rad_per_s)) return false;
   }
   return true;
+}
+
+bool Physics::objects_slower_than(double m_per_s, double rad_per_s) const {
+  const State& s = *state_;
+  return std::all_of(s.objects.begin(), s.objects.end(), [&](const SceneObject& object) {
+    const mjtNum* v = s.data->qvel + s.model->jnt_dofadr[s.model->body_jntadr[object.body]];
+    return vec_of(v).norm() <= m_per_s && vec_of(v + 3).norm() <= rad_per_s;
+  });
 }
 
 WorldSnapshot Physics::snapshot(SimTime t) const {

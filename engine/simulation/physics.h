@@ -48,12 +48,17 @@ class Physics {
   /// what is held.
   double outside_force(int object) const;
 
+  /// What an object touches, as of the last step: other objects and, in the order of names among them, `table`.
+  std::vector<std::string> touched_by(int object) const;
+
   ArmVector hinges() const;
   Pose object_pose(int object) const;
   /// Of every body that can move, by name.
   std::vector<std::pair<std::string, Pose>> poses() const;
   /// Nothing turns or moves faster than these.
   bool slower_than(double m_per_s, double rad_per_s) const;
+  /// No object does.
+  bool objects_slower_than(double m_per_s, double rad_per_s) const;
 
   WorldSnapshot snapshot(SimTime t) const;
 

@@ -1,5 +1,7 @@
 #include "behaviour/kinematic_body.h"
 
+#include <cmath>
+
 #include "support/catch.h"
 
 using namespace continua;
@@ -72,6 +74,35 @@ TEST_CASE("grasp, lift and ungrasp") {
   CHECK(act(body, command(Capability::ungrasp, "")).status == Status::done);
   CHECK(body.snapshot().held.empty());
   CHECK(place(body, "c").z() == Approx(0.09));
+}
+
+TEST_CASE("what is pushed is not held, what is turned lies as it is turned, and the hand may be drawn back") {
+  KinematicBody body(three_blocks());
+  AvatarCommand push = move(Capability::push, "a", Relation::left, "b");
+  ActReport end = act(body, push);
+  CHECK(end.status == Status::done);
+  CHECK(end.touches == std::vector<std::string>{"b", "table"});
+  CHECK(body.snapshot().held.empty());
+
+  AvatarCommand turn = command(Capability::turn, "b");
+  turn.turn_rad = 0.5;
+  const Vec3 rider = place(body, "c");
+  CHECK(act(body, turn).status == Status::blocked);
+  act(body, push = move(Capability::push, "a", Relation::left, "a"));
+  end = act(body, turn);
+  CHECK(end.status == Status::done);
+  CHECK(end.touches == std::vector<std::string>{"c", "table"});
+  CHECK(body.snapshot().find("b")->yaw == Approx(0.5));
+  CHECK(body.snapshot().find("c")->yaw == Approx(0.5));
+  CHECK((place(body, "c") - rider).norm() == Approx(0.01 * 2 * std::sin(0.25)).margin(2e-4));
+
+  act(body, command(Capability::grasp, "a"));
+  CHECK(act(body, command(Capability::retract, "")).status == Status::done);
+  CHECK(body.snapshot().held == "a");
+  turn.object = "a";
+  act(body, turn);
+  CHECK(body.snapshot().held == "a");
+  CHECK(act(body, command(Capability::turn, "nothing")).status == Status::unreachable);
 }
 
 TEST_CASE("a put of another object lets go of the one in the hand") {

@@ -123,7 +123,8 @@ TEST_CASE("where things are put") {
       {"put plate in cup", "plate does not fit into cup"},
       {"put block in plate", "plate has no hollow that anything could be put in"},
       {"put pin on cup", "pin would fall into cup"},
-      {"put plate on knife", "there is no room for plate on knife"},
+      {"put plate on knife", "knife is too narrow to bear plate"},
+      {"put block on pin", "pin is too narrow to bear block"},
       {"put cup under plate", "nothing can be put under plate"},
       {"put cup behind avatar", "nothing can be put behind avatar"},
       {"put cup on human", "nothing can be put on human"},
@@ -136,6 +137,19 @@ TEST_CASE("where things are put") {
   for (const auto& row : rows) {
     INFO(row.said);
     CHECK(told(row.said) == row.where);
+  }
+}
+
+TEST_CASE("a container is full when what would fit finds no room for what is in it, and both bodies are told so") {
+  WorldSnapshot world = laid_table();
+  ObjectState& cup = world.objects[1];
+  world.objects[5].p_WO = cup.p_WO;
+  world.objects[5].half_extents_m = {0.02, 0.02, 0.03};
+  for (const Occupied occupied : {Occupied::avoided, Occupied::cleared}) {
+    CHECK(told("put knife in cup", world, occupied) == "cup is full: pin is in it");
+    CHECK(told("put block in cup", world, occupied) == "block does not fit into cup");
+    CHECK(told("put plate on knife", world, occupied) == "knife is too narrow to bear plate");
+    CHECK(told("put knife in cup", laid_table(), occupied) == "0.12 0.03 0.108 upright");
   }
 }
 

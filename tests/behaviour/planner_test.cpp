@@ -1,5 +1,7 @@
 #include "behaviour/planner.h"
 
+#include <cmath>
+
 #include "support/catch.h"
 #include "term/term_text.h"
 
@@ -12,9 +14,11 @@ const Signature& names() {
     Signature names = core_signature();
     const auto type = [](const char* text) { return *Type::parse(text); };
     for (const char* object : {"block1", "block2", "avatar"}) names.emplace(object, Type::entity());
-    for (const char* program : {"grasp", "ungrasp", "lift", "shine", "turn"}) names.emplace(program, type("e -> t"));
-    for (const char* program : {"put", "slide", "move"}) names.emplace(program, type("e -> loc -> t"));
-    names.emplace("stop", Type::truth());
+    for (const char* program : {"grasp", "ungrasp", "lift", "shine", "turn", "flip"})
+      names.emplace(program, type("e -> t"));
+    for (const char* program : {"put", "slide", "push", "move"}) names.emplace(program, type("e -> loc -> t"));
+    names.emplace("turn_by", type("e -> num -> t"));
+    for (const char* program : {"stop", "retract"}) names.emplace(program, Type::truth());
     for (const char* place : {"left", "right", "in_front", "behind", "on", "in", "at", "beside", "touching", "under"})
       names.emplace(place, type("e -> loc"));
     names.emplace("between", type("e -> e -> loc"));
@@ -39,6 +43,7 @@ std::string planned(const std::string& text, bool gesture = false, Perspective p
   if (goal.relation) told += continua::text(*goal.relation);
   for (const auto& landmark : goal.landmarks) told += " " + landmark;
   if (!goal.relation) told += " " + print(Term::point(goal.p_WG.x(), goal.p_WG.y(), goal.p_WG.z()));
+  if (command->turn_rad != 0) told += " by " + std::to_string(std::lround(command->turn_rad * 1000));
   return told + (command->name.empty() ? "" : " '" + command->name + "'");
 }
 
@@ -48,6 +53,10 @@ TEST_CASE("programs become commands of the body") {
   CHECK(planned("grasp(block1)") == "grasp [block1] <0, 0, 0>");
   CHECK(planned("put(block1, on(block2))") == "put [block1] avatar's on block2");
   CHECK(planned("move(block1, on(block2))") == "move [block1] avatar's on block2");
+  CHECK(planned("push(block1, left(block2))") == "push [block1] avatar's left block2");
+  CHECK(planned("turn(block1)") == "turn [block1] <0, 0, 0> by 1571");
+  CHECK(planned("turn_by(block1, -180)") == "turn [block1] <0, 0, 0> by -3142");
+  CHECK(planned("retract") == "retract [] <0, 0, 0>");
   CHECK(planned("stop") == "stop [] <0, 0, 0>");
   CHECK(planned("put(block1, <0.1, 0.2, 0>)") == "put [block1] <0.1, 0.2, 0>");
   CHECK(planned("put(block1, near('x', <0.1, 0.2, 0>))") == "put [block1] <0.1, 0.2, 0>");
@@ -74,6 +83,6 @@ TEST_CASE("a gesture without a motion of its own is a signal; an act without a p
   CHECK(planned("shine(block1)", true) == "signal [] <0, 0, 0> 'shine(block1)'");
   CHECK(planned("'HEAD_NOD'", true) == "signal [] <0, 0, 0> 'HEAD_NOD'");
   CHECK(planned("shine(block1)") == "shine(block1) is no program that the body can perform");
-  CHECK(planned("turn(block1)") == "turn(block1) is no program that the body can perform");
+  CHECK(planned("flip(block1)") == "flip(block1) is no program that the body can perform");
   CHECK(planned("\\x. grasp(x)") == "\\x. grasp(x) is no program that the body can perform");
 }

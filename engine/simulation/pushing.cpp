@@ -1,0 +1,155 @@
+#include "simulation/pushing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "simulation/hand_route.h"
+#include "simulation/stacks.h"
+
+namespace continua {
+
+namespace {
+
+constexpr double half_turn = 3.141592653589793;
+constexpr double tips_above_m = 0.002;  // the table: a flat thing is met too
+constexpr double standing_m = 0.005;
+
+const ObjectShape* shape_of(const ObjectState& object, const Means& means) {
+  const auto found = means.shapes.find(object.name);
+  return found == means.shapes.end() ? nullptr : &found->second;
+}
+
+bool is_round(const ObjectState& object, const Means& means) {
+  const ObjectShape* shape = shape_of(object, means);
+  return shape && shape->is_round();
+}
+
+/// A straight part of the way, along one direction.
+struct Leg {
+  Vec3 ahead_W = Vec3::UnitX();
+  double length_m = 0;
+  double half_m = 0;         ///< how far the object reaches back along it
+  double half_across_m = 0;  ///< and to its sides
+};
+
+/// The longest first.
+std::vector<Leg> legs_to(const ObjectState& object, const Vec3& p_WG, const Means& means) {
+  const Vec3 way(p_WG.x() - object.p_WO.x(), p_WG.y() - object.p_WO.y(), 0);
+  const Vec3& half = object.half_extents_m;
+  std::vector<Leg> legs;
+  if (is_round(object, means)) {
+    if (way.norm() > pushed_m) legs.push_back({way.normalized(), way.norm(), half.x(), half.y()});
+    return legs;
+  }
+  const Eigen::AngleAxisd R_WO(object.yaw, Vec3::UnitZ());
+  for (const int axis : {0, 1}) {
+    const Vec3 along_W = R_WO * Vec3::Unit(axis);
+    const double by_m = way.dot(along_W);
+    if (std::abs(by_m) > pushed_m)
+      legs.push_back({by_m > 0 ? along_W : Vec3(-along_W), std::abs(by_m), half[axis], half[1 - axis]});
+  }
+  std::stable_sort(legs.begin(), legs.end(), [](const Leg& a, const Leg& b) { return a.length_m > b.length_m; });
+  return legs;
+}
+
+Error cannot(std::string sentence) { return {"", std::move(sentence)}; }
+
+Result<Push> push_along(const Leg& leg, const ObjectState& object, const std::string& landmark,
+                        const WorldSnapshot& world, const Means& means) {
+  constexpr double part_of_face = 0.5, widest_m = 0.03, inscribed = 0.7;  // the square in a circle
+  constexpr std::array gaps_m = {0.012, 0.007, 0.003};
+  if (const auto other = met_on_way(object, object.p_WO + leg.length_m * leg.ahead_W, landmark, world))
+    return cannot(fmt::format("{} is in the way of {}", *other, object.name));
+
+  const AvatarForm& avatar = means.avatar;
+  const HandShape& hand = avatar.hand;
+  Push push;
+  push.ahead_W = leg.ahead_W;
+  push.opening_m = std::max(0.0, std::min(part_of_face * leg.half_across_m, widest_m) - hand.finger_thickness_m / 2);
+  // Between the fingers a round thing reaches farther back than where they touch it.
+  double touched_m = leg.half_m;
+  if (is_round(object, means))
+    touched_m = std::sqrt(std::max(0.0, leg.half_m * leg.half_m - push.opening_m * push.opening_m));
+  Vec3 contact_W = object.p_WO - (touched_m + hand.finger_half_width_m) * leg.ahead_W;
+  contact_W.z() = world.table.max.z() + hand.finger_tip_m + tips_above_m;
+
+  std::vector<OrientedBox> others;
+  for (const auto& other : world.objects)
+    if (other.name != object.name) others.push_back(column_of(other));
+  OrientedBox itself = box_of(object);
+  if (is_round(object, means)) itself.half_m.head<2>() *= inscribed;
+  const double across = std::atan2(leg.ahead_W.y(), leg.ahead_W.x()) + half_turn / 2;
+  bool has_room = false;
+  for (const double gap_m : gaps_m) {
+    for (const int turns : {0, 1, -1}) {
+      const Vec3 behind_W = contact_W - gap_m * leg.ahead_W;
+      const double natural = avatar.natural_yaw(behind_W);
+      const double yaw = across + half_turn * (std::round((natural - across) / half_turn) + turns);
+      if (!avatar.wrist_turns(yaw - natural)) continue;
+      push.behind_X_WT = {behind_W, rotation({yaw, 0})};
+      push.end_X_WT = {contact_W + leg.length_m * leg.ahead_W, push.behind_X_WT.R_WB};
+      auto around = others;
+      around.push_back(itself);
+      if (hand_conflict(hand, push.behind_X_WT, push.opening_m, around) > 0 ||
+          hand_conflict(hand, push.end_X_WT, push.opening_m, others) > 0)
+        continue;
+      has_room = true;
+      const IkSolution behind = find_ik(avatar.arm, push.behind_X_WT);
+      if (behind.reached && solve_ik(avatar.arm, before_grasp(push.behind_X_WT), behind.q).reached &&
+          solve_ik(avatar.arm, push.end_X_WT, behind.q).reached)
+        return push;
+    }
+  }
+  if (!has_room) return cannot(fmt::format("there is no room for the hand behind {}", object.name));
+  return Error{"unreachable", fmt::format("the arm does not get behind {}", object.name)};
+}
+
+/// The first of pushes that lead to the goal.
+Result<Push> first_push(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
+                        const WorldSnapshot& world, const Means& means) {
+  std::optional<Error> first;
+  for (const Leg& leg : legs_to(object, p_WG, means)) {
+    auto push = push_along(leg, object, landmark, world, means);
+    WorldSnapshot after = world;
+    for (auto& other : after.objects)
+      if (other.name == object.name) other.p_WO += leg.length_m * leg.ahead_W;
+    const ObjectState& moved = *after.find(object.name);
+    if (push && needs_push(moved, p_WG, means)) {
+      const auto next = first_push(moved, p_WG, landmark, after, means);
+      if (!next) push = next.error();
+    }
+    if (push) return push;
+    if (!first) first = push.error();
+  }
+  require(first.has_value(), "what is pushed is not where it shall be");
+  return *first;
+}
+
+/// Whether the centre of what stands there is well above the table.
+bool bears(const Box& table, const Vec3& p_W) {
+  constexpr double margin_m = 0.01;
+  return p_W.x() > table.min.x() + margin_m && p_W.x() < table.max.x() - margin_m &&
+         p_W.y() > table.min.y() + margin_m && p_W.y() < table.max.y() - margin_m;
+}
+
+}  // namespace
+
+bool needs_push(const ObjectState& object, const Vec3& p_WG, const Means& means) {
+  return !legs_to(object, p_WG, means).empty();
+}
+
+Result<Push> plan_push(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
+                       const WorldSnapshot& world, const Means& means) {
+  if (object.bounds_W().min.z() - world.table.max.z() > standing_m)
+    return cannot(fmt::format("{} does not stand on the table", object.name));
+  if (std::abs(p_WG.z() - object.p_WO.z()) > standing_m)
+    return cannot(fmt::format("{} can only be pushed along the table", object.name));
+  if (!bears(world.table, p_WG)) return cannot(fmt::format("{} would fall off the table", object.name));
+  return first_push(object, p_WG, landmark, world, means);
+}
+
+}  // namespace continua
