@@ -1,0 +1,29 @@
+// The instants of a run that are worth a picture each.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "replay/pictures/run_story.h"
+
+namespace continua {
+
+/// What happened, for a caption.
+struct Happening {
+  std::string who;  ///< "Human", "Avatar", "Act"
+  std::string text;
+};
+
+struct KeyMoment {
+  SimTime t{};
+  std::vector<Happening> happenings;
+  int weight = 0;  ///< the more, the rather it is shown
+};
+
+/// By rule: what the human said or showed and something came of, when it was over; what the avatar said; where acts,
+/// and the steps that the body did, ended, how they ended told too. What is close together is one moment. Of more than
+/// `most` the least important are left out, of these those nearest to another. In order of time; never empty.
+std::vector<KeyMoment> key_moments(const RunStory& story, std::size_t most = 12);
+
+}  // namespace continua
