@@ -122,7 +122,7 @@ bool is_number_address(const std::string& host) {
 
 class InspectorServer::Impl {
  public:
-  explicit Impl(std::vector<std::string> paths) : api_(std::move(paths), std::make_shared<FrameCache>()) {
+  explicit Impl(std::vector<std::string> paths) : api_(std::move(paths), drawn_frames()) {
     server_.set_payload_max_length(largest_body);
     server_.set_keep_alive_timeout(2);
     server_.set_default_headers({{"Content-Security-Policy", policy},

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double fovy = 30;      // degrees; of cameras that are not the scene's
 constexpr int most_marks = 300;  // geoms beside the scene's
-constexpr double disc_radius_m = 0.018, disc_height_m = 0.0015, ray_radius_m = 0.003;
+constexpr double disc_radius_m = 0.022, disc_height_m = 0.0015, ray_radius_m = 0.003;
 
 Vec3 vec(const mjtNum* v) { return {v[0], v[1], v[2]}; }
 
@@ -62,10 +62,7 @@ class Posed {
     std::vector<Vec3> corners;
     for (int body = 1; body < model_.nbody; ++body) {
       if (model_.body_geomnum[body] == 0) continue;
-      const Box& box = bounds_B_[static_cast<std::size_t>(body)];
-      for (const double x : {box.min.x(), box.max.x()})
-        for (const double y : {box.min.y(), box.max.y()})
-          for (const double z : {box.min.z(), box.max.z()}) corners.push_back(in_W(body, {x, y, z}));
+      for (const Vec3& corner : corners_W(body)) corners.push_back(corner);
     }
     if (corners.empty()) corners = {Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 0.5)};
     return corners;
@@ -75,13 +72,23 @@ class Posed {
   std::optional<Vec3> top_of(const std::string& name) const {
     const auto body = bodies_.find(name);
     if (body == bodies_.end() || model_.body_geomnum[body->second] == 0) return std::nullopt;
-    const Box& box = bounds_B_[static_cast<std::size_t>(body->second)];
-    Vec3 top = in_W(body->second, box.center());
-    for (const double x : {box.min.x(), box.max.x()})
-      for (const double y : {box.min.y(), box.max.y()})
-        for (const double z : {box.min.z(), box.max.z()})
-          top.z() = std::max(top.z(), in_W(body->second, {x, y, z}).z());
-    return top;
+    const Box box = bounds_W(body->second);
+    return Vec3(box.center().x(), box.center().y(), box.max.z());
+  }
+
+  /// `p_W`, or, where objects stand on it, the point above it at the height of the highest.
+  Vec3 above_objects(const Vec3& p_W) const {
+    Vec3 above = p_W;
+    for (int body = 1; body < model_.nbody; ++body) {
+      const int joint = model_.body_jntadr[body];
+      if (model_.body_geomnum[body] == 0 || joint < 0 || model_.jnt_type[joint] != mjJNT_FREE) continue;
+      const Box box = bounds_W(body);
+      const bool within =
+          (p_W.head<2>() - box.center().head<2>()).cwiseAbs().cwiseQuotient((box.max - box.min).head<2>()).maxCoeff() <
+          0.5;
+      if (within) above.z() = std::max(above.z(), box.max.z());
+    }
+    return above;
   }
 
   std::optional<Vec3> hand() const {
@@ -109,6 +116,26 @@ class Posed {
     std::array<mjtNum, 4> q{};
     mju_mulQuat(q.data(), body_quat, quat);
     mju_quat2Mat(xmat, q.data());
+  }
+
+  std::array<Vec3, 8> corners_W(int body) const {
+    const Box& box = bounds_B_[static_cast<std::size_t>(body)];
+    std::array<Vec3, 8> corners;
+    std::size_t next = 0;
+    for (const double x : {box.min.x(), box.max.x()})
+      for (const double y : {box.min.y(), box.max.y()})
+        for (const double z : {box.min.z(), box.max.z()}) corners[next++] = in_W(body, {x, y, z});
+    return corners;
+  }
+
+  Box bounds_W(int body) const {
+    const auto corners = corners_W(body);
+    Box bounds{corners[0], corners[0]};
+    for (const Vec3& corner : corners) {
+      bounds.min = bounds.min.cwiseMin(corner);
+      bounds.max = bounds.max.cwiseMax(corner);
+    }
+    return bounds;
   }
 
   Vec3 in_W(int body, const Vec3& p_B) const {
@@ -198,11 +225,11 @@ class Renderer::Impl {
 
  private:
   void add(const RenderMark& mark) {
-    const Vec3 to = posed_.top_of(mark.on_body).value_or(mark.to_W);
+    const Vec3 to = posed_.top_of(mark.on_body).value_or(posed_.above_objects(mark.to_W));
     const auto from = mark.from_hand ? posed_.hand() : mark.from_W;
     const std::array<float, 4> colour{mark.rgb[0], mark.rgb[1], mark.rgb[2], 1}, light{1, 1, 1, 1};
     const auto disc = [&](double radius, double height, const std::array<float, 4>& rgba) {
-      const std::array<mjtNum, 3> size{radius, radius, height};
+      const std::array<mjtNum, 3> size{radius, height, 0};
       const Vec3 at = to + Vec3(0, 0, height);
       if (auto* geom = new_geom()) mjv_initGeom(geom, mjGEOM_CYLINDER, size.data(), at.data(), nullptr, rgba.data());
     };

@@ -29,8 +29,8 @@ struct Image {
 
 /// Something drawn into the scene that is no part of it: where somebody points.
 struct RenderMark {
-  Vec3 to_W = Vec3::Zero();       ///< a disc lies here
-  std::string on_body = {};       ///< if that is a body of the scene, the disc lies on top of it instead
+  Vec3 to_W = Vec3::Zero();       ///< a disc lies here; where an object stands, on top of it
+  std::string on_body = {};       ///< if that is a body of the scene, the disc lies on top of that instead
   std::optional<Vec3> from_W{};   ///< a ray from here to the disc
   bool from_hand = false;         ///< the ray begins between the avatar's fingers, if the scene has an avatar
   std::array<float, 3> rgb = {};  ///< 0 … 1

@@ -13,7 +13,7 @@ struct Side {
   const char* name;
   double azimuth, elevation;
 };
-constexpr std::array sides = {Side{"front", 90, -30}, Side{"left", 0, -25}, Side{"right", 180, -25},
+constexpr std::array sides = {Side{"front", 90, -34}, Side{"left", 0, -25}, Side{"right", 180, -25},
                               Side{"back", 270, -35}, Side{"top", 90, -89}};
 
 constexpr double margin = 0.94;  // of half the picture

@@ -22,7 +22,7 @@ namespace {
 
 enum class Output { picture, film, folder };
 
-constexpr ImageSize large{960, 540}, small{480, 270};
+constexpr ImageSize large{960, 540}, small{400, 300};
 
 Result<Output> kind_of(const std::string& path) {
   const auto ending = fs::path(path).extension().string();
@@ -59,9 +59,9 @@ Result<std::string> write_film(RunPictures& pictures, const RenderOptions& optio
   const auto clock = clock_of(pictures, options.real_time);
   const double rate = options.frames_per_second;
   const auto frames = static_cast<std::size_t>(std::ceil(clock.film_end().seconds() * rate)) + 1;
+  const Interruptible while_filming;
   auto film = FilmWriter::open(options.output, size, options.frames_per_second);
   if (!film) return film.error();
-  const Interruptible while_filming;
   Progress progress(1);
   Outcome problem;
   for (std::size_t i = 0; i < frames && !problem; ++i) {
@@ -153,7 +153,7 @@ void add_render_command(CLI::App& program, Run& run) {
       ->required();
   command->add_option("--at", options->at_s, "the instant to draw, seconds from the start");
   command->add_option("--size", options->size,
-                      "of a picture in pixels, WxH; otherwise 960x540, and 480x270 for each of several");
+                      "of a picture in pixels, WxH; otherwise 960x540, and 400x300 for each of several");
   command->add_option("--fps", options->frames_per_second, "a film's frames a second")
       ->check(CLI::Range(1, 120))
       ->capture_default_str();

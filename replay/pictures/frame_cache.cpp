@@ -1,8 +1,11 @@
 #include "replay/pictures/frame_cache.h"
 
 #include <algorithm>
+#include <list>
+#include <mutex>
 
 #include "replay/pictures/picture_size.h"
+#include "replay/pictures/run_pictures.h"
 
 namespace continua {
 namespace {
@@ -21,7 +24,28 @@ Kept* last_used(std::list<Kept>& list, const std::shared_ptr<const RunIndex>& ru
   return &list.front();
 }
 
-}  // namespace
+class FrameCache : public RunFrames {
+ public:
+  Outcome unavailable() override;
+  Outcome wrong_size(const std::string& size) override;
+  Result<std::string> png(const std::shared_ptr<const RunIndex>& run, SimTime t, const std::string& size) override;
+
+ private:
+  struct Opened {
+    std::weak_ptr<const RunIndex> run;
+    ImageSize size;
+    RunPictures pictures;
+  };
+  struct Drawn {
+    std::weak_ptr<const RunIndex> run;
+    ImageSize size;
+    SimTime t;
+    std::string png;
+  };
+  std::mutex mutex_;
+  std::list<Opened> opened_;  // the last used first, as below
+  std::list<Drawn> drawn_;
+};
 
 Outcome FrameCache::unavailable() { return cannot_render(); }
 
@@ -48,5 +72,9 @@ Result<std::string> FrameCache::png(const std::shared_ptr<const RunIndex>& run, 
   if (drawn_.size() > most_drawn) drawn_.pop_back();
   return drawn_.front().png;
 }
+
+}  // namespace
+
+std::shared_ptr<RunFrames> drawn_frames() { return std::make_shared<FrameCache>(); }
 
 }  // namespace continua

@@ -13,6 +13,8 @@ namespace continua {
 struct Happening {
   std::string who;  ///< "Human", "Avatar", "Act"
   std::string text;
+  SimTime began{};
+  bool step = false;  ///< it is a step of an act
 };
 
 struct KeyMoment {
@@ -22,8 +24,9 @@ struct KeyMoment {
 };
 
 /// By rule: what the human said or showed and something came of, when it was over; what the avatar said; where acts,
-/// and the steps that the body did, ended, how they ended told too. What is close together is one moment. Of more than
-/// `most` the least important are left out, of these those nearest to another. In order of time; never empty.
+/// and the steps that the body did, ended, and how. What is close together is one moment, in which nothing is told of
+/// steps if there is anything else. Of more than `most` the least important are left out, of these those nearest to
+/// another. In order of time; never empty.
 std::vector<KeyMoment> key_moments(const RunStory& story, std::size_t most = 12);
 
 }  // namespace continua

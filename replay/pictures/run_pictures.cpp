@@ -8,9 +8,9 @@
 namespace continua {
 namespace {
 
-constexpr double subtitle_part = 0.17;  // of a picture's height
-// Where the human's hand is when the log does not say: before the table, at the height of a shoulder.
-const Vec3 human_hand_W(0, -0.6, 0.35);
+constexpr double subtitle_part = 0.13;  // of a picture's height
+// Where the human's hand is when the log does not say: before the table, lifted, on its own side.
+Vec3 human_hand_W(const std::string& hand) { return {hand == "left" ? -0.24 : 0.24, -0.6, 0.3}; }
 
 constexpr Colour white{1, 1, 1}, behind_text{0.08, 0.09, 0.11, 0.72}, pale{0.78, 0.81, 0.85};
 
@@ -71,7 +71,7 @@ std::vector<RenderMark> RunPictures::marks_at(SimTime t) const {
     const auto& sample = later == pointing.samples.begin() ? *later : *std::prev(later);
     const bool human = pointing.speaker == Speaker::human;
     RenderMark mark{sample.target_W, pointing.on_body, sample.from_W, !human, mark_colour(pointing.speaker)};
-    if (human && !mark.from_W) mark.from_W = human_hand_W;
+    if (human && !mark.from_W) mark.from_W = human_hand_W(pointing.hand);
     marks.push_back(mark);
   }
   return marks;

@@ -164,7 +164,7 @@ class StoryReader {
       story_.pointings[burst->second].until = std::max(story_.pointings[burst->second].until, until);
       return false;
     }
-    story_.pointings.push_back({Speaker::human, t, until, {*sample}});
+    story_.pointings.push_back({Speaker::human, t, until, {*sample}, hand});
     pointing_inputs_.push_back({n});
     bursts_[hand] = story_.pointings.size() - 1;
     return true;

@@ -33,6 +33,7 @@ struct StoryPointing {
   Speaker speaker = Speaker::human;
   SimTime from{}, until{};
   std::vector<Sample> samples = {};  ///< at least one, in order of time
+  std::string hand = {};             ///< the human's, "left" or "right"; empty: not known
   std::string on_body = {};          ///< the avatar's: the body it points at, if it is one
   bool effective = true;
 };

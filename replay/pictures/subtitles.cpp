@@ -41,7 +41,8 @@ std::vector<Subtitle> shown_at(const std::vector<Subtitle>& subtitles, SimTime t
       return !a.text.starts_with('[') && b.text.starts_with('[');
     });
     if (of_speaker.size() > most_of_a_speaker) of_speaker.resize(most_of_a_speaker);
-    shown.insert(shown.end(), of_speaker.begin(), of_speaker.end());
+    for (std::size_t i = 1; i < of_speaker.size(); ++i) of_speaker[0].text += " " + of_speaker[i].text;
+    if (!of_speaker.empty()) shown.push_back(of_speaker[0]);
   }
   return shown;
 }

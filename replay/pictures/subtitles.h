@@ -17,7 +17,8 @@ struct Subtitle {
 /// says another; gestures give way to speech and are short.
 std::vector<Subtitle> subtitles_of(const RunStory& story);
 
-/// Those that are shown at `t`, the human's first; at most two of each speaker.
+/// What is shown at `t`: at most one for each speaker, the human's first; what he says and his gesture are put
+/// together.
 std::vector<Subtitle> shown_at(const std::vector<Subtitle>& subtitles, SimTime t);
 
 }  // namespace continua

@@ -81,6 +81,8 @@ TEST_CASE("key moments are what something came of, answers, and the ends of acts
   const std::vector<Row> rows = {
       {"an order and its answer are one moment, when both are over", said(1, 2.2, "go") + answer(2.2, "Okay.", "1"),
        "2.2 Human: go | Avatar: Okay.\n"},
+      {"what began first is told first, whatever ended first", said(1, 1.4, "go") + answer(1, "Okay.", "1"),
+       "1.4 Human: go | Avatar: Okay.\n"},
       {"nothing came of what was muttered", said(1, 2, "hm") + said(5, 6, "go") + answer(6, "Okay.", "2"),
        "6.0 Human: go | Avatar: Okay.\n"},
       {"a burst of samples counts as one, by its end, if something came of it",
@@ -89,6 +91,9 @@ TEST_CASE("key moments are what something came of, answers, and the ends of acts
       {"samples within a gesture that points are the gesture's",
        sample(1, 0) + gesture(1.1, "point", ",\"target\":[0,0],\"until\":1.8") + answer(1.8, "This?", "1,2"),
        "1.8 Human: [point] | Avatar: This?\n"},
+      {"what is said and shown at a time is told in one line",
+       said(1, 2.2, "there") + gesture(1.2, "point", ",\"until\":2.2") + answer(2.2, "Okay.", "1,2"),
+       "2.2 Human: there [point] | Avatar: Okay.\n"},
       {"the end of a gesture is none", gesture(1, "wave", ",\"phase\":\"stop\"") + answer(2, "Bye.", "1"),
        "2.0 Avatar: Bye.\n"},
       {"an act that ends, and how; its beginning is none",
@@ -155,7 +160,7 @@ TEST_CASE("subtitles stay long enough to be read, and go when the same speaker g
   CHECK(shown(0.9).empty());
   CHECK(shown(2) == "Put the white cup over there, please.\nOkay.\n");
   CHECK(shown(3.5) == "Put the white cup over there, please.\n");
-  CHECK(shown(11) == "No\n[wave]\n");
+  CHECK(shown(11) == "No [wave]\n");
   CHECK(shown(20.5) == "The blue one?\n");
 }
 

@@ -1,5 +1,6 @@
 #include "replay/commands/render.h"
 
+#include <cmath>
 #include <filesystem>
 
 #include "drawable_log.h"
@@ -189,7 +190,7 @@ TEST_CASE("frames are drawn, and drawn anew when the run has changed") {
   if (!can_render()) return;
   const ScratchFolder folder;
   folder.write("a.run.jsonl", drawable_log().text());
-  InspectorApi api({folder.path()}, std::make_shared<FrameCache>());
+  InspectorApi api({folder.path()}, drawn_frames());
   const auto target = "/api/runs/a/frame?t=3&size=64x48";
   const auto first = api.get(target);
   CHECK(first.status == 200);
