@@ -8,6 +8,7 @@
 namespace continua {
 namespace {
 
+constexpr SimTime linger{500'000};      // that a mark stays after the pointing
 constexpr double subtitle_part = 0.13;  // of a picture's height
 // Where the human's hand is when the log does not say: before the table, lifted, on its own side.
 Vec3 human_hand_W(const std::string& hand) { return {hand == "left" ? -0.24 : 0.24, -0.6, 0.3}; }
@@ -65,7 +66,12 @@ Result<RunPictures> RunPictures::open(const RunIndex& run, const PictureOptions&
 std::vector<RenderMark> RunPictures::marks_at(SimTime t) const {
   std::vector<RenderMark> marks;
   for (const auto& pointing : story_.pointings) {
-    if (t < pointing.from || t > pointing.until) continue;
+    if (t < pointing.from || t > pointing.until + linger) continue;
+    const bool followed = std::any_of(story_.pointings.begin(), story_.pointings.end(), [&](const auto& other) {
+      return other.speaker == pointing.speaker && other.hand == pointing.hand && other.from > pointing.from &&
+             other.from <= t;
+    });
+    if (followed) continue;
     const auto later = std::upper_bound(pointing.samples.begin(), pointing.samples.end(), t,
                                         [](SimTime time, const auto& sample) { return time < sample.t; });
     const auto& sample = later == pointing.samples.begin() ? *later : *std::prev(later);

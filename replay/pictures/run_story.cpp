@@ -48,6 +48,18 @@ std::optional<Vec3> place_in(const std::string& term) {
   return vec_of(Json::parse("[" + term.substr(open + 1, close - open - 1) + "]", nullptr, false));
 }
 
+/// The term without the numbers of its places, which are drawn.
+std::string without_places(const std::string& term) {
+  std::string text;
+  for (std::size_t from = 0; from < term.size();) {
+    const auto open = std::min(term.find('<', from), term.size()), close = term.find('>', open);
+    text += term.substr(from, open - from);
+    if (open < term.size()) text += "…";
+    from = close == std::string::npos ? term.size() : close + 1;
+  }
+  return text;
+}
+
 /// The names that a term is made of.
 std::vector<std::string> names_in(const std::string& term) {
   std::vector<std::string> names(1);
@@ -123,7 +135,7 @@ class StoryReader {
     } else if (kind == "gesture") {
       human_gesture(n, t, until, event);
     } else if (kind == "pointing") {
-      point(n, t, t, event, false);
+      point(n, t, t, event);
     }
   }
 
@@ -141,37 +153,31 @@ class StoryReader {
     const auto direction = text_of(event, "direction");
     std::replace(name.begin(), name.end(), '_', ' ');
     line(n, {Speaker::human, fmt::format("[{}{}{}]", name, direction.empty() ? "" : " ", direction), t, until, true});
-    if (point(n, t, until, event, true) && text_of(event, "phase") == "start")
-      held_[hand] = story_.pointings.size() - 1;
+    const auto pointing = point(n, t, until, event);
+    if (pointing && text_of(event, "phase") == "start") held_[hand] = *pointing;
   }
 
-  /// Whether the event points anywhere.
-  bool point(std::size_t n, SimTime t, SimTime until, const Json& event, bool gesture) {
+  /// The place in pointings of what the event begins or goes on with, if it points anywhere.
+  std::optional<std::size_t> point(std::size_t n, SimTime t, SimTime until, const Json& event) {
     const auto sample = sample_of(event, t);
-    if (!sample) return false;
+    if (!sample) return std::nullopt;
     const auto hand = text_of(event, "hand");
     const auto burst = bursts_.find(hand);
-    if (!gesture && burst != bursts_.end() && t - story_.pointings[burst->second].until <= burst_gap) {
+    // Also a gesture goes on with the samples around it, so that one hand never shows two places.
+    if (burst != bursts_.end() && t - story_.pointings[burst->second].until <= burst_gap) {
       auto& pointing = story_.pointings[burst->second];
       pointing.samples.push_back(*sample);
-      pointing.until = std::max(pointing.until, t);
+      pointing.until = std::max(pointing.until, until);
       pointing_inputs_[burst->second].push_back(n);
-      return true;
-    }
-    // A gesture that points takes up the samples that go on around it, so that one hand never shows two places.
-    if (gesture && burst != bursts_.end() && t - story_.pointings[burst->second].until <= burst_gap) {
-      pointing_inputs_[burst->second].push_back(n);
-      story_.pointings[burst->second].until = std::max(story_.pointings[burst->second].until, until);
-      return false;
+      return burst->second;
     }
     story_.pointings.push_back({Speaker::human, t, until, {*sample}, hand});
     pointing_inputs_.push_back({n});
-    bursts_[hand] = story_.pointings.size() - 1;
-    return true;
+    return bursts_[hand] = story_.pointings.size() - 1;
   }
 
   void avatar_gesture(SimTime t, const std::string& term) {
-    story_.lines.push_back({Speaker::avatar, "[" + term + "]", t, t, true});
+    story_.lines.push_back({Speaker::avatar, "[" + without_places(term) + "]", t, t, true});
     StoryPointing pointing{Speaker::avatar, t, t + avatar_pointing};
     const auto names = names_in(term);
     const auto body = std::find_if(names.begin(), names.end(), [&](const auto& name) { return bodies_.count(name); });

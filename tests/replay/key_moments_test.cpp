@@ -131,7 +131,8 @@ TEST_CASE("where somebody points, and from when on") {
       "\"direction\":[0,1,-2]}}\n\"kind\":\"gesture\",\"t\":5,\"gesture\":\"reach(cup)\"\n"
       "\"kind\":\"gesture\",\"t\":6,\"gesture\":\"point(rHand, <0.1, 0.2, 0>)\"\n" +
       gesture(7, "point", ",\"phase\":\"start\",\"target\":[0.3,0]") + gesture(9, "point", ",\"phase\":\"stop\"") +
-      end(10));
+      sample(10, 0.4) + gesture(10.1, "point", ",\"hand\":\"right\",\"phase\":\"start\",\"target\":[0.5,0]") +
+      gesture(11, "point", ",\"hand\":\"right\",\"phase\":\"stop\"") + end(12));
   std::string text;
   for (const auto& one : story.pointings) {
     const Vec3 last = one.samples.back().target_W;
@@ -141,7 +142,10 @@ TEST_CASE("where somebody points, and from when on") {
   }
   CHECK(text ==
         "H 1.0-1.7 <0.2, 0> \nH 3.0-3.7 <0, -0.5> ray\nA 5.0-6.0 <0, 0> cup\nA 6.0-8.0 <0.1, 0.2> \n"
-        "H 7.0-9.0 <0.3, 0> \n");
+        "H 7.0-9.0 <0.3, 0> \nH 10.0-11.0 <0.5, 0> \n");
+  std::string lines;
+  for (const auto& one : story.lines) lines += one.text + "\n";
+  CHECK(lines == "[reach(cup)]\n[point(rHand, …)]\n[point]\n[point]\n");
 }
 
 TEST_CASE("subtitles stay long enough to be read, and go when the same speaker goes on") {
