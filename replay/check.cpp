@@ -75,6 +75,7 @@ TraceCheck check_trace(const std::string& trace_path, const ReplayOptions& optio
   };
   auto session = Session::load(trace_path, options);
   if (!session) return broken(session.error().text());
+  check.warning = session->warning();
   std::ostringstream log;
   const auto summary = session->run(log);
   if (const auto problem = session->keep_learned()) return broken(problem->text());

@@ -26,9 +26,10 @@ bool can_be_approved(Verdict verdict);
 
 struct TraceCheck {
   Verdict verdict = Verdict::same;
-  std::string reason;    ///< why not the same; one line, or empty
-  int expectations = 0;  ///< how many there are
-  std::string run;       ///< the log of the replay, where it can be approved
+  std::string reason;                 ///< why not the same; one line, or empty
+  int expectations = 0;               ///< how many there are
+  std::optional<Error> warning = {};  ///< of its scene
+  std::string run;                    ///< the log of the replay, where it can be approved
   std::optional<ApprovedRun> approved;
 };
 

@@ -5,6 +5,7 @@ namespace continua {
 Json run_fields(const RunHeader& header) {
   Json scene{{"name", header.scene_name}, {"digest", header.scene_digest}, {"mjcf", header.scene_mjcf}};
   for (const auto& [key, value] : header.scene_description.items()) scene[key] = value;
+  if (!header.without_voxeme.empty()) scene["without_voxeme"] = header.without_voxeme;
   Json forced = Json::object();
   for (const auto& [step, transition] : header.forced) forced[std::to_string(step)] = transition;
   return Json{

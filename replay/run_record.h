@@ -25,7 +25,8 @@ struct RunHeader {
   std::string voxemes_digest;                ///< empty if there are none
   std::string lexicon_name, lexicon_digest;  ///< empty if the machine has none
   std::string scene_name, scene_digest, scene_mjcf;
-  Json scene_description;  ///< {"geoms", "bodies"}
+  Json scene_description;                   ///< {"geoms", "bodies"}
+  std::vector<std::string> without_voxeme;  ///< objects of the scene of which nothing is known
 };
 
 /// The fields of the `run` record.

@@ -17,6 +17,7 @@
 #include "replay/learned_file.h"
 #include "replay/recorder.h"
 #include "replay/run_record.h"
+#include "replay/scene_voxemes.h"
 #include "replay/trace_file.h"
 #include "replay/version.h"
 #include "simulation/physics_body.h"
@@ -31,6 +32,7 @@ struct LoadedSession {
   std::shared_ptr<const Machine> machine;
   std::shared_ptr<const Language> language;
   Scene scene;
+  std::optional<Error> warning;
   std::unique_ptr<Body> body;
   std::map<int, std::size_t> forced;  ///< step → transition
   Learned learned;                    ///< when the run begins
@@ -132,6 +134,7 @@ class Loop {
     header.scene_digest = digest(loaded_.scene.text());
     header.scene_mjcf = loaded_.scene.text();
     header.scene_description = loaded_.scene.description();
+    header.without_voxeme = objects_without_voxeme(loaded_.scene, *loaded_.language->voxemes);
     log_.write("run", SimTime{}, run_fields(header));
   }
 
@@ -311,6 +314,7 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   auto forced = forced_of(options, *machine);
   if (!forced) return forced.error();
 
+  auto warning = warning_of_voxemes(*scene, *language->voxemes, data->knowledge.string());
   std::unique_ptr<Body> body;
   if (options.physics) {
     auto physics = PhysicsBody::create(*scene);
@@ -324,6 +328,7 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
                                                                std::make_shared<const Machine>(std::move(*machine)),
                                                                std::make_shared<const Language>(std::move(*language)),
                                                                std::move(*scene),
+                                                               std::move(warning),
                                                                std::move(body),
                                                                std::move(*forced),
                                                                std::move(*learned),
@@ -333,6 +338,8 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
 Session::Session(std::unique_ptr<LoadedSession> loaded) : loaded_(std::move(loaded)) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
+
+const std::optional<Error>& Session::warning() const { return loaded_->warning; }
 
 ReplaySummary Session::run(std::ostream& log) {
   Loop loop(*loaded_, log);

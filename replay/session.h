@@ -47,6 +47,9 @@ class Session {
   ~Session();
   Session(Session&&) noexcept;
 
+  /// What of the scene is not known; it can be used all the same.
+  const std::optional<Error>& warning() const;
+
   /// Replays the trace and writes its run log. The world is used up by it: REQUIRES that it is called once.
   ReplaySummary run(std::ostream& log);
 

@@ -40,11 +40,12 @@ struct Goal {
 struct AvatarCommand {
   int id = 0;  ///< running number, given back in reports
   Capability what = Capability::signal;
-  std::string object;             ///< what is reached for, pointed at, grasped, moved; empty: the goal's place is
-  Goal goal;                      ///< for put, slide and move; for reach, point, look without object: the place
-  std::optional<Goal> next = {};  ///< for grasp: where the object will go then, so that the grip suits that too
-  double height_m = 0;            ///< for lift
-  std::string name;               ///< for signal
+  std::string object;                   ///< what is reached for, pointed at, grasped, moved; empty: the goal's place is
+  Goal goal;                            ///< for put, slide and move; for reach, point, look without object: the place
+  std::optional<Goal> next = {};        ///< for grasp: where the object will go then, so that the grip suits that too
+  std::vector<std::string> parts = {};  ///< for grasp: the components by which it is best held, best first
+  double height_m = 0;                  ///< for lift
+  std::string name;                     ///< for signal
 };
 
 /// How an act went.

@@ -74,7 +74,8 @@ std::optional<PerformanceEvent> Performer::next(Performance& performance, const 
     if (step->command) doing.in_flight = step->command->id = ++performance.commands;
     return *std::move(step);
   }
-  remember_places(doing, world, performance.was);
+  // What still moves while the body comes to a stop, the stopped act has moved.
+  if (!stops(doing.end.act.program, circumstances_.perspective())) remember_places(doing, world, performance.was);
   ActEnd end = std::move(doing.end);
   performance.doing.reset();
   return end;

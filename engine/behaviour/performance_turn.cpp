@@ -323,11 +323,27 @@ std::optional<ActStep> PerformanceTurn::own_step() {
       return step;
     }
     command->next = next_goal(command->object);
+    if (const auto* object = world().find(command->object)) command->parts = grasp_parts(*object);
   }
   if (command->what == Capability::move || command->what == Capability::slide || command->what == Capability::put)
     act_.brought.insert(command->object);
   step.command = *std::move(command);
   return step;
+}
+
+// What its voxeme says it is grasped by, but for the whole.
+std::vector<std::string> PerformanceTurn::grasp_parts(const ObjectState& object) const {
+  std::vector<std::string> parts;
+  const auto* voxeme = voxeme_of(object, catalogue_);
+  if (!voxeme) return parts;
+  for (const auto& affordance : voxeme->affordances) {
+    if (affordance.event.name != "grasp") continue;
+    for (const auto& argument : affordance.event.arguments)
+      for (const auto& component : voxeme->components)
+        if (argument.kind == Kind::component && argument.name == component.number && !component.number.empty())
+          parts.push_back(component.name);
+  }
+  return parts;
 }
 
 // Where the programs under way will take the object once it is grasped.

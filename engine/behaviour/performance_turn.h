@@ -40,6 +40,7 @@ class PerformanceTurn {
   std::optional<ActStep> let_go();
   bool prepare(Frame& frame);
   const Term* there_already(const Voxeme& voxeme, const Bindings& bindings) const;
+  std::vector<std::string> grasp_parts(const ObjectState& object) const;
   std::optional<Goal> next_goal(const std::string& object) const;
   Expression event_of(const Subevent& subevent) const;
   Term of_body(const Term& program, bool documented) const;

@@ -1,26 +1,25 @@
 #include "simulation/arm_ik.h"
 
+#include <array>
+
 #include <Eigen/Cholesky>
 
 namespace continua {
 
 namespace {
 
-using Jacobian = Eigen::Matrix<double, 6, arm_joint_count>;
 using Twist = Eigen::Matrix<double, 6, 1>;
-
-Pose operator*(const Pose& a, const Pose& b) { return {a.p_WB + a.R_WB * b.p_WB, a.R_WB * b.R_WB}; }
 
 /// Frames after each hinge, and the tool's.
 struct Chain {
-  std::array<Pose, arm_joint_count> links;
+  std::array<Pose, most_arm_joints> links;
   Pose tool;
 };
 
 Chain chain_of(const Arm& arm, const ArmVector& q) {
   Chain chain;
   Pose X_W;
-  for (int i = 0; i < arm_joint_count; ++i) {
+  for (int i = 0; i < arm.size(); ++i) {
     const ArmJoint& joint = arm.joints[i];
     X_W = X_W * joint.X_PJ * Pose{Vec3::Zero(), Eigen::Quaterniond(Eigen::AngleAxisd(q[i], joint.axis_J))};
     chain.links[i] = X_W;
@@ -29,9 +28,9 @@ Chain chain_of(const Arm& arm, const ArmVector& q) {
   return chain;
 }
 
-Jacobian jacobian_of(const Arm& arm, const Chain& chain) {
-  Jacobian J;
-  for (int i = 0; i < arm_joint_count; ++i) {
+ArmJacobian jacobian_of(const Arm& arm, const Chain& chain) {
+  ArmJacobian J(6, arm.size());
+  for (int i = 0; i < arm.size(); ++i) {
     const Vec3 axis_W = chain.links[i].R_WB * arm.joints[i].axis_J;
     J.col(i) << axis_W.cross(chain.tool.p_WB - chain.links[i].p_WB), axis_W;
   }
@@ -46,25 +45,48 @@ Twist difference(const Pose& from, const Pose& to) {
   return twist;
 }
 
+/// Postures spread over the limits, away from their ends: the Halton sequence.
+ArmVector spread_posture(const Arm& arm, int n) {
+  constexpr std::array<int, most_arm_joints> primes = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37};
+  constexpr double margin = 0.15;  // of the range, at either end
+  ArmVector q(arm.size());
+  for (int i = 0; i < arm.size(); ++i) {
+    double fraction = 0, digit = 1;
+    for (int rest = n; rest > 0; rest /= primes[i]) {
+      digit /= primes[i];
+      fraction += digit * (rest % primes[i]);
+    }
+    const ArmJoint& joint = arm.joints[i];
+    q[i] = joint.min + (joint.max - joint.min) * (margin + (1 - 2 * margin) * fraction);
+  }
+  return q;
+}
+
 }  // namespace
 
-std::array<Pose, arm_joint_count> link_poses(const Arm& arm, const ArmVector& q) { return chain_of(arm, q).links; }
+std::vector<Pose> link_poses(const Arm& arm, const ArmVector& q) {
+  const Chain chain = chain_of(arm, q);
+  return {chain.links.begin(), chain.links.begin() + arm.size()};
+}
 
 Pose tool_pose(const Arm& arm, const ArmVector& q) { return chain_of(arm, q).tool; }
 
-Jacobian tool_jacobian(const Arm& arm, const ArmVector& q) { return jacobian_of(arm, chain_of(arm, q)); }
+ArmJacobian tool_jacobian(const Arm& arm, const ArmVector& q) { return jacobian_of(arm, chain_of(arm, q)); }
 
 IkSolution solve_ik(const Arm& arm, const Pose& X_WT, const ArmVector& seed) {
   constexpr int max_iterations = 200;
   constexpr double damping = 0.01;          // of the least squares: larger is slower but calmer near singularities
-  constexpr double posture_gain = 0.1;      // of the way home in the first iteration, in the free direction
+  constexpr double posture_gain = 0.1;      // of the way home in the first iteration, in the free directions
   constexpr double posture_decay = 0.8;     // per iteration: damping lets a little of the posture disturb the tool
   constexpr double largest_step_rad = 0.3;  // of any hinge in one iteration
   constexpr double good_enough = 0.01;      // of the tolerances: iterate on, it costs little
+  constexpr int patience = 30;              // iterations that bring it no nearer: it is stuck
+  constexpr double nearer = 0.99;           // of the error before
 
   IkSolution solution;
   solution.q = seed;
-  double posture = posture_gain;
+  double posture = posture_gain, least_error = 0;
+  int nearest_at = 0;
   for (int iteration = 0;; ++iteration, posture *= posture_decay) {
     const Chain chain = chain_of(arm, solution.q);
     const Twist error = difference(chain.tool, X_WT);
@@ -73,9 +95,13 @@ IkSolution solve_ik(const Arm& arm, const Pose& X_WT, const ArmVector& seed) {
     solution.reached = solution.position_error_m < ik_tolerance_m && solution.rotation_error < ik_tolerance_rad;
     const bool good = solution.position_error_m < good_enough * ik_tolerance_m &&
                       solution.rotation_error < good_enough * ik_tolerance_rad;
-    if (good || iteration == max_iterations) return solution;
+    if (iteration == 0 || error.norm() < nearer * least_error) {
+      least_error = error.norm();
+      nearest_at = iteration;
+    }
+    if (good || iteration == max_iterations || iteration - nearest_at > patience) return solution;
 
-    const Jacobian J = jacobian_of(arm, chain);
+    const ArmJacobian J = jacobian_of(arm, chain);
     const Eigen::Matrix<double, 6, 6> JJt = J * J.transpose();
     const auto damped = (JJt + damping * damping * Eigen::Matrix<double, 6, 6>::Identity()).eval().ldlt();
     const ArmVector toward = J.transpose() * damped.solve(error);
@@ -86,9 +112,19 @@ IkSolution solve_ik(const Arm& arm, const Pose& X_WT, const ArmVector& seed) {
     const double largest = step.cwiseAbs().maxCoeff();
     if (largest > largest_step_rad) step *= largest_step_rad / largest;
     solution.q += step;
-    for (int i = 0; i < arm_joint_count; ++i)
+    for (int i = 0; i < arm.size(); ++i)
       solution.q[i] = std::min(std::max(solution.q[i], arm.joints[i].min), arm.joints[i].max);
   }
+}
+
+IkSolution find_ik(const Arm& arm, const Pose& X_WT) {
+  constexpr int postures = 8;
+  IkSolution best = solve_ik(arm, X_WT, arm.home);
+  for (int n = 1; n <= postures && !best.reached; ++n) {
+    const IkSolution other = solve_ik(arm, X_WT, spread_posture(arm, n));
+    if (other.reached || other.position_error_m < best.position_error_m) best = other;
+  }
+  return best;
 }
 
 }  // namespace continua

@@ -1,39 +1,45 @@
-// Inverse kinematics of the avatar's arm: seven hinges in a chain, the last of which carries the tool frame T (the
-// point between the finger pads; x out of the palm, y the way the fingers close).
+// Inverse kinematics of the avatar's arm: hinges in a chain, the last of which carries the tool frame T (the point
+// between the finger pads; x out of the palm, y the way the fingers close).
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "world/geometry.h"
 
 namespace continua {
 
-inline constexpr int arm_joint_count = 7;
-using ArmVector = Eigen::Matrix<double, arm_joint_count, 1>;  ///< one number per hinge: radians, or radians per second
+inline constexpr int most_arm_joints = 12;
+/// One number per hinge: radians, or radians per second.
+using ArmVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_arm_joints, 1>;
+/// How a pose changes with each hinge: rows 0–2 velocity of its origin, 3–5 angular velocity (6 x hinges).
+using ArmJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, most_arm_joints>;
 
 struct ArmJoint {
   Pose X_PJ;                    ///< of the hinge at zero, in the frame after the hinge before it (the first: in W)
-  Vec3 axis_J = Vec3::UnitZ();  ///< unit vector
+  Vec3 axis_J = Vec3::UnitZ();  ///< unit vector through the frame's origin
   double min = 0, max = 0;      ///< radians
 };
 
 struct Arm {
-  std::array<ArmJoint, arm_joint_count> joints;
-  Pose X_LT;                           ///< of the tool, in the frame after the last hinge
-  ArmVector home = ArmVector::Zero();  ///< preferred posture
+  std::vector<ArmJoint> joints;  ///< from the base outward, at most most_arm_joints
+  Pose X_LT;                     ///< of the tool, in the frame after the last hinge
+  ArmVector home;                ///< preferred posture
+
+  int size() const { return static_cast<int>(joints.size()); }
+  Vec3 base_W() const { return joints.front().X_PJ.p_WB; }
 };
 
 /// Frames after each hinge, in W.
-std::array<Pose, arm_joint_count> link_poses(const Arm& arm, const ArmVector& q);
+std::vector<Pose> link_poses(const Arm& arm, const ArmVector& q);
 
 /// Pose of the tool in W.
 Pose tool_pose(const Arm& arm, const ArmVector& q);
 
-/// How the tool's pose changes with each hinge: rows 0–2 velocity of its origin, 3–5 angular velocity, in W (6 x 7).
-Eigen::Matrix<double, 6, arm_joint_count> tool_jacobian(const Arm& arm, const ArmVector& q);
+/// How the tool's pose changes with each hinge, in W.
+ArmJacobian tool_jacobian(const Arm& arm, const ArmVector& q);
 
 struct IkSolution {
-  ArmVector q = ArmVector::Zero();  ///< within the limits, reached or not
+  ArmVector q;  ///< within the limits, reached or not
   double position_error_m = 0;
   double rotation_error = 0;  ///< radians
   bool reached = false;       ///< both errors are below the tolerances of ik_tolerance_m and ik_tolerance_rad
@@ -42,8 +48,12 @@ struct IkSolution {
 inline constexpr double ik_tolerance_m = 1e-4;
 inline constexpr double ik_tolerance_rad = 1e-3;
 
-/// Damped least squares from `seed` toward the tool pose `X_WT`; in the one direction the task leaves free, toward the
-/// home posture.
+/// Damped least squares from `seed` toward the tool pose `X_WT`; in the directions that the task leaves free, toward
+/// the home posture. Follows the arm's branch that `seed` is on: for motions.
 IkSolution solve_ik(const Arm& arm, const Pose& X_WT, const ArmVector& seed);
+
+/// As solve_ik from the home posture and, if that does not get there, from others spread over the limits: whether the
+/// arm reaches a pose at all. If it does not, the nearest that was found.
+IkSolution find_ik(const Arm& arm, const Pose& X_WT);
 
 }  // namespace continua

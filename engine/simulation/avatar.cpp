@@ -15,6 +15,7 @@ namespace {
 using Status = ActReport::Status;
 
 constexpr double set_down_error_m = 0.02;  // beyond it a put has missed
+constexpr double room_within_m = 0.012;    // how far from its place a thing may be set down to find room
 constexpr int most_attempts = 3, most_preparations = 4;
 
 /// The object is carried to a goal.
@@ -43,10 +44,11 @@ Avatar::Avatar(Physics& physics)
     : physics_(physics),
       dt_s_(physics.timestep_s()),
       shapes_(shapes_of(physics.objects())),
-      means_{physics.arm(), shapes_},
+      means_{physics.avatar(), shapes_},
       path_(HandPath::stay(physics.hinges())) {
   wanted_opening_m_ = target_.opening_m = resting_opening_m;
-  target_.hinges.q = physics.hinges();
+  target_.hinges = {physics.hinges(), ArmVector::Zero(physics.arm().size())};
+  leftover_qdot_ = behind_q_ = target_.hinges.qdot;
 }
 
 bool Avatar::may_be_superseded() const { return busy_ && is_gesture(command_.what); }
@@ -90,6 +92,7 @@ void Avatar::halt() {
     }
   }
   brake();
+  failing_ = false;
   stage_ = Stage::act;
   phases_ = {Phase::halt};
   begin_phase();
@@ -114,6 +117,7 @@ void Avatar::decide() {
     end_act();
   };
   phases_.clear();
+  failing_ = false;
   stage_ = Stage::act;
   if (const auto name = missing_thing(command_, world))
     return cannot(Status::unreachable, fmt::format("there is no '{}'", *name));
@@ -123,7 +127,7 @@ void Avatar::decide() {
   }
 
   if (is_gesture(command_.what)) {
-    if (!solve_ik(physics_.arm(), gesture_pose(world), physics_.arm().home).reached)
+    if (!find_ik(physics_.arm(), gesture_pose(world)).reached)
       return cannot(Status::unreachable, "the arm does not reach there");
     phases_ = {Phase::hover};
   } else if (command_.what == Capability::ungrasp) {
@@ -166,9 +170,15 @@ std::string Avatar::landmark() const {
   return command_.goal.landmarks.empty() ? std::string() : command_.goal.landmarks.front();
 }
 
-Task Avatar::task(const WorldSnapshot& world) const {
+Task Avatar::task(const WorldSnapshot& now) const {
+  // What is put somewhere comes to lie along the world's axes: its place is one for a thing that lies so.
+  WorldSnapshot world = now;
+  for (auto& object : world.objects)
+    if (has_goal() && object.name == command_.object) object.yaw = straightened(object.yaw);
+
   Task task;
   task.object = command_.object;
+  task.parts = command_.parts;
   if (has_goal()) {
     Placement place = placement(command_, world, Occupied::cleared).value();
     if (command_.goal.relation && is_side(*command_.goal.relation) &&
@@ -178,7 +188,7 @@ Task Avatar::task(const WorldSnapshot& world) const {
       if (free) place = *free;
     }
     task.p_WG = place.p_WO;
-    task.near_m = 0.9 * set_down_error_m;
+    task.near_m = room_within_m;
     task.landmark = landmark();
     if (command_.goal.relation == Relation::in) task.into = task.landmark;
     task.on_end = place.upright;
@@ -195,10 +205,9 @@ void Avatar::decide_handling(const WorldSnapshot& world) {
   const Task wanted = task(world);
   const ObjectState& object = *world.find(wanted.object);
   p_WG_ = wanted.p_WG.value_or(object.p_WO + Vec3(0, 0, wanted.raise_m));
-  const Arm& arm = physics_.arm();
+  const AvatarForm& avatar = physics_.avatar();
   const auto reaches = [&](const Vec3& p_WO) {
-    const double yaw = natural_yaw(p_WO, arm.joints[0].X_PJ.p_WB);
-    return solve_ik(arm, {p_WO, rotation({yaw, 0})}, arm.home).reached;
+    return find_ik(avatar.arm, {p_WO, rotation({avatar.natural_yaw(p_WO), 0})}).reached;
   };
   const bool in_hand = world.held == wanted.object;
   const auto held = in_hand ? grasp() : std::nullopt;
@@ -285,6 +294,7 @@ void Avatar::fail(Status status, std::string reason) {
     outcome_.status = status;
     outcome_.reason = std::move(reason);
   }
+  failing_ = true;
   const bool retreating = !phases_.empty() && phases_.front() == Phase::retreat;
   stop_here();
   // By the hinges alone the arm gets home from wherever it is: what it could not do before, it can from there.

@@ -93,14 +93,15 @@ class Avatar {
 
   // The phase.
   std::deque<Phase> phases_;
+  bool failing_ = false;  // they end a handling that has failed
   double phase_s_ = 0;
   int steps_so_ = 0;  // consecutive steps in which what the phase waits for was so
 
   // The motion.
   HandPath path_;
   double path_s_ = 0;
-  ArmVector leftover_qdot_ = ArmVector::Zero();  // speed of the motion before, which fades out
-  ArmVector behind_q_ = ArmVector::Zero();       // how far before its end a braking arm began
+  ArmVector leftover_qdot_;  // speed of the motion before, which fades out
+  ArmVector behind_q_;       // how far before its end a braking arm began
   double wanted_opening_m_ = 0, release_opening_m_ = 0;
   AvatarTarget target_;
 };

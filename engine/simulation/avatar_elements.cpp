@@ -1,63 +1,302 @@
 #include "simulation/avatar_elements.h"
 
-#include <vector>
+#include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "simulation/geom_bounds.h"
 #include "simulation/mujoco_model.h"
 
 namespace continua {
 
-Result<std::pair<Arm, AvatarElements>> find_avatar(const mjModel& model, const std::string& path) {
-  const auto missing = [&](const std::string& what) {
-    return Error{path, fmt::format("the scene's avatar has no {}", what)};
-  };
-  Arm arm;
-  AvatarElements ids;
-  const int grip = id_of(model, mjOBJ_SITE, "grip");
-  if (grip < 0) return missing("site 'grip'");
-  ids.hand = model.site_bodyid[grip];
-  ids.weld = id_of(model, mjOBJ_EQUALITY, "grip");
-  if (ids.weld < 0 || model.eq_type[ids.weld] != mjEQ_WELD || model.eq_obj1id[ids.weld] != ids.hand)
-    return missing("weld 'grip' whose body1 is the body of site 'grip'");
+namespace {
 
-  std::vector<int> bodies;  // from the world outward
-  for (int body = ids.hand; body > 0; body = model.body_parentid[body]) bodies.insert(bodies.begin(), body);
-  int found = 0;
-  Pose X_PB;
-  for (const int body : bodies) {
-    const Pose X{vec_of(model.body_pos + 3 * body), quat_of(model.body_quat + 4 * body)};
-    X_PB = {X_PB.p_WB + X_PB.R_WB * X.p_WB, X_PB.R_WB * X.R_WB};
-    if (model.body_jntnum[body] == 0) continue;
-    const int joint = model.body_jntadr[body];
-    const std::string name = fmt::format("arm_{}", found + 1);
-    if (model.body_jntnum[body] > 1 || model.jnt_type[joint] != mjJNT_HINGE || found == arm_joint_count ||
-        name_of(model, mjOBJ_JOINT, joint) != name || !model.jnt_limited[joint] ||
-        vec_of(model.jnt_pos + 3 * joint).norm() > 0)
-      return missing(fmt::format("limited hinge '{}' in its place: one per body, at the body's origin", name));
-    const int servo = id_of(model, mjOBJ_ACTUATOR, name);
-    if (servo < 0) return missing(fmt::format("actuator '{}'", name));
-    arm.joints[found] = {X_PB, vec_of(model.jnt_axis + 3 * joint), model.jnt_range[2 * joint],
-                         model.jnt_range[2 * joint + 1]};
-    ids.dof[found] = model.jnt_dofadr[joint];
-    ids.qpos[found] = model.jnt_qposadr[joint];
-    ids.servo[found] = servo;
-    ids.lead_s[found] = model.actuator_biasprm[mjNBIAS * servo + 2] / model.actuator_biasprm[mjNBIAS * servo + 1];
-    X_PB = {};
-    ++found;
-  }
-  if (found < arm_joint_count) return missing(fmt::format("hinge 'arm_{}'", found + 1));
-  arm.X_LT = {X_PB.p_WB + X_PB.R_WB * vec_of(model.site_pos + 3 * grip),
-              X_PB.R_WB * quat_of(model.site_quat + 4 * grip)};
+constexpr double pi = 3.141592653589793;
+constexpr std::array sides = {"left", "right"};
 
-  constexpr std::array sides = {"left", "right"};
-  for (int side = 0; side < 2; ++side) {
-    ids.pad[side] = id_of(model, mjOBJ_GEOM, fmt::format("pad_{}", sides[side]));
-    ids.finger_servo[side] = id_of(model, mjOBJ_ACTUATOR, fmt::format("finger_{}", sides[side]));
-    if (ids.pad[side] < 0) return missing(fmt::format("geom 'pad_{}'", sides[side]));
-    if (ids.finger_servo[side] < 0) return missing(fmt::format("actuator 'finger_{}'", sides[side]));
+/// How the value that a servo is told for moves a joint: value * per_unit + at_zero.
+struct Driven {
+  int joint = 0;
+  double at_zero = 0, per_unit = 1;
+};
+
+bool is_below(const mjModel& model, int body, int ancestor) {
+  while (body > ancestor) body = model.body_parentid[body];
+  return body == ancestor;
+}
+
+/// How much of each joint goes into an actuator's length; nothing if it is driven otherwise than by joints.
+std::optional<std::vector<std::pair<int, double>>> transmission(const mjModel& model, int actuator) {
+  const double gear = model.actuator_gear[6 * actuator];
+  const int target = model.actuator_trnid[2 * actuator];
+  if (model.actuator_trntype[actuator] == mjTRN_JOINT) return std::vector{std::pair(target, gear)};
+  if (model.actuator_trntype[actuator] != mjTRN_TENDON) return std::nullopt;
+  std::vector<std::pair<int, double>> joints;
+  for (int i = model.tendon_adr[target]; i < model.tendon_adr[target] + model.tendon_num[target]; ++i) {
+    if (model.wrap_type[i] != mjWRAP_JOINT) return std::nullopt;
+    joints.emplace_back(model.wrap_objid[i], gear * model.wrap_prm[i]);
   }
-  return std::pair(arm, ids);
+  return joints;
+}
+
+/// The servo that drives these joints by the one value, and nothing else; nothing if the actuator does not.
+std::optional<Servo> servo_of(const mjModel& model, int actuator, const std::vector<Driven>& driven) {
+  const auto joints = transmission(model, actuator);
+  const mjtNum* gain = model.actuator_gainprm + mjNGAIN * actuator;
+  const mjtNum* bias = model.actuator_biasprm + mjNBIAS * actuator;
+  const bool is_position_servo = model.actuator_gaintype[actuator] == mjGAIN_FIXED && gain[0] != 0 &&
+                                 model.actuator_biastype[actuator] == mjBIAS_AFFINE && bias[1] < 0;
+  if (!joints || joints->empty() || !is_position_servo) return std::nullopt;
+  double length_at_zero = 0, length_per_unit = 0, damping = -bias[2];
+  for (const auto& [joint, part] : *joints) {
+    const auto found =
+        std::find_if(driven.begin(), driven.end(), [joint = joint](const Driven& one) { return one.joint == joint; });
+    if (found == driven.end()) return std::nullopt;
+    length_at_zero += part * found->at_zero;
+    length_per_unit += part * found->per_unit;
+    damping += model.dof_damping[model.jnt_dofadr[joint]] / (part * part);
+  }
+  // It rests where gain * control + bias0 + bias1 * length = 0.
+  return Servo{actuator, (-bias[0] - bias[1] * length_at_zero) / gain[0], -bias[1] * length_per_unit / gain[0],
+               -damping / bias[1]};
+}
+
+std::vector<Servo> servos_of(const mjModel& model, const std::vector<Driven>& driven) {
+  std::vector<Servo> servos;
+  for (int actuator = 0; actuator < model.nu; ++actuator)
+    if (auto servo = servo_of(model, actuator, driven)) servos.push_back(*servo);
+  return servos;
+}
+
+/// Reads one avatar out of a model whose arm is at home.
+class Reader {
+ public:
+  Reader(const mjModel& model, const std::vector<double>& qpos, std::string path)
+      : model_(model), path_(std::move(path)), data_(mj_makeData(&model)), qpos_(qpos) {
+    std::copy(qpos.begin(), qpos.end(), data_->qpos);
+    mj_kinematics(&model_, data_.get());
+  }
+
+  Result<std::pair<AvatarForm, AvatarElements>> read() {
+    for (const auto part : {&Reader::read_hand, &Reader::read_arm, &Reader::read_fingers}) {
+      if (const auto wrong = (this->*part)()) return Error{path_, "the scene's avatar has no " + *wrong};
+    }
+    face_the_table();
+    measure_palm();
+    measure_parts();
+    return std::pair(form_, ids_);
+  }
+
+ private:
+  using Missing = std::optional<std::string>;
+
+  Pose X_WBody(int body) const { return {vec_of(data_->xpos + 3 * body), quat_of(data_->xquat + 4 * body)}; }
+  Pose X_WGrip() const {
+    const Pose X_BT{vec_of(model_.site_pos + 3 * grip_), quat_of(model_.site_quat + 4 * grip_)};
+    return X_WBody(ids_.hand) * X_BT;
+  }
+
+  Missing read_hand() {
+    grip_ = id_of(model_, mjOBJ_SITE, grip_name);
+    if (grip_ < 0) return fmt::format("site '{}' between its finger pads", grip_name);
+    ids_.hand = model_.site_bodyid[grip_];
+    for (int body = 1; body < model_.nbody; ++body)
+      if (is_below(model_, body, ids_.hand)) ids_.hand_bodies.push_back(body);
+    ids_.weld = id_of(model_, mjOBJ_EQUALITY, grip_name);
+    if (ids_.weld < 0 || model_.eq_type[ids_.weld] != mjEQ_WELD || model_.eq_obj1id[ids_.weld] != ids_.hand)
+      return fmt::format("weld '{}' whose body1 is the body of site '{}'", grip_name, grip_name);
+    return {};
+  }
+
+  Missing read_arm() {
+    const auto hinges = arm_hinges(model_);
+    if (hinges.empty() || hinges.size() > most_arm_joints)
+      return fmt::format("arm: expected 1 to {} hinges between the world and the site '{}', found {}", most_arm_joints,
+                         grip_name, hinges.size());
+    Arm& arm = form_.arm;
+    arm.home.resize(static_cast<int>(hinges.size()));
+    Pose X_WL;  // of the frame after the hinge before
+    for (const int joint : hinges) {
+      const std::string name = name_of(model_, mjOBJ_JOINT, joint);
+      if (model_.jnt_type[joint] != mjJNT_HINGE)
+        return fmt::format("arm of hinges: joint '{}' between the world and the site '{}' is none", name, grip_name);
+      const auto servos = servos_of(model_, {{joint}});
+      if (servos.size() != 1)
+        return fmt::format("position servo for hinge '{}': expected one actuator with biastype affine, as <position>",
+                           name);
+      ids_.servo.push_back(servos[0]);
+      ids_.dof.push_back(model_.jnt_dofadr[joint]);
+      ids_.qpos.push_back(model_.jnt_qposadr[joint]);
+      const double q = qpos_[static_cast<std::size_t>(ids_.qpos.back())];
+      const bool limited = model_.jnt_limited[joint];
+      // MuJoCo tells anchor and axis in W, turned by the hinges before; the hinge itself is taken back to zero.
+      const Vec3 axis_W = vec_of(data_->xaxis + 3 * joint);
+      const int body = model_.jnt_bodyid[joint];
+      const Eigen::Quaterniond R_WJ = X_WBody(body).R_WB;
+      const Vec3 axis_J = (R_WJ.conjugate() * axis_W).normalized();
+      const Pose X_WJ{vec_of(data_->xanchor + 3 * joint), R_WJ};
+      const Pose unturned{Vec3::Zero(), Eigen::Quaterniond(Eigen::AngleAxisd(-q, axis_J))};
+      arm.home[static_cast<int>(arm.joints.size())] = q;
+      arm.joints.push_back({inverse(X_WL) * X_WJ * unturned, axis_J, limited ? model_.jnt_range[2 * joint] : -2 * pi,
+                            limited ? model_.jnt_range[2 * joint + 1] : 2 * pi});
+      X_WL = X_WJ;
+    }
+    arm.X_LT = inverse(X_WL) * X_WGrip();
+    return {};
+  }
+
+  /// The pads and what opens them. The tool's y is the way they close, whichever of them is at its positive side.
+  Missing read_fingers() {
+    std::vector<Driven> driven;
+    HandShape& hand = form_.hand;
+    hand.widest_opening_m = 1;
+    for (int side = 0; side < 2; ++side) {
+      const std::string pad = fmt::format("pad_{}", sides[side]);
+      ids_.pad[side] = id_of(model_, mjOBJ_GEOM, pad);
+      if (ids_.pad[side] < 0) return fmt::format("geom '{}'", pad);
+      int body = model_.geom_bodyid[ids_.pad[side]], joint = -1;
+      for (; body > 0 && body != ids_.hand; body = model_.body_parentid[body]) {
+        if (model_.body_jntnum[body] > 1 || (model_.body_jntnum[body] == 1 && joint >= 0))
+          return fmt::format("single slide joint between the hand and geom '{}'", pad);
+        if (model_.body_jntnum[body] == 1) joint = model_.body_jntadr[body];
+      }
+      if (body != ids_.hand || joint < 0 || model_.jnt_type[joint] != mjJNT_SLIDE || !model_.jnt_limited[joint])
+        return fmt::format("limited slide joint between the body of site '{}' and geom '{}'", grip_name, pad);
+
+      const Pose X_TW = inverse(X_WGrip());
+      const GeomBox box = geom_box_B(model_, ids_.pad[side]);
+      const Pose X_TB = X_TW * X_WBody(model_.geom_bodyid[ids_.pad[side]]);
+      const Vec3 center_T = (X_TB * box.X_BG).p_WB;
+      const double out = center_T.y() > 0 ? 1 : -1, axis_y = (X_TW.R_WB * vec_of(data_->xaxis + 3 * joint)).y() * out;
+      constexpr double straight = 0.999;
+      if (std::abs(axis_y) < straight)
+        return fmt::format("slide joint '{}' along the y axis of site '{}'", name_of(model_, mjOBJ_JOINT, joint),
+                           grip_name);
+      double inner = 1e3;
+      for (const Vec3& corner : corners_A(X_TB * box.X_BG, box.half_m)) inner = std::min(inner, corner.y() * out);
+      // The opening is where the pad's inner face is: inner + axis_y * (q - now).
+      const double now = data_->qpos[model_.jnt_qposadr[joint]];
+      const double most =
+          std::max((model_.jnt_range[2 * joint] - now) * axis_y, (model_.jnt_range[2 * joint + 1] - now) * axis_y);
+      constexpr double spare_m = 0.002;
+      hand.widest_opening_m = std::min(hand.widest_opening_m, inner + most - spare_m);
+      driven.push_back({joint, now - inner * axis_y, axis_y});
+      measure_finger(model_.jnt_bodyid[joint], out, inner);
+    }
+    ids_.finger_servo = servos_of(model_, driven);
+    if (ids_.finger_servo.empty()) return "position servo that moves its fingers, as <position>";
+    return {};
+  }
+
+  void measure_finger(int finger, double out, double inner_m) {
+    HandShape& hand = form_.hand;
+    for (const int body : ids_.hand_bodies) {
+      if (!is_below(model_, body, finger)) continue;
+      fingers_.push_back(body);
+      for (const Vec3& corner : corners_T(body)) {
+        hand.finger_tip_m = std::max(hand.finger_tip_m, corner.x());
+        hand.finger_half_width_m = std::max(hand.finger_half_width_m, std::abs(corner.z()));
+        hand.finger_thickness_m = std::max(hand.finger_thickness_m, corner.y() * out - inner_m);
+      }
+    }
+  }
+
+  /// Of all boxes of a body's geoms, in the tool's frame.
+  std::vector<Vec3> corners_T(int body) const {
+    const Pose X_TB = inverse(X_WGrip()) * X_WBody(body);
+    std::vector<Vec3> corners;
+    for (int geom = model_.body_geomadr[body]; geom < model_.body_geomadr[body] + model_.body_geomnum[body]; ++geom) {
+      const GeomBox box = geom_box_B(model_, geom);
+      for (const Vec3& corner : corners_A(X_TB * box.X_BG, box.half_m)) corners.push_back(corner);
+    }
+    return corners;
+  }
+
+  /// What of the hand is no finger.
+  void measure_palm() {
+    HandShape& hand = form_.hand;
+    hand.palm_front_m = 1;
+    for (const int body : ids_.hand_bodies) {
+      if (std::find(fingers_.begin(), fingers_.end(), body) != fingers_.end()) continue;
+      for (const Vec3& corner : corners_T(body)) {
+        hand.palm_front_m = std::min(hand.palm_front_m, -corner.x());
+        hand.palm_back_m = std::max(hand.palm_back_m, -corner.x());
+        hand.palm_half_length_m = std::max(hand.palm_half_length_m, std::abs(corner.y()));
+        hand.palm_half_width_m = std::max(hand.palm_half_width_m, std::abs(corner.z()));
+      }
+    }
+    hand.palm_front_m = std::clamp(hand.palm_front_m, 0.0, hand.palm_back_m);
+  }
+
+  /// The pads are alike: of the two ways to hold the hand, its y is that which is nearer to natural at home.
+  void face_the_table() {
+    Arm& arm = form_.arm;
+    const Pose X_WT = tool_pose(arm, arm.home);
+    const double natural = form_.natural_yaw(X_WT.p_WB);
+    double off = std::remainder(yaw_of_closing(X_WT) - natural, 2 * pi);
+    if (std::abs(off) > pi / 2) {
+      arm.X_LT = arm.X_LT * Pose{Vec3::Zero(), Eigen::Quaterniond(Eigen::AngleAxisd(pi, Vec3::UnitX()))};
+      off = std::remainder(off + pi, 2 * pi);
+    }
+    constexpr double along = 0.99, spare = 0.15;
+    const ArmJoint& last = arm.joints.back();
+    const double axis_T = (arm.X_LT.R_WB.conjugate() * last.axis_J).x(), home = arm.home[arm.size() - 1];
+    if (std::abs(axis_T) < along) return;
+    // Fingers down, a hinge along them turns the hand the other way.
+    const double a = off - axis_T * (last.min - home), b = off - axis_T * (last.max - home);
+    form_.least_wrist = std::min(a, b) + spare;
+    form_.most_wrist = std::max(a, b) - spare;
+  }
+
+  static double yaw_of_closing(const Pose& X_WT) {
+    const Vec3 closing = X_WT.R_WB * Vec3::UnitY();
+    return std::atan2(closing.y(), closing.x());
+  }
+
+  /// What of the arm can touch things, but for the hand and what stands still.
+  void measure_parts() {
+    const auto links = link_poses(form_.arm, form_.arm.home);
+    const auto hinges = arm_hinges(model_);
+    for (int geom = 0; geom < model_.ngeom; ++geom) {
+      const int body = model_.geom_bodyid[geom];
+      if (model_.geom_contype[geom] == 0 && model_.geom_conaffinity[geom] == 0) continue;
+      if (is_below(model_, body, ids_.hand)) continue;
+      int hinge = -1;  // the last one that moves the body
+      for (std::size_t i = 0; i < hinges.size(); ++i)
+        if (is_below(model_, body, model_.jnt_bodyid[hinges[i]])) hinge = static_cast<int>(i);
+      if (hinge < 0) continue;
+      const GeomBox box = geom_box_B(model_, geom);
+      const Pose X_WL = links[static_cast<std::size_t>(hinge)];
+      form_.parts.push_back({hinge, inverse(X_WL) * X_WBody(body) * box.X_BG, box.half_m});
+    }
+  }
+
+  const mjModel& model_;
+  const std::string path_;
+  const DataOwner data_;
+  const std::vector<double>& qpos_;
+  int grip_ = -1;
+  std::vector<int> fingers_;  // their bodies
+  AvatarForm form_;
+  AvatarElements ids_;
+};
+
+}  // namespace
+
+std::vector<int> arm_hinges(const mjModel& model) {
+  std::vector<int> joints;
+  const int grip = id_of(model, mjOBJ_SITE, grip_name);
+  for (int body = grip < 0 ? 0 : model.site_bodyid[grip]; body > 0; body = model.body_parentid[body]) {
+    for (int i = model.body_jntnum[body] - 1; i >= 0; --i) joints.insert(joints.begin(), model.body_jntadr[body] + i);
+  }
+  return joints;
+}
+
+Result<std::pair<AvatarForm, AvatarElements>> find_avatar(const mjModel& model, const std::vector<double>& qpos,
+                                                          const std::string& path) {
+  return Reader(model, qpos, path).read();
 }
 
 }  // namespace continua

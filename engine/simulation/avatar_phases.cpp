@@ -36,15 +36,25 @@ Pose Avatar::gesture_pose(const WorldSnapshot& world) const {
   const ObjectState* object = world.find(command_.object);
   Vec3 p_W = object ? object->p_WO : command_.goal.p_WG;
   if (object) p_W.z() = object->bounds_W().max.z();
-  const Vec3 base_W = physics_.arm().joints[0].X_PJ.p_WB;
-  if (command_.what == Capability::point && world.held.empty()) return pointing_pose(p_W, base_W);
-  return hover_pose(object, p_W, world, tool_pose(physics_.arm(), physics_.hinges()), base_W);
+  const Arm& arm = physics_.arm();
+  if (command_.what != Capability::point || !world.held.empty())
+    return hover_pose(object, p_W, world, tool_pose(arm, physics_.hinges()), physics_.avatar());
+  const auto poses = pointing_poses(p_W, arm.base_W());
+  const auto reached = [&](const Pose& X_WT) { return find_ik(arm, X_WT).reached; };
+  const auto found = std::find_if(poses.begin(), poses.end(), reached);
+  return found == poses.end() ? poses.front() : *found;
 }
 
 // ---- Motion --------------------------------------------------------------------------------------------------------
 
 bool Avatar::go(const std::vector<Pose>& X_WT, const Pace& pace) {
-  auto path = HandPath::plan(physics_.arm(), target_.hinges.q, X_WT, pace);
+  const AvatarForm& avatar = physics_.avatar();
+  const auto things = things_around(physics_.snapshot({}));
+  const auto depth = [&](const ArmVector& q) {
+    return std::max(arm_conflict(avatar, q, things),
+                    hand_conflict(avatar.hand, tool_pose(avatar.arm, q), target_.opening_m, things));
+  };
+  auto path = HandPath::plan(physics_.arm(), target_.hinges.q, X_WT, pace, depth);
   if (!path) return false;
   path_ = std::move(*path);
   path_s_ = 0;
@@ -112,22 +122,26 @@ const AvatarTarget& Avatar::update() {
 void Avatar::begin_phase() {
   phase_s_ = 0;
   steps_so_ = 0;
-  if (phases_.empty()) return phases_done();
-  if (!move_to(phases_.front(), physics_.snapshot({}))) fail(Status::unreachable, "the arm does not get there");
+  // Of what ends a failed handling, the arm leaves out what it cannot do.
+  while (!phases_.empty() && !move_to(phases_.front(), physics_.snapshot({}))) {
+    if (!failing_) return fail(Status::unreachable, "the arm does not get there");
+    phases_.pop_front();
+  }
+  if (phases_.empty()) phases_done();
 }
 
 /// Tells arm and fingers what the phase wants of them. False if the arm cannot do it.
 bool Avatar::move_to(Phase phase, const WorldSnapshot& world) {
   const int held = physics_.held();
-  const Vec3 base_W = physics_.arm().joints[0].X_PJ.p_WB;
+  const AvatarForm& avatar = physics_.avatar();
   const Pose from = tool_pose(physics_.arm(), target_.hinges.q);
   switch (phase) {
     case Phase::hover:
       if (world.held.empty()) wanted_opening_m_ = command_.what == Capability::point ? 0 : resting_opening_m;
-      return go(way_over(from, gesture_pose(world), world, base_W));
+      return go(way_over(from, gesture_pose(world), world, avatar));
     case Phase::approach:
       wanted_opening_m_ = handling_.grip.opening_m;
-      return go(way_to_grasp(from, hand_at(handling_.grip, world.objects[object_].p_WO, false), world, base_W));
+      return go(way_to_grasp(from, hand_at(handling_.grip, world.objects[object_].p_WO, false), world, avatar));
     case Phase::close:
       physics_.set_grip(object_);
       release_opening_m_ = handling_.grip.opening_m;
@@ -148,7 +162,7 @@ bool Avatar::move_to(Phase phase, const WorldSnapshot& world) {
       const Vec3 over_goal = first_at + Vec3(0, 0, up_m);
       const Pose at_goal = hand_for_object(over_goal, true);
       if (along_table_) return go({at_goal}, loaded);
-      return go(way_over(from, at_goal, world, base_W, at_goal.p_WB.z() - (over_goal.z() - half_m)), loaded);
+      return go(way_over(from, at_goal, world, avatar, at_goal.p_WB.z() - (over_goal.z() - half_m)), loaded);
     }
     case Phase::insert:
       return held < 0 || go({hand_for_object(handling_.set_down->p_WO - Vec3(0, 0, further_m), true)}, gentle);

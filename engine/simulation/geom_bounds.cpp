@@ -58,17 +58,27 @@ Box body_bounds_B(const mjModel& model, int body) {
   return bounds;
 }
 
+GeomBox geom_box_B(const mjModel& model, int geom) {
+  const mjtNum* q = model.geom_quat + 4 * geom;
+  return {{vec(model.geom_pos + 3 * geom), Eigen::Quaterniond(q[0], q[1], q[2], q[3])},
+          half_extents(model, geom, Mat3::Identity())};
+}
+
+std::vector<Vec3> corners_A(const Pose& X_AG, const Vec3& half_m) {
+  std::vector<Vec3> corners;
+  for (const double x : {-1, 1})
+    for (const double y : {-1, 1})
+      for (const double z : {-1, 1})
+        corners.push_back(X_AG.p_WB + X_AG.R_WB * half_m.cwiseProduct(Vec3(x, y, z)).eval());
+  return corners;
+}
+
 std::vector<Vec3> body_corners_B(const mjModel& model, int body) {
   std::vector<Vec3> corners;
   for (int geom = model.body_geomadr[body]; geom < model.body_geomadr[body] + model.body_geomnum[body]; ++geom) {
     if (model.geom_contype[geom] == 0 && model.geom_conaffinity[geom] == 0) continue;
-    const mjtNum* q = model.geom_quat + 4 * geom;
-    const Mat3 R_BG = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-    const Vec3 half = half_extents(model, geom, Mat3::Identity());
-    for (const double x : {-1, 1})
-      for (const double y : {-1, 1})
-        for (const double z : {-1, 1})
-          corners.push_back(vec(model.geom_pos + 3 * geom) + R_BG * half.cwiseProduct(Vec3(x, y, z)));
+    const GeomBox box = geom_box_B(model, geom);
+    for (const Vec3& corner : corners_A(box.X_BG, box.half_m)) corners.push_back(corner);
   }
   return corners;
 }

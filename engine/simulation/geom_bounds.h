@@ -12,6 +12,16 @@ namespace continua {
 /// Bounding box of all geoms of a body, in the body's frame B; empty boxes for bodies without geoms.
 Box body_bounds_B(const mjModel& model, int body);
 
+/// A box that holds a geom, along the geom's own axes.
+struct GeomBox {
+  Pose X_BG;  ///< in the frame of the geom's body
+  Vec3 half_m = Vec3::Zero();
+};
+GeomBox geom_box_B(const mjModel& model, int geom);
+
+/// The corners of a box whose centre is at `X_AG`, in the frame A.
+std::vector<Vec3> corners_A(const Pose& X_AG, const Vec3& half_m);
+
 /// Corners of boxes, one for each geom that can touch anything, that hold these geoms; in the body's frame.
 std::vector<Vec3> body_corners_B(const mjModel& model, int body);
 

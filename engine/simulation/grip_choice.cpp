@@ -14,7 +14,6 @@ namespace {
 
 constexpr double quarter = 1.5707963267948966;
 constexpr double least_conflict_m = 1e-4;  // what is on the grid cannot be told from touching below this
-constexpr double widest_wrist = 2.9;       // radians from natural: a little within the last hinge's limits
 
 // Tilted, the hand takes what others stand on, or what stands below something high.
 constexpr std::array tilts = {0.0, 0.7, -0.7};
@@ -22,6 +21,8 @@ constexpr std::array tilts = {0.0, 0.7, -0.7};
 constexpr std::array shifts = {0.0, 0.35, -0.35, 0.6, -0.6};
 // Of each open finger from the object.
 constexpr std::array margins_m = {0.008, 0.004, 0.002};
+// Of a grip that is not where the object is best held.
+constexpr double elsewhere_cost = 1;
 
 /// `angle` plus whole turns of `period`, as near to `wanted` as can be.
 double nearest(double angle, double period, double wanted) {
@@ -41,12 +42,12 @@ struct Span {
 
 /// How far the object reaches along side x (0) or y (1) where fingers at `shift_m` of the other, their tips at
 /// `tips_m`, would close on it. Nothing if they would close on nothing.
-std::optional<Span> span_at(const ObjectState& object, const ObjectShape* shape, int side, double shift_m,
-                            double tips_m) {
+std::optional<Span> span_at(const ObjectState& object, const ObjectShape* shape, const HandShape& hand, int side,
+                            double shift_m, double tips_m) {
   constexpr double hold_m = 0.002, same_m = 0.002;
   const double half = object.half_extents_m[side];
   if (!shape) return Span{half, 0};
-  const auto slice = shape->slice(side, shift_m, HandShape{}.finger_half_width_m, tips_m + hold_m);
+  const auto slice = shape->slice(side, shift_m, hand.finger_half_width_m, tips_m + hold_m);
   if (!slice) return std::nullopt;
   const Span span{(slice->max_m - slice->min_m) / 2, (slice->max_m + slice->min_m) / 2};
   const bool as_box = std::abs(slice->max_m - half) < same_m && std::abs(slice->min_m + half) < same_m;
@@ -84,23 +85,27 @@ std::vector<const ObjectState*> others_of(const ObjectState& object, const World
 }
 
 /// Down on two sides.
-void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world, const Vec3& base_W,
-                          const ObjectShape* shape, std::vector<Grip>& grips) {
-  const HandShape hand;
+void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world, const AvatarForm& avatar,
+                          const ObjectShape* shape, const Box* part, std::vector<Grip>& grips) {
+  const HandShape& hand = avatar.hand;
   const auto others = obstacles(others_of(object, world), "");
   // Held at its middle, but flat things so that the finger tips stay above what they stand on.
   const double height = std::max(0.0, hand.finger_tip_m + 0.003 - object.half_extents_m.z());
-  const double natural = natural_yaw(object.p_WO, base_W);
+  const double natural = avatar.natural_yaw(object.p_WO);
   for (const int side : {0, 1}) {
     const double across = side == 0 ? object.half_extents_m.y() : object.half_extents_m.x();
     const double yaw = nearest(object.yaw + side * quarter, 2 * quarter, natural);
     const Vec3 closing(std::cos(yaw), std::sin(yaw), 0), sideways(-std::sin(yaw), std::cos(yaw), 0);
     const Eigen::AngleAxisd R_WO(object.yaw, Vec3::UnitZ());
+    // Along what the fingers are moved: the object or the part of it, from its middle.
+    const double middle = part ? part->center()[1 - side] : 0;
+    const double length = part ? (part->max - part->min)[1 - side] / 2 : across;
+    const double along = (R_WO.inverse() * sideways)[1 - side];
     for (const double margin_m : margins_m) {
       for (const double shift : shifts) {
-        const Vec3 shift_W = shift * across * sideways;
-        const double shift_m = (R_WO.inverse() * shift_W)[1 - side];
-        const auto span = span_at(object, shape, side, shift_m, height - hand.finger_tip_m);
+        const double shift_m = middle + shift * length * along;
+        const Vec3 shift_W = shift_m * along * sideways;
+        const auto span = span_at(object, shape, hand, side, shift_m, height - hand.finger_tip_m);
         if (!span) continue;
         const double opening_m = span->half_m + margin_m;
         if (opening_m > hand.widest_opening_m) continue;
@@ -110,9 +115,11 @@ void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world,
           grip.hand = {yaw, tilt};
           grip.p_OT = Vec3(0, 0, height) + shift_W + middle_W;
           grip.opening_m = opening_m;
-          grip.conflict_m = beyond_slack(hand_conflict(hand_at(grip, object.p_WO, false), opening_m, others));
-          // The middle of the object, wide fingers, the hand upright, little turning of the wrist.
-          grip.cost = 0.5 * std::abs(shift) + 20 * (margins_m[0] - margin_m) + 0.3 * std::abs(tilt) +
+          grip.conflict_m =
+              beyond_slack(hand_conflict(avatar.hand, hand_at(grip, object.p_WO, false), opening_m, others));
+          // The middle of the object, its narrow sides, room for the fingers, the hand upright, little turning of the
+          // wrist.
+          grip.cost = 0.5 * std::abs(shift) + 3 * span->half_m + 20 * (margins_m[0] - margin_m) + 0.3 * std::abs(tilt) +
                       0.02 * std::abs(yaw - natural);
           grips.push_back(grip);
         }
@@ -124,16 +131,14 @@ void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world,
 /// One finger below an edge, the other above. In the vertical plane through the object's centre and the edge, r outward
 /// and z up, the fingers point along d = (-cos s, -sin s) and close along n = (-sin s, cos s), where s is how steep
 /// they are: the upper one's tip comes to touch the top, `inset_m` from the edge, the lower one the edge from below.
-void add_grips_on_edges(const ObjectState& object, const WorldSnapshot& world, const Vec3& base_W,
+void add_grips_on_edges(const ObjectState& object, const WorldSnapshot& world, const AvatarForm& avatar,
                         const ObjectShape& shape, std::vector<Grip>& grips) {
   constexpr double inset_m = 0.012, margin_m = 0.003, thickest_m = 0.03, air_m = 0.006, above_table_m = 0.001;
   constexpr std::array steeps = {0.6, 0.45, 0.75};
-  const HandShape hand;
+  const HandShape& hand = avatar.hand;
   auto others = obstacles(others_of(object, world), "");
-  const Vec3 below(0, 0, 0.5);
-  others.push_back(
-      {world.table.center() - below, Eigen::Matrix3d::Identity(), (world.table.max - world.table.min) / 2 + below});
-  const double natural = natural_yaw(object.p_WO, base_W);
+  others.push_back(table_block(world.table));
+  const double natural = avatar.natural_yaw(object.p_WO);
   for (const auto& edge : shape.edges(inset_m, hand.finger_half_width_m, thickest_m, air_m)) {
     const double direction = object.yaw + edge.direction;
     const Vec3 out(std::cos(direction), std::sin(direction), 0);
@@ -151,8 +156,8 @@ void add_grips_on_edges(const ObjectState& object, const WorldSnapshot& world, c
         grip.p_OT = r * out + Vec3(0, 0, z);
         grip.opening_m = opening_m;
         const Pose X_WT = hand_at(grip, object.p_WO, false);
-        grip.conflict_m = beyond_slack(
-            std::max(hand_conflict(X_WT, opening_m, others), hand_conflict(before_grasp(X_WT), opening_m, others)));
+        grip.conflict_m = beyond_slack(std::max(hand_conflict(avatar.hand, X_WT, opening_m, others),
+                                                hand_conflict(avatar.hand, before_grasp(X_WT), opening_m, others)));
         grip.cost = 1 + 0.2 * std::abs(yaw - natural) + 0.05 * std::abs(yaw + roll - natural) + std::abs(steep - 0.6);
         grips.push_back(grip);
       }
@@ -161,11 +166,12 @@ void add_grips_on_edges(const ObjectState& object, const WorldSnapshot& world, c
 }
 
 /// Hand, fingers and the way they come and go, at the goal.
-double conflict_at_goal(const Grip& grip, const Vec3& p_WG, const std::vector<OrientedBox>& others) {
+double conflict_at_goal(const Grip& grip, const Vec3& p_WG, const HandShape& hand,
+                        const std::vector<OrientedBox>& others) {
   const Pose X_WT = hand_at(grip, p_WG, true);
-  const double conflict_m = hand_conflict(X_WT, grip.opening_m, others);
+  const double conflict_m = hand_conflict(hand, X_WT, grip.opening_m, others);
   if (is_level(X_WT.R_WB)) return beyond_slack(conflict_m);
-  return beyond_slack(std::max(conflict_m, hand_conflict(before_grasp(X_WT), grip.opening_m, others)));
+  return beyond_slack(std::max(conflict_m, hand_conflict(hand, before_grasp(X_WT), grip.opening_m, others)));
 }
 
 /// How far a thing that stands on its end in a hollow can be from the hollow's middle.
@@ -191,39 +197,45 @@ Pose hand_at(const Grip& grip, const Vec3& p_WO, bool turned) {
   return {p_WO + grip.aside_W + R * grip.p_OT, R * rotation(grip.hand)};
 }
 
-std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world, const Vec3& base_W,
-                           const ObjectShape* shape) {
+double straightened(double yaw) { return nearest(0, quarter, yaw); }
+
+std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world, const AvatarForm& avatar,
+                           const ObjectShape* shape, const std::vector<std::string>& parts) {
   // A tipped object shows other sides than its shape has.
   const bool upright = shape && std::abs(shape->bottom_m() + object.half_extents_m.z()) < 2 * position_grid_m;
   std::vector<Grip> grips;
-  add_grips_from_above(object, world, base_W, upright ? shape : nullptr, grips);
-  if (upright) add_grips_on_edges(object, world, base_W, *shape, grips);
+  add_grips_from_above(object, world, avatar, upright ? shape : nullptr, nullptr, grips);
+  if (const Box* part = upright ? shape->part(parts) : nullptr) {
+    for (Grip& grip : grips) grip.cost += elsewhere_cost;
+    add_grips_from_above(object, world, avatar, shape, part, grips);
+  }
+  if (upright) add_grips_on_edges(object, world, avatar, *shape, grips);
   std::stable_sort(grips.begin(), grips.end(), [](const Grip& a, const Grip& b) { return a.cost < b.cost; });
   return grips;
 }
 
 std::vector<Grip> grips_at(const Grip& grip, const ObjectState& object, const Vec3& p_WG, const WorldSnapshot& world,
-                           const Vec3& base_W, const std::string& into) {
+                           const AvatarForm& avatar, const std::string& into) {
   const auto others = obstacles(apart_from(object, world), into);
-  const double straighten = nearest(0, quarter, object.yaw) - object.yaw;
-  const double start_wrist = std::remainder(grip.hand.yaw - natural_yaw(object.p_WO, base_W), 4 * quarter);
-  const double yaw = natural_yaw(object.p_WO, base_W) + start_wrist;
+  const double straighten = straightened(object.yaw) - object.yaw;
+  const double start_wrist = std::remainder(grip.hand.yaw - avatar.natural_yaw(object.p_WO), 4 * quarter);
+  const double yaw = avatar.natural_yaw(object.p_WO) + start_wrist;
   std::vector<Grip> grips;
   for (const int quarters : {0, 1, -1, 2, -2}) {
     if (quarters % 2 != 0 && !is_square(object)) continue;
     Grip turned = grip;
     turned.turn = straighten + quarters * quarter;
-    const double wrist = yaw + turned.turn - natural_yaw(p_WG, base_W);
-    if (quarters != 0 && std::abs(wrist) > widest_wrist) continue;
-    turned.conflict_m = std::max(grip.conflict_m, conflict_at_goal(turned, p_WG, others));
-    turned.cost += 0.05 * std::abs(turned.turn) + 0.02 * std::abs(wrist) + (std::abs(wrist) > widest_wrist ? 10 : 0);
+    const double wrist = yaw + turned.turn - avatar.natural_yaw(p_WG);
+    if (quarters != 0 && !avatar.wrist_turns(wrist)) continue;
+    turned.conflict_m = std::max(grip.conflict_m, conflict_at_goal(turned, p_WG, avatar.hand, others));
+    turned.cost += 0.05 * std::abs(turned.turn) + 0.02 * std::abs(wrist) + (!avatar.wrist_turns(wrist) ? 10 : 0);
     grips.push_back(turned);
   }
   return grips;
 }
 
 std::vector<Grip> grips_on_end(const Grip& grip, const ObjectState& object, const Vec3& p_WG,
-                               const WorldSnapshot& world, const Vec3& base_W, const std::string& into) {
+                               const WorldSnapshot& world, const AvatarForm& avatar, const std::string& into) {
   constexpr double near_end = 0.3;  // of the half length: what hangs down is the longer part
   constexpr std::array asides = {0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.6, -1.6};
   const bool along_x = object.half_extents_m.x() >= object.half_extents_m.y();
@@ -244,13 +256,13 @@ std::vector<Grip> grips_on_end(const Grip& grip, const ObjectState& object, cons
     Grip stood = grip;
     stood.tip = side * (quarter - lean);
     const double wrist = aside + (side < 0 ? 2 * quarter * (aside > 0 ? -1 : 1) : 0);
-    const double start_wrist = std::remainder(grip.hand.yaw - natural_yaw(object.p_WO, base_W), 4 * quarter);
-    if (std::abs(wrist) > widest_wrist || std::abs(start_wrist) > widest_wrist) continue;
-    stood.turn = natural_yaw(p_WG, base_W) + wrist - grip.hand.yaw;
+    const double start_wrist = std::remainder(grip.hand.yaw - avatar.natural_yaw(object.p_WO), 4 * quarter);
+    if (!avatar.wrist_turns(wrist) || !avatar.wrist_turns(start_wrist)) continue;
+    stood.turn = avatar.natural_yaw(p_WG) + wrist - grip.hand.yaw;
     const Vec3 to_W = Eigen::AngleAxisd(stood.turn, Vec3::UnitZ()) * (side * ahead_W);
     stood.aside_W = (half_m * std::sin(lean) - room_in(object, *world.find(into))) * to_W;
     stood.aside_W.z() = half_m * std::cos(lean) + thick_m * std::sin(lean) - half_m;
-    stood.conflict_m = std::max(grip.conflict_m, conflict_at_goal(stood, p_WG, others));
+    stood.conflict_m = std::max(grip.conflict_m, conflict_at_goal(stood, p_WG, avatar.hand, others));
     stood.cost += 0.3 * std::abs(aside) + 0.1 * std::abs(wrist - start_wrist);
     grips.push_back(stood);
   }

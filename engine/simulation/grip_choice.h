@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "simulation/hand_shape.h"
+#include "simulation/avatar_form.h"
+#include "simulation/hand_turn.h"
 #include "simulation/object_shape.h"
 #include "world/world_snapshot.h"
 
@@ -24,20 +25,24 @@ struct Grip {
 /// The hand's pose when the object's centre is at `p_WO` and has not yet been turned, or has.
 Pose hand_at(const Grip& grip, const Vec3& p_WO, bool turned);
 
+/// The yaw nearest to `yaw` that lies along the world's axes.
+double straightened(double yaw);
+
 /// Every way in which the hand can take the object as it stands, without turning it, cheapest first: down on two of its
 /// sides, or with one finger below an edge that sticks out. None if it is wider than the hand and has no such edge.
-/// `base_W` is the arm's first axis, which tells how far the wrist must turn. Without `shape` the object is its box.
-std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world, const Vec3& base_W,
-                           const ObjectShape* shape = nullptr);
+/// Without `shape` the object is its box. By one of
+/// `parts` it is held where it can be, the first that it has.
+std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world, const AvatarForm& avatar,
+                           const ObjectShape* shape = nullptr, const std::vector<std::string>& parts = {});
 
 /// The grip with each turn after which the object lies along the world's axes and that the wrist can make; with the
 /// conflict that the hand has at `p_WG` too. The hand may be in the hollow of the object named `into`.
 std::vector<Grip> grips_at(const Grip& grip, const ObjectState& object, const Vec3& p_WG, const WorldSnapshot& world,
-                           const Vec3& base_W, const std::string& into = "");
+                           const AvatarForm& avatar, const std::string& into = "");
 
 /// The grip with each turn that stands the object on its end, held near the other, and that the wrist can make. It
 /// leans as far as the hollow leaves room, so that it does not fall otherwise when the hand opens.
 std::vector<Grip> grips_on_end(const Grip& grip, const ObjectState& object, const Vec3& p_WG,
-                               const WorldSnapshot& world, const Vec3& base_W, const std::string& into);
+                               const WorldSnapshot& world, const AvatarForm& avatar, const std::string& into);
 
 }  // namespace continua

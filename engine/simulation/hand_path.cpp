@@ -54,14 +54,29 @@ std::vector<Pose> rounded(const std::vector<Pose>& corners) {
   return poses;
 }
 
+/// From posture to posture by the hinges alone, both ends left out.
+std::vector<ArmVector> by_hinges(const ArmVector& from, const ArmVector& to) {
+  constexpr double knot_turn = 0.04;  // radians
+  std::vector<ArmVector> knots;
+  const int steps = std::max(1, static_cast<int>(std::ceil((to - from).cwiseAbs().maxCoeff() / knot_turn)));
+  for (int i = 1; i < steps; ++i) knots.push_back(from + (to - from) * i / steps);
+  return knots;
+}
+
+double deepest(const std::vector<ArmVector>& knots, const HandPath::Depth& depth) {
+  double most = 0;
+  for (const auto& q : knots) most = std::max(most, depth(q));
+  return most;
+}
+
 }  // namespace
 
 std::optional<HandPath> HandPath::plan(const Arm& arm, const ArmVector& from, const std::vector<Pose>& X_WT,
-                                       const Pace& pace) {
+                                       const Pace& pace, const Depth& depth) {
   const auto straight = plan_straight(arm, from, X_WT, pace);
   if (straight || X_WT.size() < 2) return straight;
   const auto first = plan_straight(arm, from, {X_WT.front()}, pace);
-  const IkSolution goal = solve_ik(arm, X_WT.back(), arm.home);
+  const IkSolution goal = find_ik(arm, X_WT.back());
   if (!first || !goal.reached) return std::nullopt;
   // The last line backward, and more of them if that can be done.
   std::optional<HandPath> last;
@@ -74,14 +89,18 @@ std::optional<HandPath> HandPath::plan(const Arm& arm, const ArmVector& from, co
   }
   if (!last) return std::nullopt;
 
-  constexpr double knot_turn = 0.04;  // radians
-  std::vector<ArmVector> knots = first->knots_;
   const ArmVector start = first->end(), end = last->end();
-  const int steps = std::max(1, static_cast<int>(std::ceil((end - start).cwiseAbs().maxCoeff() / knot_turn)));
-  for (int i = 1; i < steps; ++i) knots.push_back(start + (end - start) * i / steps);
+  auto between = by_hinges(start, end);
+  if (depth && deepest(between, depth) > 0) {
+    auto by_home = by_hinges(start, arm.home);
+    by_home.push_back(arm.home);
+    for (const auto& q : by_hinges(arm.home, end)) by_home.push_back(q);
+    if (deepest(by_home, depth) < deepest(between, depth)) between = std::move(by_home);
+  }
+  std::vector<ArmVector> knots = first->knots_;
+  knots.insert(knots.end(), between.begin(), between.end());
   knots.insert(knots.end(), last->knots_.rbegin(), last->knots_.rend());
-  const double path_m = static_cast<double>(knots.size()) * knot_distance_m;
-  return along(std::move(knots), path_m, pace);
+  return along(arm, std::move(knots), pace);
 }
 
 std::optional<HandPath> HandPath::plan_straight(const Arm& arm, const ArmVector& from, const std::vector<Pose>& X_WT,
@@ -90,40 +109,72 @@ std::optional<HandPath> HandPath::plan_straight(const Arm& arm, const ArmVector&
   corners.insert(corners.end(), X_WT.begin(), X_WT.end());
   const auto poses = rounded(corners);
 
+  constexpr double farthest_turn = 0.6;  // of a hinge from knot to knot: more is another branch of the arm
   std::vector<ArmVector> knots{from};
-  double path_m = 0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const IkSolution solution = solve_ik(arm, poses[i], knots.back());
-    if (!solution.reached) return std::nullopt;
-    path_m += length(poses[i - 1], poses[i]);
+    if (!solution.reached || (solution.q - knots.back()).cwiseAbs().maxCoeff() > farthest_turn) return std::nullopt;
     knots.push_back(solution.q);
   }
-  return along(std::move(knots), path_m, pace);
+  return along(arm, std::move(knots), pace);
 }
 
-/// As fast as the slowest limit allows.
-HandPath HandPath::along(std::vector<ArmVector> knots, double path_m, const Pace& pace) {
+/// Each step takes as long as its own limits ask, and neighbouring steps about equally long; the whole has a
+/// minimum-jerk profile.
+HandPath HandPath::along(const Arm& arm, std::vector<ArmVector> knots, const Pace& pace) {
+  constexpr double steady = 0.7;  // of a step's time, at least, its neighbours take
+  constexpr double least_s = 1e-3;
+  constexpr int rounds = 40;
+  if (knots.size() < 2) return stay(knots.front());
+  std::vector<double> steps;
+  Pose before = tool_pose(arm, knots.front());
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const Pose after = tool_pose(arm, knots[i]);
+    steps.push_back(std::max({length(before, after) / pace.hand_m_per_s,
+                              (knots[i] - knots[i - 1]).cwiseAbs().maxCoeff() / pace.hinge_rad_per_s, least_s}));
+    before = after;
+  }
+  const auto bend = [&](std::size_t i) {  // of the motion at the knot between steps i - 1 and i
+    const ArmVector jump = (knots[i + 1] - knots[i]) / steps[i] - (knots[i] - knots[i - 1]) / steps[i - 1];
+    return jump.cwiseAbs().maxCoeff() * 2 / (steps[i] + steps[i - 1]);
+  };
+  double most_bend = 0;
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 1; i < steps.size(); ++i) steps[i] = std::max(steps[i], steady * steps[i - 1]);
+    for (std::size_t i = steps.size() - 1; i > 0; --i) steps[i - 1] = std::max(steps[i - 1], steady * steps[i]);
+    most_bend = 0;
+    auto slower = steps;
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+      const double by = bend(i) / pace.hinge_rad_per_s2;
+      most_bend = std::max(most_bend, bend(i));
+      if (by <= 1) continue;
+      slower[i - 1] = std::max(slower[i - 1], steps[i - 1] * std::min(2.0, std::sqrt(by)));
+      slower[i] = std::max(slower[i], steps[i] * std::min(2.0, std::sqrt(by)));
+    }
+    if (most_bend <= pace.hinge_rad_per_s2) break;
+    steps = std::move(slower);
+  }
+
   HandPath path;
   path.knots_ = std::move(knots);
-  // Per step along the path: how far each hinge turns, and how that changes.
-  const double steps = static_cast<double>(path.knots_.size() - 1);
-  double first = 0, second = 0;
-  for (std::size_t i = 1; i < path.knots_.size(); ++i) {
-    first = std::max(first, (path.knots_[i] - path.knots_[i - 1]).cwiseAbs().maxCoeff());
-    if (i + 1 < path.knots_.size())
-      second = std::max(second, (path.knots_[i + 1] - 2 * path.knots_[i] + path.knots_[i - 1]).cwiseAbs().maxCoeff());
+  path.at_s_ = {0};
+  double fastest = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    path.at_s_.push_back(path.at_s_.back() + steps[i]);
+    fastest = std::max(fastest, (path.knots_[i + 1] - path.knots_[i]).cwiseAbs().maxCoeff() / steps[i]);
   }
-  const double by_hand = peak_speed * path_m / pace.hand_m_per_s;
-  const double by_speed = peak_speed * first * steps / pace.hinge_rad_per_s;
-  const double by_acceleration = std::sqrt(
-      (peak_acceleration * first * steps + peak_speed * peak_speed * second * steps * steps) / pace.hinge_rad_per_s2);
-  path.duration_s_ = std::max({by_hand, by_speed, by_acceleration});
+  const double whole_s = path.at_s_.back();
+  const double by_speed = peak_speed * whole_s;
+  const double by_acceleration =
+      std::sqrt((peak_acceleration * whole_s * fastest + by_speed * by_speed * most_bend) / pace.hinge_rad_per_s2);
+  path.duration_s_ = std::max(by_speed, by_acceleration);
   return path;
 }
 
 HandPath HandPath::between(const ArmVector& from, const ArmVector& to, const Pace& pace) {
   HandPath path;
   path.knots_ = {from, to};
+  path.at_s_ = {0, 1};
   const double turn = (to - from).cwiseAbs().maxCoeff();
   path.duration_s_ =
       std::max(peak_speed * turn / pace.hinge_rad_per_s, std::sqrt(peak_acceleration * turn / pace.hinge_rad_per_s2));
@@ -137,20 +188,23 @@ HandPath HandPath::stay(const ArmVector& q) {
 }
 
 HingeTarget HandPath::at(double t_s) const {
-  if (t_s >= duration_s_ || knots_.size() < 2) return {knots_.back(), ArmVector::Zero()};
+  if (t_s >= duration_s_ || knots_.size() < 2) return {knots_.back(), ArmVector::Zero(knots_.back().size())};
   const double u = std::max(0.0, t_s / duration_s_);
   const double along = u * u * u * (10 + u * (-15 + 6 * u));
   const double rate = 30 * u * u * (1 - u) * (1 - u) / duration_s_;
 
   // Catmull-Rom between the knots: the hinges' speed does not jump.
-  const double steps = static_cast<double>(knots_.size() - 1);
-  const auto i = std::min(static_cast<std::size_t>(along * steps), knots_.size() - 2);
-  const double s = along * steps - static_cast<double>(i);
+  const double s = along * at_s_.back();
+  const auto next = std::upper_bound(at_s_.begin() + 1, at_s_.end() - 1, s);
+  const auto i = static_cast<std::size_t>(next - at_s_.begin()) - 1;
+  const double step = at_s_[i + 1] - at_s_[i], u_i = (s - at_s_[i]) / step;
   const ArmVector &p1 = knots_[i], &p2 = knots_[i + 1];
-  const ArmVector m1 = i > 0 ? ((p2 - knots_[i - 1]) / 2).eval() : (p2 - p1).eval();
-  const ArmVector m2 = i + 2 < knots_.size() ? ((knots_[i + 2] - p1) / 2).eval() : (p2 - p1).eval();
+  const auto slope = [&](std::size_t from, std::size_t to) -> ArmVector {
+    return (knots_[to] - knots_[from]) * (step / (at_s_[to] - at_s_[from]));
+  };
+  const ArmVector m1 = slope(i > 0 ? i - 1 : i, i + 1), m2 = slope(i, i + 2 < knots_.size() ? i + 2 : i + 1);
   const ArmVector a = 2 * (p1 - p2) + m1 + m2, b = 3 * (p2 - p1) - 2 * m1 - m2;
-  return {p1 + s * (m1 + s * (b + s * a)), (m1 + s * (2 * b + 3 * s * a)) * steps * rate};
+  return {p1 + u_i * (m1 + u_i * (b + u_i * a)), (m1 + u_i * (2 * b + 3 * u_i * a)) * (at_s_.back() * rate / step)};
 }
 
 }  // namespace continua

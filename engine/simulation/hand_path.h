@@ -1,6 +1,7 @@
 // Motions of the hand: a path through poses, its corners rounded, as a smooth motion of the arm's hinges.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -17,18 +18,21 @@ struct Pace {
 
 /// Where the hinges shall be, and how fast they shall turn.
 struct HingeTarget {
-  ArmVector q = ArmVector::Zero();
-  ArmVector qdot = ArmVector::Zero();
+  ArmVector q;
+  ArmVector qdot;
 };
 
 /// A motion from rest to rest, with a minimum-jerk profile along its path.
 class HandPath {
  public:
+  using Depth = std::function<double(const ArmVector&)>;
+
   /// Through `X_WT` in order, beginning at hinges `from`. Where the hinges cannot follow that, and it is more than one
   /// line: as far along the first line and as early along the last ones as they can, and by the hinges alone between.
-  /// Nothing if that cannot be done either.
+  /// `depth` tells how deep the avatar would be in things: by the hinges alone it goes the way that is less deep,
+  /// straight or by way of its home. Nothing if that cannot be done either.
   static std::optional<HandPath> plan(const Arm& arm, const ArmVector& from, const std::vector<Pose>& X_WT,
-                                      const Pace& pace = {});
+                                      const Pace& pace = {}, const Depth& depth = {});
 
   /// Straight from hinges to hinges, wherever the hand goes meanwhile.
   static HandPath between(const ArmVector& from, const ArmVector& to, const Pace& pace = {});
@@ -47,9 +51,10 @@ class HandPath {
   HingeTarget at(double t_s) const;
 
  private:
-  static HandPath along(std::vector<ArmVector> knots, double path_m, const Pace& pace);
+  static HandPath along(const Arm& arm, std::vector<ArmVector> knots, const Pace& pace);
 
-  std::vector<ArmVector> knots_;  // at equal steps along the path
+  std::vector<ArmVector> knots_;
+  std::vector<double> at_s_;  // where along the path each knot is: when, were it at full speed all the way
   double duration_s_ = 0;
 };
 

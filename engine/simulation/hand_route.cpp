@@ -15,8 +15,8 @@ constexpr double full_turn = 6.283185307179586, quarter_turn = full_turn / 4;
 bool overlap(const Box& a, const Box& b) { return (a.max.cwiseMin(b.max) - a.min.cwiseMax(b.min)).minCoeff() > 0; }
 
 /// How far hand and held object reach below the point between the pads.
-double reach_below(const ObjectState* held, const Pose& X_WT) {
-  return std::max(HandShape{}.finger_tip_m, held ? X_WT.p_WB.z() - held->bounds_W().min.z() : 0.0);
+double reach_below(const ObjectState* held, const Pose& X_WT, const HandShape& hand) {
+  return std::max(hand.finger_tip_m, held ? X_WT.p_WB.z() - held->bounds_W().min.z() : 0.0);
 }
 
 }  // namespace
@@ -27,19 +27,20 @@ Pose before_grasp(const Pose& X_WT) {
   return {X_WT.p_WB - back_m * (X_WT.R_WB * Vec3::UnitX()), X_WT.R_WB};
 }
 
-std::vector<Pose> way_to_grasp(const Pose& X_WF, const Pose& X_WT, const WorldSnapshot& world, const Vec3& base_W) {
-  if (is_level(X_WT.R_WB)) return way_over(X_WF, X_WT, world, base_W);
-  auto poses = way_over(X_WF, before_grasp(X_WT), world, base_W);
+std::vector<Pose> way_to_grasp(const Pose& X_WF, const Pose& X_WT, const WorldSnapshot& world,
+                               const AvatarForm& avatar) {
+  if (is_level(X_WT.R_WB)) return way_over(X_WF, X_WT, world, avatar);
+  auto poses = way_over(X_WF, before_grasp(X_WT), world, avatar);
   poses.push_back(X_WT);
   return poses;
 }
 
-std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapshot& world, const Vec3& base_W,
+std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapshot& world, const AvatarForm& avatar,
                            double below_m) {
   constexpr double hand_half_m = 0.07;
   const HandTurn from = turn_of(X_WF.R_WB), to = turn_of(X_WT.R_WB);
   const double lean = std::max(std::abs(std::sin(from.tilt)), std::abs(std::sin(to.tilt)));
-  const double wide_m = hand_half_m + HandShape{}.palm_back_m * lean;
+  const double wide_m = hand_half_m + avatar.hand.palm_back_m * lean;
   const Box way{X_WF.p_WB.cwiseMin(X_WT.p_WB) - Vec3(wide_m, wide_m, 1),
                 X_WF.p_WB.cwiseMax(X_WT.p_WB) + Vec3(wide_m, wide_m, 1)};
 
@@ -52,12 +53,12 @@ std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapsh
     if (std::find(carried.begin(), carried.end(), other.name) == carried.end() && overlap(box, way))
       top = std::max(top, box.max.z());
   }
-  const double height = top + std::max(below_m, reach_below(held, X_WF)) + clearance_m;
+  const double height = top + std::max(below_m, reach_below(held, X_WF, avatar.hand)) + clearance_m;
 
   // On the way the wrist turns from where it is to where it shall be, and never through its limit: the shortest turn of
   // the hand in the world may be one that the last hinge cannot make.
-  const double from_wrist = std::remainder(from.yaw - natural_yaw(X_WF.p_WB, base_W), full_turn);
-  const double to_wrist = std::remainder(to.yaw - natural_yaw(X_WT.p_WB, base_W), full_turn);
+  const double from_wrist = std::remainder(from.yaw - avatar.natural_yaw(X_WF.p_WB), full_turn);
+  const double to_wrist = std::remainder(to.yaw - avatar.natural_yaw(X_WT.p_WB), full_turn);
   const bool turns =
       std::abs(to_wrist - from_wrist) > 1 || std::abs(to.tilt - from.tilt) > 0.8 || std::abs(to.roll - from.roll) > 0.8;
   const bool far = (X_WF.p_WB - X_WT.p_WB).head<2>().norm() > 0.01;
@@ -69,7 +70,7 @@ std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapsh
   if (turns) {
     for (const double s : {0.25, 0.5, 0.75}) {
       const Vec3 p = start + s * (end - start);
-      const double yaw = natural_yaw(p, base_W) + from_wrist + s * (to_wrist - from_wrist);
+      const double yaw = avatar.natural_yaw(p) + from_wrist + s * (to_wrist - from_wrist);
       poses.push_back(
           {p, rotation({yaw, from.tilt + s * (to.tilt - from.tilt), from.roll + s * (to.roll - from.roll)})});
     }
@@ -80,28 +81,41 @@ std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapsh
 }
 
 Pose hover_pose(const ObjectState* object, const Vec3& p_W, const WorldSnapshot& world, const Pose& X_WT,
-                const Vec3& base_W) {
+                const AvatarForm& avatar) {
   constexpr double hover_m = 0.05, step_m = 0.01, highest_m = 0.5;
   const ObjectState* held = world.find(world.held);
   // The fingers close along the object's side that takes the least turning of the wrist.
-  const double natural = natural_yaw(p_W, base_W);
+  const double natural = avatar.natural_yaw(p_W);
   const double yaw = object ? object->yaw + quarter_turn * std::round((natural - object->yaw) / quarter_turn) : natural;
-  Pose X{p_W + Vec3(0, 0, reach_below(held, X_WT) + hover_m), rotation({yaw, 0})};
+  Pose X{p_W + Vec3(0, 0, reach_below(held, X_WT, avatar.hand) + hover_m), rotation({yaw, 0})};
   std::vector<OrientedBox> others;
   for (const auto& other : world.objects) {
     if (&other != held) others.push_back(column_of(other));
   }
-  while (X.p_WB.z() < highest_m && hand_conflict(X, resting_opening_m, others) > 0) X.p_WB.z() += step_m;
+  while (X.p_WB.z() < highest_m && hand_conflict(avatar.hand, X, resting_opening_m, others) > 0) X.p_WB.z() += step_m;
   return X;
 }
 
-Pose pointing_pose(const Vec3& p_W, const Vec3& base_W) {
-  constexpr double distance_m = 0.1;
+std::vector<OrientedBox> things_around(const WorldSnapshot& world) {
+  std::vector<OrientedBox> things{table_block(world.table)};
+  for (const auto& object : world.objects)
+    if (object.name != world.held) things.push_back(box_of(object));
+  return things;
+}
+
+std::vector<Pose> pointing_poses(const Vec3& p_W, const Vec3& base_W) {
   const Vec3 eye_W = base_W + Vec3(0, 0, 0.15);
-  const Vec3 x = (p_W - eye_W).normalized(), y = Vec3::UnitZ().cross(x).normalized();
-  Eigen::Matrix3d R;
-  R << x, y, x.cross(y);
-  return {p_W - distance_m * x, Eigen::Quaterniond(R)};
+  std::vector<Pose> poses;
+  for (const double distance_m : {0.1, 0.15, 0.2, 0.3}) {
+    for (const double steeper : {0.0, 0.3, 0.6}) {
+      const Vec3 x = ((1 - steeper) * (p_W - eye_W).normalized() - steeper * Vec3::UnitZ()).normalized();
+      const Vec3 y = Vec3::UnitZ().cross(x).normalized();
+      Eigen::Matrix3d R;
+      R << x, y, x.cross(y);
+      poses.push_back({p_W - distance_m * x, Eigen::Quaterniond(R)});
+    }
+  }
+  return poses;
 }
 
 bool way_is_free(const ObjectState& object, const Vec3& p_WG, const std::string& landmark, const WorldSnapshot& world) {

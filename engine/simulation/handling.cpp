@@ -11,27 +11,25 @@ namespace continua {
 
 namespace {
 
-/// Whether the arm gets there, and its forearm finds room.
+/// Whether the arm gets there, and finds room for itself.
 class Reach {
  public:
-  Reach(const Arm& arm, const ObjectState& object, const WorldSnapshot& world) : arm_(arm) {
+  Reach(const AvatarForm& avatar, const ObjectState& object, const WorldSnapshot& world) : avatar_(avatar) {
     // What stands on the object was beside the hand before and is so at the goal.
     for (const auto& other : world.objects) {
       if (other.name != object.name) others_.push_back(box_of(other));
     }
   }
 
-  bool reaches(const Pose& X_WT, bool& forearm_free) {
-    const IkSolution solution = solve_ik(arm_, X_WT, arm_.home);
-    if (!solution.reached || !solve_ik(arm_, before_grasp(X_WT), solution.q).reached) return false;
-    const auto links = link_poses(arm_, solution.q);
-    constexpr int elbow = 3, wrist = 5;
-    forearm_free = forearm_free && forearm_conflict(links[elbow].p_WB, links[wrist].p_WB, others_) == 0;
+  bool reaches(const Pose& X_WT, bool& arm_free) {
+    const IkSolution solution = find_ik(avatar_.arm, X_WT);
+    if (!solution.reached || !solve_ik(avatar_.arm, before_grasp(X_WT), solution.q).reached) return false;
+    arm_free = arm_free && arm_conflict(avatar_, solution.q, others_) == 0;
     return true;
   }
 
  private:
-  const Arm& arm_;
+  const AvatarForm& avatar_;
   std::vector<OrientedBox> others_;
 };
 
@@ -48,14 +46,13 @@ bool alike(const Grip& a, const Grip& b) {
          std::abs(a.turn - b.turn) < same_rad;
 }
 
-Vec3 base_of(const Arm& arm) { return arm.joints[0].X_PJ.p_WB; }
-
 /// The grips there are where the object is: the one that holds it, or those that could take it.
-std::vector<Grip> starts_of(const ObjectState& object, const WorldSnapshot& world, const Means& means,
+std::vector<Grip> starts_of(const Task& task, const WorldSnapshot& world, const Means& means,
                             const std::optional<Grasp>& grasp) {
+  const ObjectState& object = *world.find(task.object);
   if (!grasp) {
     const auto shape = means.shapes.find(object.name);
-    return grips_on(object, world, base_of(means.arm), shape == means.shapes.end() ? nullptr : &shape->second);
+    return grips_on(object, world, means.avatar, shape == means.shapes.end() ? nullptr : &shape->second, task.parts);
   }
   Grip grip;
   grip.hand = turn_of(grasp->X_WT.R_WB);
@@ -75,21 +72,21 @@ std::vector<SetDown> ways_to(const Task& task, const ObjectState& object, const 
 
 /// A grip with each turn that does at the end of a way.
 std::vector<Grip> turned_for(const Task& task, const Grip& grip, const ObjectState& object, const SetDown& way,
-                             const WorldSnapshot& world, const Arm& arm) {
-  if (task.on_end) return grips_on_end(grip, object, way.first_W(), world, base_of(arm), task.into);
-  return grips_at(grip, object, way.first_W(), world, base_of(arm), task.into);
+                             const WorldSnapshot& world, const AvatarForm& avatar) {
+  if (task.on_end) return grips_on_end(grip, object, way.first_W(), world, avatar, task.into);
+  return grips_at(grip, object, way.first_W(), world, avatar, task.into);
 }
 
 /// Whether there is room for the task, as far as can be told without the arm.
 bool has_room(const Task& task, const WorldSnapshot& world, const Means& means) {
   const ObjectState& object = *world.find(task.object);
-  const auto grips = starts_of(object, world, means, std::nullopt);
+  const auto grips = starts_of(task, world, means, std::nullopt);
   const auto fits = [](const Grip& grip) { return grip.conflict_m == 0; };
   if (!task.p_WG) return std::any_of(grips.begin(), grips.end(), fits);
   for (const SetDown& way : ways_to(task, object, world)) {
     for (const Grip& grip : grips) {
       if (!fits(grip)) continue;
-      const auto turned = turned_for(task, grip, object, way, world, means.arm);
+      const auto turned = turned_for(task, grip, object, way, world, means.avatar);
       if (std::any_of(turned.begin(), turned.end(), fits)) return true;
     }
   }
@@ -113,9 +110,9 @@ WorldSnapshot moved(const WorldSnapshot& world, const ObjectState& object, const
 std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& world, const Means& means,
                                       const std::optional<Grasp>& grasp, const std::vector<Grip>& tried) {
   const ObjectState& object = *world.find(task.object);
-  const auto starts = starts_of(object, world, means, grasp);
+  const auto starts = starts_of(task, world, means, grasp);
   if (starts.empty()) return std::nullopt;
-  Reach reach(means.arm, object, world);
+  Reach reach(means.avatar, object, world);
 
   Handling best;
   best.object = task.object;
@@ -139,8 +136,8 @@ std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& wor
       const Vec3 raised = object.p_WO + Vec3(0, 0, task.raise_m);
       if (reached && way) reached = reach.reaches(hand_at(grip, way->first_W(), true), free);
       if (reached && !way && task.raise_m > 0) reached = reach.reaches(hand_at(grip, raised, false), free);
-      constexpr double forearm_conflict_m = 0.02;
-      const double conflict_m = std::max(grip.conflict_m, free ? 0.0 : forearm_conflict_m);
+      constexpr double arm_conflict_m = 0.02;
+      const double conflict_m = std::max(grip.conflict_m, free ? 0.0 : arm_conflict_m);
       if (!reached || (best.reached && conflict_m >= best_conflict_m)) continue;
       best = {task.object, grip, way, task.into, task.on_end, conflict_m == 0, true};
       best_conflict_m = conflict_m;
@@ -160,7 +157,7 @@ std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& wor
     for (const Grip& start : starts) {
       // What has no room at the start: for the first way only, it would be no better for others.
       if (start.conflict_m > 0 && best.reached) continue;
-      const auto turned = turned_for(task, start, object, way, world, means.arm);
+      const auto turned = turned_for(task, start, object, way, world, means.avatar);
       grips.insert(grips.end(), turned.begin(), turned.end());
     }
     consider(std::move(grips), way);
@@ -179,7 +176,7 @@ std::optional<Handling> set_aside(const std::string& held, const WorldSnapshot& 
   auto places = free_places(object, below, world, nearby_m, step_m);
   if (is_free(object, below, world)) places.insert(places.begin(), below);
   for (const Vec3& place : places) {
-    const auto handling = plan_handling({held, place}, world, means, grasp, {});
+    const auto handling = plan_handling({held, {}, place}, world, means, grasp, {});
     if (handling && handling->has_room) return handling;
   }
   return std::nullopt;
@@ -195,7 +192,7 @@ std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, 
     ObjectState lying = object;
     lying.p_WO.z() = world.table.max.z() + object.half_extents_m.z();
     for (const Vec3& place : free_places(object, lying.p_WO, world, nearby_m, step_m)) {
-      const Task aside{task.object, place};
+      const Task aside{task.object, {}, place};
       const auto handling = plan_handling(aside, world, means, grasp, {});
       if (handling && handling->has_room && has_room(task, moved(world, object, place - object.p_WO), means))
         return handling;
@@ -229,7 +226,7 @@ std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, 
   for (const Shift& shift : shifts) {
     if (!is_free(*shift.other, shift.other->p_WO + shift.by_W, world)) continue;
     if (!has_room(task, moved(world, *shift.other, shift.by_W), means)) continue;
-    const Task aside{shift.other->name, shift.other->p_WO + shift.by_W};
+    const Task aside{shift.other->name, {}, shift.other->p_WO + shift.by_W};
     const auto handling = plan_handling(aside, world, means, std::nullopt, {});
     if (handling && handling->has_room) return handling;
   }

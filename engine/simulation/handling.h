@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "simulation/arm_ik.h"
 #include "simulation/grip_choice.h"
 #include "simulation/object_shape.h"
 #include "simulation/set_down.h"
@@ -16,12 +15,13 @@ namespace continua {
 /// What shall be done with an object.
 struct Task {
   std::string object;
-  std::optional<Vec3> p_WG;   ///< where its centre shall come to lie; without it, the object is only held
-  double raise_m = 0;         ///< and raised by so much
-  double near_m = 0;          ///< how far from p_WG it may be set down
-  std::string landmark = {};  ///< what must stay where it is, for the goal was said beside it; or empty
-  std::string into = {};      ///< the container in whose hollow it shall be; or empty
-  bool on_end = false;        ///< there it stands on its end
+  std::vector<std::string> parts;  ///< components by which it is best held, best first
+  std::optional<Vec3> p_WG;        ///< where its centre shall come to lie; without it, the object is only held
+  double raise_m = 0;              ///< and raised by so much
+  double near_m = 0;               ///< how far from p_WG it may be set down
+  std::string landmark = {};       ///< what must stay where it is, for the goal was said beside it; or empty
+  std::string into = {};           ///< the container in whose hollow it shall be; or empty
+  bool on_end = false;             ///< there it stands on its end
 };
 
 /// How the hand holds something.
@@ -40,9 +40,9 @@ struct Handling {
   bool reached = false;   ///< the arm gets to where the object is and goes
 };
 
-/// What the hand works with: an arm, and things of known form.
+/// What the hand works with: the avatar, and things of known form.
 struct Means {
-  const Arm& arm;
+  const AvatarForm& avatar;
   const ObjectShapes& shapes;
 };
 

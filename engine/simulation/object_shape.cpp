@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <mujoco/mujoco.h>
+#include "simulation/mujoco_model.h"
 
 namespace continua {
 
@@ -47,7 +47,21 @@ ObjectShape ObjectShape::of_body(const mjModel& model, int body, const Vec3& hal
       shape.columns_.push_back(column);
     }
   }
+  const std::string prefix = name_of(model, mjOBJ_BODY, body) + "_";
+  for (int site = 0; site < model.nsite; ++site) {
+    const std::string name = name_of(model, mjOBJ_SITE, site);
+    if (model.site_bodyid[site] != body || model.site_type[site] != mjGEOM_BOX || !name.starts_with(prefix)) continue;
+    const mjtNum *p = model.site_pos + 3 * site, *size = model.site_size + 3 * site;
+    const Vec3 center(p[0], p[1], p[2]), half(size[0], size[1], size[2]);
+    shape.parts_[name.substr(prefix.size())] = {center - half, center + half};
+  }
   return shape;
+}
+
+const Box* ObjectShape::part(const std::vector<std::string>& names) const {
+  for (const auto& name : names)
+    if (const auto found = parts_.find(name); found != parts_.end()) return &found->second;
+  return nullptr;
 }
 
 Vec3 ObjectShape::center(int ix, int iy) const {

@@ -15,7 +15,7 @@ namespace continua {
 /// The form of an object as it stands upright, in vertical columns. Lengths are in its own frame, metres.
 class ObjectShape {
  public:
-  /// Of the geoms of a body that can touch anything.
+  /// Of the geoms of a body that can touch anything. Its box sites BODY_NAME are its components.
   static ObjectShape of_body(const mjModel_& model, int body, const Vec3& half_extents_m);
 
   /// How far a slice of the object reaches along x (`side` 0) or y (1).
@@ -38,6 +38,9 @@ class ObjectShape {
 
   double bottom_m() const { return -half_.z(); }
 
+  /// The first of these components that the object has, as a box; null if it has none.
+  const Box* part(const std::vector<std::string>& names) const;
+
  private:
   struct Column {
     double bottom_m = 0, top_m = 0;
@@ -49,6 +52,7 @@ class ObjectShape {
   Vec3 half_ = Vec3::Zero();
   int nx_ = 0, ny_ = 0;
   std::vector<Column> columns_;
+  std::map<std::string, Box> parts_;
 };
 
 /// By the object's name.

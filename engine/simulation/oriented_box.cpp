@@ -31,4 +31,9 @@ OrientedBox column_of(const ObjectState& object) {
   return column;
 }
 
+OrientedBox table_block(const Box& table) {
+  const Vec3 below(0, 0, 0.5);
+  return {table.center() - below, Eigen::Matrix3d::Identity(), (table.max - table.min) / 2 + below};
+}
+
 }  // namespace continua

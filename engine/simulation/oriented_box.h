@@ -24,4 +24,7 @@ OrientedBox box_of(const ObjectState& object);
 /// The space through which nothing can come down that shall be beside the object: its box, and all below it.
 OrientedBox column_of(const ObjectState& object);
 
+/// The table, with all that is below it.
+OrientedBox table_block(const Box& table);
+
 }  // namespace continua

@@ -1,6 +1,7 @@
 #include "simulation/physics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ struct Physics::State {
   DataOwner data;
   std::vector<SceneObject> objects;
   Box table;
-  Arm arm;
+  AvatarForm avatar;
   AvatarElements ids;
   int grip = -1;  // the object the weld may hold
   DataOwner saved_data;
@@ -36,6 +37,20 @@ struct Physics::State {
 #else
     model->eq_active[ids.weld] = active;
 #endif
+  }
+
+  /// Pads only press, without friction, and the weld carries: where both do, friction drives the pads off. Soft, so
+  /// that pressing makes a depth of contact (some tenths of a millimetre) that no jolt undoes.
+  void soften_pads() {
+    constexpr std::array<mjtNum, mjNREF> solref = {0.006, 1};
+    constexpr std::array<mjtNum, mjNIMP> solimp = {0.6, 0.6, 0.001, 0.5, 2};
+    const int priority = *std::max_element(model->geom_priority, model->geom_priority + model->ngeom) + 1;
+    for (const int pad : ids.pad) {
+      model->geom_condim[pad] = 1;
+      model->geom_priority[pad] = priority;
+      std::copy(solref.begin(), solref.end(), model->geom_solref + mjNREF * pad);
+      std::copy(solimp.begin(), solimp.end(), model->geom_solimp + mjNIMP * pad);
+    }
   }
 
   /// Points the weld at the object, where it is now in the hand's frame.
@@ -64,7 +79,20 @@ struct Physics::State {
   }
 
   bool of_hand(int body) const {
-    return body == ids.hand || body == model->geom_bodyid[ids.pad[0]] || body == model->geom_bodyid[ids.pad[1]];
+    return std::find(ids.hand_bodies.begin(), ids.hand_bodies.end(), body) != ids.hand_bodies.end();
+  }
+
+  /// What servos need not do: the arm carries its own weight, and that of what it holds.
+  void carry_weight() {
+    for (const int dof : ids.dof) data->qfrc_applied[dof] = data->qfrc_bias[dof];
+    if (!welded()) return;
+    const int body = model->eq_obj2id[ids.weld];
+    std::vector<mjtNum> J(3 * static_cast<std::size_t>(model->nv));
+    mj_jac(model.get(), data.get(), J.data(), nullptr, data->xipos + 3 * body, ids.hand);
+    for (const int dof : ids.dof)
+      for (int axis = 0; axis < 3; ++axis)
+        data->qfrc_applied[dof] -=
+            J[static_cast<std::size_t>(axis * model->nv + dof)] * model->body_mass[body] * model->opt.gravity[axis];
   }
 
   /// The weld holds while both pads touch.
@@ -80,7 +108,7 @@ Physics::Physics(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Physics::~Physics() = default;
 
 Result<std::unique_ptr<Physics>> Physics::create(const Scene& scene) {
-  auto avatar = find_avatar(scene.model(), scene.path());
+  auto avatar = find_avatar(scene.model(), scene.initial_qpos(), scene.path());
   if (!avatar) return avatar.error();
   guard_box_contacts();
   auto state = std::make_unique<State>();
@@ -88,31 +116,32 @@ Result<std::unique_ptr<Physics>> Physics::create(const Scene& scene) {
   state->data = DataOwner(mj_makeData(state->model.get()));
   state->objects = scene.objects();
   state->table = scene.table();
-  std::tie(state->arm, state->ids) = *avatar;
+  std::tie(state->avatar, state->ids) = *avatar;
+  state->soften_pads();
   std::copy(scene.initial_qpos().begin(), scene.initial_qpos().end(), state->data->qpos);
   mj_forward(state->model.get(), state->data.get());
   std::unique_ptr<Physics> physics(new Physics(std::move(state)));
-  physics->state_->arm.home = physics->hinges();
   physics->state_->saved_data = DataOwner(mj_makeData(physics->state_->model.get()));
   physics->save();
   return physics;
 }
 
 double Physics::timestep_s() const { return state_->model->opt.timestep; }
-const Arm& Physics::arm() const { return state_->arm; }
+const AvatarForm& Physics::avatar() const { return state_->avatar; }
 const std::vector<SceneObject>& Physics::objects() const { return state_->objects; }
 
 bool Physics::step(const AvatarTarget& target) {
   State& s = *state_;
   const mjModel* model = s.model.get();
   mjData* data = s.data.get();
-  for (int i = 0; i < arm_joint_count; ++i) {
-    // Leading the target by what the servo's damping takes away, and carrying the arm's own weight, leaves little
-    // error.
-    data->ctrl[s.ids.servo[i]] = target.hinges.q[i] + s.ids.lead_s[i] * target.hinges.qdot[i];
-    data->qfrc_applied[s.ids.dof[i]] = data->qfrc_bias[s.ids.dof[i]];
+  for (std::size_t i = 0; i < s.ids.servo.size(); ++i) {
+    // Leading the target by what the servo's damping takes away leaves little error.
+    const Servo& servo = s.ids.servo[i];
+    const auto hinge = static_cast<Eigen::Index>(i);
+    data->ctrl[servo.actuator] = servo.control(target.hinges.q[hinge] + servo.lead_s * target.hinges.qdot[hinge]);
   }
-  for (const int servo : s.ids.finger_servo) data->ctrl[servo] = target.opening_m;
+  s.carry_weight();
+  for (const Servo& servo : s.ids.finger_servo) data->ctrl[servo.actuator] = servo.control(target.opening_m);
   mj_step(model, data);
   // MuJoCo starts a diverged simulation anew by itself: what it shows then is not this world.
   if (data->warning[mjWARN_BADQPOS].number + data->warning[mjWARN_BADQVEL].number +
@@ -172,8 +201,8 @@ double Physics::outside_force(int object) const {
 }
 
 ArmVector Physics::hinges() const {
-  ArmVector q;
-  for (int i = 0; i < arm_joint_count; ++i) q[i] = state_->data->qpos[state_->ids.qpos[i]];
+  ArmVector q(arm().size());
+  for (int i = 0; i < arm().size(); ++i) q[i] = state_->data->qpos[state_->ids.qpos[static_cast<std::size_t>(i)]];
   return q;
 }
 

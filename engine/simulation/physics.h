@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/avatar_form.h"
 #include "simulation/hand_path.h"
 #include "simulation/scene.h"
 
@@ -23,7 +24,8 @@ class Physics {
   ~Physics();
 
   double timestep_s() const;
-  const Arm& arm() const;
+  const AvatarForm& avatar() const;
+  const Arm& arm() const { return avatar().arm; }
   const std::vector<SceneObject>& objects() const;
 
   /// One step of fixed length. No pose is ever written: things move by forces. False if MuJoCo diverged (positions,

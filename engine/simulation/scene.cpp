@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "simulation/avatar_elements.h"
 #include "simulation/geom_bounds.h"
 #include "simulation/mujoco_model.h"
 #include "simulation/scene_source.h"
@@ -24,6 +25,18 @@ Result<std::shared_ptr<const mjModel>> compile(const SceneSource& source) {
   if (const auto* error = std::get_if<CompileError>(&compiled))
     return Error{source.where(error->line), error->sentence};
   return std::shared_ptr<const mjModel>(std::get<ModelOwner>(std::move(compiled)));
+}
+
+/// The weld with which the hand keeps what it holds: stiff, so that what is held does not lag behind. Nothing where the
+/// scene has no hand, or a weld of its own.
+Result<std::string> missing_weld(const mjModel& model, const std::string& path) {
+  const int grip = id_of(model, mjOBJ_SITE, grip_name);
+  if (grip < 0 || id_of(model, mjOBJ_EQUALITY, grip_name) >= 0) return std::string();
+  const char* hand = mj_id2name(&model, mjOBJ_BODY, model.site_bodyid[grip]);
+  if (!hand) return Error{path, fmt::format("the body of site '{}' has no name", grip_name)};
+  return fmt::format(
+      R"(<equality><weld name="{}" body1="{}" active="false" solref="0.004 1" solimp="0.998 0.9995 0.0002"/></equality>)",
+      grip_name, hand);
 }
 
 /// "type=block color=red" as pairs. A word without '=' is an attribute that is simply so.
@@ -123,13 +136,12 @@ std::optional<double> standing_height(const ObjectState& object, const WorldSnap
   return bottom_m <= height + off_m ? std::optional(height) : std::nullopt;
 }
 
-/// Puts the arm where the scene's numbers `arm_home` say, if it has an arm.
+/// Puts the arm where the scene's numbers `arm_home` say, if it has them.
 void place_arm(const mjModel& model, std::vector<double>& qpos) {
   const int home = id_of(model, mjOBJ_NUMERIC, "arm_home");
-  for (int i = 0; home >= 0 && i < model.numeric_size[home]; ++i) {
-    const int joint = id_of(model, mjOBJ_JOINT, fmt::format("arm_{}", i + 1));
-    if (joint >= 0) qpos[model.jnt_qposadr[joint]] = model.numeric_data[model.numeric_adr[home] + i];
-  }
+  const auto hinges = arm_hinges(model);
+  for (std::size_t i = 0; home >= 0 && i < hinges.size() && static_cast<int>(i) < model.numeric_size[home]; ++i)
+    qpos[model.jnt_qposadr[hinges[i]]] = model.numeric_data[model.numeric_adr[home] + static_cast<int>(i)];
 }
 
 Pose pose_of(const double* q) { return {{q[0], q[1], q[2]}, Eigen::Quaterniond(q[3], q[4], q[5], q[6])}; }
@@ -171,6 +183,13 @@ Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverri
   if (!source) return source.error();
   auto model = compile(*source);
   if (!model) return model.error();
+  const auto weld = missing_weld(**model, path);
+  if (!weld) return weld.error();
+  if (!weld->empty()) {
+    source = source->with(*weld);
+    model = compile(*source);
+    if (!model) return model.error();
+  }
   auto objects = objects_of(**model, path);
   if (!objects) return objects.error();
 

@@ -119,6 +119,13 @@ std::string SceneSource::where(int line) const {
   return fmt::format("{}:{}", origin.file, origin.number);
 }
 
+SceneSource SceneSource::with(std::string_view elements) const {
+  SceneSource more = *this;
+  const std::size_t end = text_.rfind("</mujoco");
+  if (end != npos) more.text_.insert(end, elements);
+  return more;
+}
+
 SceneSource SceneSource::without_body(std::string_view name) const {
   SceneSource rest = *this;
   std::optional<std::size_t> begin;

@@ -23,6 +23,9 @@ class SceneSource {
   /// "file:line" of a line of text(), counted from 1; the scene's own path when there is no such line.
   std::string where(int line) const;
 
+  /// The same scene with more elements at its end. Lines keep their numbers.
+  SceneSource with(std::string_view elements) const;
+
   /// The same scene without the body of that name and all within it. Lines keep their numbers.
   SceneSource without_body(std::string_view name) const;
 

@@ -4,6 +4,15 @@
 
 namespace continua {
 
+Pose operator*(const Pose& X_AB, const Pose& X_BC) {
+  return {X_AB.p_WB + X_AB.R_WB * X_BC.p_WB, X_AB.R_WB * X_BC.R_WB};
+}
+
+Pose inverse(const Pose& X_AB) {
+  const Eigen::Quaterniond R_BA = X_AB.R_WB.conjugate();
+  return {R_BA * -X_AB.p_WB, R_BA};
+}
+
 Vec3 depth_of(const Box& a, const Box& b) { return a.max.cwiseMin(b.max) - a.min.cwiseMax(b.min); }
 
 // Dividing whole steps by their number per metre gives the double nearest to the decimal, which multiplying does not.

@@ -16,6 +16,11 @@ struct Pose {
   Eigen::Quaterniond R_WB = Eigen::Quaterniond::Identity();
 };
 
+/// The pose of C in A, from that of B in A and that of C in B.
+Pose operator*(const Pose& X_AB, const Pose& X_BC);
+/// The pose of A in B.
+Pose inverse(const Pose& X_AB);
+
 /// An axis-aligned box of the world, metres. A region on the table is a box without height.
 struct Box {
   Vec3 min = Vec3::Zero();

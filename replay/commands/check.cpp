@@ -9,6 +9,7 @@
 #include <iostream>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include <fmt/format.h>
@@ -143,6 +144,8 @@ class Checking {
     findings_[index] = std::move(finding);
     progress_.show(index, 1);
     progress_.clear();
+    const auto& traced = findings_[index]->trace;
+    if (traced && traced->warning && warned_.insert(traced->warning->text()).second) report_warning(*traced->warning);
     for (; printed_ < items_.size() && findings_[printed_]; ++printed_) {
       const auto& one = *findings_[printed_];
       for (const auto& problem : one.problems) fmt::print(stderr, "{}\n", problem);
@@ -229,6 +232,7 @@ class Checking {
   std::mutex mutex_;
   std::vector<std::optional<Finding>> findings_;
   Progress progress_;
+  std::set<std::string> warned_;
   std::size_t printed_ = 0;
   std::atomic<std::size_t> next_ = 0;
 };

@@ -9,11 +9,18 @@
 
 namespace continua {
 
-void report(const Error& error) {
-  std::string line = error.text();
+namespace {
+
+void print_line(const char* what, std::string line) {
   std::replace(line.begin(), line.end(), '\n', ' ');
-  fmt::print(stderr, "continua: {}\n", line);
+  fmt::print(stderr, "continua: {}{}\n", what, line);
 }
+
+}  // namespace
+
+void report(const Error& error) { print_line("", error.text()); }
+
+void report_warning(const Error& warning) { print_line("warning: ", warning.text()); }
 
 std::string counted(std::size_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");

@@ -28,6 +28,9 @@ using AddCommand = void (*)(CLI::App& program, Run& run);
 /// "continua: where: sentence" on standard error, on one line.
 void report(const Error& error);
 
+/// "continua: warning: where: sentence" likewise: what was found is used all the same.
+void report_warning(const Error& warning);
+
 /// "1 event", "2 events".
 std::string counted(std::size_t count, const std::string& noun);
 

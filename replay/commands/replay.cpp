@@ -12,6 +12,7 @@
 #include <iostream>
 #include <map>
 #include <mutex>
+#include <set>
 #include <thread>
 
 namespace continua {
@@ -98,6 +99,7 @@ class Batch {
     const auto& output = outputs_[index];
     auto session = Session::load(trace, std::move(options));
     if (!session) return finish(index, session.error(), output);
+    if (session->warning()) warn(*session->warning());
     if (output == "-") return finish(index, kept(*session, session->run(std::cout)), output);
     std::ofstream file(output, std::ios::binary);
     if (!file) return finish(index, Error{output, "cannot be written; expected a writable file"}, output);
@@ -105,6 +107,14 @@ class Batch {
     file.close();
     if (!file) return finish(index, Error{output, "could not be written to its end"}, output);
     finish(index, kept(*session, summary), output);
+  }
+
+  // Several traces may be of one scene: its warning is told once.
+  void warn(const Error& warning) {
+    const std::lock_guard lock(mutex_);
+    if (!warned_.insert(warning.text()).second) return;
+    progress_.clear();
+    report_warning(warning);
   }
 
   static Result<ReplaySummary> kept(const Session& session, const ReplaySummary& summary) {
@@ -139,6 +149,7 @@ class Batch {
   std::mutex mutex_;
   std::vector<std::optional<std::string>> lines_;
   Progress progress_;
+  std::set<std::string> warned_;
   std::size_t printed_ = 0;
   std::atomic<std::size_t> next_ = 0;
   int status_ = exit_done;

@@ -1,6 +1,7 @@
 #include "replay/commands/validate.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -14,8 +15,10 @@
 #include "replay/data_paths.h"
 #include "replay/language_loading.h"
 #include "replay/run_index.h"
+#include "replay/scene_voxemes.h"
 #include "replay/session_import.h"
 #include "replay/trace_file.h"
+#include "simulation/physics.h"
 #include "simulation/scene.h"
 #include "term/raising_file.h"
 #include "voxml/catalogue.h"
@@ -165,7 +168,24 @@ FileCheck check_voxeme(std::string_view text, const std::string& path) {
 FileCheck check_scene(std::string_view, const std::string& path) {
   const auto scene = load_scene(path);
   if (!scene) return {{scene.error()}, {}, ""};
-  return {{}, {}, "scene, " + counted(scene->objects().size(), "object")};
+  FileCheck check;
+  std::vector<std::string> names;
+  for (const auto& object : scene->objects()) names.push_back(object.name);
+  const Vec3 table_m = scene->table().max - scene->table().min;
+  check.summary = fmt::format("scene, {}{}{}, a table of {:.2f} m x {:.2f} m", counted(names.size(), "object"),
+                              names.empty() ? "" : ": ", fmt::join(names, ", "), table_m.x(), table_m.y());
+  if (const auto physics = Physics::create(*scene)) {
+    check.summary += fmt::format(", an arm of {}", counted((*physics)->arm().joints.size(), "hinge"));
+  } else {
+    check.summary += ", no arm";
+    check.notes.push_back(physics.error().text() + "; only the kinematic world can be used");
+  }
+  if (const auto data = find_data_paths()) {
+    const auto voxemes = read_catalogue((data->knowledge / "voxemes").string());
+    if (const auto warning = warning_of_voxemes(*scene, voxemes.catalogue, data->knowledge.string()))
+      check.notes.push_back(warning->text());
+  }
+  return check;
 }
 
 bool begins_with(std::string_view text, std::string_view beginning) {

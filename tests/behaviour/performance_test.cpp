@@ -144,6 +144,15 @@ class Avatar {
   std::string where(const std::string& object) const {
     return print(place_term(*body_.snapshot().find(object), body_.snapshot()));
   }
+  /// What is held moves though no act moves it.
+  void drifts(const std::string& held, const Vec3& p_W) {
+    AvatarCommand drift;
+    drift.what = Capability::move;
+    drift.object = held;
+    drift.goal.p_WG = p_W;
+    body_.command(drift);
+    body_.advance(SimTime{});
+  }
   const std::string& held() { return held_ = body_.snapshot().held; }
 
  private:
@@ -217,6 +226,23 @@ TEST_CASE("was is where a thing was before the act that last moved it") {
   CHECK(avatar.where("cup") == "<0.2, 0, 0>");
   avatar.does("put(cup, was(cup))");
   CHECK(avatar.where("cup") == "on(plate)");
+}
+
+TEST_CASE("what goes on moving while the body stops was moved by the act that is stopped") {
+  Avatar avatar;
+  const auto before = avatar.where("cup");
+  avatar.ask("put(cup, on(plate))");
+  avatar.begin();
+  avatar.work();
+  CHECK(avatar.begin() == "move(cup, on(plate))");
+  avatar.work();
+  avatar.ask("stop");
+  CHECK(avatar.begin() == "put(cup, on(plate)): stopped, stop");
+  avatar.drifts("cup", {-0.1, 0.05, 0});
+  avatar.work();
+  CHECK(avatar.rest() == "stop: done");
+  avatar.does("put(cup, was(cup))");
+  CHECK(avatar.where("cup") == before);
 }
 
 TEST_CASE("labels are places that a program remembers") {

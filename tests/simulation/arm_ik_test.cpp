@@ -25,7 +25,7 @@ Pose fingers_down(const Vec3& p_WT, double yaw) {
 }
 
 bool within_limits(const Arm& arm, const ArmVector& q) {
-  for (int i = 0; i < arm_joint_count; ++i) {
+  for (int i = 0; i < arm.size(); ++i) {
     if (q[i] < arm.joints[i].min || q[i] > arm.joints[i].max) return false;
   }
   return true;
@@ -65,13 +65,13 @@ TEST_CASE("the jacobian is the derivative of the tool's pose") {
   const Arm arm = staircase_arm();
   Random random(7);
   for (int n = 0; n < 50; ++n) {
-    ArmVector q;
-    for (int i = 0; i < arm_joint_count; ++i)
+    ArmVector q(arm.size());
+    for (int i = 0; i < arm.size(); ++i)
       q[i] = arm.joints[i].min + random.uniform() * (arm.joints[i].max - arm.joints[i].min);
     const auto J = tool_jacobian(arm, q);
     constexpr double h = 1e-6;
-    for (int i = 0; i < arm_joint_count; ++i) {
-      const ArmVector step = h * ArmVector::Unit(i);
+    for (int i = 0; i < arm.size(); ++i) {
+      const ArmVector step = h * ArmVector::Unit(arm.size(), i);
       const Pose a = tool_pose(arm, q - step), b = tool_pose(arm, q + step);
       const Eigen::AngleAxisd turn(b.R_WB * a.R_WB.conjugate());
       CHECK((J.col(i).head<3>() - (b.p_WB - a.p_WB) / (2 * h)).norm() < 1e-6);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/scene.h"
 #include "simulation/stacks.h"
 #include "support/catch.h"
 
@@ -10,7 +11,14 @@ using namespace continua;
 
 namespace {
 
-const Vec3 base_W(0, 0.428, 0.42);
+/// A hand of thin fingers, on an arm whose base is behind the table.
+AvatarForm thin_fingers() {
+  AvatarForm avatar;
+  avatar.arm.joints.push_back({{Vec3(0, 0.428, 0.42), Eigen::Quaterniond::Identity()}, Vec3::UnitZ(), -2.6, 2.6});
+  avatar.hand = {0.009, 0.005, 0.02, 0.1, 0.14, 0.062, 0.022, 0.058};
+  return avatar;
+}
+const AvatarForm avatar = thin_fingers();
 
 ObjectState block(const std::string& name, double x, double y, int level = 0, double yaw = 0) {
   return {name, {}, Vec3::Constant(0.03), Vec3(x, y, 0.03 + 0.06 * level), yaw};
@@ -25,7 +33,7 @@ WorldSnapshot world_of(const std::vector<ObjectState>& objects) {
 
 /// The cheapest grip on the first object for which there is room.
 std::optional<Grip> first_grip(const WorldSnapshot& world) {
-  for (const Grip& grip : grips_on(world.objects[0], world, base_W)) {
+  for (const Grip& grip : grips_on(world.objects[0], world, avatar)) {
     if (grip.conflict_m == 0) return grip;
   }
   return std::nullopt;
@@ -90,7 +98,7 @@ TEST_CASE("a square thing comes to lie along the table, turned so that the finge
   REQUIRE(grip);
   const Vec3 between(0, 0, 0.03);
   int with_room = 0;
-  for (const Grip& turned : grips_at(*grip, world.objects[0], between, world, base_W)) {
+  for (const Grip& turned : grips_at(*grip, world.objects[0], between, world, avatar)) {
     CHECK(std::remainder(0.3 + turned.turn, 1.5707963267948966) == Approx(0).margin(1e-9));
     if (turned.conflict_m > 0) continue;
     ++with_room;
@@ -132,4 +140,27 @@ TEST_CASE("nothing is set down beyond the table's edge") {
   REQUIRE_FALSE(ways.empty());
   for (const SetDown& way : ways) CHECK(way.p_WO.y() < world.table.max.y());
   CHECK(set_downs(a, {0, 0.2, 0.03}, world, 0.018).empty());
+}
+
+TEST_CASE("a thing is held by the component that its voxeme names, where there is room") {
+  const auto scene = load_scene(CONTINUA_SOURCE_DIR "/mjcf/scenes/place_setting.xml").value();
+  const auto knife = std::find_if(scene.objects().begin(), scene.objects().end(),
+                                  [](const SceneObject& object) { return object.name == "knife"; });
+  WorldSnapshot world = scene.initial_snapshot();
+  std::swap(world.objects.front(), *std::find_if(world.objects.begin(), world.objects.end(),
+                                                 [](const ObjectState& object) { return object.name == "knife"; }));
+  const auto held_at = [&](const std::vector<std::string>& parts) {
+    for (const Grip& grip : grips_on(world.objects.front(), world, avatar, &knife->shape, parts))
+      if (grip.conflict_m == 0) return grip.p_OT.x();
+    return 1.0;
+  };
+  CHECK(held_at({}) == Approx(0).margin(1e-9));
+  CHECK(held_at({"spout"}) == Approx(0).margin(1e-9));
+  CHECK(held_at({"spout", "handle"}) == Approx(-0.0475).margin(1e-4));
+
+  // Where something stands over the handle, it is held elsewhere.
+  ObjectState board = block("board", world.objects.front().p_WO.x() - 0.07, world.objects.front().p_WO.y(), 1);
+  board.half_extents_m = {0.05, 0.15, 0.03};
+  world.objects.push_back(board);
+  CHECK(held_at({"handle"}) > -0.02);
 }

@@ -263,7 +263,7 @@ TEST_CASE("not even a block that falls from a stack of six to the floor is fast"
                                                       {"block7", 0.44, 0.134, 0.33, 0.0, false}})
                           .value();
   auto physics = Physics::create(scene).value();
-  const AvatarTarget home{{physics->arm().home, ArmVector::Zero()}, 0.02};
+  const AvatarTarget home{{physics->arm().home, ArmVector::Zero(physics->arm().size())}, 0.02};
   bool ever_fell = false, ever_fast = false;
   for (int i = 0; i < 1500; ++i) {
     REQUIRE(physics->step(home));

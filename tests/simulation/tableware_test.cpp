@@ -49,7 +49,7 @@ TEST_CASE("the scenes stand still") {
     const Scene scene = loaded(name);
     const WorldSnapshot before = scene.initial_snapshot();
     auto physics = Physics::create(scene).value();
-    const AvatarTarget home{{physics->arm().home, ArmVector::Zero()}, 0.02};
+    const AvatarTarget home{{physics->arm().home, ArmVector::Zero(physics->arm().size())}, 0.02};
     for (int i = 0; i < 1000; ++i) REQUIRE(physics->step(home));
     for (std::size_t i = 0; i < before.objects.size(); ++i) {
       INFO(name << " " << before.objects[i].name);

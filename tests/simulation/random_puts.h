@@ -1,0 +1,52 @@
+// Random objects put at random places, and what came of it, judged by others than the body itself: whether a place can
+// be reached by the measures of the arm, where things are by the world's snapshot, how deep they are in one another by
+// contacts computed anew from the poses that were told.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "behaviour/avatar_command.h"
+#include "simulation/scene.h"
+
+namespace continua {
+
+/// One put and what came of it. Lengths in metres.
+struct PutTrial {
+  std::string what;       ///< "put(block4, <0.1, -0.02, 0>)"
+  ActReport end;          ///< of a put in steps, that of the first step that was not done
+  bool counted = false;   ///< the arm surely reaches, and a person would find it possible
+  bool hopeless = false;  ///< the arm surely does not reach
+  bool refused = false;   ///< it ended as it began, and nothing had moved
+  bool at_goal = false;   ///< measured: the object stands still where it was wanted
+  /// Of the object's centre from the goal, seen from above, where the goal is a point.
+  std::optional<double> error_m;
+  std::string measured;  ///< why it is not at its goal, or how far off
+  double deepest_m = 0;  ///< of what is in the table or in another object, at any pose that was told
+  std::string deepest;   ///< which two
+  double seconds = 0;    ///< that it took, of the world's time
+};
+
+/// The scene at `path` set out anew every few puts, at random; then puts of random objects: three of five at points of
+/// the table that are drawn uniformly, whatever is there, else by a relation to another object. Every third is told in
+/// steps, as programs tell it. Of those that do not count, three in ten are done. It ends when `counted` puts count, or
+/// hardly any do.
+/// REQUIRES a scene that loads.
+std::vector<PutTrial> random_puts(const std::string& path, std::uint64_t seed, int counted);
+
+/// What is asked of many puts together.
+struct PutFigures {
+  int trials = 0, counted = 0, done = 0;  ///< done of those counted
+  int refused = 0;                        ///< of all trials
+  double median_m = 0, most_m = 0;        ///< errors of those done at a point: the median, and the 95th percentile
+  double deepest_m = 0;
+  double seconds = 0;
+  std::vector<std::string> failures;  ///< counted puts that were not done
+  std::vector<std::string> lies;      ///< reports that are not true
+  std::vector<std::string> depths;    ///< things in one another
+};
+PutFigures figures_of(const std::vector<PutTrial>& trials);
+
+}  // namespace continua
