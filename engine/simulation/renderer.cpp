@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "core/located_json.h"
+#include "simulation/avatar_elements.h"
 #include "simulation/geom_bounds.h"
 #include "simulation/mujoco_model.h"
 #include "simulation/off_screen.h"
@@ -31,7 +32,7 @@ struct FreeScene {
 class Posed {
  public:
   Posed(const mjModel& model, const std::map<std::string, Pose>& at_start)
-      : model_(model), data_(mj_makeData(&model)), hand_site_(id_of(model, mjOBJ_SITE, "grip")) {
+      : model_(model), data_(mj_makeData(&model)), hand_site_(id_of(model, mjOBJ_SITE, grip_name)) {
     mj_kinematics(&model_, data_.get());
     for (int body = 0; body < model_.nbody; ++body) {
       bounds_B_.push_back(body_bounds_B(model_, body));
