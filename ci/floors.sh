@@ -28,6 +28,7 @@ replay/session_notation*      core world perception
 replay/run_*                  core replay/run_* replay/line_scan.h
 replay/line_scan.h            core
 replay/explain*               core replay/run_*
+replay/pictures/*             core world simulation/renderer.h replay/run_* replay/pictures/*
 replay/exporters/*            core replay/run_* replay/exporters/*
 replay/inspector_api*         core replay/run_* replay/line_scan.h replay/exporters/*
 replay/reading_record*        core term language moves
@@ -46,6 +47,7 @@ GL/*           engine/simulation/*
 png.h          engine/simulation/*
 httplib.h      replay/inspector_server.cpp
 zlib.h         replay/inspector_server.cpp
+cairo*         replay/pictures/canvas.cpp
 graphviz/*     replay/exporters/graph_layout.cpp
 CLI/*          replay/main.cpp replay/commands/*
 catch2/*       tests/support/*

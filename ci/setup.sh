@@ -6,7 +6,7 @@ packages=(
   build-essential cmake ninja-build pkg-config git ca-certificates
   libmujoco-dev libeigen3-dev libegl-dev libegl-mesa0 libgl1-mesa-dri
   libcpp-httplib-dev nlohmann-json3-dev libpugixml-dev libcli11-dev libfmt-dev libxxhash-dev libpng-dev zlib1g-dev
-  libgraphviz-dev
+  libgraphviz-dev libcairo2-dev fonts-dejavu-core ffmpeg
   catch2 librapidcheck-dev libbenchmark-dev
 )
 if [[ "${1:-}" == --tests ]]; then packages+=(chromium python3-jsonschema); fi

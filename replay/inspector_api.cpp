@@ -160,7 +160,7 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
     if (!n) return api_error(400, n.error().sentence);
     return answer(view == "stack" ? run_stack(log, *n) : run_derivation(log, *n));
   }
-  if (view == "frame") return api_error(501, "pictures are not served by this version; use `continua render`");
+  if (view == "frame") return frame(*opened, query);
   if (view != "" && view != "graph" && view != "lanes") return api_error(404, fmt::format("a run has no '{}'", view));
 
   // These depend on the log alone: worked out once.
@@ -178,6 +178,23 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
   std::erase_if(kept_, [](const auto& kept) { return kept.second.run.expired(); });
   kept_.insert_or_assign(key, Kept{*opened, response.body});
   return response;
+}
+
+ApiResponse InspectorApi::frame(const std::shared_ptr<const RunIndex>& run, const Query& query) {
+  if (!query.count("t")) return api_error(400, "t is missing: seconds from the run's start");
+  const auto t = number<double>(query, "t", 0);
+  if (!t) return api_error(400, t.error().sentence);
+  const auto end = run->entry(run->size() - 1).t;
+  if (!(*t >= 0 && *t <= end.seconds()))
+    return api_error(400, fmt::format("t={}: the run goes from 0 to {} s", *t, end.seconds()));
+  const auto found = query.find("size");
+  const std::string size = found == query.end() ? "" : found->second;
+  if (!frames_) return api_error(501, "pictures are not served here");
+  if (const auto wrong = frames_->wrong_size(size)) return api_error(400, "size: " + wrong->sentence);
+  if (const auto missing = frames_->unavailable()) return api_error(501, missing->text());
+  auto png = frames_->png(run, SimTime::from_seconds(*t), size);
+  if (!png) return api_error(422, png.error().text());
+  return {200, "image/png", std::move(png).value()};
 }
 
 }  // namespace continua

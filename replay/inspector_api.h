@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "replay/run_frames.h"
 #include "replay/run_index.h"
 #include "replay/run_library.h"
 
@@ -32,17 +33,24 @@ Target split_target(std::string_view target);
 /// Answers GET requests below /api. Safe to use from several threads.
 class InspectorApi {
  public:
-  explicit InspectorApi(std::vector<std::string> paths) : library_(std::move(paths)) {}
+  /// Without `frames` no pictures are served.
+  explicit InspectorApi(std::vector<std::string> paths, std::shared_ptr<RunFrames> frames = nullptr)
+      : library_(std::move(paths)), frames_(std::move(frames)) {}
 
   /// `target` as it stands in the request line: "/api/runs/ID/stack?n=137". Errors are {"error": {"message": …}}.
+  /// "/api/runs/ID/frame?t=SECONDS&size=WxH" is a PNG of the scene at that instant (size: 640x360 if not given); 400
+  /// for a t outside the run or a bad size, 422 where the log has nothing that can be drawn, 501 where this machine
+  /// cannot draw.
   ApiResponse get(std::string_view target);
 
  private:
   ApiResponse runs();
   ApiResponse run(const std::string& id, const std::string& view, const Query& query);
+  ApiResponse frame(const std::shared_ptr<const RunIndex>& run, const Query& query);
   Result<Json> listing(const RunFile& file);
 
   RunLibrary library_;
+  std::shared_ptr<RunFrames> frames_;
   std::mutex mutex_;
   // What was worked out from an index stays true as long as that index lives.
   struct Kept {

@@ -10,6 +10,7 @@
 #include <httplib.h>
 
 #include "replay/inspector_api.h"
+#include "replay/pictures/frame_cache.h"
 #include "web/assets.h"
 
 namespace continua {
@@ -75,7 +76,8 @@ void send_answer(const httplib::Request& request, httplib::Response& response, A
   response.status = answer.status;
   response.set_header("Cache-Control", "no-store");
   response.set_header("Vary", "Accept-Encoding");
-  if (answer.body.size() >= smallest_packed && takes_gzip(request)) {
+  const bool packs = answer.content_type != "image/png";  // is packed already
+  if (packs && answer.body.size() >= smallest_packed && takes_gzip(request)) {
     response.set_header("Content-Encoding", "gzip");
     answer.body = packed(answer.body);
   }
@@ -120,7 +122,7 @@ bool is_number_address(const std::string& host) {
 
 class InspectorServer::Impl {
  public:
-  explicit Impl(std::vector<std::string> paths) : api_(std::move(paths)) {
+  explicit Impl(std::vector<std::string> paths) : api_(std::move(paths), drawn_frames()) {
     server_.set_payload_max_length(largest_body);
     server_.set_keep_alive_timeout(2);
     server_.set_default_headers({{"Content-Security-Policy", policy},

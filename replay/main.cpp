@@ -13,6 +13,7 @@
 #include "replay/commands/export.h"
 #include "replay/commands/import.h"
 #include "replay/commands/machine.h"
+#include "replay/commands/render.h"
 #include "replay/commands/replay.h"
 #include "replay/commands/serve.h"
 #include "replay/commands/validate.h"
@@ -22,7 +23,7 @@ namespace continua {
 namespace {
 
 constexpr std::array commands = {
-    add_replay_command, add_serve_command, add_export_command, add_machine_command,
+    add_replay_command, add_serve_command, add_render_command, add_export_command,   add_machine_command,
     add_import_command, add_check_command, add_accept_command, add_validate_command,
 };
 

@@ -13,9 +13,9 @@ namespace continua {
 
 namespace {
 
-// While a text is compiled, MuJoCo's fatal errors jump back here instead of ending the program.
+// While this is set, MuJoCo's fatal errors jump back here instead of ending the program.
 thread_local std::jmp_buf* way_back = nullptr;
-thread_local std::array<char, 500> fatal_error;
+thread_local std::array<char, 500> fatal_error{};
 
 void on_error(const char* message) {
   if (!way_back) require(false, message);
@@ -64,25 +64,30 @@ CompileError read_message(std::string message) {
 
 std::variant<ModelOwner, CompileError> compile_mjcf(const std::string& text, const std::string& asset_directory) {
   constexpr const char* name = "scene.xml";
-  mju_user_error = on_error;
-  mju_user_warning = on_warning;
-
   const auto files = std::make_unique<mjVFS>();  // megabytes in early releases: not for the stack
   mj_defaultVFS(files.get());
   put_file(*files, name, with_asset_directory(text, asset_directory));
 
   std::array<char, 1000> message{};
-  fatal_error[0] = 0;
-  mjModel* volatile model = nullptr;
-  std::jmp_buf here;
-  way_back = &here;
-  if (setjmp(here) == 0) model = mj_loadXML(name, files.get(), message.data(), static_cast<int>(message.size()));
-  way_back = nullptr;
+  mjModel* model = nullptr;
+  const auto fatal =
+      fatal_error_of([&] { model = mj_loadXML(name, files.get(), message.data(), static_cast<int>(message.size())); });
   mj_deleteVFS(files.get());
 
-  if (fatal_error[0]) return read_message(fatal_error.data());
+  if (!fatal.empty()) return read_message(fatal);
   if (!model) return read_message(message.data());
   return ModelOwner(model);
+}
+
+std::string fatal_error_of(const std::function<void()>& work) {
+  mju_user_error = on_error;
+  mju_user_warning = on_warning;
+  fatal_error.fill(0);
+  std::jmp_buf here;
+  way_back = &here;
+  if (setjmp(here) == 0) work();
+  way_back = nullptr;
+  return fatal_error.data();
 }
 
 std::string name_of(const mjModel& model, mjtObj type, int id) {

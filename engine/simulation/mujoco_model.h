@@ -2,6 +2,7 @@
 // its log file: errors while compiling come back as values, an error while stepping is a broken invariant of ours.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <variant>
@@ -27,6 +28,10 @@ struct CompileError {
 
 /// Compiles MJCF. Files it names (meshes, textures) are sought from `asset_directory`.
 std::variant<ModelOwner, CompileError> compile_mjcf(const std::string& text, const std::string& asset_directory);
+
+/// Runs `work`, which calls MuJoCo, and gives the sentence of the fatal error that it ended in; empty if in none.
+/// MuJoCo jumps out of `work`, so nothing that it keeps may need its destructor.
+std::string fatal_error_of(const std::function<void()>& work);
 
 /// The element's id, or -1.
 inline int id_of(const mjModel& model, mjtObj type, const std::string& name) {

@@ -1,0 +1,26 @@
+// continua render: pictures and films of a run.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/result.h"
+#include "replay/commands/command.h"
+
+namespace continua {
+
+struct RenderOptions {
+  std::string run, output;
+  std::optional<double> at_s;
+  std::string size;    ///< "WxH"; empty: what suits the output
+  std::string camera;  ///< RenderView::camera
+  int frames_per_second = 15;
+  bool text = true;
+  bool real_time = false;  ///< a film does not shorten waits
+};
+
+int run_render(const RenderOptions& options);
+
+void add_render_command(CLI::App& program, Run& run);
+
+}  // namespace continua

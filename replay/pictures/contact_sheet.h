@@ -1,0 +1,17 @@
+// Several pictures in one, each with its time and what happened below it.
+#pragma once
+
+#include <vector>
+
+#include "replay/pictures/canvas.h"
+#include "replay/pictures/key_moments.h"
+
+namespace continua {
+
+/// The columns that so many pictures are laid out in.
+int sheet_columns(std::size_t pictures);
+
+/// `pictures[i]` shows `moments[i]`; all are of one size. REQUIRES as many of both, at least one.
+Canvas contact_sheet(const std::vector<KeyMoment>& moments, const std::vector<Image>& pictures);
+
+}  // namespace continua

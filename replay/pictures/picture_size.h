@@ -1,0 +1,14 @@
+// The size of a picture as people write it.
+#pragma once
+
+#include <string_view>
+
+#include "core/result.h"
+#include "simulation/renderer.h"
+
+namespace continua {
+
+/// "640x360": width by height in pixels. The error says what was expected.
+Result<ImageSize> picture_size(std::string_view text);
+
+}  // namespace continua
