@@ -14,7 +14,7 @@ using Status = ActReport::Status;
 namespace {
 
 constexpr double quarter_turn = 1.5707963267948966;
-constexpr int trials = 20;  // of each random act in each scene
+constexpr int trials = 6;  // of each random act in each scene
 
 const Scene& scene_named(const std::string& name) {
   static std::map<std::string, Scene> scenes;
@@ -212,9 +212,9 @@ TEST_CASE("after every act, whatever came of it and whenever it was stopped, the
       INFO(text(command.what) << " " << command.object);
       stage.body->command(command);
       stage.run(random.uniform() < 0.5 ? 3 * random.uniform() : 90);
-      const ActReport end = stage.end_of(::command(Capability::stop));
+      stage.end_of(::command(Capability::stop));
       stage.run(2);
-      CHECK(end.status == Status::done);
+      CHECK(stage.ends.back().status == Status::done);
       const std::string held = stage.held();
       const bool may_hold = held.empty() || held == command.object || command.what == Capability::retract ||
                             command.what == Capability::push || stage.ends.size() > 1;
@@ -254,7 +254,6 @@ TEST_CASE("things are pushed and turned at random, nearly always to where they s
                          << turn.reason << " " << turn.yaw_error);
     }
   }
-  printf("pushes %d of %d, turns %d of %d\n", pushed, pushes, turned, turns);
   UNSCOPED_INFO("pushes " << pushed << " of " << pushes << ", turns " << turned << " of " << turns);
   CHECK(pushed * 10 >= pushes * 9);
   CHECK(turned * 10 >= turns * 9);
