@@ -105,6 +105,9 @@ enum class Occupied {
             ///< something
 };
 
+/// A relation as it is said: "in front".
+std::string in_words(Relation relation);
+
 /// The object is brought to a goal.
 bool moves_to_goal(Capability what);
 

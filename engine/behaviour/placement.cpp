@@ -29,12 +29,6 @@ bool is_over(const Box& box, const Vec3& p_W, double rim) {
          p_W.y() < box.max.y() - rim;
 }
 
-std::string in_words(Relation relation) {
-  std::string words(text(relation));
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
 /// Steps of a grid around a place, nearest first, at most `farthest_m` long.
 std::vector<Vec3> steps_around(double farthest_m) {
   constexpr double step_m = 0.005;
@@ -286,6 +280,12 @@ Result<Placement> Places::find(Occupied occupied) const {
 }
 
 }  // namespace
+
+std::string in_words(Relation relation) {
+  std::string words(text(relation));
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
 
 std::optional<std::string> missing_thing(const AvatarCommand& command, const WorldSnapshot& world) {
   if (!command.object.empty() && !world.find(command.object)) return command.object;

@@ -1,6 +1,7 @@
-// The avatar's acts. What an act needs is decided from how the world is (avatar.cpp), as one handling of an object or
-// several: something may have to be put away or moved aside first, and what failed is tried again in another way. Each
-// is a succession of phases (avatar_phases.cpp), begun from how the world is then and ended by what can be measured.
+// The avatar's acts. What an act needs is decided from how the world is (avatar_decisions.cpp), as one handling of an
+// object or several: something may have to be put away or moved aside first, and what failed is tried again in another
+// way. Each is a succession of phases (avatar_phases.cpp), begun from how the world is then and ended by what can be
+// measured.
 #pragma once
 
 #include <deque>
@@ -58,7 +59,7 @@ class Avatar {
   };
   enum class Stage { preparation, act };  // what the phases are for: making the act possible, or the act itself
 
-  // avatar.cpp
+  // avatar_decisions.cpp
   void decide();
   void decide_handling(const WorldSnapshot& world);
   void decide_turn(const WorldSnapshot& world);
@@ -66,19 +67,22 @@ class Avatar {
   void cannot(ActReport::Status status, std::string reason);
   void begin_attempt();
   void put_away(const WorldSnapshot& world);
-  void halt();
   Task task(const WorldSnapshot& world) const;
   std::optional<Grasp> grasp() const;
   bool has_goal() const;
   std::string landmark() const;  // what the goal was said beside, or empty
   void begin_handling(const Handling& handling, bool in_hand);
+
+  // avatar.cpp
+  void halt();
   void phases_done();
   bool try_again();
   void judge();
   bool moved_again() const;
-  bool is_in(const std::string& container, const WorldSnapshot& world) const;
+  bool is_related(const WorldSnapshot& world) const;
   void fail(ActReport::Status status, std::string reason);
   void end_act();
+  int index_of(const std::string& object) const;
 
   // avatar_phases.cpp
   void begin_phase();
@@ -144,6 +148,9 @@ class Avatar {
 
 /// Nothing has moved for so long, seconds: it will not by itself.
 inline constexpr double quiet_s = 0.1;
+
+/// Farther from its goal an object has missed it.
+inline constexpr double set_down_error_m = 0.02;
 
 /// The body only shows something, and moves nothing.
 bool is_gesture(Capability what);
