@@ -76,7 +76,6 @@ class Avatar {
   bool try_again();
   void judge();
   bool moved_again() const;
-  bool is_in(const std::string& container, const WorldSnapshot& world) const;
   void fail(ActReport::Status status, std::string reason);
   void end_act();
 
