@@ -49,18 +49,19 @@ std::optional<Servo> servo_of(const mjModel& model, int actuator, const std::vec
   const bool is_position_servo = model.actuator_gaintype[actuator] == mjGAIN_FIXED && gain[0] != 0 &&
                                  model.actuator_biastype[actuator] == mjBIAS_AFFINE && bias[1] < 0;
   if (!joints || joints->empty() || !is_position_servo) return std::nullopt;
-  double length_at_zero = 0, length_per_unit = 0, damping = -bias[2];
+  double length_at_zero = 0, length_per_unit = 0, damping = -bias[2], least_part = std::abs(joints->front().second);
   for (const auto& [joint, part] : *joints) {
     const auto found =
         std::find_if(driven.begin(), driven.end(), [joint = joint](const Driven& one) { return one.joint == joint; });
     if (found == driven.end()) return std::nullopt;
     length_at_zero += part * found->at_zero;
     length_per_unit += part * found->per_unit;
+    least_part = std::min(least_part, std::abs(part));
     damping += model.dof_damping[model.jnt_dofadr[joint]] / (part * part);
   }
   // It rests where gain * control + bias0 + bias1 * length = 0.
   return Servo{actuator, (-bias[0] - bias[1] * length_at_zero) / gain[0], -bias[1] * length_per_unit / gain[0],
-               -damping / bias[1]};
+               -bias[1] * std::abs(length_per_unit) * least_part, -damping / bias[1]};
 }
 
 std::vector<Servo> servos_of(const mjModel& model, const std::vector<Driven>& driven) {
@@ -187,6 +188,7 @@ class Reader {
     }
     ids_.finger_servo = servos_of(model_, driven);
     if (ids_.finger_servo.empty()) return "position servo that moves its fingers, as <position>";
+    hand.finger_N_per_m = ids_.finger_servo.front().stiffness;
     return {};
   }
 

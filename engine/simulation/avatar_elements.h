@@ -18,7 +18,8 @@ namespace continua {
 struct Servo {
   int actuator = -1;
   double at_zero = 0, per_unit = 1;
-  double lead_s = 0;  ///< damping / stiffness: how far ahead a moving target is put
+  double stiffness = 0;  ///< force on each joint per unit that it is told and cannot go
+  double lead_s = 0;     ///< damping / stiffness: how far ahead a moving target is put
 
   double control(double value) const { return at_zero + per_unit * value; }
 };

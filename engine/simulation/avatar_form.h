@@ -18,6 +18,7 @@ struct HandShape {
   double palm_half_length_m = 0;  ///< along the closing direction
   double palm_half_width_m = 0;
   double widest_opening_m = 0;  ///< of one finger, from the middle
+  double finger_N_per_m = 0;    ///< how hard a finger presses for each metre that it is told and cannot go
 };
 
 /// A part of the arm that can touch things, as a box in the frame after a hinge.

@@ -14,7 +14,7 @@ using Status = ActReport::Status;
 
 constexpr double fade_s = 0.25;  // in which a superseded motion fades out
 constexpr double finger_m_per_s = 0.15;
-constexpr double squeeze_m = 0.01;     // by which the fingers would close further if nothing were between them
+constexpr double squeeze_N = 8;        // with which each finger holds
 constexpr double further_m = 0.003;    // down, than should be needed: contact ends the motion
 constexpr double touch_force_N = 2.5;  // of set-down: a block weighs about 1 N
 constexpr Pace gentle{0.12, 1.5, 10};
@@ -81,7 +81,9 @@ void Avatar::brake() {
 }
 
 /// Presses by position, not by force: what is between the fingers then has a place there.
-void Avatar::hold_firmly() { wanted_opening_m_ = std::max(0.0, target_.opening_m - squeeze_m); }
+void Avatar::hold_firmly() {
+  wanted_opening_m_ = target_.opening_m - squeeze_N / physics_.avatar().hand.finger_N_per_m;
+}
 
 bool Avatar::arrived() const {
   constexpr double near_rad = 2e-3, patience_s = 0.25;

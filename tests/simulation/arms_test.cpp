@@ -71,6 +71,7 @@ TEST_CASE("an arm is read from its model: what it measures, and where its tool i
     const double natural = avatar.natural_yaw(X_WT.p_WB);
     CHECK((X_WT.R_WB * Vec3::UnitY()).dot(Vec3(std::cos(natural), std::sin(natural), 0)) > -0.01);
     CHECK(avatar.hand.widest_opening_m > 0.03);
+    CHECK(avatar.hand.finger_N_per_m == Approx(arm == arms[2] ? 50 : 800));
     CHECK(avatar.hand.finger_tip_m > 0.005);
     CHECK(avatar.hand.palm_back_m > avatar.hand.palm_front_m);
     CHECK(avatar.parts.size() >= 2);
