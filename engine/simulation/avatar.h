@@ -91,6 +91,7 @@ class Avatar {
   bool go(const std::vector<Pose>& X_WT, const Pace& pace = {});
   void stop_here();
   void brake();
+  Pace carrying_pace() const;
   void hold_firmly();
   bool arrived() const;
   bool pushes_hard();

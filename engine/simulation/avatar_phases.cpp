@@ -18,7 +18,7 @@ constexpr double squeeze_N = 8;        // with which each finger holds
 constexpr double further_m = 0.003;    // down, than should be needed: contact ends the motion
 constexpr double touch_force_N = 2.5;  // of set-down: a block weighs about 1 N
 constexpr Pace gentle{0.12, 1.5, 10};
-constexpr Pace loaded{0.9, 2.5, 18};
+constexpr Pace loaded{0.9, 2.5, 18}, careful{0.4, 1.2, 4};
 // Half of what counts as rest: what is about to topple does not stay below this for so long.
 constexpr double quiet_m_per_s = 1e-3, quiet_rad_per_s = 0.025;
 
@@ -79,6 +79,9 @@ void Avatar::brake() {
   behind_q_ = from.qdot * fade_s / 3;
   path_ = HandPath::stay(from.q + behind_q_);
 }
+
+/// What has slipped out of the fingers is carried slowly: a weak hand holds it then.
+Pace Avatar::carrying_pace() const { return retries_.empty() ? loaded : careful; }
 
 /// Presses by position, not by force: what is between the fingers then has a place there.
 void Avatar::hold_firmly() {
@@ -154,7 +157,7 @@ bool Avatar::move_to(Phase phase, const WorldSnapshot& world) {
       wanted_opening_m_ = 0;
       return true;
     case Phase::raise:
-      return go({hand_for_object(p_WG_, false)}, loaded);
+      return go({hand_for_object(p_WG_, false)}, carrying_pace());
     case Phase::carry: {
       constexpr double above_m = 0.01, drag_m = 0.001;
       const Vec3 first_at = handling_.set_down->first_W();
@@ -168,8 +171,8 @@ bool Avatar::move_to(Phase phase, const WorldSnapshot& world) {
         up_m = std::max(up_m, container->bounds_W().max.z() + above_m - (first_at.z() - half_m));
       const Vec3 over_goal = first_at + Vec3(0, 0, up_m);
       const Pose at_goal = hand_for_object(over_goal, true);
-      if (along_table_) return go({at_goal}, loaded);
-      return go(way_over(from, at_goal, world, avatar, at_goal.p_WB.z() - (over_goal.z() - half_m)), loaded);
+      if (along_table_) return go({at_goal}, carrying_pace());
+      return go(way_over(from, at_goal, world, avatar, at_goal.p_WB.z() - (over_goal.z() - half_m)), carrying_pace());
     }
     case Phase::insert:
       return held < 0 || go({hand_for_object(handling_.set_down->p_WO - Vec3(0, 0, further_m), true)}, gentle);

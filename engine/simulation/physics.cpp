@@ -48,8 +48,6 @@ struct Physics::State {
     constexpr std::array<mjtNum, mjNIMP> solimp = {0.6, 0.6, 0.001, 0.5, 2};
     const int priority = *std::max_element(model->geom_priority, model->geom_priority + model->ngeom) + 1;
     for (const int pad : ids.pad) {
-      // Seen, and without force until they meet.
-      model->geom_margin[pad] = model->geom_gap[pad] = touching_m;
       model->geom_condim[pad] = 1;
       model->geom_priority[pad] = priority;
       std::copy(solref.begin(), solref.end(), model->geom_solref + mjNREF * pad);
@@ -72,15 +70,12 @@ struct Physics::State {
     set_welded(true);
   }
 
-  /// As far as can be told: a weak hand that presses with little force is parted by less at every jolt.
-  static constexpr double touching_m = 2e-4;
-
   bool touches(int geom, int body) const {
     for (int i = 0; i < data->ncon; ++i) {
       const mjContact& contact = data->contact[i];
       const bool first = contact.geom1 == geom && model->geom_bodyid[contact.geom2] == body;
       const bool second = contact.geom2 == geom && model->geom_bodyid[contact.geom1] == body;
-      if ((first || second) && contact.dist <= touching_m) return true;
+      if ((first || second) && contact.dist <= 0) return true;
     }
     return false;
   }
