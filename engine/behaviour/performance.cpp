@@ -113,7 +113,7 @@ void Performer::reported(Performance& performance, const ActReport& report) cons
   if (report.position_error_m > 0) end.position_error_m = report.position_error_m;
   if (report.yaw_error != 0) end.yaw_error = report.yaw_error;
   if (!report.reason.empty()) end.reason = report.reason;
-  if (!report.touches.empty()) end.touches = report.touches;
+  end.touches = report.touches;
   end.moved_aside.insert(end.moved_aside.end(), report.moved_aside.begin(), report.moved_aside.end());
   end.retries.insert(end.retries.end(), report.retries.begin(), report.retries.end());
   if (report.status == Status::done) return;
