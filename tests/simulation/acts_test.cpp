@@ -1,6 +1,5 @@
 // The acts of which everything else is composed, one after the other and stopped at any moment.
-#include "simulation/physics_body.h"
-#include "support/catch.h"
+#include "support/stage.h"
 
 using namespace continua;
 using Status = ActReport::Status;
@@ -8,81 +7,41 @@ using Status = ActReport::Status;
 namespace {
 
 const Scene& staircase() {
-  static const Scene scene = load_scene(CONTINUA_SOURCE_DIR "/mjcf/scenes/staircase.xml").value();
+  static const Scene scene = shipped_scene("staircase");
   return scene;
 }
-
-struct Stage {
-  std::unique_ptr<PhysicsBody> body = PhysicsBody::create(staircase()).value();
-  SimTime now;
-  std::vector<ActReport> ends;
-
-  /// Lets the world go on for so long, or until it is at rest.
-  void run(double seconds) {
-    const SimTime until = now + SimTime::from_seconds(seconds);
-    while (now < until && !body->at_rest()) {
-      const WorldReport report = body->advance(until);
-      for (const auto& act : report.acts)
-        if (act.status != Status::started) ends.push_back(act);
-      now = report.until;
-    }
-  }
-
-  void tell(Capability what, const std::string& object = "", const std::optional<Goal>& goal = {}) {
-    AvatarCommand command;
-    command.what = what;
-    command.object = object;
-    if (what == Capability::grasp) command.next = goal;
-    if (what != Capability::grasp && goal) command.goal = *goal;
-    command.height_m = 0.1;
-    body->command(command);
-  }
-
-  Status act(Capability what, const std::string& object = "", const std::optional<Goal>& goal = {}) {
-    tell(what, object, goal);
-    run(60);
-    REQUIRE(body->at_rest());
-    return ends.back().status;
-  }
-
-  Vec3 place(const std::string& object) const { return body->snapshot().find(object)->p_WO; }
-  std::string held() const { return body->snapshot().held; }
-};
-
-Goal at(double x, double y) { return {{}, {}, Perspective::avatar, {x, y, 0}}; }
-Goal on(const std::string& landmark) { return {Relation::on, {landmark}}; }
 
 }  // namespace
 
 TEST_CASE("a put is a grasp, a move and an ungrasp, each ending an advance when it ends") {
-  Stage stage;
-  stage.tell(Capability::grasp, "block4", on("block1"));
+  Stage stage(staircase());
+  stage.tell(Capability::grasp, "block4", by(Relation::on, "block1"));
   const WorldReport report = stage.body->advance(SimTime::from_seconds(60));
   REQUIRE(report.acts.size() == 2);
   CHECK(report.until == report.acts.back().t);
   CHECK(report.until < SimTime::from_seconds(10));
   stage.now = report.until;
 
-  CHECK(stage.act(Capability::move, "block4", on("block1")) == Status::done);
+  CHECK(stage.act(Capability::move, "block4", by(Relation::on, "block1")).status == Status::done);
   CHECK(stage.held() == "block4");
   CHECK(stage.place("block4").z() == Approx(0.09).margin(2e-3));
   CHECK(stage.ends.back().position_error_m < 0.01);
-  CHECK(stage.act(Capability::ungrasp) == Status::done);
+  CHECK(stage.act(Capability::ungrasp).status == Status::done);
   CHECK(stage.held().empty());
   CHECK(stage.place("block4").z() == Approx(0.09).margin(1e-3));
   CHECK((stage.place("block4") - stage.place("block1")).head<2>().norm() < 0.01);
 }
 
 TEST_CASE("what is held can be moved again and slid, and only what is held can be moved") {
-  Stage stage;
-  CHECK(stage.act(Capability::move, "block4", at(0.1, 0)) == Status::blocked);
-  CHECK(stage.act(Capability::move, "", at(0.1, 0)) == Status::blocked);
-  CHECK(stage.act(Capability::grasp, "block4", at(3, 0)) == Status::unreachable);
+  Stage stage(staircase());
+  CHECK(stage.act(Capability::move, "block4", at(0.1, 0)).status == Status::blocked);
+  CHECK(stage.act(Capability::move, "", at(0.1, 0)).status == Status::blocked);
+  CHECK(stage.act(Capability::grasp, "block4", at(3, 0)).status == Status::unreachable);
   CHECK(stage.held().empty());
-  CHECK(stage.act(Capability::grasp, "block4") == Status::done);
-  CHECK(stage.act(Capability::grasp, "block4", at(0.1, 0)) == Status::done);
-  CHECK(stage.act(Capability::move, "block4", at(0.1, -0.05)) == Status::done);
-  CHECK(stage.act(Capability::slide, "", at(0.15, 0)) == Status::done);
+  CHECK(stage.act(Capability::grasp, "block4").status == Status::done);
+  CHECK(stage.act(Capability::grasp, "block4", at(0.1, 0)).status == Status::done);
+  CHECK(stage.act(Capability::move, "block4", at(0.1, -0.05)).status == Status::done);
+  CHECK(stage.act(Capability::slide, "", at(0.15, 0)).status == Status::done);
   CHECK(stage.held() == "block4");
   CHECK((stage.place("block4") - Vec3(0.15, 0, 0.03)).norm() < 5e-3);
 }
@@ -90,7 +49,7 @@ TEST_CASE("what is held can be moved again and slid, and only what is held can b
 TEST_CASE("a stop at any moment leaves an arm that stands, and that takes commands") {
   for (const double after_s : {0.3, 1.1, 1.3, 1.5, 1.9, 2.6, 2.9, 3.2, 3.6}) {
     INFO("after " << after_s << " s");
-    Stage stage;
+    Stage stage(staircase());
     stage.tell(Capability::put, "block4", at(0.1, 0.03));
     stage.tell(Capability::reach, "block1");
     stage.run(after_s);
@@ -98,7 +57,7 @@ TEST_CASE("a stop at any moment leaves an arm that stands, and that takes comman
     stage.ends.clear();
     const SimTime before = stage.now;
     const bool was_over = stage.body->at_rest();
-    CHECK(stage.act(Capability::stop) == Status::done);
+    CHECK(stage.act(Capability::stop).status == Status::done);
     CHECK((stage.ends.back().t - before).seconds() < 1.5);
     if (!was_over) {
       CHECK(stage.ends.size() >= 2);
@@ -112,23 +71,23 @@ TEST_CASE("a stop at any moment leaves an arm that stands, and that takes comman
     stage.body->advance(stage.now);
     CHECK((stage.place("block4") - stopped_at).norm() < 1e-3);
 
-    CHECK(stage.act(Capability::put, "block4", at(-0.22, 0.044)) == Status::done);
-    CHECK(stage.act(Capability::grasp, "block1") == Status::done);
+    CHECK(stage.act(Capability::put, "block4", at(-0.22, 0.044)).status == Status::done);
+    CHECK(stage.act(Capability::grasp, "block1").status == Status::done);
     CHECK(stage.held() == "block1");
     CHECK(stage.place("block4").z() == Approx(0.03).margin(1e-3));
   }
 }
 
 TEST_CASE("what is held in mid-air is put where it is in nobody's way before another thing is taken") {
-  Stage stage;
-  stage.act(Capability::grasp, "block4", on("block1"));
-  stage.tell(Capability::move, "block4", on("block1"));
+  Stage stage(staircase());
+  stage.act(Capability::grasp, "block4", by(Relation::on, "block1"));
+  stage.tell(Capability::move, "block4", by(Relation::on, "block1"));
   for (int i = 0; i < 400 && (stage.place("block4") - stage.place("block1")).head<2>().norm() > 0.02; ++i)
     stage.run(0.01);
-  CHECK(stage.act(Capability::stop) == Status::done);
+  CHECK(stage.act(Capability::stop).status == Status::done);
   CHECK(stage.held() == "block4");
   CHECK(stage.place("block4").z() > 0.091);
-  CHECK(stage.act(Capability::grasp, "block7") == Status::done);
+  CHECK(stage.act(Capability::grasp, "block7").status == Status::done);
   CHECK(stage.held() == "block7");
   CHECK(stage.place("block4").z() == Approx(0.03).margin(1e-3));
   CHECK((stage.place("block1") - staircase().initial_snapshot().find("block1")->p_WO).norm() < 2e-3);

@@ -3,8 +3,7 @@
 #include <sstream>
 
 #include "simulation/physics.h"
-#include "simulation/physics_body.h"
-#include "support/catch.h"
+#include "support/stage.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
@@ -32,32 +31,6 @@ Scene scene_with(const std::string& arm, const std::string& scene) {
   return load_scene(folder.file("scene.xml", replaced(with_arm, "../objects", root + "/mjcf/objects"))).value();
 }
 
-struct Stage {
-  std::unique_ptr<PhysicsBody> body;
-  SimTime now;
-
-  ActReport act(Capability what, const std::string& object, const Goal& goal = {}) {
-    AvatarCommand command;
-    command.what = what;
-    command.object = object;
-    command.goal = goal;
-    command.height_m = 0.1;
-    body->command(command);
-    ActReport end;
-    const SimTime until = now + SimTime::from_seconds(90);
-    while (now < until && !body->at_rest()) {
-      const WorldReport report = body->advance(until);
-      for (const auto& one : report.acts)
-        if (one.status != Status::started) end = one;
-      now = report.until;
-    }
-    return end;
-  }
-};
-
-Goal at(double x, double y) { return {{}, {}, Perspective::avatar, {x, y, 0}}; }
-Goal by(Relation relation, const std::string& landmark) { return {relation, {landmark}}; }
-
 }  // namespace
 
 TEST_CASE("an arm is read from its model: what it measures, and where its tool is") {
@@ -83,7 +56,7 @@ TEST_CASE("an arm is read from its model: what it measures, and where its tool i
 TEST_CASE("every arm reaches the blocks' table, grasps, lifts, points and puts") {
   for (const auto& arm : arms) {
     INFO(arm);
-    Stage stage{PhysicsBody::create(scene_with(arm, "staircase")).value(), {}};
+    Stage stage(scene_with(arm, "staircase"));
     for (const char* block : {"block1", "block4", "block7"}) {
       INFO(block);
       CHECK(stage.act(Capability::reach, block).status == Status::done);
@@ -112,7 +85,7 @@ TEST_CASE("every arm reaches the blocks' table, grasps, lifts, points and puts")
 TEST_CASE("every arm handles plate, cup and knife") {
   for (const auto& arm : arms) {
     INFO(arm);
-    Stage stage{PhysicsBody::create(scene_with(arm, "place_setting")).value(), {}};
+    Stage stage(scene_with(arm, "place_setting"));
     const auto put = [&](const std::string& object, const Goal& goal) {
       const ActReport end = stage.act(Capability::put, object, goal);
       INFO(object << ": " << text(end.status) << ", " << end.reason);

@@ -1,64 +1,20 @@
 // What the hand can do with plates, cups and knives: gripped by an edge, by the sides, or across, and put where people
 // put them.
-#include "simulation/physics_body.h"
-#include "support/catch.h"
+#include "support/stage.h"
 
 using namespace continua;
 using Status = ActReport::Status;
 
 namespace {
 
-const std::string place_setting = CONTINUA_SOURCE_DIR "/mjcf/scenes/place_setting.xml";
-
-struct Stage {
-  std::unique_ptr<PhysicsBody> body;
-  SimTime now;
-
-  explicit Stage(const std::vector<ObjectOverride>& overrides = {})
-      : body(PhysicsBody::create(load_scene(place_setting, overrides).value()).value()) {}
-
-  ActReport run(double seconds) {
-    const SimTime until = now + SimTime::from_seconds(seconds);
-    ActReport end;
-    while (now < until && !body->at_rest()) {
-      const WorldReport report = body->advance(until);
-      for (const auto& act : report.acts)
-        if (act.status != Status::started) end = act;
-      now = report.until;
-    }
-    return end;
-  }
-
-  ActReport act(Capability what, const std::string& object = "", const Goal& goal = {}) {
-    tell(what, object, goal);
-    return run(90);
-  }
-
-  void tell(Capability what, const std::string& object, const Goal& goal) {
-    AvatarCommand command;
-    command.what = what;
-    command.object = object;
-    command.goal = goal;
-    command.height_m = 0.1;
-    body->command(command);
-  }
-
-  ObjectState object(const std::string& name) const { return *body->snapshot().find(name); }
-
-  bool holds(Relation relation, const std::string& object_name, const std::string& landmark) const {
-    const WorldSnapshot world = body->snapshot();
-    const std::vector<Landmark> landmarks{*Landmark::named(landmark, world)};
-    return holds_by(relation, *world.find(object_name), landmarks, world.table, Perspective::avatar) > 0;
-  }
-};
-
-Goal at(double x, double y) { return {{}, {}, Perspective::avatar, {x, y, 0}}; }
-Goal by(Relation relation, const std::string& landmark) { return {relation, {landmark}}; }
+Stage place_setting(const std::vector<ObjectOverride>& overrides = {}) {
+  return Stage(shipped_scene("place_setting", overrides));
+}
 
 }  // namespace
 
 TEST_CASE("a form tells where fingers find hold") {
-  const Scene scene = load_scene(place_setting).value();
+  const Scene scene = shipped_scene("place_setting");
   const auto shape = [&](const std::string& name) {
     for (const auto& object : scene.objects())
       if (object.name == name) return object.shape;
@@ -95,10 +51,10 @@ TEST_CASE("a knife is put into a cup, wherever both are") {
   for (const Row& row : rows) {
     INFO("knife at " << row.knife_x << " " << row.knife_y << " turned " << row.knife_yaw << ", cup at " << row.cup_x
                      << " " << row.cup_y);
-    Stage stage({{"knife", row.knife_x, row.knife_y, {}, row.knife_yaw, false},
-                 {"cup_blue", row.cup_x, row.cup_y, {}, 0.0, false},
-                 {"plate", 0.38, 0.15, {}, 0.0, false},
-                 {"cup", 0.0, 0.24, {}, 0.0, false}});
+    Stage stage = place_setting({{"knife", row.knife_x, row.knife_y, {}, row.knife_yaw, false},
+                                 {"cup_blue", row.cup_x, row.cup_y, {}, 0.0, false},
+                                 {"plate", 0.38, 0.15, {}, 0.0, false},
+                                 {"cup", 0.0, 0.24, {}, 0.0, false}});
     const ActReport end = stage.act(Capability::put, "knife", by(Relation::in, "cup_blue"));
     INFO(end.reason);
     CHECK(end.status == Status::done);
@@ -110,7 +66,7 @@ TEST_CASE("a knife is put into a cup, wherever both are") {
 }
 
 TEST_CASE("a plate is taken by its edge and put where it shall be, with a cup on it and a knife beside it") {
-  Stage stage;
+  Stage stage = place_setting();
   CHECK(stage.act(Capability::put, "plate", by(Relation::left, "cup")).status == Status::done);
   CHECK(stage.holds(Relation::left, "plate", "cup"));
   for (const auto& [x, y] : {std::pair(0.0, -0.15), std::pair(-0.3, 0.1), std::pair(-0.1, 0.15)}) {
@@ -134,7 +90,7 @@ TEST_CASE("each thing is lifted, and when its way has been stopped, put back bef
   const std::pair<const char*, const char*> rows[] = {{"plate", "cup"}, {"cup", "knife"}, {"knife", "plate"}};
   for (const auto& [name, other] : rows) {
     INFO(name);
-    Stage stage;
+    Stage stage = place_setting();
     const Vec3 before = stage.object(name).p_WO;
     CHECK(stage.act(Capability::grasp, name).status == Status::done);
     CHECK(stage.act(Capability::lift).status == Status::done);
