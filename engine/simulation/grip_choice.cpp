@@ -38,6 +38,7 @@ bool is_square(const ObjectState& object) {
 /// Where the fingers come down, in the object's own frame but level with W: how wide it is there, and where its middle.
 struct Span {
   double half_m = 0, middle_m = 0;
+  double uneven_m = 0;  ///< by how much its faces step back within the fingers' width
 };
 
 /// How far the object reaches along side x (0) or y (1) where fingers at `shift_m` of the other, their tips at
@@ -46,12 +47,19 @@ std::optional<Span> span_at(const ObjectState& object, const ObjectShape* shape,
                             double shift_m, double tips_m) {
   constexpr double hold_m = 0.002, same_m = 0.002;
   const double half = object.half_extents_m[side];
-  if (!shape) return Span{half, 0};
+  if (!shape) return Span{half, 0, 0};
   const auto slice = shape->slice(side, shift_m, hand.finger_half_width_m, tips_m + hold_m);
   if (!slice) return std::nullopt;
-  const Span span{(slice->max_m - slice->min_m) / 2, (slice->max_m + slice->min_m) / 2};
+  Span span{(slice->max_m - slice->min_m) / 2, (slice->max_m + slice->min_m) / 2};
+  constexpr double third = 1.0 / 3;
+  for (const double part : {-2 * third, 0.0, 2 * third}) {
+    const double width_m = hand.finger_half_width_m;
+    const auto thin = shape->slice(side, shift_m + part * width_m, third * width_m, tips_m + hold_m);
+    const double step_m = thin ? std::max(slice->max_m - thin->max_m, thin->min_m - slice->min_m) : span.half_m;
+    span.uneven_m = std::max(span.uneven_m, step_m);
+  }
   const bool as_box = std::abs(slice->max_m - half) < same_m && std::abs(slice->min_m + half) < same_m;
-  return as_box ? Span{half, 0} : span;
+  return as_box ? Span{half, 0, span.uneven_m} : span;
 }
 
 /// What stands in the hand's way, as columns that nothing comes down through; a container with its hollow open.
@@ -117,10 +125,10 @@ void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world,
           grip.opening_m = opening_m;
           grip.conflict_m =
               beyond_slack(hand_conflict(avatar.hand, hand_at(grip, object.p_WO, false), opening_m, others));
-          // The middle of the object, its narrow sides, room for the fingers, the hand upright, little turning of the
-          // wrist.
-          grip.cost = 0.5 * std::abs(shift) + 3 * span->half_m + 20 * (margins_m[0] - margin_m) + 0.3 * std::abs(tilt) +
-                      0.02 * std::abs(yaw - natural);
+          // The middle of the object, its narrow sides, even faces, room for the fingers, the hand upright, little
+          // turning of the wrist.
+          grip.cost = 0.5 * std::abs(shift) + 8 * span->half_m + 50 * span->uneven_m + 20 * (margins_m[0] - margin_m) +
+                      0.3 * std::abs(tilt) + 0.02 * std::abs(yaw - natural);
           grips.push_back(grip);
         }
       }
