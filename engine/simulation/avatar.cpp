@@ -147,8 +147,14 @@ bool Avatar::is_related(const WorldSnapshot& world) const {
 /// Whether what was let go of has moved since, or moves still.
 bool Avatar::moved_again() const {
   constexpr double moved_m = 0.01, tipped_rad = 0.2;
+  // What only trembles where it stands has not moved.
+  constexpr double trembles_m = 1e-3, trembles_rad = 0.02;
   if (!let_go_) return false;
-  if (quiet_steps_ * dt_s_ < quiet_s) return true;
+  const Pose X_WO = physics_.object_pose(let_go_->object);
+  const auto farther = [&](double m, double rad) {
+    return (X_WO.p_WB - let_go_->X_WO.p_WB).norm() > m || X_WO.R_WB.angularDistance(let_go_->X_WO.R_WB) > rad;
+  };
+  if (quiet_steps_ * dt_s_ < quiet_s && farther(trembles_m, trembles_rad)) return true;
   // What was let fall into a hollow moves until it lies there.
   const WorldSnapshot world = physics_.snapshot({});
   const ObjectState& object = world.objects[static_cast<std::size_t>(let_go_->object)];
@@ -158,9 +164,7 @@ bool Avatar::moved_again() const {
         holds_by(Relation::in, object, landmarks, world.table, Perspective::avatar) > 0)
       return false;
   }
-  const Pose X_WO = physics_.object_pose(let_go_->object);
-  return (X_WO.p_WB - let_go_->X_WO.p_WB).norm() > moved_m ||
-         X_WO.R_WB.angularDistance(let_go_->X_WO.R_WB) > tipped_rad;
+  return farther(moved_m, tipped_rad);
 }
 
 /// Measures what has been reached.
