@@ -80,7 +80,7 @@ void Avatar::brake() {
   path_ = HandPath::stay(from.q + behind_q_);
 }
 
-/// What has slipped out of the fingers is carried slowly: a weak hand holds it then.
+/// A second attempt goes slowly: a weak hand holds then what had slipped out of it.
 Pace Avatar::carrying_pace() const { return retries_.empty() ? loaded : careful; }
 
 /// Presses by position, not by force: what is between the fingers then has a place there.
