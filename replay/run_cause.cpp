@@ -35,11 +35,12 @@ bool names(std::string_view text, std::string_view name) {
 // What is looked at to tell the cause: the first difference, and the transitions that it belongs to.
 struct Pivot {
   RunDifference::Kind kind = RunDifference::Kind::happened;
-  Json a, b;                       ///< its first records; null: none
-  Json transition_a, transition_b; ///< the first in it or after it; null: none
+  Json a, b;                        ///< its first records; null: none
+  Json transition_a, transition_b;  ///< the first in it or after it; null: none
   Json reading_a, reading_b;
-  bool by_gesture = false;         ///< the input behind it is none that was said
-  std::string text_a, text_b;      ///< of all that it is about, to look names up in
+  std::vector<Json> senses_a, senses_b;  ///< of the words of the input behind it
+  bool by_gesture = false;               ///< the input behind it is none that was said
+  std::string text_a, text_b;            ///< of all that it is about, to look names up in
 };
 
 class Inquiry {
@@ -70,8 +71,9 @@ class Inquiry {
     if (diff_.givens.empty()) return;
     const auto& given = diff_.givens.front();
     diff_.cause = {given.kind, given.what, given.a, given.b, told(given)};
-    diff_.sentence = fmt::format("All that happened is the same. The runs are made of different parts, without effect: {}: {}{}.",
-                                 given.kind, told(given), others(diff_.givens.size() - 1));
+    diff_.sentence =
+        fmt::format("All that happened is the same. The runs are made of different parts, without effect: {}: {}{}.",
+                    given.kind, told(given), others(diff_.givens.size() - 1));
   }
 
   static std::string others(std::size_t count) { return count == 0 ? "" : fmt::format(", and {} more", count); }
@@ -79,13 +81,15 @@ class Inquiry {
   Outcome look() {
     const auto& first = diff_.differences[diff_.first];
     pivot_.kind = first.kind;
-    if (auto problem = look_at(a_, first.a, pivot_.a, pivot_.transition_a, pivot_.reading_a, pivot_.text_a)) return problem;
-    return look_at(b_, first.b, pivot_.b, pivot_.transition_b, pivot_.reading_b, pivot_.text_b);
+    if (auto problem =
+            look_at(a_, first.a, pivot_.a, pivot_.transition_a, pivot_.reading_a, pivot_.senses_a, pivot_.text_a))
+      return problem;
+    return look_at(b_, first.b, pivot_.b, pivot_.transition_b, pivot_.reading_b, pivot_.senses_b, pivot_.text_b);
   }
 
   // A symbol is written before the transition that makes it; what an entry of a state does, after.
   Outcome look_at(const RunIndex& run, const std::vector<std::size_t>& records, Json& one, Json& transition,
-                  Json& reading, std::string& text) {
+                  Json& reading, std::vector<Json>& senses, std::string& text) {
     if (records.empty()) return std::nullopt;
     auto first = run.record(records.front());
     if (!first) return first.error();
@@ -120,8 +124,28 @@ class Inquiry {
       const auto record = run.record(*input);
       if (!record) return record.error();
       pivot_.by_gesture = text_of(member(*record, "event"), "kind") != "speech";
+      if (auto problem = add_senses(run, *input, senses)) return problem;
     }
     text = compact(one) + compact(transition) + compact(reading);
+    return std::nullopt;
+  }
+
+  // Of all that was read in an input.
+  static Outcome add_senses(const RunIndex& run, std::size_t input, std::vector<Json>& senses) {
+    for (const auto n : run.of_kind("reading")) {
+      auto cause = run.cause(n);
+      while (cause && *cause > input) cause = run.cause(*cause);
+      if (cause != input) continue;
+      const auto reading = run.record(n);
+      if (!reading) return reading.error();
+      const auto& entries = member(*reading, "entries");
+      if (!entries.is_array()) continue;
+      for (auto entry : entries) {
+        if (!entry.is_object()) continue;
+        entry.erase("parses");
+        senses.push_back(std::move(entry));
+      }
+    }
     return std::nullopt;
   }
 
@@ -175,14 +199,15 @@ class Inquiry {
   std::string first_kind() const { return text_of(pivot_.a.is_null() ? pivot_.b : pivot_.a, "kind"); }
 
   int relevance_of_machine(const GivenDifference& given, bool reading) const {
-    if (reading) return given.what.starts_with("context") || given.what.starts_with("fusion") ||
-                                given.what.starts_with("program")
-                            ? 60
-                            : 20;
+    if (reading)
+      return given.what.starts_with("context") || given.what.starts_with("fusion") || given.what.starts_with("program")
+                 ? 60
+                 : 20;
     const auto &a = pivot_.transition_a, &b = pivot_.transition_b;
     const auto of_transition = given.what.starts_with("transition");
     if (of_transition && (given.name == text_of(a, "id") || given.name == text_of(b, "id"))) return 95;
-    if (given.what.starts_with("state") && (given.name == text_of(a, "to") || given.name == text_of(b, "to"))) return 85;
+    if (given.what.starts_with("state") && (given.name == text_of(a, "to") || given.name == text_of(b, "to")))
+      return 85;
     if (of_transition)
       for (const char* list : {"candidates", "refused"})
         for (const auto* one : {&a, &b})
@@ -201,41 +226,53 @@ class Inquiry {
   bool says(const GivenDifference& given) const {
     const auto said_in = [](const Json& phrase, const Json& utterance) {
       const auto said = text_of(utterance, "text");
-      return !said.empty() && phrase.dump(-1, ' ', false, Json::error_handler_t::replace).find(said) != std::string::npos;
+      return !said.empty() &&
+             phrase.dump(-1, ' ', false, Json::error_handler_t::replace).find(said) != std::string::npos;
     };
     return said_in(given.a, pivot_.a) || said_in(given.b, pivot_.b);
   }
 
-  // A sense of the words of the same reading that only one run has, or has otherwise.
+  // A sense of the words of the same input that only one run has, or has otherwise: best one of words that the other
+  // run has in no sense, then one that has another term or cost there.
   std::optional<GivenDifference> differing_sense() const {
-    const auto &a = member(pivot_.reading_a, "entries"), &b = member(pivot_.reading_b, "entries");
-    const auto sense = [](Json entry) {
-      entry.erase("parses");
-      return entry;
+    const auto only_a = lacking(pivot_.senses_a, pivot_.senses_b), only_b = lacking(pivot_.senses_b, pivot_.senses_a);
+    const auto sense_of = [](const std::vector<Json>& senses, const Json& sense, bool of_category) -> const Json* {
+      const auto found = std::find_if(senses.begin(), senses.end(), [&](const Json& one) {
+        return text_of(one, "words") == text_of(sense, "words") &&
+               (!of_category || text_of(one, "category") == text_of(sense, "category"));
+      });
+      return found == senses.end() ? nullptr : &*found;
     };
-    const auto lacking = [&](const Json& in, const Json& other) -> std::optional<Json> {
-      if (!in.is_array()) return std::nullopt;
-      for (const auto& one : in) {
-        if (!one.is_object()) continue;
-        const auto same = [&](const Json& entry) { return entry.is_object() && sense(entry) == sense(one); };
-        if (!other.is_array() || std::none_of(other.begin(), other.end(), same)) return sense(one);
-      }
-      return std::nullopt;
+    const auto named = [](const Json& a, const Json& b) {
+      const auto words = text_of(a.is_null() ? b : a, "words");
+      return GivenDifference{"lexicon", words, a, b, words};
     };
-    const auto of_a = lacking(a, b), of_b = lacking(b, a);
-    if (!of_a && !of_b) return std::nullopt;
-    const auto words = text_of(of_a ? *of_a : *of_b, "words");
-    const bool both = of_a && of_b && text_of(*of_a, "words") == text_of(*of_b, "words");
-    GivenDifference found{"lexicon", words, of_a.value_or(Json()), both || !of_a ? of_b.value_or(Json()) : Json(), words};
+    for (const auto& sense : only_a)
+      if (!sense_of(pivot_.senses_b, sense, false)) return named(sense, Json());
+    for (const auto& sense : only_b)
+      if (!sense_of(pivot_.senses_a, sense, false)) return named(Json(), sense);
+    for (const auto& sense : only_a)
+      if (const auto* other = sense_of(only_b, sense, true)) return named(sense, *other);
+    if (!only_a.empty()) return named(only_a.front(), Json());
+    if (!only_b.empty()) return named(Json(), only_b.front());
+    return std::nullopt;
+  }
+
+  static std::vector<Json> lacking(const std::vector<Json>& senses, const std::vector<Json>& other) {
+    std::vector<Json> found;
+    for (const auto& sense : senses)
+      if (std::find(other.begin(), other.end(), sense) == other.end()) found.push_back(sense);
     return found;
   }
 
   // The same parts, and another result.
   void without_givens() {
     if (pivot_.kind == RunDifference::Kind::poses)
-      diff_.cause = {"physics only", "", Json(), Json(), "nothing that the runs were made of differs, only where bodies are"};
+      diff_.cause = {"physics only", "", Json(), Json(),
+                     "nothing that the runs were made of differs, only where bodies are"};
     else if (pivot_.kind == RunDifference::Kind::timing)
-      diff_.cause = {"timing only", "", Json(), Json(), "nothing that the runs were made of differs, only when things happened"};
+      diff_.cause = {"timing only", "", Json(), Json(),
+                     "nothing that the runs were made of differs, only when things happened"};
     else if (const auto value = refusing_value())
       diff_.cause = *value;
     else
@@ -252,7 +289,8 @@ class Inquiry {
 
   std::optional<RootCause> refusing_value() const {
     const auto id_a = text_of(pivot_.transition_a, "id"), id_b = text_of(pivot_.transition_b, "id");
-    for (const auto& [id, in, other] : {std::tuple(id_a, &pivot_.transition_b, "B"), std::tuple(id_b, &pivot_.transition_a, "A")})
+    for (const auto& [id, in, other] :
+         {std::tuple(id_a, &pivot_.transition_b, "B"), std::tuple(id_b, &pivot_.transition_a, "A")})
       if (const auto reason = reason_for(*in, id); !reason.empty())
         return RootCause{"condition value", fmt::format("transition '{}'", id), Json(), Json(),
                          fmt::format("'{}' does not apply in {}: {}", id, other, reason)};
@@ -265,7 +303,8 @@ class Inquiry {
     tell_referents();
     const auto &a = pivot_.transition_a, &b = pivot_.transition_b;
     if (member(a, "draw") != member(b, "draw"))
-      diff_.evidence.push_back(fmt::format("the draw is {} in A, {} in B", compact(member(a, "draw")), compact(member(b, "draw"))));
+      diff_.evidence.push_back(
+          fmt::format("the draw is {} in A, {} in B", compact(member(a, "draw")), compact(member(b, "draw"))));
   }
 
   // Objects that the same noun phrase may mean in one run and not in the other.
