@@ -1,0 +1,154 @@
+#include "replay/explain.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "replay/explain_derivation.h"
+#include "replay/explain_headline.h"
+#include "replay/explain_scope.h"
+#include "replay/explain_stack.h"
+#include "replay/explain_steps.h"
+#include "replay/line_scan.h"
+#include "replay/run_brief.h"
+#include "replay/run_views.h"
+
+namespace continua {
+namespace {
+
+// A number that a record of a line has, without making a tree of it.
+std::optional<std::int64_t> number_of(const RunIndex& run, std::size_t n, std::string_view key) {
+  std::optional<std::int64_t> number;
+  if (const auto line = run.line(n))
+    scan_members(*line, [&](std::string_view name, std::string_view value) {
+      if (name.size() == key.size() && name == key) number = number_in<std::int64_t>(value);
+    });
+  return number;
+}
+
+// The first record of a kind that has this number, and the numbers there are, for those who ask for another.
+Result<std::size_t> numbered(const RunIndex& run, const char* kind, const char* key, std::int64_t wanted) {
+  std::optional<std::int64_t> least, most;
+  for (const auto n : run.of_kind(kind)) {
+    const auto number = number_of(run, n, key);
+    if (!number) continue;
+    if (*number == wanted) return n;
+    least = std::min(least.value_or(*number), *number);
+    most = std::max(most.value_or(*number), *number);
+  }
+  const auto noun = std::string(key);
+  if (!least) return Error{run.path(), fmt::format("found no {}s; expected {} {}", noun, noun, wanted)};
+  return Error{run.path(), fmt::format("there is no {} {}; the log has {}", noun, wanted,
+                                       least == most ? fmt::format("{} {} alone", noun, *most)
+                                                     : fmt::format("{}s {} to {}", noun, *least, *most))};
+}
+
+// Of what one cause brought about, this is what a reader asks for.
+constexpr std::array<std::string_view, 4> deeds = {"act", "utterance", "gesture", "refusal"};
+
+std::size_t rank(const RunIndex& run, std::size_t n) {
+  return static_cast<std::size_t>(std::find(deeds.begin(), deeds.end(), run.kind(n)) - deeds.begin());
+}
+
+bool is_deed(const RunIndex& run, std::size_t n) {
+  const auto place = rank(run, n);
+  if (place == deeds.size()) return false;
+  const auto cause = run.cause(n);
+  if (run.kind(n) == "act") return !cause || run.kind(*cause) != "act";  // asked for, and not how it goes on
+  return run.kind(n) != "refusal" || !cause || !is_pointing_sample(run, *cause);
+}
+
+Result<std::size_t> last_deed(const RunIndex& run, double until_s) {
+  std::optional<std::size_t> last, first;
+  for (std::size_t n = 0; n < run.size(); ++n) {
+    if (!is_deed(run, n)) continue;
+    if (!first) first = n;
+    if (run.entry(n).t.seconds() > until_s) continue;
+    const bool together = last && run.cause(n) == run.cause(*last) && run.entry(n).t == run.entry(*last).t;
+    if (!together || rank(run, n) < rank(run, *last)) last = n;
+  }
+  if (last) return *last;
+  if (!first) return Error{run.path(), "the avatar did and refused nothing in this log"};
+  return Error{run.path(), fmt::format("the avatar did and refused nothing until {}; the first is at {}",
+                                       seconds_text(until_s), seconds_text(run.entry(*first).t.seconds()))};
+}
+
+// What an expectation was held against last: the deed that it speaks of, else the decision before it.
+std::size_t held_against(const RunIndex& run, std::size_t expect) {
+  const auto record = run.record(expect);
+  const auto expected = record ? member_of(*record, "expected") : Json();
+  const auto found = record ? member_of(*record, "found") : Json();
+  const auto differs = [&](const char* key) {
+    return expected.is_object() && expected.contains(key) && member_of(expected, key) != member_of(found, key);
+  };
+  const std::string_view wanted = differs("says") ? "utterance" : differs("act") ? "act" : "transition";
+  std::size_t decision = expect;
+  for (auto n = expect; n-- > 0;) {
+    if (run.kind(n) == wanted && (wanted != "act" || is_deed(run, n))) return n;
+    if (decision == expect && (run.kind(n) == "transition" || is_deed(run, n))) decision = n;
+  }
+  return decision;
+}
+
+Json brief_json(ExplainScope& scope, std::size_t n) {
+  return {{"n", n},
+          {"t", scope.run().entry(n).t.seconds()},
+          {"kind", scope.run().kind(n)},
+          {"brief", brief(scope.record(n))}};
+}
+
+}  // namespace
+
+Result<std::size_t> asked_record(const RunIndex& run, const ExplainQuestion& question) {
+  if (question.step) return numbered(run, "transition", "step", *question.step);
+  if (question.act) return numbered(run, "act", "act", *question.act);
+  if (question.at_s) return last_deed(run, *question.at_s);
+  if (!question.record) return record_of_interest(run);
+  if (*question.record < run.size()) return *question.record;
+  return Error{run.path(), fmt::format("there is no record {}; the log has records 0 to {}", *question.record,
+                                       run.size() - 1)};
+}
+
+Result<Json> explain(const RunIndex& run, std::size_t n) {
+  const auto record = run.record(n);
+  if (!record) return record.error();
+  const auto header = run.record(0);
+  if (!header) return header.error();
+  auto about = n;
+  if (run.kind(n) == "expect") about = held_against(run, n);
+  if (run.kind(n) == "act")
+    if (const auto cause = run.cause(n); cause && run.kind(*cause) == "act") about = *cause;
+  ExplainScope scope(run, about);
+  ExplainScope own(run, n);
+  auto act = explained_act(scope, about);
+  Json told{{"run", run.path()},
+            {"n", n},
+            {"t", run.entry(n).t.seconds()},
+            {"kind", run.kind(n)},
+            {"brief", brief(*record)},
+            {"headline", headline(own, act)},
+            {"about", about}};
+  if (run.kind(n) == "expect" && about != n)
+    told["headline"] = told["headline"].get<std::string>() + " " + headline(scope, act);
+  auto& chain = told["chain"] = Json::array();
+  for (const auto at : own.chain()) chain.push_back(brief_json(own, at));
+  told["inputs"] = explained_inputs(scope);
+  const auto& graph = member_of(*header, "graph");
+  told["steps"] = explained_steps(scope, graph);
+  told["refused"] = run.kind(about) == "refusal" ? explained_refusals(scope.record(about), graph) : Json();
+  auto stack = explained_stack(scope);
+  if (!stack) return stack.error();
+  told["stack"] = *std::move(stack);
+  told["derivation"] = derivation_of(scope);
+  told["act"] = std::move(act);
+  told["brought_about"] = brought_about(scope, about);
+  const auto cause = run.cause(about);
+  told["along"] = cause ? brought_about(scope, *cause) : Json::array();
+  std::erase_if(told["along"].get_ref<Json::array_t&>(), [&](const Json& one) { return one["n"] == about; });
+  told["trouble"] = run.trouble();
+  return told;
+}
+
+}  // namespace continua
