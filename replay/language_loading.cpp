@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "composition/methods.h"
+#include "core/digest.h"
 #include "core/located_json.h"
 #include "language/vocabulary.h"
 #include "machine_file/machine_loader.h"
@@ -27,7 +28,40 @@ std::vector<std::string> folders_in(const fs::path& folder) {
   return names;
 }
 
+fs::path lexicon_folder(const DataPaths& data, const std::string& name) {
+  const auto known = data.knowledge / "lexicon" / name;
+  return is_folder(known) ? known : fs::path(name);
+}
+
+// Of the files below `folder` (or of the one file), as `name` followed by their paths in it.
+void add_digests(const fs::path& folder, const std::string& name, const std::string& ending, Json& digests) {
+  std::error_code problem;
+  std::vector<std::pair<std::string, fs::path>> files;
+  if (fs::is_regular_file(folder, problem)) files.emplace_back(name, folder);
+  for (auto file = fs::recursive_directory_iterator(folder, problem); file != fs::end(file); file.increment(problem))
+    if (file->path().extension() == ending)
+      files.emplace_back(name + "/" + file->path().lexically_relative(folder).generic_string(), file->path());
+  std::sort(files.begin(), files.end());
+  for (const auto& [key, path] : files)
+    if (const auto text = read_file(path.string())) digests[key] = digest(*text);
+}
+
 }  // namespace
+
+Json knowledge_digests(const DataPaths& data, const Machine& machine) {
+  Json digests = Json::object();
+  const auto name_of = [](const fs::path& path) { return path.filename().string(); };
+  if (!machine.lexicon.empty()) {
+    const auto folder = lexicon_folder(data, machine.lexicon);
+    add_digests(folder, "lexicon/" + name_of(folder), ".json", digests);
+  }
+  if (!machine.gestures.empty())
+    if (const auto path = resolve_gestures(machine.gestures, data, ""))
+      add_digests(*path, "gestures/" + name_of(*path), ".json", digests);
+  add_digests(data.knowledge / "raising.json", "raising.json", ".json", digests);
+  add_digests(data.knowledge / "voxemes", "voxemes", ".xml", digests);
+  return digests;
+}
 
 Signature names_of_terms() {
   auto names = term_signature();
@@ -37,11 +71,11 @@ Signature names_of_terms() {
 
 Result<std::shared_ptr<const Lexicon>> load_named_lexicon(const DataPaths& data, const std::string& name,
                                                           const std::string& where) {
-  const auto known = data.knowledge / "lexicon";
-  const auto folder = is_folder(known / name) ? known / name : fs::path(name);
+  const auto folder = lexicon_folder(data, name);
   if (!is_folder(folder))
     return Error{where, fmt::format("there is no lexicon {}{}; expected a folder, or a name in {}", in_quotes(name),
-                                    did_you_mean(name, folders_in(known)), known.lexically_normal().string())};
+                                    did_you_mean(name, folders_in(data.knowledge / "lexicon")),
+                                    (data.knowledge / "lexicon").lexically_normal().string())};
   auto lexicon = load_lexicon(folder.lexically_normal().string(), names_of_terms());
   if (!lexicon) return lexicon.error();
   return std::make_shared<const Lexicon>(*std::move(lexicon));

@@ -23,6 +23,10 @@ Result<Machine> load_machine(const std::string& path, const DataPaths& data);
 /// error is the first problem of a file, or that there is no such lexicon or such gestures.
 Result<Language> load_language(const DataPaths& data, const Machine& machine);
 
+/// What load_language reads for this machine, as a run's header has it: {"lexicon/NAME/FILE": digest of its bytes, …},
+/// the machine's gestures, the raising rules and all voxemes likewise. Files that cannot be read are left out.
+Json knowledge_digests(const DataPaths& data, const Machine& machine);
+
 /// A lexicon by its name in knowledge/lexicon, or by its path. `where` is the error's place.
 Result<std::shared_ptr<const Lexicon>> load_named_lexicon(const DataPaths& data, const std::string& name,
                                                           const std::string& where);

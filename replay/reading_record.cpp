@@ -1,5 +1,6 @@
 #include "replay/reading_record.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -77,6 +78,28 @@ Json json_of(const Resolution& resolution) {
   return object;
 }
 
+// The senses that the parses are made of, each once, with the parses that have it where not all do.
+Json entries_of(const std::vector<Reading>& parses) {
+  std::vector<std::pair<Json, std::vector<std::size_t>>> entries;
+  for (std::size_t i = 0; i < parses.size(); ++i)
+    for (const auto& sense : parses[i].senses) {
+      Json entry{{"words", sense.words}};
+      if (!sense.category.empty()) entry["category"] = sense.category;
+      if (!sense.category.empty()) entry["term"] = print(sense.term);
+      entry["cost"] = sense.cost;
+      const auto same = [&](const auto& other) { return other.first == entry; };
+      auto known = std::find_if(entries.begin(), entries.end(), same);
+      if (known == entries.end()) known = entries.emplace(entries.end(), std::move(entry), std::vector<std::size_t>());
+      if (known->second.empty() || known->second.back() != i) known->second.push_back(i);
+    }
+  Json json = Json::array();
+  for (auto& [entry, of] : entries) {
+    if (of.size() < parses.size()) entry["parses"] = of;
+    json.push_back(std::move(entry));
+  }
+  return json;
+}
+
 Json json_of(const Gap& gap) {
   return {{"type", gap.type.text()}, {"why", text(gap.why)}, {"choices", gap.choices}, {"words", gap.words}};
 }
@@ -106,6 +129,8 @@ Json reading_fields(const Move& move, Json because) {
     fields["resolved"] = std::move(resolved);
     fields["rank"] = move.chosen;
     fields["parses"] = std::move(parses);
+    fields["entries"] = entries_of(move.readings);
+    if (!reading.rules.empty()) fields["rules"] = reading.rules;
   }
   if (const auto referents = referents_of(move)) {
     fields["referents"] = *referents;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace continua {
 namespace {
@@ -26,7 +28,8 @@ bool is_decision(std::string_view kind) {
 // Numbers of records count poses too, and when an act ends is measured, as are margins and weights: none is a decision.
 std::optional<Json> DecisionOrder::next(std::string_view kind, double t_s, Json fields) {
   if (!is_decision(kind)) return std::nullopt;
-  for (const char* field : {"because", "margin", "result", "weights", "resolved"}) fields.erase(field);
+  for (const char* field : {"because", "margin", "result", "weights", "resolved", "entries", "rules"})
+    fields.erase(field);
   // Why a condition did not hold may be measured: values of the world at that moment.
   if (fields.contains("refused") && fields["refused"].is_array())
     for (auto& refused : fields["refused"])
@@ -54,12 +57,41 @@ std::vector<Json> DecisionOrder::outcomes() const {
   return all;
 }
 
+double margin_of(std::string_view kind, const Json& fields) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto note = [&](const Json& object) {
+    if (!object.is_object()) return;
+    const auto margin = object.find("margin");
+    if (margin != object.end() && margin->is_number()) least = std::min(least, std::abs(margin->get<double>()));
+  };
+  if (kind != "transition" && kind != "reading") return least;
+  note(fields);
+  if (const auto resolved = fields.find("resolved"); resolved != fields.end())
+    for (const auto& resolution : *resolved) note(resolution);
+  return least;
+}
+
 int RunLog::write(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause) {
+  if (next_ % records_per_block == records_per_block - 1) close_block(t);
+  if (const double margin = margin_of(kind, fields); margin < fragile_margin)
+    fragile_.push_back({{"n", next_}, {"margin", margin}});
+  return write_line(kind, t, fields, cause);
+}
+
+void RunLog::close_block(SimTime t) {
+  const auto digest = block_.text();
+  block_ = RunningDigest();
+  block_.add(digest);
+  write_line("block", t, {{"records", {next_ - records_per_block + 1, next_ - 1}}, {"digest", digest}}, std::nullopt);
+}
+
+int RunLog::write_line(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause) {
   Json record{{"kind", kind}, {"n", next_}, {"t", t.seconds()}};
   if (cause) record["cause"] = *cause;
   for (const auto& [key, value] : fields.items()) record[key] = value;
   const auto line = compact(record) + "\n";
   all_.add(line);
+  block_.add(line);
   if (kind == "pose") physics_.add(line);
   if (const auto decision = decision_order_.next(kind, t.seconds(), fields)) decisions_.add(compact(*decision));
   ++counts_[std::string(kind)];
@@ -70,9 +102,13 @@ int RunLog::write(std::string_view kind, SimTime t, const Json& fields, std::opt
 
 void RunLog::finish(SimTime t) {
   for (const auto& outcome : decision_order_.outcomes()) decisions_.add(compact(outcome));
-  const Json fields{
-      {"counts", counts_}, {"decisions", decisions_.text()}, {"physics", physics_.text()}, {"digest", all_.text()}};
-  write("end", t, fields);
+  if (next_ % records_per_block == records_per_block - 1) close_block(t);
+  const Json fields{{"counts", counts_},
+                    {"fragile", std::move(fragile_)},
+                    {"decisions", decisions_.text()},
+                    {"physics", physics_.text()},
+                    {"digest", all_.text()}};
+  write_line("end", t, fields, std::nullopt);
 }
 
 }  // namespace continua

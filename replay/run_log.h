@@ -32,6 +32,16 @@ class DecisionOrder {
   std::map<std::int64_t, Json> outcomes_;
 };
 
+/// Every so many records the last one is a `block`, which states a digest of the others.
+inline constexpr int records_per_block = 256;
+
+/// A decision nearer than this to another one is fragile: the smallest step that decisions see of the world, metres
+/// (world/geometry.h), and as much of any other number that was compared.
+inline constexpr double fragile_margin = 1e-4;
+
+/// How near the record's decisions were to others: the smallest `margin` in it, infinity without any.
+double margin_of(std::string_view kind, const Json& fields);
+
 class RunLog {
  public:
   /// Every line is written to `out` at once and whole; `out` must outlive the log.
@@ -47,10 +57,14 @@ class RunLog {
   const std::map<std::string, int>& counts() const { return counts_; }
 
  private:
+  int write_line(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause);
+  void close_block(SimTime t);
+
   std::ostream& out_;
   int next_ = 0;
+  Json fragile_ = Json::array();  ///< {"n", "margin"}
   std::map<std::string, int> counts_;
-  RunningDigest all_, decisions_, physics_;
+  RunningDigest all_, block_, decisions_, physics_;
   DecisionOrder decision_order_;
 };
 

@@ -28,6 +28,7 @@ Json run_fields(const RunHeader& header) {
       {"lexicon", header.lexicon_name.empty() ? Json(nullptr)
                                               : Json{{"name", header.lexicon_name}, {"digest", header.lexicon_digest}}},
       {"voxemes", header.voxemes_digest.empty() ? Json(nullptr) : Json{{"digest", header.voxemes_digest}}},
+      {"knowledge", header.knowledge},
       {"learned", header.learned},
       {"graph", header.graph},
       {"scene", std::move(scene)}};

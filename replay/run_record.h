@@ -23,6 +23,7 @@ struct RunHeader {
   Json phrases_document;
   Json learned;                              ///< what was taught before the run; null: nothing
   std::string voxemes_digest;                ///< empty if there are none
+  Json knowledge = Json::object();           ///< {path below the knowledge folder: digest} of the files it draws on
   std::string lexicon_name, lexicon_digest;  ///< empty if the machine has none
   std::string scene_name, scene_digest, scene_mjcf;
   Json scene_description;                   ///< {"geoms", "bodies"}

@@ -36,6 +36,7 @@ struct LoadedSession {
   std::unique_ptr<Body> body;
   std::map<int, std::size_t> forced;  ///< step → transition
   Learned learned;                    ///< when the run begins
+  Json knowledge;                     ///< digests of its files
   std::optional<Learned> learned_at_end;
 };
 
@@ -129,6 +130,7 @@ class Loop {
       header.lexicon_name = loaded_.machine->lexicon;
       header.lexicon_digest = loaded_.language->lexicon->digest;
     }
+    header.knowledge = loaded_.knowledge;
     header.voxemes_digest = loaded_.language->voxemes->digest();
     header.scene_name = std::filesystem::path(loaded_.scene.path()).stem().string();
     header.scene_digest = digest(loaded_.scene.text());
@@ -314,6 +316,7 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   auto forced = forced_of(options, *machine);
   if (!forced) return forced.error();
 
+  auto knowledge = knowledge_digests(*data, *machine);
   auto warning = warning_of_voxemes(*scene, *language->voxemes, data->knowledge.string());
   std::unique_ptr<Body> body;
   if (options.physics) {
@@ -332,6 +335,7 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
                                                                std::move(body),
                                                                std::move(*forced),
                                                                std::move(*learned),
+                                                               std::move(knowledge),
                                                                {}}));
 }
 

@@ -159,7 +159,7 @@ void Chart::change_categories() {
       Agreement agreement;
       if (!agreement.agree(rule.from, from.category)) continue;
       add({agreement.settled_one(rule.to), applied(rule.term, from.term), from.cost + rule.cost, span_, Rule::unary,
-           number, number, from.unary + 1});
+           number, number, from.unary + 1, &rule});
     }
   }
 }

@@ -27,7 +27,8 @@ class Chart {
     Rule rule = Rule::word;
     /// What it was made of, by number; with one part, `right` is `left`.
     std::size_t left = 0, right = 0;
-    int unary = 0;  ///< unary rules at its top
+    int unary = 0;                          ///< unary rules at its top
+    const UnaryRule* changed_by = nullptr;  ///< under Rule::unary
   };
 
   /// Longest phrase, in words; most entries of a span, and of one category among them.

@@ -144,6 +144,7 @@ class Segment {
     });
     if (known) return;
     collect_phrases(number, reading);
+    collect_senses(number, reading);
     std::stable_sort(reading.phrases.begin(), reading.phrases.end(), [](const Phrase& a, const Phrase& b) {
       return a.words.begin != b.words.begin ? a.words.begin < b.words.begin : a.words.size() > b.words.size();
     });
@@ -164,6 +165,29 @@ class Segment {
     if (entry.rule == Chart::Rule::word) return;
     collect_phrases(entry.left, reading);
     if (entry.right != entry.left) collect_phrases(entry.right, reading);
+  }
+
+  void collect_senses(std::size_t number, Reading& reading) const {
+    const auto& entry = chart_.entry(number);
+    if (entry.rule == Chart::Rule::word) {
+      const auto words = text_of(entry.words);
+      return reading.senses.push_back({words, entry.category.text(), with_nice_variables(entry.term), entry.cost});
+    }
+    collect_senses(entry.left, reading);
+    if (entry.right != entry.left) collect_senses(entry.right, reading);
+    if (entry.rule == Chart::Rule::unary) reading.rules.push_back(entry.changed_by->name);
+    if (entry.rule != Chart::Rule::skip) return;
+    const auto& passed_by = chart_.entry(entry.left);
+    const WordSpan passed{passed_by.words.end, entry.words.end};
+    for (const auto& skippable : chart_.skippable(passed.begin))
+      if (skippable.known && skippable.count == passed.size())
+        return reading.senses.push_back({text_of(passed), "", Term::null(), skippable.cost});
+  }
+
+  std::string text_of(const WordSpan& span) const {
+    std::string words;
+    for (auto at = span.begin; at < span.end; ++at) words += (words.empty() ? "" : " ") + words_[at].text;
+    return words;
   }
 
   void collect_unused(std::size_t number, std::vector<std::size_t>& unused) const {

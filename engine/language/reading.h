@@ -21,15 +21,25 @@ struct Phrase {
   WordSpan words;
 };
 
+/// A sense of a word as a reading uses it: what the lexicon, or an attribute of the scene, says of it.
+struct UsedSense {
+  std::string words;     ///< as the entry has them, several with spaces between them
+  std::string category;  ///< as the entry has it; empty: they were passed over, as it allows
+  Term term;             ///< null where they were passed over
+  double cost = 0;
+};
+
 /// One way to understand some words. The term still says `the(\x. cup(x) and blue(x))` and `it`: what is meant by them
 /// is found by interpretation (language/interpretation.h). What a command lacks is a variable:
 /// "put the knife" is \v. put(the(\x. knife(x)), v) of type loc -> t.
 struct Reading {
   Term term;
-  std::string category;         ///< of the words as a whole: "S", "NP", "S/PP"
-  std::string move;             ///< what kind of move that is, as the lexicon says: V, N, P, y, n, …
-  double cost = 0;              ///< smaller is likelier
-  std::vector<Phrase> phrases;  ///< in order of their words, longer ones first
+  std::string category;            ///< of the words as a whole: "S", "NP", "S/PP"
+  std::string move;                ///< what kind of move that is, as the lexicon says: V, N, P, y, n, …
+  double cost = 0;                 ///< smaller is likelier
+  std::vector<Phrase> phrases;     ///< in order of their words, longer ones first
+  std::vector<UsedSense> senses;   ///< in order of their words
+  std::vector<std::string> rules;  ///< names of the lexicon's unary rules that it takes, in order of their words
 };
 
 /// Words that belong together, with their readings, the likeliest first; never without one.
