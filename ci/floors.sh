@@ -27,7 +27,7 @@ replay/session_import*        core world perception replay/trace_* replay/sessio
 replay/session_notation*      core world perception
 replay/run_*                  core replay/run_* replay/line_scan.h
 replay/line_scan.h            core
-replay/explain*               core replay/run_*
+replay/explain*               core replay/run_* replay/line_scan.h replay/explain*
 replay/pictures/*             core world simulation/renderer.h replay/run_* replay/pictures/*
 replay/exporters/*            core replay/run_* replay/exporters/*
 replay/inspector_api*         core replay/run_* replay/line_scan.h replay/exporters/*

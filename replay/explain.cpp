@@ -107,8 +107,8 @@ Result<std::size_t> asked_record(const RunIndex& run, const ExplainQuestion& que
   if (question.at_s) return last_deed(run, *question.at_s);
   if (!question.record) return record_of_interest(run);
   if (*question.record < run.size()) return *question.record;
-  return Error{run.path(), fmt::format("there is no record {}; the log has records 0 to {}", *question.record,
-                                       run.size() - 1)};
+  return Error{run.path(),
+               fmt::format("there is no record {}; the log has records 0 to {}", *question.record, run.size() - 1)};
 }
 
 Result<Json> explain(const RunIndex& run, std::size_t n) {
@@ -137,6 +137,7 @@ Result<Json> explain(const RunIndex& run, std::size_t n) {
   told["inputs"] = explained_inputs(scope);
   const auto& graph = member_of(*header, "graph");
   told["steps"] = explained_steps(scope, graph);
+  told["choice"] = member_of(*header, "choice");
   told["refused"] = run.kind(about) == "refusal" ? explained_refusals(scope.record(about), graph) : Json();
   auto stack = explained_stack(scope);
   if (!stack) return stack.error();

@@ -29,8 +29,8 @@ std::string listed(ExplainScope& scope, const std::vector<std::size_t>& inputs) 
       told.push_back(told_input(scope, input));
   if (samples == 1)
     told.push_back(told_input(scope, *std::find_if(inputs.begin(), inputs.end(), [&](std::size_t input) {
-      return kind_of_input(scope, input) == "pointing";
-    })));
+                                return kind_of_input(scope, input) == "pointing";
+                              })));
   if (samples > 1) told.push_back(fmt::format("{} samples of pointing", samples));
   if (told.size() > most_named + 1) {
     const auto more = told.size() - most_named;
@@ -69,8 +69,7 @@ std::string left_open(ExplainScope& scope, std::size_t input) {
   if (readings.empty()) return {};
   const Json& reading = scope.record(readings.back());
   const auto& unknown = member_of(reading, "unknown");
-  if (unknown.is_array() && !unknown.empty())
-    return fmt::format("nobody knows “{}”", alternatives_text(unknown));
+  if (unknown.is_array() && !unknown.empty()) return fmt::format("nobody knows “{}”", alternatives_text(unknown));
   if (reading.contains("move") && reading["move"].is_null()) return "nothing of it was understood";
   if (const auto& missing = member_of(reading, "missing"); missing.is_array() && !missing.empty()) {
     const auto& first = missing.front();
@@ -96,8 +95,8 @@ std::string happened(ExplainScope& scope) {
   }
   if (kind == "gesture") return "the avatar gestures " + of("gesture");
   if (kind == "act")
-    return record.contains("step") ? fmt::format("step {} of act {}, {}, is {}", of("step"), of("act"), of("program"),
-                                                 of("status"))
+    return record.contains("step")
+               ? fmt::format("step {} of act {}, {}, is {}", of("step"), of("act"), of("program"), of("status"))
            : of("status") == "asked" ? "the avatar does " + of("program")
                                      : fmt::format("act {}, {}, is {}", of("act"), of("program"), of("status"));
   if (kind == "transition")
@@ -108,9 +107,9 @@ std::string happened(ExplainScope& scope) {
     const auto what = of("words").empty() ? "what was shown" : quoted(of("words"));
     if (of("move").empty()) return what + " is not understood";
     const auto& referents = member_of(record, "referents");
-    const auto meaning = !of("meaning").empty()        ? of("meaning")
+    const auto meaning = !of("meaning").empty()                       ? of("meaning")
                          : referents.is_array() && !referents.empty() ? alternatives_text(referents)
-                                                       : std::string();
+                                                                      : std::string();
     return meaning.empty() ? fmt::format("{} is taken as {}", what, of("move"))
                            : fmt::format("{} is taken to mean {}, as {}", what, meaning, of("move"));
   }
@@ -120,7 +119,8 @@ std::string happened(ExplainScope& scope) {
   }
   if (kind == "application")
     return fmt::format("{} is applied to {} and gives {}", of("function"), of("argument"), of("result"));
-  if (kind == "learned") return fmt::format("the avatar learns that the {} {} means {}", of("of"), of("name"), of("value"));
+  if (kind == "learned")
+    return fmt::format("the avatar learns that the {} {} means {}", of("of"), of("name"), of("value"));
   if (kind == "forgotten") return fmt::format("the avatar forgets the {} {}", of("of"), of("name"));
   if (kind == "memory") return fmt::format("the register {} becomes {}", of("register"), of("value"));
   if (kind == "belief") return fmt::format("{} is certain to {}, before {}", of("concept"), of("value"), of("was"));
@@ -141,8 +141,7 @@ std::string led_to(ExplainScope& scope, std::size_t input) {
     const auto& kind = run.kind(n);
     if (kind == "utterance") told.push_back("the avatar says " + quoted(text_of(record, "text")));
     if (kind == "gesture") told.push_back("it gestures " + text_of(record, "gesture"));
-    if (kind == "act" && text_of(record, "status") == "asked")
-      told.push_back("it does " + text_of(record, "program"));
+    if (kind == "act" && text_of(record, "status") == "asked") told.push_back("it does " + text_of(record, "program"));
     if (kind == "refusal") told.push_back(fmt::format("{} refuses it", text_of(record, "state")));
     if (kind == "reading" && !text_of(record, "meaning").empty() && member_of(record, "taken") != false)
       told.push_back("it is taken to mean " + text_of(record, "meaning"));
@@ -159,8 +158,9 @@ std::string expectation(ExplainScope& scope, const Json& expect) {
       if (const auto& seen = member_of(found, key.c_str()); seen != value || member_of(expect, "met") == true)
         differs += fmt::format("{}{} {}{}", differs.empty() ? "" : "; ", key, compact(value),
                                seen == value ? "" : ", found " + compact(seen));
-  return fmt::format("At {} the expectation of line {} is {}: {}", seconds_text(scope.run().entry(scope.n()).t.seconds()),
-                     text_of(expect, "line"), member_of(expect, "met") == false ? "not met" : "met", differs);
+  return fmt::format("At {} the expectation of line {} is {}: {}",
+                     seconds_text(scope.run().entry(scope.n()).t.seconds()), text_of(expect, "line"),
+                     member_of(expect, "met") == false ? "not met" : "met", differs);
 }
 
 }  // namespace
@@ -221,15 +221,16 @@ Json explained_act(ExplainScope& scope, std::size_t n) {
     if (const auto reason = text_of(result, "reason"); !reason.empty())
       sentence += (status == "done" ? ": " : ", ") + reason;
     if (const auto& retries = member_of(result, "retries"); retries.is_array() && !retries.empty())
-      sentence += fmt::format("; {} had failed before: {}", retries.size() == 1 ? "one attempt" : fmt::format("{} attempts", retries.size()),
+      sentence += fmt::format("; {} had failed before: {}",
+                              retries.size() == 1 ? "one attempt" : fmt::format("{} attempts", retries.size()),
                               alternatives_text(retries));
     if (const auto& aside = member_of(result, "moved_aside"); aside.is_array() && !aside.empty())
       sentence += fmt::format("; {} had to make room", alternatives_text(aside));
     sentence += ".";
   }
-  return {{"act", member_of(first, "act")}, {"program", member_of(first, "program")},
-          {"asked", asked},                 {"records", std::move(records)},
-          {"outcome", std::move(outcome)},  {"sentence", std::move(sentence)}};
+  return {
+      {"act", member_of(first, "act")}, {"program", member_of(first, "program")}, {"asked", asked},
+      {"records", std::move(records)},  {"outcome", std::move(outcome)},          {"sentence", std::move(sentence)}};
 }
 
 }  // namespace continua

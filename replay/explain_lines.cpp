@@ -9,12 +9,28 @@ std::size_t columns_of(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// Where the word that begins at `from` ends; a number and its unit, which is one letter, count as one word.
+std::size_t word_end(std::string_view text, std::size_t from) {
+  const auto end = std::min(text.find(' ', from), text.size());
+  const bool number = end > from && is_digit(text[end - 1]) && (is_digit(text[from]) || text[from] == '(');
+  const bool unit =
+      end + 1 < text.size() && text[end + 1] == 's' &&
+      (end + 2 == text.size() || std::string_view(" ),.;:").find(text[end + 2]) != std::string_view::npos);
+  return number && unit ? std::min(text.find(' ', end + 1), text.size()) : end;
+}
+
+}  // namespace
+
 std::string wrapped(std::string_view text, std::string_view indent, std::string_view hanging, std::size_t width) {
   std::string out;
   std::string line(indent);
   bool empty = true;
   for (std::size_t at = 0; at <= text.size();) {
-    const auto end = std::min(text.find(' ', at), text.size());
+    const auto end = word_end(text, at);
     const auto word = text.substr(at, end - at);
     if (!empty && columns_of(line) + 1 + columns_of(word) > width) {
       out += line + "\n";

@@ -18,8 +18,13 @@ using Found = std::optional<Json>;
 
 std::string string_of(const Json& value) { return value.is_string() ? value.get<std::string>() : compact(value); }
 
+// Whether the list has the value, or all that the value lists.
 bool lists(const Json& list, const std::string& value) {
-  return list.is_array() && std::any_of(list.begin(), list.end(), [&](const Json& one) { return one == value; });
+  if (!list.is_array()) return false;
+  const auto has = [&](const std::string& text) { return std::find(list.begin(), list.end(), text) != list.end(); };
+  const auto parts = term_parts(value);
+  return parts.head.empty() && !parts.elements.empty() ? std::all_of(parts.elements.begin(), parts.elements.end(), has)
+                                                       : has(value);
 }
 
 Json origin(ExplainScope& scope, const char* kind, std::string text, std::size_t n) {
@@ -34,12 +39,12 @@ Json origin(ExplainScope& scope, const char* kind, std::string text, std::size_t
 Found found_in_turn(ExplainScope& scope, const std::string& value, std::size_t input, std::size_t at, int depth);
 
 // How the log names ways to resolve a phrase, and what a reader may call them.
-constexpr std::array<std::pair<const char*, const char*>, 4> ways{{
-    {"focus", "what was talked about"},
-    {"topic", "the noun that was used last"},
-    {"pointed", "what was pointed at"},
-    {"presence", "who speaks or listens"},
-}};
+struct Way {
+  const char* by;
+  const char* text;
+};
+constexpr std::array ways{Way{"focus", "what was talked about"}, Way{"topic", "the noun that was used last"},
+                          Way{"pointed", "what was pointed at"}, Way{"presence", "who speaks or listens"}};
 
 // The latest turn before this one that has the value.
 Found found_before(ExplainScope& scope, const std::string& value, std::size_t input, int depth) {
@@ -56,7 +61,8 @@ Found found_pointing(ExplainScope& scope, const std::string& words, std::size_t 
     for (const auto& bound : member_of(scope.record(n), "bound")) {
       if (text_of(bound, "words") != words) continue;
       const auto& deixis = member_of(bound, "deixis");
-      std::string hand = text_of(deixis, "hand"), text = hand.empty() ? "a pointing" : "the " + hand + " hand’s pointing";
+      std::string hand = text_of(deixis, "hand"),
+                  text = hand.empty() ? "a pointing" : "the " + hand + " hand’s pointing";
       if (const auto& from = member_of(deixis, "from"); from.is_number())
         text += fmt::format(" ({})", seconds_text(from.get<double>()));
       auto found = origin(scope, "pointing", text, n);
@@ -84,19 +90,33 @@ Found found_taught(ExplainScope& scope, const std::string& name, std::size_t at)
   return std::nullopt;
 }
 
+// The origin, with the lesson that it goes back to where there is one of this name.
+Json with_lesson(ExplainScope& scope, Json found, const std::string& name, std::size_t at) {
+  if (name.empty()) return found;
+  if (auto taught = found_taught(scope, name, at)) {
+    found["text"] = found["text"].get<std::string>() + ", " + (*taught)["text"].get<std::string>();
+    found["from"] = *std::move(taught);
+  }
+  return found;
+}
+
+std::string gesture_of(ExplainScope& scope, std::size_t input) {
+  return text_of(member_of(scope.record(input), "event"), "name");
+}
+
 Json resolved_origin(ExplainScope& scope, const Json& resolved, const std::string& value, std::size_t reading,
                      std::size_t input, int depth) {
   const auto words = text_of(resolved, "words"), by = text_of(resolved, "by");
-  auto found = origin(
-      scope, words.empty() ? "gesture" : "words",
-      (words.empty() ? std::string() : fmt::format("“{}” in ", words)) + told_input(scope, input), reading);
+  auto found =
+      origin(scope, words.empty() ? "gesture" : "words",
+             (words.empty() ? std::string() : fmt::format("“{}” in ", words)) + told_input(scope, input), reading);
   found["words"] = words;
   found["by"] = by;
-  const auto way = std::find_if(ways.begin(), ways.end(), [&](const auto& one) { return by == one.first; });
-  if (way == ways.end()) return found;
+  const auto way = way_text(by);
+  if (way.empty()) return with_lesson(scope, std::move(found), words.empty() ? gesture_of(scope, input) : "", reading);
   auto from = by == "pointed" ? found_pointing(scope, words, input) : std::nullopt;
   if (!from) from = found_before(scope, value, input, depth + 1);
-  auto text = found["text"].get<std::string>() + ", " + way->second;
+  auto text = found["text"].get<std::string>() + ", " + way;
   if (from) {
     text += ": " + (*from)["text"].get<std::string>();
     found["from"] = *std::move(from);
@@ -129,39 +149,28 @@ Found found_in_reading(ExplainScope& scope, const std::string& value, std::size_
     for (const auto& one : resolved)
       if (const auto& referents = member_of(one, "referents"); lists(referents, value) && referents.size() > 1)
         return origin(scope, "choice",
-                      fmt::format("one of {}, which “{}” in {} may mean", alternatives_text(referents),
-                                  text_of(one, "words"), told_input(scope, input)),
+                      fmt::format("{}, which “{}” in {} may mean", alternatives_text(referents), text_of(one, "words"),
+                                  told_input(scope, input)),
                       n);
+  if (auto open = found_open(scope, reading, value, n, input)) return open;
   if (const auto& entries = member_of(reading, "entries"); entries.is_array())
     for (const bool exactly : {true, false})
       for (const auto& entry : entries) {
         const auto term = text_of(entry, "term");
+        if (!is_of_reading(entry, reading)) continue;
         if (exactly ? term != value : !mentions(term, value)) continue;
-        auto found = origin(scope, "words",
-                            fmt::format("“{}” in {}", text_of(entry, "words"), told_input(scope, input)), n);
+        auto found =
+            origin(scope, "words", fmt::format("“{}” in {}", text_of(entry, "words"), told_input(scope, input)), n);
         found["words"] = text_of(entry, "words");
-        if (auto taught = found_taught(scope, value, n)) {
-          found["text"] = found["text"].get<std::string>() + ", " + (*taught)["text"].get<std::string>();
-          found["from"] = *std::move(taught);
-        }
-        return found;
+        return with_lesson(scope, std::move(found), value, n);
       }
-  if (auto open = found_open(scope, reading, value, n, input)) return open;
   if (mentions(text_of(reading, "reading"), value) || text_of(reading, "meaning") == value) {
     const bool spoken = !text_of(reading, "words").empty();
     auto found = origin(scope, spoken ? "words" : "gesture", told_input(scope, input), n);
-    auto taught = found_taught(scope, value, n);
-    if (!taught && !spoken)
-      taught = found_taught(scope, text_of(member_of(scope.record(input), "event"), "name"), n);
-    if (taught) {
-      found["text"] = found["text"].get<std::string>() + ", " + (*taught)["text"].get<std::string>();
-      found["from"] = *std::move(taught);
-    }
-    return found;
+    return with_lesson(scope, std::move(found), spoken ? value : gesture_of(scope, input), n);
   }
   if (lists(member_of(reading, "referents"), value))
-    return origin(scope, "pointing",
-                  fmt::format("among what {} can mean", told_input(scope, input)), n);
+    return origin(scope, "pointing", fmt::format("among what {} can mean", told_input(scope, input)), n);
   return std::nullopt;
 }
 
@@ -180,15 +189,16 @@ Found first_kept(ExplainScope& scope, const std::string& value, std::size_t at) 
     if (input > at) break;
     for (const auto n : scope.of_turn(input, "memory"))
       if (n <= at && mentions(text_of(scope.record(n), "value"), value))
-        return origin(scope, "memory",
-                      fmt::format("register {} since {}", text_of(scope.record(n), "register"), told_input(scope, input)),
-                      n);
+        return origin(
+            scope, "memory",
+            fmt::format("register {} since {}  #{}", text_of(scope.record(n), "register"), told_input(scope, input), n),
+            n);
     for (const auto n : scope.of_turn(input, "symbol")) {
       const auto& slots = member_of(scope.record(n), "slots");
       if (n > at || !slots.is_object()) continue;
       for (const auto& [slot, held] : slots.items())
         if (mentions(string_of(held), value))
-          return origin(scope, "slot", fmt::format("slot {} since {}", slot, told_input(scope, input)), n);
+          return origin(scope, "slot", fmt::format("slot {} since {}  #{}", slot, told_input(scope, input), n), n);
     }
   }
   return std::nullopt;
@@ -205,8 +215,15 @@ Found in_a_lesson(ExplainScope& scope, const std::string& value, std::size_t at)
 }  // namespace
 
 std::string told_input(ExplainScope& scope, std::size_t input) {
-  return fmt::format("{} ({})", input_text(scope.record(input)),
-                     seconds_text(scope.run().entry(input).t.seconds()));
+  const auto t = seconds_text(scope.run().entry(input).t.seconds());
+  for (const auto n : scope.of_turn(input, "reading")) {
+    const auto& reading = scope.record(n);
+    const auto& alternative = member_of(reading, "alternative");
+    if (member_of(reading, "taken") != true || !alternative.is_number_unsigned() || alternative == 0) continue;
+    return fmt::format("{} ({}, alternative {})", input_text(scope.record(input), alternative.get<std::size_t>()), t,
+                       compact(alternative));
+  }
+  return fmt::format("{} ({})", input_text(scope.record(input)), t);
 }
 
 std::string alternatives_text(const Json& names, std::size_t most) {
@@ -228,6 +245,18 @@ std::string missing_text(const Json& missing) {
   return why;
 }
 
+std::string way_text(const std::string& by) {
+  const auto way = std::find_if(ways.begin(), ways.end(), [&](const Way& one) { return by == one.by; });
+  return way == ways.end() ? "" : way->text;
+}
+
+bool is_of_reading(const Json& entry, const Json& reading) {
+  const auto& parses = member_of(entry, "parses");
+  return !entry.is_object() || entry.contains("category")
+             ? !parses.is_array() || std::find(parses.begin(), parses.end(), member_of(reading, "rank")) != parses.end()
+             : false;
+}
+
 Json origin_of(ExplainScope& scope, const std::string& value, std::size_t at) {
   const auto here = scope.input_of(at);
   if (here)
@@ -235,11 +264,8 @@ Json origin_of(ExplainScope& scope, const std::string& value, std::size_t at) {
   if (auto found = found_before(scope, value, here.value_or(at), 0)) return *std::move(found);
   if (auto found = in_a_lesson(scope, value, at)) return *std::move(found);
   if (auto found = first_kept(scope, value, at)) return *std::move(found);
-  // A record names the inputs that contributed even where what they said is not the value itself.
-  if (const auto because = record_numbers(scope.record(at), "because", at); !because.empty())
-    return origin(scope, "input", "after " + told_input(scope, because.back()), because.back());
   if (here) return origin(scope, "machine", "the machine itself, on " + told_input(scope, *here), at);
-  return origin(scope, "machine", "the machine itself, at the run’s beginning", at);
+  return origin(scope, "machine", "the machine itself, without any input", at);
 }
 
 }  // namespace continua

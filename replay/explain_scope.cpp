@@ -94,14 +94,14 @@ std::string seconds_text(double seconds) {
   return text + " s";
 }
 
-std::string input_text(const Json& input) {
+std::string input_text(const Json& input, std::size_t alternative) {
   const auto& event = member_of(input, "event");
   const auto kind = text_of(event, "kind");
-  if (kind == "speech" && !member_of(event, "text").is_string()) {
-    const auto& alternatives = member_of(event, "alternatives");
-    return fmt::format("“{}”",
-                       alternatives.is_array() && !alternatives.empty() ? text_of(alternatives.front(), "text") : "");
-  }
+  const bool has_own = member_of(event, kind == "speech" ? "text" : "name").is_string();
+  const auto& others = member_of(event, "alternatives");
+  if (const auto place = alternative - (has_own ? 1 : 0);
+      others.is_array() && !(has_own && alternative == 0) && place < others.size())
+    return fmt::format("{}“{}”", kind == "speech" ? "" : kind + " ", text_of(others[place], "text"));
   if (kind == "act")
     return fmt::format("act {}, {}, {}", text_of(event, "act"), text_of(event, "program"), text_of(event, "status"));
   return kind == "gesture" ? "gesture " + brief(input) : brief(input);

@@ -1,4 +1,5 @@
-// The records of a run that bear on one of them, for what explains it. Each is read at most once, and only when asked for.
+// The records of a run that bear on one of them, for what explains it. Each is read at most once, and only when asked
+// for.
 #pragma once
 
 #include <cstddef>
@@ -56,7 +57,8 @@ std::vector<std::size_t> record_numbers(const Json& object, const char* key, std
 /// "5.05 s".
 std::string seconds_text(double seconds);
 
-/// The input as a reader knows it: “Put it there.”, gesture right point stroke, pointing right [0.1, 0.2], act 1 put(…).
-std::string input_text(const Json& input);
+/// The input as a reader knows it: “Put it there.”, gesture right point stroke, pointing right [0.1,0.2], act 1,
+/// put(…), missed. Of an n-best list the alternative of this number, as in RUNLOG.md.
+std::string input_text(const Json& input, std::size_t alternative = 0);
 
 }  // namespace continua

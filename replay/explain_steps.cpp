@@ -127,6 +127,7 @@ std::string operation_text(const Json& operation) {
   const auto& content = operation.begin().value();
   if (name == "none") return "leave the stack";
   if (!content.is_object()) return fmt::format("{} {}", name, value_text(content));
+  if (content.empty()) return name;
   std::string text;
   for (const auto& [slot, value] : content.items())
     text += fmt::format("{}{} ← {}", text.empty() ? " " : ", ", slot, value_text(value));

@@ -107,9 +107,9 @@ class Teller {
                        hand.empty() ? "" : " of the " + hand + " hand", text_of(deixis, "place"), from,
                        until == from ? "" : " to " + until,
                        member_of(deixis, "gesture") == true ? std::string("a gesture’s own target")
-                       : samples == 1                       ? std::string("one sample")
-                                      : fmt::format("{} samples within {:.0f} mm", samples,
-                                                    1000 * number_of(deixis, "spread_m")),
+                       : samples == 1
+                           ? std::string("one sample")
+                           : fmt::format("{} samples within {:.0f} mm", samples, 1000 * number_of(deixis, "spread_m")),
                        left_out > 0 ? fmt::format(", {} left out", left_out) : "", numbered(percept)),
            2);
     }
@@ -135,10 +135,9 @@ class Teller {
     for (const auto& one : list_of(reading, "resolved")) tell_resolved(one);
     if (const auto& ruled_out = list_of(reading, "ruled_out"); !ruled_out.empty())
       tell("not " + ruled_out_text(ruled_out, options_.all), 3);
-    for (const auto& one : list_of(reading, "missing")) {
-      const auto words = missing_text(one);
-      tell(fmt::format("lacks its {}: {}", text_of(one, "type"), words), 3);
-    }
+    for (const auto& one : list_of(reading, "missing"))
+      if (text_of(one, "why") == "unsaid" || list_of(reading, "resolved").empty())  // else told with its phrase
+        tell(fmt::format("lacks its {}: {}", text_of(one, "type"), missing_text(one)), 3);
     if (const auto& unknown = list_of(reading, "unknown"); !unknown.empty())
       tell(fmt::format("nobody knows “{}”", alternatives_text(unknown)), 3);
     if (const auto& unused = list_of(reading, "unused"); !unused.empty())
@@ -148,12 +147,12 @@ class Teller {
   }
 
   void tell_resolved(const Json& resolved) {
-    const auto words = text_of(resolved, "words"), value = text_of(resolved, "value"), by = text_of(resolved, "by");
+    const auto words = text_of(resolved, "words"), value = text_of(resolved, "value");
     const auto& referents = list_of(resolved, "referents");
     auto text = words.empty() ? text_of(resolved, "phrase") : "“" + words + "”";
     text += value.empty() || value == "null" ? " may be " + alternatives_text(referents) : " is " + value;
     if ((value.empty() || value == "null") && referents.empty()) text = "“" + words + "” is no object here";
-    if (by != "words" && !by.empty()) text += ", by " + by;
+    if (const auto way = way_text(text_of(resolved, "by")); !way.empty()) text += ", " + way;
     if (const auto& ruled_out = list_of(resolved, "ruled_out"); !ruled_out.empty())
       text += "; not " + ruled_out_text(ruled_out, options_.all);
     tell(text, 3);
@@ -162,8 +161,9 @@ class Teller {
   void tell_entries(const Json& reading) {
     std::string text;
     for (const auto& entry : list_of(reading, "entries"))
-      text += fmt::format("{}“{}” {} {}", text.empty() ? "" : "; ", text_of(entry, "words"), text_of(entry, "category"),
-                          text_of(entry, "term"));
+      if (is_of_reading(entry, reading))
+        text += fmt::format("{}“{}” {} {}", text.empty() ? "" : "; ", text_of(entry, "words"),
+                            text_of(entry, "category"), text_of(entry, "term"));
     if (!text.empty()) tell("words: " + text, 3);
   }
 
@@ -212,13 +212,15 @@ class Teller {
     const auto& candidates = list_of(step, "candidates");
     if (member_of(step, "forced") == true) tell("forced", 2);
     if (candidates.size() < 2) return;
+    const auto policy = text_of(told_, "choice");
     std::string text;
     for (const auto& one : candidates) {
       text += fmt::format("{}‘{}’ {}", text.empty() ? "" : ", ", text_of(one, "id"), text_of(one, "weight"));
       if (const auto& alternative = member_of(one, "alternative"); !alternative.is_null())
         text += fmt::format(" (alternative {})", compact(alternative));
     }
-    text = fmt::format("chosen of {}: {}; probability {:.3g}", candidates.size(), text, number_of(step, "probability"));
+    text = fmt::format("chosen{} of {}: {}; probability {:.3g}", policy.empty() ? "" : fmt::format(" ({})", policy),
+                       candidates.size(), text, number_of(step, "probability"));
     if (const auto draw = text_of(step, "draw"); !draw.empty()) text += ", drawn " + draw;
     tell(text, 2);
   }
@@ -254,8 +256,7 @@ class Teller {
       } else if (!options_.all && told == few_symbols) {
         ++more;
       } else {
-        ++told;
-        tell_symbol(symbol);
+        tell_symbol(symbol, told++ == 0);
       }
     }
     if (more > 0) tell(fmt::format("… {} more new or changed (--all)", more));
@@ -272,21 +273,31 @@ class Teller {
     return text.empty() ? "an empty symbol" : text;
   }
 
-  void tell_symbol(const Json& symbol) {
+  void tell_symbol(const Json& symbol, bool top) {
     const auto change = text_of(symbol, "change");
     const char* mark = change == "added" ? "+" : change == "changed" ? "~" : "=";
     const auto& slots = member_of(symbol, "slots");
     const auto& changed = member_of(symbol, "slots_changed");
     tell(fmt::format("{} symbol {}{}  {}", mark, text_of(symbol, "id"),
-                     change == "added" ? ", pushed" : change == "changed" ? ", changed" : ", as before",
+                     change == "added"     ? ", pushed"
+                     : change == "changed" ? ", changed"
+                                           : ", as before",
                      numbered(symbol, "made")));
+    std::string as_below;
     if (slots.is_object())
-      for (const auto& [slot, value] : slots.items())
-        if (!changed.is_object() || !changed.contains(slot)) tell(fmt::format("  {} {}", slot, value_text(value)), 2);
+      for (const auto& [slot, value] : slots.items()) {
+        if (changed.is_object() && changed.contains(slot)) continue;
+        if (change == "added" && !top)
+          as_below += (as_below.empty() ? "as the one below: " : ", ") + slot;
+        else
+          tell(fmt::format("  {} {}", slot, value_text(value)), 2);
+      }
+    if (!as_below.empty()) tell("  " + as_below, 2);
     if (!changed.is_object()) return;
     for (const auto& [slot, how] : changed.items()) {
       auto text = fmt::format("* {} {}", slot, value_text(member_of(how, "now")));
-      if (const auto& was = member_of(how, "was"); !was.is_null()) text += ", was " + value_text(was);
+      if (const auto& was = member_of(how, "was"); !was.is_null() && change == "changed")
+        text += ", was " + value_text(was);
       std::string by;
       if (const auto& expression = member_of(how, "expression"); !expression.is_null())
         by += " ← " + value_text(expression);
@@ -329,7 +340,8 @@ class Teller {
       std::string text;
       for (const auto& one : list_of(told_, key)) {
         const auto kind = text_of(one, "kind");
-        if (kind == "act" && text_of(told_, "kind") == "act") continue;
+        if (kind == "act" && text_of(told_, "kind") == "act") continue;  // how it went has been told
+        if (!options_.all && (kind == "memory" || kind == "belief")) continue;
         text += fmt::format("{}{} {} {}", text.empty() ? "" : "; ", kind, text_of(one, "brief"), numbered(one));
       }
       if (!text.empty()) {

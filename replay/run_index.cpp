@@ -142,7 +142,8 @@ Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
   if (entry.cause >= static_cast<std::int64_t>(n)) entry.cause = -1;
   entries_.push_back(entry);
   // A symbol lies above an older one: a chain can only lead down, whatever the file says.
-  if (kind == "symbol" && id) symbols_.try_emplace(*id, SymbolPlace{n, below && symbols_.count(*below) ? *below : -1});
+  if (kind == "symbol" && id && *id >= 0)
+    symbols_.try_emplace(*id, SymbolPlace{n, below && symbols_.count(*below) ? *below : -1});
   if (has_stack) marks_.push_back({n, top.value_or(-1)});
   return std::nullopt;
 }

@@ -181,15 +181,13 @@ Json slots_changed(const Json& was, const Json& now) {
   return changed;
 }
 
-// From the stack of the mark `was` (none: from nothing) to that of `mark`.
-Result<Json> stack_change(const RunIndex& run, std::optional<std::size_t> was, std::optional<std::size_t> mark,
-                          std::size_t n) {
-  if (!mark)
-    return Json{{"n", n}, {"at", nullptr}, {"depth", 0}, {"symbols", Json::array()}, {"removed", Json::array()}};
-  const auto& marks = run.stack_marks();
-  auto now = run.snapshot(marks[*mark].top);
+constexpr std::int64_t no_symbol = -1;
+
+// From the stack with the top `was` to that with the top `top`.
+Result<Json> stack_change(const RunIndex& run, std::int64_t was, std::int64_t top) {
+  auto now = run.snapshot(top);
   if (!now) return now.error();
-  auto before = was ? run.snapshot(marks[*was].top) : Result<Json>(Json::array());
+  auto before = run.snapshot(was);
   if (!before) return before.error();
 
   // Stacks share their tails, so what is equal is equal from the bottom up.
@@ -215,22 +213,37 @@ Result<Json> stack_change(const RunIndex& run, std::optional<std::size_t> was, s
   }
   Json gone = Json::array();
   for (std::size_t i = 0; i + added < removed; ++i) gone.push_back((*before)[i]);
-  return Json{{"n", n},
-              {"at", marks[*mark].n},
-              {"depth", now->size()},
+  return Json{{"depth", now->size()},
+              {"depth_before", before->size()},
               {"symbols", *std::move(now)},
               {"removed", std::move(gone)}};
+}
+
+// The top that is known at record n: before the first step, the symbol that the log begins with.
+std::int64_t top_at(const RunIndex& run, std::size_t n) {
+  if (const auto mark = run.mark_at(n)) return run.stack_marks()[*mark].top;
+  if (n < 1 || run.kind(1) != "symbol") return no_symbol;
+  const auto symbol = run.record(1);
+  if (!symbol) return no_symbol;
+  const auto& id = member_of(*symbol, "id");
+  return id.is_number_integer() ? id.get<std::int64_t>() : no_symbol;
 }
 
 }  // namespace
 
 Result<Json> run_stack(const RunIndex& run, std::size_t n) {
   const auto mark = run.mark_at(n);
-  return stack_change(run, mark && *mark > 0 ? std::optional(*mark - 1) : std::nullopt, mark, n);
+  const auto& marks = run.stack_marks();
+  auto change =
+      stack_change(run, mark && *mark > 0 ? marks[*mark - 1].top : no_symbol, mark ? marks[*mark].top : no_symbol);
+  if (!change) return change;
+  Json told{{"n", n}, {"at", mark ? Json(marks[*mark].n) : Json()}};
+  told.update(*change);
+  return told;
 }
 
-Result<Json> run_stack_since(const RunIndex& run, std::optional<std::size_t> before, std::size_t n) {
-  return stack_change(run, before ? run.mark_at(*before) : std::nullopt, run.mark_at(n), n);
+Result<Json> run_stack_since(const RunIndex& run, std::size_t before, std::size_t n) {
+  return stack_change(run, top_at(run, before), top_at(run, n));
 }
 
 Result<Json> run_derivation(const RunIndex& run, std::size_t n) {

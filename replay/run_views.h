@@ -42,11 +42,12 @@ Result<Json> run_records(const RunIndex& run, const RecordFilter& filter);
 Result<Json> run_graph(const RunIndex& run);
 
 /// The stack as it stood at record n, top first, and what its last change did. `change` of a symbol is `added`,
-/// `changed` (it took a removed one's place on the same tail) or `same`; `slots_changed` gives {slot: {was, now}}.
+/// `changed` (it took a removed one's place on the same tail) or `same`; `slots_changed` gives {slot: {was, now}};
+/// `depth` and `depth_before` count symbols.
 Result<Json> run_stack(const RunIndex& run, std::size_t n);
 
-/// The same between the stacks as they stood at two records: from `before`, or from none, to n.
-Result<Json> run_stack_since(const RunIndex& run, std::optional<std::size_t> before, std::size_t n);
+/// The same between the stacks as they stood at two records, without `n` and `at`. REQUIRES before, n < run.size().
+Result<Json> run_stack_since(const RunIndex& run, std::size_t before, std::size_t n);
 
 /// Why record n: its `chain` of causes, the `applications` behind it with the sub-terms they were built from,
 /// and the `inputs` that contributed. REQUIRES n < run.size().
