@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -31,7 +32,11 @@ std::optional<std::int64_t> number_of(const RunIndex& run, std::size_t n, std::s
 // The first record of a kind that has this number, and the numbers there are, for those who ask for another.
 Result<std::size_t> numbered(const RunIndex& run, const char* kind, const char* key, std::int64_t wanted) {
   std::optional<std::int64_t> least, most;
-  for (const auto n : run.of_kind(kind)) {
+  const auto all = run.of_kind(kind);
+  // Where nothing is missing, and there is one record for each number, it is the one at its place.
+  if (wanted >= 1 && static_cast<std::size_t>(wanted) <= all.size())
+    if (const auto n = all[static_cast<std::size_t>(wanted) - 1]; number_of(run, n, key) == wanted) return n;
+  for (const auto n : all) {
     const auto number = number_of(run, n, key);
     if (!number) continue;
     if (*number == wanted) return n;
@@ -92,6 +97,21 @@ std::size_t held_against(const RunIndex& run, std::size_t expect) {
   return decision;
 }
 
+// The decisions behind the record of which the log's end says that next to nothing could have changed them.
+Json fragile_among(const RunIndex& run, ExplainScope& scope) {
+  Json fragile = Json::array();
+  if (!run.complete()) return fragile;
+  const auto& all = member_of(scope.record(run.size() - 1), "fragile");
+  if (!all.is_array()) return fragile;
+  std::set<std::size_t> behind(scope.chain().begin(), scope.chain().end());
+  for (const auto input : scope.inputs())
+    for (const auto reading : scope.of_turn(input, "reading")) behind.insert(reading);
+  for (const auto& one : all)
+    if (const auto& n = member_of(one, "n"); n.is_number_unsigned() && behind.count(n.get<std::size_t>()) != 0)
+      fragile.push_back(one);
+  return fragile;
+}
+
 Json brief_json(ExplainScope& scope, std::size_t n) {
   return {{"n", n},
           {"t", scope.run().entry(n).t.seconds()},
@@ -148,6 +168,7 @@ Result<Json> explain(const RunIndex& run, std::size_t n) {
   const auto cause = run.cause(about);
   told["along"] = cause ? brought_about(scope, *cause) : Json::array();
   std::erase_if(told["along"].get_ref<Json::array_t&>(), [&](const Json& one) { return one["n"] == about; });
+  told["fragile"] = fragile_among(run, scope);
   told["trouble"] = run.trouble();
   return told;
 }

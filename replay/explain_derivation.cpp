@@ -21,18 +21,20 @@ class Derivation {
     const bool room = ++nodes_ < most_nodes && deep_ < deepest;
     const Deeper deeper(deep_);
     if (const auto made = application(term, at); made && room) return applied(std::move(node), *made, open);
+    if (open.count(term) != 0) return leaf(std::move(node), open_origin(term, at));
     const auto parts = term_parts(term);
     if (room && !parts.body.empty()) return abstraction(std::move(node), parts, at, open);
     if (room && !parts.elements.empty()) {
       auto origin = origin_of(scope_, term, at);
       if (is_whole(origin)) return leaf(std::move(node), std::move(origin));
       node["how"] = "parts";
+      if (const auto kind = text_of(origin, "kind"); kind == "slot" || kind == "memory") node["origin"] = origin;
       auto& children = node["children"] = Json::array();
       if (!parts.head.empty()) children.push_back(of(parts.head, "", at, open));
       for (const auto& element : parts.elements) children.push_back(of(element, "", at, open));
       return node;
     }
-    return leaf(std::move(node), origin_of(scope_, term, at));
+    return leaf(std::move(node), settled(origin_of(scope_, term, at), at));
   }
 
   // The latest application before `at` that made the term.
@@ -64,6 +66,24 @@ class Derivation {
   static bool is_whole(const Json& origin) {
     const auto kind = text_of(origin, "kind");
     return kind == "words" || kind == "gesture" || kind == "pointing" || kind == "choice";
+  }
+
+  // A variable that a lambda above binds.
+  Json open_origin(const std::string& name, std::size_t at) {
+    auto origin = origin_of(scope_, name, at);
+    if (text_of(origin, "kind") == "open") return origin;
+    origin["kind"] = "open";
+    origin["text"] = "left open by the machine";
+    return origin;
+  }
+
+  // One of several is it by what was said or shown since.
+  Json settled(Json origin, std::size_t at) {
+    const auto input = scope_.input_of(at);
+    if (text_of(origin, "kind") != "choice" || !input || origin["input"] == *input) return origin;
+    origin["settled_by"] = *input;
+    origin["text"] = origin["text"].get<std::string>() + "; settled by " + told_input(scope_, *input);
+    return origin;
   }
 
   static Json leaf(Json node, Json origin) {

@@ -11,9 +11,10 @@ namespace continua {
 /// tree, or null where there is none. A node is {"term", "type": text or null, and
 ///  "how": `application` (then "n", "rule" and two "children": function, argument),
 ///         `abstraction` (a lambda over its one child: what it lacks was left open),
-///         `parts` (no application is in the log: the machine put the children together),
+///         `parts` (no application is in the log: the machine put the children together; "origin" tells since when it
+///         had the whole, and is left out where nothing tells),
 ///         `taught` (one step of what the child was taught to mean) or
-///         `leaf` (then "origin", see origin_of)}.
+///         `leaf` (then "origin", see origin_of; of a choice with "settled_by", the input since which it is this one)}.
 Json derivation_of(ExplainScope& scope);
 
 }  // namespace continua

@@ -69,7 +69,8 @@ std::string left_open(ExplainScope& scope, std::size_t input) {
   if (readings.empty()) return {};
   const Json& reading = scope.record(readings.back());
   const auto& unknown = member_of(reading, "unknown");
-  if (unknown.is_array() && !unknown.empty()) return fmt::format("nobody knows “{}”", alternatives_text(unknown));
+  if (unknown.is_array() && !unknown.empty())
+    return fmt::format("nobody knows “{}”", alternatives_text(unknown, " and "));
   if (reading.contains("move") && reading["move"].is_null()) return "nothing of it was understood";
   if (const auto& missing = member_of(reading, "missing"); missing.is_array() && !missing.empty()) {
     const auto& first = missing.front();
@@ -223,9 +224,9 @@ Json explained_act(ExplainScope& scope, std::size_t n) {
     if (const auto& retries = member_of(result, "retries"); retries.is_array() && !retries.empty())
       sentence += fmt::format("; {} had failed before: {}",
                               retries.size() == 1 ? "one attempt" : fmt::format("{} attempts", retries.size()),
-                              alternatives_text(retries));
+                              alternatives_text(retries, "; "));
     if (const auto& aside = member_of(result, "moved_aside"); aside.is_array() && !aside.empty())
-      sentence += fmt::format("; {} had to make room", alternatives_text(aside));
+      sentence += fmt::format("; {} had to make room", alternatives_text(aside, " and "));
     sentence += ".";
   }
   return {

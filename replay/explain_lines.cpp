@@ -27,19 +27,23 @@ std::size_t word_end(std::string_view text, std::size_t from) {
 
 std::string wrapped(std::string_view text, std::string_view indent, std::string_view hanging, std::size_t width) {
   std::string out;
-  std::string line(indent);
+  std::string line(indent), gap;  // the spaces before the next word, lost where a line is broken
   bool empty = true;
-  for (std::size_t at = 0; at <= text.size();) {
+  for (std::size_t at = 0; at < text.size();) {
     const auto end = word_end(text, at);
     const auto word = text.substr(at, end - at);
-    if (!empty && columns_of(line) + 1 + columns_of(word) > width) {
-      out += line + "\n";
-      line = hanging;
-      empty = true;
+    if (!word.empty()) {
+      if (!empty && columns_of(line) + gap.size() + columns_of(word) > width) {
+        out += line + "\n";
+        line = hanging;
+      } else {
+        line += gap;
+      }
+      line += word;
+      gap.clear();
+      empty = false;
     }
-    if (!empty) line += ' ';
-    line += word;
-    empty = empty && word.empty();
+    gap += ' ';
     at = end + 1;
   }
   return out + line + "\n";

@@ -226,12 +226,12 @@ std::string told_input(ExplainScope& scope, std::size_t input) {
   return fmt::format("{} ({})", input_text(scope.record(input)), t);
 }
 
-std::string alternatives_text(const Json& names, std::size_t most) {
+std::string alternatives_text(const Json& names, std::string_view before_last, std::size_t most) {
   if (!names.is_array()) return string_of(names);
   std::string text;
   const auto told = std::min(names.size(), most);
   for (std::size_t i = 0; i < told; ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + string_of(names[i]);
+    text += std::string(i == 0 ? "" : i + 1 == names.size() ? before_last : ", ") + string_of(names[i]);
   return told == names.size() ? text : text + fmt::format(" … ({} in all)", names.size());
 }
 

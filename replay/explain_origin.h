@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "replay/explain_scope.h"
 
@@ -24,7 +25,7 @@ std::string way_text(const std::string& by);
 bool is_of_reading(const Json& entry, const Json& reading);
 
 /// "a", "a or b", "a, b or c"; of more than `most` the first, and how many there are.
-std::string alternatives_text(const Json& names, std::size_t most = 6);
+std::string alternatives_text(const Json& names, std::string_view before_last = " or ", std::size_t most = 6);
 
 /// What a gap of a reading (an element of `missing`) says: "it was not said", "“block” may mean block1 or block4".
 std::string missing_text(const Json& missing);

@@ -53,8 +53,11 @@ class Teller {
   Teller(const Json& explained, const ExplainTextOptions& options) : told_(explained), options_(options) {}
 
   std::string text() {
-    out_ = wrapped(text_of(told_, "headline"), "", "", options_.width);
+    out_ = wrapped(text_of(told_, "headline") + "  " + numbered(told_), "", "", options_.width);
     if (options_.colour) out_ = "\x1b[1m" + out_.substr(0, out_.size() - 1) + "\x1b[0m\n";
+    for (const auto& one : list_of(told_, "fragile"))
+      out_ +=
+          line(fmt::format("Fragile: {} was decided by a margin of {} m.", numbered(one), text_of(one, "margin")), "");
     tell_inputs();
     tell_steps();
     tell_stack();
@@ -139,9 +142,9 @@ class Teller {
       if (text_of(one, "why") == "unsaid" || list_of(reading, "resolved").empty())  // else told with its phrase
         tell(fmt::format("lacks its {}: {}", text_of(one, "type"), missing_text(one)), 3);
     if (const auto& unknown = list_of(reading, "unknown"); !unknown.empty())
-      tell(fmt::format("nobody knows “{}”", alternatives_text(unknown)), 3);
+      tell(fmt::format("nobody knows “{}”", alternatives_text(unknown, " and ")), 3);
     if (const auto& unused = list_of(reading, "unused"); !unused.empty())
-      tell(fmt::format("of no use: “{}”", alternatives_text(unused)), 3);
+      tell(fmt::format("of no use: “{}”", alternatives_text(unused, " and ")), 3);
     tell_entries(reading);
     tell_parses(reading);
   }
@@ -330,7 +333,7 @@ class Teller {
       if (const auto error = number_of(result, "position_error_m"); error > 0)
         text += fmt::format(", {:.1f} mm from what was meant", 1000 * error);
       if (const auto& touches = list_of(result, "touches"); !touches.empty())
-        text += ", touches " + alternatives_text(touches);
+        text += ", touches " + alternatives_text(touches, " and ");
       tell(text + "  " + numbered(record));
     }
   }
@@ -342,7 +345,8 @@ class Teller {
         const auto kind = text_of(one, "kind");
         if (kind == "act" && text_of(told_, "kind") == "act") continue;  // how it went has been told
         if (!options_.all && (kind == "memory" || kind == "belief")) continue;
-        text += fmt::format("{}{} {} {}", text.empty() ? "" : "; ", kind, text_of(one, "brief"), numbered(one));
+        text += fmt::format("{}{} {} {}", text.empty() ? "" : "; ", kind == "rewrite" ? "on entering" : kind,
+                            text_of(one, "brief"), numbered(one));
       }
       if (!text.empty()) {
         heading(title);

@@ -14,7 +14,10 @@ std::string node_text(const Json& node) {
   if (how == "application") text += fmt::format("  #{}", text_of(node, "n"));
   if (const auto rule = text_of(node, "rule"); !rule.empty()) text += "  raised by " + rule;
   if (how == "abstraction") text += "  left open over";
-  if (how == "parts") text += "  put together by the machine from";
+  if (how == "parts") {
+    const auto since = text_of(member_of(node, "origin"), "text");
+    text += since.empty() ? "  put together by the machine from" : "  put together by the machine, " + since + ", from";
+  }
   if (how == "taught") text += "  one step of";
   if (how == "leaf") text += "  ← " + text_of(member_of(node, "origin"), "text");
   return text;
