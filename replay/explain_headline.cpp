@@ -49,9 +49,9 @@ std::string due_to(ExplainScope& scope, std::size_t input) {
   const auto told = told_input(scope, input);
   auto text = kind == "speech"     ? "the human said " + told
               : kind == "gesture"  ? "the human made the " + told
-              : kind == "pointing" ? "of the human’s " + told
-              : kind == "act"      ? "of the end of " + told
-                                   : "of the input " + told;
+              : kind == "pointing" ? "the human was " + told
+              : kind == "act"      ? "the body reported " + told
+                                   : "there was the input " + told;
   std::vector<std::size_t> with, after;
   for (const auto percept : scope.of_turn(input, "percept"))
     for (const auto other : record_numbers(scope.record(percept), "because", percept))
@@ -103,7 +103,9 @@ std::string happened(ExplainScope& scope) {
   if (kind == "transition")
     return fmt::format("{} goes to {} by the transition ‘{}’, step {}", of("from"), of("to"), of("id"), of("step"));
   if (kind == "rewrite") return fmt::format("entering {} changes the stack", of("state"));
-  if (kind == "refusal") return fmt::format("{} refuses ‘{}’: {}", of("state"), of("input"), of("reason"));
+  if (kind == "refusal")
+    return "the machine refuses an input: " +
+           (of("reason").empty() ? fmt::format("‘{}’ in {}", of("input"), of("state")) : of("reason"));
   if (kind == "reading") {
     const auto what = of("words").empty() ? "what was shown" : quoted(of("words"));
     if (of("move").empty()) return what + " is not understood";
@@ -147,6 +149,14 @@ std::string led_to(ExplainScope& scope, std::size_t input) {
     if (kind == "reading" && !text_of(record, "meaning").empty() && member_of(record, "taken") != false)
       told.push_back("it is taken to mean " + text_of(record, "meaning"));
   }
+  // What only came along with another input is bound to that one's words.
+  const auto percepts = run.of_kind("percept");
+  for (auto n = std::upper_bound(percepts.begin(), percepts.end(), input); n != percepts.end() && told.empty(); ++n) {
+    const auto drawn_on = record_numbers(scope.record(*n), "because", *n);
+    const auto other = scope.input_of(*n);
+    if (other && *other != input && std::find(drawn_on.begin(), drawn_on.end(), input) != drawn_on.end())
+      told.push_back("it goes with " + told_input(scope, *other));
+  }
   return fmt::format("{}", fmt::join(told, "; "));
 }
 
@@ -184,7 +194,7 @@ std::string headline(ExplainScope& scope, const Json& act) {
     text += scope.chain().size() > 1 || kind == "transition" ? ", without any input" : "";
     return text + end(text);
   }
-  text += ", because " + due_to(scope, *input);
+  text += (kind == "refusal" ? "; " : ", because ") + due_to(scope, *input);
   if (kind == "utterance" || kind == "refusal")
     if (const auto open = left_open(scope, *input); !open.empty()) text += ": " + open;
   text += end(text);

@@ -102,8 +102,14 @@ TEST_CASE("the headline tells what the avatar did and what it is due to") {
        "At 2.2 s the avatar does put(cup, <-0.05, -0.18, 0>), because the human said “Put the white cup there.” (1.0 "
        "s) with gesture right point stroke (1.2 s). It was given up at 4.1 s."},
       {"corner/never_engaged", at(1),
-       "At 1.0 s StartState refuses ‘speech yes’: no transition from StartState takes 'speech yes', because the "
-       "human said “YES” (1.0 s)."},
+       "At 1.0 s the machine refuses an input: no transition from StartState takes 'speech yes'; the human said “YES” "
+       "(1.0 s)."},
+      {"paper/region_place", record(14),
+       "At 4.2 s there is the input gesture right point stroke: it goes with “In that blue cup.” (4.0 s)."},
+      {"paper/disambiguation", record(2),
+       "At 1.0 s the human says “Take the block.”: it is taken to mean \\x. grasp(x); the avatar says “Which block do "
+       "you "
+       "mean? The yellow block?”; it gestures point(block1)."},
       {"talk/n_best",
        {},
        "At 1.0 s the avatar asks “Which cup do you mean? The white cup?”, because the human said “put the knife in "
