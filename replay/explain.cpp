@@ -29,25 +29,43 @@ std::optional<std::int64_t> number_of(const RunIndex& run, std::size_t n, std::s
   return number;
 }
 
-// The first record of a kind that has this number, and the numbers there are, for those who ask for another.
-Result<std::size_t> numbered(const RunIndex& run, const char* kind, const char* key, std::int64_t wanted) {
+// The numbers there are, for those who ask for another.
+struct Numbers {
   std::optional<std::int64_t> least, most;
-  const auto all = run.of_kind(kind);
-  // Where nothing is missing, and there is one record for each number, it is the one at its place.
-  if (wanted >= 1 && static_cast<std::size_t>(wanted) <= all.size())
-    if (const auto n = all[static_cast<std::size_t>(wanted) - 1]; number_of(run, n, key) == wanted) return n;
-  for (const auto n : all) {
-    const auto number = number_of(run, n, key);
-    if (!number) continue;
-    if (*number == wanted) return n;
-    least = std::min(least.value_or(*number), *number);
-    most = std::max(most.value_or(*number), *number);
+
+  void add(std::int64_t number) {
+    least = std::min(least.value_or(number), number);
+    most = std::max(most.value_or(number), number);
   }
-  const auto noun = std::string(key);
-  if (!least) return Error{run.path(), fmt::format("found no {}s; expected {} {}", noun, noun, wanted)};
-  return Error{run.path(), fmt::format("there is no {} {}; the log has {}", noun, wanted,
-                                       least == most ? fmt::format("{} {} alone", noun, *most)
-                                                     : fmt::format("{}s {} to {}", noun, *least, *most))};
+  Error missing(const RunIndex& run, const std::string& noun, std::int64_t wanted) const {
+    if (!least) return {run.path(), fmt::format("found no {}s; expected {} {}", noun, noun, wanted)};
+    return {run.path(), fmt::format("there is no {} {}; the log has {}", noun, wanted,
+                                    least == most ? fmt::format("{} {} alone", noun, *most)
+                                                  : fmt::format("{}s {} to {}", noun, *least, *most))};
+  }
+};
+
+Result<std::size_t> transition_of_step(const RunIndex& run, std::int64_t wanted) {
+  Numbers numbers;
+  const auto all = run.of_kind("transition");
+  // Where nothing is missing it is the one at its place.
+  if (wanted >= 1 && static_cast<std::size_t>(wanted) <= all.size())
+    if (const auto n = all[static_cast<std::size_t>(wanted) - 1]; number_of(run, n, "step") == wanted) return n;
+  for (const auto n : all) {
+    const auto number = number_of(run, n, "step");
+    if (number == wanted) return n;
+    if (number) numbers.add(*number);
+  }
+  return numbers.missing(run, "step", wanted);
+}
+
+Result<std::size_t> first_of_act(const RunIndex& run, std::int64_t wanted) {
+  Numbers numbers;
+  for (const auto& mark : run.act_marks()) {
+    if (mark.act == wanted) return static_cast<std::size_t>(mark.n);
+    numbers.add(mark.act);
+  }
+  return numbers.missing(run, "act", wanted);
 }
 
 // Of what one cause brought about, this is what a reader asks for.
@@ -122,8 +140,8 @@ Json brief_json(ExplainScope& scope, std::size_t n) {
 }  // namespace
 
 Result<std::size_t> asked_record(const RunIndex& run, const ExplainQuestion& question) {
-  if (question.step) return numbered(run, "transition", "step", *question.step);
-  if (question.act) return numbered(run, "act", "act", *question.act);
+  if (question.step) return transition_of_step(run, *question.step);
+  if (question.act) return first_of_act(run, *question.act);
   if (question.at_s) return last_deed(run, *question.at_s);
   if (!question.record) return record_of_interest(run);
   if (*question.record < run.size()) return *question.record;

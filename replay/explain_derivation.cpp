@@ -128,9 +128,9 @@ bool was_taught(ExplainScope& scope, const std::string& name, std::size_t before
 std::string composed_on_stack(ExplainScope& scope, Derivation& derivation, std::size_t n) {
   const auto mark = scope.run().mark_at(n);
   if (!mark) return {};
-  const auto ids = scope.run().stack_ids(scope.run().stack_marks()[*mark].top);
-  if (ids.empty()) return {};
-  const auto& slots = member_of(scope.record(scope.run().symbols().at(ids.front()).n), "slots");
+  const auto* top = scope.run().symbol(scope.run().stack_marks()[*mark].top);
+  if (!top) return {};
+  const auto& slots = member_of(scope.record(top->n), "slots");
   if (!slots.is_object()) return {};
   for (const auto& [slot, value] : slots.items()) {
     if (!value.is_string()) continue;

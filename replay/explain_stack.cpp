@@ -24,9 +24,8 @@ std::size_t begin_of_change(ExplainScope& scope) {
 
 const Json& top_slots(ExplainScope& scope, std::size_t mark) {
   static const Json none = Json::object();
-  const auto& symbols = scope.run().symbols();
-  const auto symbol = symbols.find(scope.run().stack_marks()[mark].top);
-  return symbol == symbols.end() ? none : member_of(scope.record(symbol->second.n), "slots");
+  const auto* symbol = scope.run().symbol(scope.run().stack_marks()[mark].top);
+  return symbol ? member_of(scope.record(symbol->n), "slots") : none;
 }
 
 // What the operation of a record has for a slot.
