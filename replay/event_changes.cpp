@@ -12,9 +12,7 @@ using Pair = std::pair<std::size_t, std::size_t>;
 
 constexpr std::size_t unpaired = static_cast<std::size_t>(-1);
 
-std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
-  return (a ^ (b + 0x9E3779B97F4A7C15ULL)) * 0xD6E8FEB86659FD93ULL;
-}
+std::uint64_t mixed(std::uint64_t a, std::uint64_t b) { return (a ^ (b + 0x9E3779B97F4A7C15ULL)) * 0xD6E8FEB86659FD93ULL; }
 
 class EventAligner {
  public:
@@ -57,8 +55,7 @@ class EventAligner {
   void pair_between(const Key& key) {
     std::vector<Pair> anchors;
     for (std::size_t i = 0; i < a_.size(); ++i)
-      if (of_a_[i] != unpaired && (anchors.empty() || of_a_[i] > anchors.back().second))
-        anchors.emplace_back(i, of_a_[i]);
+      if (of_a_[i] != unpaired && (anchors.empty() || of_a_[i] > anchors.back().second)) anchors.emplace_back(i, of_a_[i]);
     Pair from{0, 0};
     for (const auto& anchor : anchors) {
       pair_part(from, anchor, key);

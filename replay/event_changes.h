@@ -1,5 +1,5 @@
-// What became of the events of one trace in another: which are the same, which came earlier or later, were changed,
-// left out or added.
+// What became of the events of one trace in another: which are the same, which came earlier or later, were changed, left
+// out or added.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct EventChange {
     swapped,  ///< with `other`: each stands where the other stood
   };
   Kind kind = Kind::changed;
-  std::optional<std::size_t> a, b;                                ///< the event, by its place in both
+  std::optional<std::size_t> a, b;                              ///< the event, by its place in both
   std::optional<std::pair<std::size_t, std::size_t>> other = {};  ///< under `swapped`: places of the second event
 };
 

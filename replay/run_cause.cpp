@@ -35,11 +35,11 @@ bool names(std::string_view text, std::string_view name) {
 // What is looked at to tell the cause: the first difference, and the transitions that it belongs to.
 struct Pivot {
   RunDifference::Kind kind = RunDifference::Kind::happened;
-  Json a, b;                        ///< its first records; null: none
-  Json transition_a, transition_b;  ///< the first in it or after it; null: none
+  Json a, b;                       ///< its first records; null: none
+  Json transition_a, transition_b; ///< the first in it or after it; null: none
   Json reading_a, reading_b;
-  bool by_gesture = false;     ///< the input behind it is none that was said
-  std::string text_a, text_b;  ///< of all that it is about, to look names up in
+  bool by_gesture = false;         ///< the input behind it is none that was said
+  std::string text_a, text_b;      ///< of all that it is about, to look names up in
 };
 
 class Inquiry {
@@ -70,9 +70,8 @@ class Inquiry {
     if (diff_.givens.empty()) return;
     const auto& given = diff_.givens.front();
     diff_.cause = {given.kind, given.what, given.a, given.b, told(given)};
-    diff_.sentence =
-        fmt::format("All that happened is the same. The runs are made of different parts, without effect: {}: {}{}.",
-                    given.kind, told(given), others(diff_.givens.size() - 1));
+    diff_.sentence = fmt::format("All that happened is the same. The runs are made of different parts, without effect: {}: {}{}.",
+                                 given.kind, told(given), others(diff_.givens.size() - 1));
   }
 
   static std::string others(std::size_t count) { return count == 0 ? "" : fmt::format(", and {} more", count); }
@@ -80,8 +79,7 @@ class Inquiry {
   Outcome look() {
     const auto& first = diff_.differences[diff_.first];
     pivot_.kind = first.kind;
-    if (auto problem = look_at(a_, first.a, pivot_.a, pivot_.transition_a, pivot_.reading_a, pivot_.text_a))
-      return problem;
+    if (auto problem = look_at(a_, first.a, pivot_.a, pivot_.transition_a, pivot_.reading_a, pivot_.text_a)) return problem;
     return look_at(b_, first.b, pivot_.b, pivot_.transition_b, pivot_.reading_b, pivot_.text_b);
   }
 
@@ -177,15 +175,14 @@ class Inquiry {
   std::string first_kind() const { return text_of(pivot_.a.is_null() ? pivot_.b : pivot_.a, "kind"); }
 
   int relevance_of_machine(const GivenDifference& given, bool reading) const {
-    if (reading)
-      return given.what.starts_with("context") || given.what.starts_with("fusion") || given.what.starts_with("program")
-                 ? 60
-                 : 20;
+    if (reading) return given.what.starts_with("context") || given.what.starts_with("fusion") ||
+                                given.what.starts_with("program")
+                            ? 60
+                            : 20;
     const auto &a = pivot_.transition_a, &b = pivot_.transition_b;
     const auto of_transition = given.what.starts_with("transition");
     if (of_transition && (given.name == text_of(a, "id") || given.name == text_of(b, "id"))) return 95;
-    if (given.what.starts_with("state") && (given.name == text_of(a, "to") || given.name == text_of(b, "to")))
-      return 85;
+    if (given.what.starts_with("state") && (given.name == text_of(a, "to") || given.name == text_of(b, "to"))) return 85;
     if (of_transition)
       for (const char* list : {"candidates", "refused"})
         for (const auto* one : {&a, &b})
@@ -204,8 +201,7 @@ class Inquiry {
   bool says(const GivenDifference& given) const {
     const auto said_in = [](const Json& phrase, const Json& utterance) {
       const auto said = text_of(utterance, "text");
-      return !said.empty() &&
-             phrase.dump(-1, ' ', false, Json::error_handler_t::replace).find(said) != std::string::npos;
+      return !said.empty() && phrase.dump(-1, ' ', false, Json::error_handler_t::replace).find(said) != std::string::npos;
     };
     return said_in(given.a, pivot_.a) || said_in(given.b, pivot_.b);
   }
@@ -230,19 +226,16 @@ class Inquiry {
     if (!of_a && !of_b) return std::nullopt;
     const auto words = text_of(of_a ? *of_a : *of_b, "words");
     const bool both = of_a && of_b && text_of(*of_a, "words") == text_of(*of_b, "words");
-    GivenDifference found{"lexicon", words, of_a.value_or(Json()), both || !of_a ? of_b.value_or(Json()) : Json(),
-                          words};
+    GivenDifference found{"lexicon", words, of_a.value_or(Json()), both || !of_a ? of_b.value_or(Json()) : Json(), words};
     return found;
   }
 
   // The same parts, and another result.
   void without_givens() {
     if (pivot_.kind == RunDifference::Kind::poses)
-      diff_.cause = {"physics only", "", Json(), Json(),
-                     "nothing that the runs were made of differs, only where bodies are"};
+      diff_.cause = {"physics only", "", Json(), Json(), "nothing that the runs were made of differs, only where bodies are"};
     else if (pivot_.kind == RunDifference::Kind::timing)
-      diff_.cause = {"timing only", "", Json(), Json(),
-                     "nothing that the runs were made of differs, only when things happened"};
+      diff_.cause = {"timing only", "", Json(), Json(), "nothing that the runs were made of differs, only when things happened"};
     else if (const auto value = refusing_value())
       diff_.cause = *value;
     else
@@ -259,8 +252,7 @@ class Inquiry {
 
   std::optional<RootCause> refusing_value() const {
     const auto id_a = text_of(pivot_.transition_a, "id"), id_b = text_of(pivot_.transition_b, "id");
-    for (const auto& [id, in, other] :
-         {std::tuple(id_a, &pivot_.transition_b, "B"), std::tuple(id_b, &pivot_.transition_a, "A")})
+    for (const auto& [id, in, other] : {std::tuple(id_a, &pivot_.transition_b, "B"), std::tuple(id_b, &pivot_.transition_a, "A")})
       if (const auto reason = reason_for(*in, id); !reason.empty())
         return RootCause{"condition value", fmt::format("transition '{}'", id), Json(), Json(),
                          fmt::format("'{}' does not apply in {}: {}", id, other, reason)};
@@ -273,8 +265,7 @@ class Inquiry {
     tell_referents();
     const auto &a = pivot_.transition_a, &b = pivot_.transition_b;
     if (member(a, "draw") != member(b, "draw"))
-      diff_.evidence.push_back(
-          fmt::format("the draw is {} in A, {} in B", compact(member(a, "draw")), compact(member(b, "draw"))));
+      diff_.evidence.push_back(fmt::format("the draw is {} in A, {} in B", compact(member(a, "draw")), compact(member(b, "draw"))));
   }
 
   // Objects that the same noun phrase may mean in one run and not in the other.

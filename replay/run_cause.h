@@ -6,8 +6,7 @@
 
 namespace continua {
 
-/// Fills in RunDiff::cause, `evidence` and `sentence`, from the rest of it. The error is of a record that cannot be
-/// read.
+/// Fills in RunDiff::cause, `evidence` and `sentence`, from the rest of it. The error is of a record that cannot be read.
 Outcome find_cause(const RunIndex& a, const RunIndex& b, RunDiff& diff);
 
 }  // namespace continua

@@ -63,7 +63,8 @@ Shape shape_of(const RunIndex& run) {
 std::vector<EventSeen> events_of(const RunIndex& run, const Shape& shape) {
   std::vector<EventSeen> events;
   events.reserve(shape.events.size());
-  for (const auto n : shape.events) events.push_back({run.entry(n).meaning.what, run.entry(n).event, run.entry(n).t});
+  for (const auto n : shape.events)
+    events.push_back({run.entry(n).meaning.what, run.entry(n).event, run.entry(n).t});
   return events;
 }
 
@@ -203,10 +204,8 @@ class Comparison {
     for (const auto& [to_i, to_j] : pairs) {
       if (i < to_i || j < to_j) {
         RunDifference difference;
-        difference.a.assign(in_a.begin() + static_cast<std::ptrdiff_t>(i),
-                            in_a.begin() + static_cast<std::ptrdiff_t>(to_i));
-        difference.b.assign(in_b.begin() + static_cast<std::ptrdiff_t>(j),
-                            in_b.begin() + static_cast<std::ptrdiff_t>(to_j));
+        difference.a.assign(in_a.begin() + static_cast<std::ptrdiff_t>(i), in_a.begin() + static_cast<std::ptrdiff_t>(to_i));
+        difference.b.assign(in_b.begin() + static_cast<std::ptrdiff_t>(j), in_b.begin() + static_cast<std::ptrdiff_t>(to_j));
         difference.t = difference.a.empty() ? b_.entry(difference.b.front()).t : a_.entry(difference.a.front()).t;
         note(std::move(difference));
       }
@@ -259,9 +258,9 @@ class Comparison {
 
   const RunIndex &a_, &b_;
   Shape shape_a_, shape_b_;
-  Pairs pairs_;    ///< records of both that say the same
-  Pairs shifted_;  ///< those of the present event at another time than it
-  SimTime shift_;  ///< of the present event
+  Pairs pairs_;     ///< records of both that say the same
+  Pairs shifted_;   ///< those of the present event at another time than it
+  SimTime shift_;   ///< of the present event
   std::vector<RunDifference> differences_;
   std::size_t count_ = 0;
 };
@@ -306,7 +305,7 @@ class PoseComparison {
 
   // What both say alike from the beginning on makes no difference; if it is all that one says, it need not be read.
   Outcome skip_common() {
-    auto& [one, other] = sides_;
+    auto &[one, other] = sides_;
     const auto meaning = [](const Side& side, std::size_t i) { return side.run->entry(side.poses[i]).meaning.what; };
     const auto time = [](const Side& side, std::size_t i) { return side.run->entry(side.poses[i]).t; };
     std::size_t common = 0;
@@ -326,8 +325,7 @@ class PoseComparison {
   static void place(Side& side, const Json& bodies) {
     if (!bodies.is_object()) return;
     for (const auto& [name, pose] : bodies.items()) {
-      const bool numbers =
-          pose.is_array() && pose.size() >= 3 && pose[0].is_number() && pose[1].is_number() && pose[2].is_number();
+      const bool numbers = pose.is_array() && pose.size() >= 3 && pose[0].is_number() && pose[1].is_number() && pose[2].is_number();
       if (numbers) side.places[name] = {pose[0].get<double>(), pose[1].get<double>(), pose[2].get<double>()};
     }
   }

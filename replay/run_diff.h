@@ -1,5 +1,5 @@
-// Where two runs part, why, what follows and where they meet again. Reads run logs alone: of different traces,
-// machines, lexicons, worlds and programs alike.
+// Where two runs part, why, what follows and where they meet again. Reads run logs alone: of different traces, machines,
+// lexicons, worlds and programs alike.
 //
 // Inputs are aligned first (event_changes.h); what followed from an input in one run is then held against what followed
 // from its counterpart, by what the records say (run_meaning.h). Running numbers, ids and times do not count for that.
@@ -22,17 +22,17 @@ namespace continua {
 /// Part of the runs that is not the same.
 struct RunDifference {
   enum class Kind {
-    input,     ///< an event of the trace was dropped, added, moved, changed or swapped with another
-    happened,  ///< what followed from the same input is something else
-    decided,   ///< the same happened, decided by other numbers, parses or candidates
-    timing,    ///< the same at another time
-    outcome,   ///< an act came to something else
-    poses,     ///< bodies are elsewhere
+    input,    ///< an event of the trace was dropped, added, moved, changed or swapped with another
+    happened, ///< what followed from the same input is something else
+    decided,  ///< the same happened, decided by other numbers, parses or candidates
+    timing,   ///< the same at another time
+    outcome,  ///< an act came to something else
+    poses,    ///< bodies are elsewhere
   };
   Kind kind = Kind::happened;
-  std::vector<std::size_t> a, b;     ///< records of each run, in order; none where it has nothing there
-  std::optional<EventChange> input;  ///< under `input`; places are those of records
-  SimTime t;                         ///< of the first of them
+  std::vector<std::size_t> a, b;      ///< records of each run, in order; none where it has nothing there
+  std::optional<EventChange> input;   ///< under `input`; places are those of records
+  SimTime t;                          ///< of the first of them
 };
 
 /// "input", …

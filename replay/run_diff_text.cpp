@@ -22,8 +22,7 @@ std::string shortened(std::string text, std::size_t longest) {
 std::string line_of(const RunIndex& run, std::size_t n) {
   const auto record = run.record(n);
   const auto told = record ? brief(*record) : record.error().sentence;
-  return fmt::format("#{} {} s {} {}", n, seconds_text(run.entry(n).t.seconds()), run.kind(n),
-                     shortened(told, longest_brief));
+  return fmt::format("#{} {} s {} {}", n, seconds_text(run.entry(n).t.seconds()), run.kind(n), shortened(told, longest_brief));
 }
 
 class Text {
@@ -70,8 +69,7 @@ class Text {
 
   void difference(const RunDifference& one) {
     constexpr std::size_t most = 8;
-    const auto records = [&](const char* mark, const char* code, const RunIndex& run,
-                             const std::vector<std::size_t>& all) {
+    const auto records = [&](const char* mark, const char* code, const RunIndex& run, const std::vector<std::size_t>& all) {
       for (std::size_t i = 0; i < std::min(all.size(), most); ++i) line(mark, code, line_of(run, all[i]));
       if (all.size() > most) line(mark, code, fmt::format("and {} more", all.size() - most));
     };
@@ -87,8 +85,7 @@ class Text {
       heading(fmt::format("What follows ({} of {})", shown - std::min<std::size_t>(shown, 1), diff_.count - 1));
       for (std::size_t i = 0; i < shown; ++i) {
         if (i == diff_.first) continue;
-        text_ += fmt::format("  {} at {} s\n", text(diff_.differences[i].kind),
-                             seconds_text(diff_.differences[i].t.seconds()));
+        text_ += fmt::format("  {} at {} s\n", text(diff_.differences[i].kind), seconds_text(diff_.differences[i].t.seconds()));
         difference(diff_.differences[i]);
       }
     }
@@ -134,9 +131,8 @@ std::string diff_markdown(const RunIndex& a, const RunIndex& b, const RunDiff& d
   // Longer than any row of backquotes within.
   std::string fence = "```";
   while (body.find(fence) != std::string::npos) fence += '`';
-  return fmt::format(
-      "**{}**\n\n<details>\n<summary>{} of {} and {} inputs in common</summary>\n\n{}diff\n{}{}\n</details>\n",
-      diff.sentence, diff.inputs_common, diff.inputs_a, diff.inputs_b, fence, body, fence);
+  return fmt::format("**{}**\n\n<details>\n<summary>{} of {} and {} inputs in common</summary>\n\n{}diff\n{}{}\n</details>\n",
+                     diff.sentence, diff.inputs_common, diff.inputs_a, diff.inputs_b, fence, body, fence);
 }
 
 Json diff_json(const RunIndex& a, const RunIndex& b, const RunDiff& diff) {

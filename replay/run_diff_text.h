@@ -21,8 +21,7 @@ std::string diff_markdown(const RunIndex& a, const RunIndex& b, const RunDiff& d
 
 /// {"same", "sameness", "sentence", "cause" {"kind", "what", "a", "b", "sentence"}, "evidence" [], "first", "led"
 /// {"a" [], "b" []}, "differences" [{"kind", "t", "a" [], "b" [], "change"}], "count", "meet" {"a", "b"} or null,
-/// "givens" [{"kind", "what", "a", "b", "sentence"}], "inputs" {"a", "b", "common"}, "farthest", "largest_distance_m"}.
-/// Records are
+/// "givens" [{"kind", "what", "a", "b", "sentence"}], "inputs" {"a", "b", "common"}, "farthest", "largest_distance_m"}. Records are
 /// {"n", "t", "kind", "brief"}; `first` is the place in `differences` of the one that the cause is of.
 Json diff_json(const RunIndex& a, const RunIndex& b, const RunDiff& diff);
 

@@ -42,8 +42,8 @@ std::vector<std::string> words_of(const std::string& text) {
 // " (plate → cup)" of texts that have words in common around what differs.
 std::string changed_words(const std::string& a, const std::string& b) {
   auto one = words_of(a), other = words_of(b);
-  const auto before =
-      static_cast<std::size_t>(std::mismatch(one.begin(), one.end(), other.begin(), other.end()).first - one.begin());
+  const auto before = static_cast<std::size_t>(
+      std::mismatch(one.begin(), one.end(), other.begin(), other.end()).first - one.begin());
   std::size_t after = 0;
   while (before + after < std::min(one.size(), other.size()) &&
          one[one.size() - 1 - after] == other[other.size() - 1 - after])
@@ -76,8 +76,7 @@ RootCause changed_in_words(const Json& a, const Json& b) {
   std::vector<std::string> fields;
   for (const auto& difference : document_differences("input", one, other))
     if (difference.what != "t")
-      fields.push_back(
-          fmt::format("{} {} in A, {} in B", difference.what, value_text(difference.a), value_text(difference.b)));
+      fields.push_back(fmt::format("{} {} in A, {} in B", difference.what, value_text(difference.a), value_text(difference.b)));
   cause.sentence = fmt::format("{} at {}: {}", event_words(a), place_of(a), fmt::join(fields, "; "));
   return cause;
 }
@@ -102,11 +101,11 @@ std::string brief_of(const Json& record) { return fmt::format("{} {}", text_of(r
 
 // Which numbers decided the same step otherwise.
 std::string decided_in_words(const Json& a, const Json& b) {
-  for (const char* key : {"weight", "forced", "draw", "operation", "gates", "refused", "candidates", "probability",
-                          "depth", "parses", "unknown", "unused", "found", "reason", "confidence", "types", "rule"})
-    if (const auto& one = member(a, key), &other = member(b, key); one != other) {
-      const auto subject =
-          text_of(a, "kind") == "transition" ? fmt::format("transition '{}'", text_of(a, "id")) : brief_of(a);
+  for (const char* key : {"weight", "forced", "draw", "operation", "gates", "refused", "candidates", "probability", "depth",
+                          "parses", "unknown", "unused", "found", "reason", "confidence", "types", "rule"})
+    if (const auto &one = member(a, key), &other = member(b, key); one != other) {
+      const auto subject = text_of(a, "kind") == "transition" ? fmt::format("transition '{}'", text_of(a, "id"))
+                                                               : brief_of(a);
       const auto was = value_text(one), is = value_text(other);
       if (was.size() + is.size() > 120) return fmt::format("{} is the same, with other {}", subject, key);
       return fmt::format("{} is the same, with {} {} in A, {} in B", subject, key, was, is);
@@ -119,7 +118,8 @@ std::string happened_in_words(const Json& a, const Json& b) {
   if (b.is_null()) return fmt::format("only A has: {}", brief_of(a));
   const auto kind = text_of(a, "kind");
   if (kind != text_of(b, "kind")) return fmt::format("A has {}, B {}", brief_of(a), brief_of(b));
-  if (kind == "reading") return fmt::format("“{}” means {} in A, {} in B", text_of(a, "words"), brief(a), brief(b));
+  if (kind == "reading")
+    return fmt::format("“{}” means {} in A, {} in B", text_of(a, "words"), brief(a), brief(b));
   if (kind == "utterance") return fmt::format("A says {}, B {}", brief(a), brief(b));
   return fmt::format("{} {} in A, {} in B", kind, brief(a), brief(b));
 }
@@ -152,12 +152,12 @@ std::string effect(const RunIndex& a, const RunIndex& b, const RunDiff& diff) {
   if (more == 0 && diff.differences[diff.first].kind != RunDifference::Kind::happened) return "Nothing else differs.";
   if (more > 0 && diff.count <= diff.differences.size()) {
     const bool timing = std::all_of(diff.differences.begin(), diff.differences.end(), [](const RunDifference& one) {
-      return one.kind == RunDifference::Kind::timing || (one.input && (one.input->kind == EventChange::Kind::moved));
+      return one.kind == RunDifference::Kind::timing ||
+             (one.input && (one.input->kind == EventChange::Kind::moved));
     });
     if (timing) return "Only times differ.";
   }
-  std::string text =
-      more == 0 ? "Nothing else differs." : fmt::format("{} more difference{}.", more, more == 1 ? "" : "s");
+  std::string text = more == 0 ? "Nothing else differs." : fmt::format("{} more difference{}.", more, more == 1 ? "" : "s");
   if (!diff.meet) return text + " They do not meet again.";
   return fmt::format("{} They meet again at {} s (A #{}, B #{}).", text,
                      seconds_text(std::max(a.entry(diff.meet->first).t, b.entry(diff.meet->second).t).seconds()),
@@ -204,10 +204,9 @@ RootCause change_in_words(EventChange::Kind kind, const Json& a, const Json& b, 
   if (kind == Kind::added)
     cause.sentence = fmt::format("{} ({} at {}) is only in B", cause.what, kind_of(b), place_of(b));
   if (kind == Kind::moved)
-    cause.sentence =
-        time_of(a) == time_of(b)
-            ? fmt::format("{} ({} at {}) comes in another order", cause.what, kind_of(a), place_of(a))
-            : fmt::format("{} ({}) comes at {} in A, at {} in B", cause.what, kind_of(a), place_of(a), place_of(b));
+    cause.sentence = time_of(a) == time_of(b)
+                         ? fmt::format("{} ({} at {}) comes in another order", cause.what, kind_of(a), place_of(a))
+                         : fmt::format("{} ({}) comes at {} in A, at {} in B", cause.what, kind_of(a), place_of(a), place_of(b));
   if (kind == Kind::swapped)
     cause.sentence = fmt::format("{} (at {} in A) and {} (at {}) change places", cause.what, place_of(a),
                                  event_words(other_a), place_of(other_a));
@@ -232,13 +231,12 @@ std::string sentence_of(const RunIndex& a, const RunIndex& b, const RunDiff& dif
     return read ? *read : Json();
   };
   const auto one = record(a, first.a), other = record(b, first.b);
-  std::string text =
-      diff.sameness == RunDiff::Sameness::unrelated
-          ? fmt::format("The runs are unrelated: {} of {} and {} inputs are common. They part at {} s{}: {}.",
-                        diff.inputs_common, diff.inputs_a, diff.inputs_b, seconds_text(first.t.seconds()),
-                        numbers(first), how(diff, first, one, other, transition_a, transition_b))
-          : fmt::format("They part at {} s{}: {}.", seconds_text(first.t.seconds()), numbers(first),
-                        how(diff, first, one, other, transition_a, transition_b));
+  std::string text = diff.sameness == RunDiff::Sameness::unrelated
+                         ? fmt::format("The runs are unrelated: {} of {} and {} inputs are common. They part at {} s{}: {}.",
+                                       diff.inputs_common, diff.inputs_a, diff.inputs_b, seconds_text(first.t.seconds()),
+                                       numbers(first), how(diff, first, one, other, transition_a, transition_b))
+                         : fmt::format("They part at {} s{}: {}.", seconds_text(first.t.seconds()), numbers(first),
+                                       how(diff, first, one, other, transition_a, transition_b));
   if (!first.input) text += fmt::format(" Cause ({}): {}.", diff.cause.kind, diff.cause.sentence);
   return diff.sameness == RunDiff::Sameness::unrelated ? text : text + " " + effect(a, b, diff);
 }

@@ -80,8 +80,7 @@ class DocumentComparison {
   }
 
   static bool keyed(const Json& array) {
-    return !array.empty() &&
-           std::all_of(array.begin(), array.end(), [](const Json& one) { return !key_of(one).empty(); });
+    return !array.empty() && std::all_of(array.begin(), array.end(), [](const Json& one) { return !key_of(one).empty(); });
   }
 
   void elements(const Json& a, const Json& b, const Path& path) {

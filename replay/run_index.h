@@ -19,12 +19,12 @@ namespace continua {
 
 /// One line of the log. Its running number `n` is its place in the index.
 struct RecordEntry {
-  std::uint64_t offset = 0;   ///< of its first byte
-  std::uint32_t length = 0;   ///< in bytes, without the line's end
-  std::uint16_t kind = 0;     ///< place in RunIndex::kinds()
-  std::uint8_t event = 0;     ///< of an event of the trace as it was read, a number for its kind; else 0
-  std::uint8_t measured = 0;  ///< 1: when it happened depends on how long an act took
-  std::int64_t cause = -1;    ///< n of the record that brought it about, or -1
+  std::uint64_t offset = 0;  ///< of its first byte
+  std::uint32_t length = 0;  ///< in bytes, without the line's end
+  std::uint16_t kind = 0;    ///< place in RunIndex::kinds()
+  std::uint8_t event = 0;      ///< of an event of the trace as it was read, a number for its kind; else 0
+  std::uint8_t measured = 0;   ///< 1: when it happened depends on how long an act took
+  std::int64_t cause = -1;   ///< n of the record that brought it about, or -1
   SimTime t{};
   RecordMeaning meaning;
 };

@@ -23,8 +23,8 @@ constexpr std::uint64_t shortest_kept = std::uint64_t{8} << 20;
 struct Begin {
   std::array<char, 24> name{"continua run index 1"};
   std::uint64_t order = 0x0102030405060708ULL;
-  std::uint64_t sizes =
-      (sizeof(RecordEntry) << 24) + (sizeof(StackMark) << 16) + (sizeof(SymbolPlace) << 8) + sizeof(ActMark);
+  std::uint64_t sizes = (sizeof(RecordEntry) << 24) + (sizeof(StackMark) << 16) + (sizeof(SymbolPlace) << 8) +
+                        sizeof(ActMark);
   bool operator==(const Begin&) const = default;
 };
 
@@ -145,16 +145,18 @@ std::optional<RunIndex> RunIndex::kept(const std::string& path, const Print& pri
 
 bool RunIndex::consistent() const {
   const auto known = [this](std::uint64_t n) { return n < entries_.size(); };
-  return !entries_.empty() && std::all_of(entries_.begin(), entries_.end(), [this](const RecordEntry& entry) {
-    return entry.kind < kinds_.size() && entry.offset <= bytes_ && entry.length <= bytes_ - entry.offset;
-  }) && std::all_of(marks_.begin(), marks_.end(), [&](const StackMark& mark) {
-    return known(mark.n);
-  }) && std::all_of(acts_.begin(), acts_.end(), [&](const ActMark& mark) {
-    return known(mark.n);
-  }) && std::all_of(symbols_.begin(), symbols_.end(), [&](const auto& symbol) {
-    const auto below = symbols_.find(symbol.second.below);
-    return known(symbol.second.n) && (below == symbols_.end() || below->second.n < symbol.second.n);
-  });
+  return !entries_.empty() &&
+         std::all_of(entries_.begin(), entries_.end(),
+                     [this](const RecordEntry& entry) {
+                       return entry.kind < kinds_.size() && entry.offset <= bytes_ &&
+                              entry.length <= bytes_ - entry.offset;
+                     }) &&
+         std::all_of(marks_.begin(), marks_.end(), [&](const StackMark& mark) { return known(mark.n); }) &&
+         std::all_of(acts_.begin(), acts_.end(), [&](const ActMark& mark) { return known(mark.n); }) &&
+         std::all_of(symbols_.begin(), symbols_.end(), [&](const auto& symbol) {
+           const auto below = symbols_.find(symbol.second.below);
+           return known(symbol.second.n) && (below == symbols_.end() || below->second.n < symbol.second.n);
+         });
 }
 
 // Under a name of its own until it is whole. That it cannot be written is no trouble.

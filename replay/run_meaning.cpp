@@ -15,15 +15,15 @@ using Keys = std::vector<std::string_view>;
 bool is_among(std::string_view key, const Keys& keys) { return std::find(keys.begin(), keys.end(), key) != keys.end(); }
 
 // Members that tell where a record stands in its log, or how near and by which way it was decided.
-const Keys of_place{"kind",     "n",      "t",       "cause",    "because", "line",  "step",
-                    "measured", "margin", "weights", "resolved", "entries", "rules", "id",
-                    "below",    "stack",  "act",     "result",   "waited_s"};
+const Keys of_place{"kind",    "n",        "t",       "cause", "because", "line",     "step",
+                    "measured", "margin",  "weights", "resolved", "entries", "rules",
+                    "id",       "below",   "stack",   "act",   "result",  "waited_s"};
 
 struct Kind {
   std::string_view name;
-  Keys what;      ///< members that tell what happened
-  Keys left_out;  ///< members that do not count, however deep they are
-  Keys walked;    ///< members with such members in them
+  Keys what;       ///< members that tell what happened
+  Keys left_out;   ///< members that do not count, however deep they are
+  Keys walked;     ///< members with such members in them
 };
 
 const std::vector<Kind> kinds{

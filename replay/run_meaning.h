@@ -1,5 +1,5 @@
-// What a record of a run log says, as numbers that are equal where records of any two runs say the same: without
-// running numbers, ids and times, which shift when something is added before.
+// What a record of a run log says, as numbers that are equal where records of any two runs say the same: without running
+// numbers, ids and times, which shift when something is added before.
 #pragma once
 
 #include <cstdint>

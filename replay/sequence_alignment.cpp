@@ -76,8 +76,9 @@ class Aligner {
     const auto equal = [&](std::size_t i, std::size_t j) { return a_[from.first + i] == b_[from.second + j]; };
     for (std::size_t i = rows; i-- > 0;)
       for (std::size_t j = columns; j-- > 0;)
-        lengths_[i * width + j] = equal(i, j) ? lengths_[(i + 1) * width + j + 1] + 1
-                                              : std::max(lengths_[(i + 1) * width + j], lengths_[i * width + j + 1]);
+        lengths_[i * width + j] = equal(i, j)
+                                      ? lengths_[(i + 1) * width + j + 1] + 1
+                                      : std::max(lengths_[(i + 1) * width + j], lengths_[i * width + j + 1]);
     for (std::size_t i = 0, j = 0; i < rows && j < columns;) {
       if (equal(i, j)) {
         found_.pairs.emplace_back(from.first + i++, from.second + j++);

@@ -70,14 +70,9 @@ std::string trace_diff_text(const TraceDiff& diff, bool colour) {
     std::string lines;
     if (change.line_a) lines += fmt::format("A line {}", change.line_a);
     if (change.line_b) lines += fmt::format("{}B line {}", lines.empty() ? "" : ", ", change.line_b);
-    text += painted(only_a   ? "31"
-                    : only_b ? "32"
-                             : "33",
-                    fmt::format("  {} {} ({}): {}",
-                                only_a   ? "-"
-                                : only_b ? "+"
-                                         : "~",
-                                continua::text(change.kind), lines, change.cause.sentence));
+    text += painted(only_a ? "31" : only_b ? "32" : "33",
+                    fmt::format("  {} {} ({}): {}", only_a ? "-" : only_b ? "+" : "~", continua::text(change.kind), lines,
+                                change.cause.sentence));
   }
   return text;
 }
@@ -101,8 +96,7 @@ Json trace_diff_json(const TraceDiff& diff) {
                        {"a", change.cause.a},
                        {"b", change.cause.b},
                        {"sentence", change.cause.sentence}});
-  return {
-      {"same", diff.same}, {"sentence", diff.sentence}, {"header", std::move(header)}, {"changes", std::move(changes)}};
+  return {{"same", diff.same}, {"sentence", diff.sentence}, {"header", std::move(header)}, {"changes", std::move(changes)}};
 }
 
 }  // namespace continua

@@ -6,8 +6,8 @@
 
 #include "core/located_json.h"
 #include "replay/event_changes.h"
-#include "replay/run_diff.h"
 #include "replay/run_givens.h"
+#include "replay/run_diff.h"
 #include "replay/trace_file.h"
 
 namespace continua {

@@ -30,7 +30,9 @@ std::string kind_of(const std::string& path) {
 
 bool wants_colour() { return isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR"); }
 
-void print_json(const Json& json) { fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace)); }
+void print_json(const Json& json) {
+  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
 
 int runs(const DiffCommandOptions& options) {
   auto other = std::async(std::launch::async, [&] { return RunIndex::open(options.b); });
@@ -66,8 +68,7 @@ int run_diff_command(const DiffCommandOptions& options) {
   const auto kind_a = kind_of(options.a), kind_b = kind_of(options.b);
   if (kind_a == "trace" && kind_b == "trace") return traces(options);
   if ((kind_a == "trace" && kind_b == "run") || (kind_a == "run" && kind_b == "trace"))
-    return report(
-               {options.b, fmt::format("is a {}, and {} is a {}; expected two of a kind", kind_b, options.a, kind_a)}),
+    return report({options.b, fmt::format("is a {}, and {} is a {}; expected two of a kind", kind_b, options.a, kind_a)}),
            exit_impossible;
   return runs(options);
 }
@@ -85,10 +86,8 @@ void add_diff_command(CLI::App& program, Run& run) {
       ->check(CLI::NonNegativeNumber);
   command->add_option("--most", options->most, "how many differences to show; 10 if left out");
   command->footer(
-      "Runs of different traces, machines, lexicons and worlds can be held against each other; numbers of records, "
-      "ids\n"
-      "and the times that shift with an input do not count. Exit status: 0 the same, 1 different, 2 it cannot be "
-      "told.\n"
+      "Runs of different traces, machines, lexicons and worlds can be held against each other; numbers of records, ids\n"
+      "and the times that shift with an input do not count. Exit status: 0 the same, 1 different, 2 it cannot be told.\n"
       "Example: continua diff before.run.jsonl after.run.jsonl");
   command->callback([options, &run] { run = [options] { return run_diff_command(*options); }; });
 }
