@@ -95,7 +95,7 @@ Result<std::size_t> last_deed(const RunIndex& run, double until_s) {
   if (last) return *last;
   if (!first) return Error{run.path(), "the avatar did and refused nothing in this log"};
   return Error{run.path(), fmt::format("the avatar did and refused nothing until {}; the first is at {}",
-                                       seconds_text(until_s), seconds_text(run.entry(*first).t.seconds()))};
+                                       time_text(until_s), time_text(run.entry(*first).t.seconds()))};
 }
 
 // What an expectation was held against last: the deed that it speaks of, else the decision before it.

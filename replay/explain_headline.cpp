@@ -169,9 +169,8 @@ std::string expectation(ExplainScope& scope, const Json& expect) {
       if (const auto& seen = member_of(found, key.c_str()); seen != value || member_of(expect, "met") == true)
         differs += fmt::format("{}{} {}{}", differs.empty() ? "" : "; ", key, compact(value),
                                seen == value ? "" : ", found " + compact(seen));
-  return fmt::format("At {} the expectation of line {} is {}: {}",
-                     seconds_text(scope.run().entry(scope.n()).t.seconds()), text_of(expect, "line"),
-                     member_of(expect, "met") == false ? "not met" : "met", differs);
+  return fmt::format("At {} the expectation of line {} is {}: {}", time_text(scope.run().entry(scope.n()).t.seconds()),
+                     text_of(expect, "line"), member_of(expect, "met") == false ? "not met" : "met", differs);
 }
 
 }  // namespace
@@ -180,7 +179,7 @@ std::string headline(ExplainScope& scope, const Json& act) {
   const auto n = scope.n();
   const auto& kind = scope.run().kind(n);
   if (kind == "expect") return expectation(scope, scope.record(n)) + ".";
-  auto text = fmt::format("At {} {}", seconds_text(scope.run().entry(n).t.seconds()), happened(scope));
+  auto text = fmt::format("At {} {}", time_text(scope.run().entry(n).t.seconds()), happened(scope));
   const auto end = [](const std::string& told) {
     return told.ends_with('.') || told.ends_with(".”") || told.ends_with("?”") ? "" : ".";
   };
@@ -226,9 +225,9 @@ Json explained_act(ExplainScope& scope, std::size_t n) {
     const auto status = outcome.get<std::string>();
     const auto t = run.entry(ended).t.seconds();
     const auto& result = member_of(last, "result");
-    sentence = status == "done"      ? fmt::format("It was done at {}", seconds_text(t))
-               : status == "stopped" ? fmt::format("It was given up at {}", seconds_text(t))
-                                     : fmt::format("It failed at {}: {}", seconds_text(t), status);
+    sentence = status == "done"      ? fmt::format("It was done at {}", time_text(t))
+               : status == "stopped" ? fmt::format("It was given up at {}", time_text(t))
+                                     : fmt::format("It failed at {}: {}", time_text(t), status);
     if (const auto reason = text_of(result, "reason"); !reason.empty())
       sentence += (status == "done" ? ": " : ", ") + reason;
     if (const auto& retries = member_of(result, "retries"); retries.is_array() && !retries.empty())

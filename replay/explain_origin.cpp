@@ -64,7 +64,7 @@ Found found_pointing(ExplainScope& scope, const std::string& words, std::size_t 
       std::string hand = text_of(deixis, "hand"),
                   text = hand.empty() ? "a pointing" : "the " + hand + " hand’s pointing";
       if (const auto& from = member_of(deixis, "from"); from.is_number())
-        text += fmt::format(" ({})", seconds_text(from.get<double>()));
+        text += fmt::format(" ({})", time_text(from.get<double>()));
       auto found = origin(scope, "pointing", text, n);
       for (const auto other : record_numbers(scope.record(n), "because", n))
         if (other != input && scope.run().kind(other) == "input") {
@@ -83,7 +83,7 @@ Found found_taught(ExplainScope& scope, const std::string& name, std::size_t at)
     const auto& lesson = scope.record(*--n);
     if (text_of(lesson, "name") != name) continue;
     return origin(scope, "taught",
-                  fmt::format("taught at {} as {} (#{})", seconds_text(scope.run().entry(*n).t.seconds()),
+                  fmt::format("taught at {} as {} (#{})", time_text(scope.run().entry(*n).t.seconds()),
                               text_of(lesson, "value"), *n),
                   *n);
   }
@@ -215,7 +215,7 @@ Found in_a_lesson(ExplainScope& scope, const std::string& value, std::size_t at)
 }  // namespace
 
 std::string told_input(ExplainScope& scope, std::size_t input) {
-  const auto t = seconds_text(scope.run().entry(input).t.seconds());
+  const auto t = time_text(scope.run().entry(input).t.seconds());
   for (const auto n : scope.of_turn(input, "reading")) {
     const auto& reading = scope.record(n);
     const auto& alternative = member_of(reading, "alternative");

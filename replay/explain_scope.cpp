@@ -88,7 +88,7 @@ std::vector<std::size_t> record_numbers(const Json& object, const char* key, std
   return numbers;
 }
 
-std::string seconds_text(double seconds) {
+std::string time_text(double seconds) {
   auto text = fmt::format("{:.3f}", seconds);
   while (text.ends_with('0') && text[text.size() - 2] != '.') text.pop_back();
   return text + " s";

@@ -55,7 +55,7 @@ class ExplainScope {
 std::vector<std::size_t> record_numbers(const Json& object, const char* key, std::size_t before);
 
 /// "5.05 s".
-std::string seconds_text(double seconds);
+std::string time_text(double seconds);
 
 /// The input as a reader knows it: “Put it there.”, gesture right point stroke, pointing right [0.1,0.2], act 1,
 /// put(…), missed. Of an n-best list the alternative of this number, as in RUNLOG.md.

@@ -22,7 +22,7 @@ double number_of(const Json& object, const char* key) {
   return value.is_number() ? value.get<double>() : 0.0;
 }
 
-std::string at(const Json& object, const char* key = "t") { return seconds_text(number_of(object, key)); }
+std::string at(const Json& object, const char* key = "t") { return time_text(number_of(object, key)); }
 
 std::string numbered(const Json& object, const char* key = "n") { return "#" + text_of(object, key); }
 
@@ -100,7 +100,7 @@ class Teller {
 
   void tell_percept(const Json& percept) {
     if (const auto waited = number_of(percept, "waited_s"); waited > 0)
-      tell(fmt::format("attended to {} after it began  {}", seconds_text(waited), numbered(percept)), 2);
+      tell(fmt::format("attended to {} after it began  {}", time_text(waited), numbered(percept)), 2);
     for (const auto& bound : list_of(percept, "bound")) {
       const auto& deixis = member_of(bound, "deixis");
       const auto hand = text_of(deixis, "hand");
