@@ -223,7 +223,7 @@ Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
   entry.meaning = meaning_of(kind, members);
   entries_.push_back(entry);
   // A symbol lies above an older one: a chain can only lead down, whatever the file says.
-  if (kind == "symbol" && id) {
+  if (kind == "symbol" && id && *id >= 0) {
     const auto* lower = below ? symbol(*below) : nullptr;
     const std::array<std::uint64_t, 2> stack{lower ? lower->stack : 0, hash_of(slots)};
     const SymbolPlace place{n, lower ? *below : -1,
