@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "replay/line_scan.h"
+#include "replay/run_diff.h"
+#include "replay/run_diff_text.h"
 #include "replay/run_lanes.h"
 #include "replay/run_views.h"
 
@@ -105,7 +107,8 @@ ApiResponse InspectorApi::get(std::string_view target) {
   if (parts.size() >= 2 && parts[0] == "api") {
     if (parts[1] == "runs" && parts.size() == 2) return runs();
     if (parts[1] == "runs" && parts.size() <= 4) return run(parts[2], parts.size() == 4 ? parts[3] : "", query);
-    if (parts[1] == "diff" || parts[1] == "live" || parts[1] == "sessions")
+    if (parts[1] == "diff" && parts.size() == 2) return diff(query);
+    if (parts[1] == "live" || parts[1] == "sessions")
       return api_error(501, fmt::format("/api/{} is not served by this version", parts[1]));
   }
   return api_error(404, fmt::format("there is nothing at {}", path));
@@ -178,6 +181,24 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
   std::erase_if(kept_, [](const auto& kept) { return kept.second.run.expired(); });
   kept_.insert_or_assign(key, Kept{*opened, response.body});
   return response;
+}
+
+ApiResponse InspectorApi::diff(const Query& query) {
+  std::vector<std::shared_ptr<const RunIndex>> sides;
+  for (const char* side : {"a", "b"}) {
+    const auto id = query.find(side);
+    if (id == query.end()) return api_error(400, fmt::format("{} is missing: the id of a run", side));
+    const auto opened = library_.open(id->second);
+    if (!opened) return api_error(422, opened.error().text());
+    if (!*opened) return api_error(404, fmt::format("there is no run '{}'", id->second));
+    sides.push_back(*opened);
+  }
+  const auto tolerance = number<double>(query, "tolerance", DiffOptions().tolerance_m);
+  if (!tolerance) return api_error(400, tolerance.error().sentence);
+  if (!(*tolerance >= 0)) return api_error(400, fmt::format("tolerance={}; expected metres from 0", *tolerance));
+  const auto told = diff_runs(*sides[0], *sides[1], {*tolerance});
+  if (!told) return api_error(422, told.error().text());
+  return answer(diff_json(*sides[0], *sides[1], *told));
 }
 
 ApiResponse InspectorApi::frame(const std::shared_ptr<const RunIndex>& run, const Query& query) {

@@ -213,7 +213,24 @@ TEST_CASE("what cannot be answered is said with its status") {
   CHECK_THAT(served.message("/api/runs/small/stack?n=-1", 400), Contains("n=-1"));
   CHECK_THAT(served.message("/api/runs/small/records?limit=many", 400), Contains("limit=many"));
   CHECK_THAT(served.message("/api/runs/small/frame?t=1", 501), Contains("not served"));
-  CHECK_THAT(served.message("/api/diff?a=small&b=small", 501), Contains("not served"));
+  CHECK_THAT(served.message("/api/live", 501), Contains("not served"));
+}
+
+TEST_CASE("two runs are held against each other") {
+  Served served;
+  auto other = small_log().text();
+  const std::string said = "Which block?";
+  other.replace(other.find(said), said.size(), "Which one?  ");
+  served.folder.write("other.run.jsonl", other);
+  CHECK(served.get("/api/diff?a=small&b=small")["sameness"] == "same");
+  const auto diff = served.get("/api/diff?a=small&b=other");
+  CHECK(diff["same"] == false);
+  CHECK(diff["differences"].size() == 1);
+  CHECK(diff["differences"][0]["a"][0]["brief"] == "“Which block?”");
+  CHECK_THAT(served.message("/api/diff?a=small", 400), Contains("b is missing"));
+  CHECK_THAT(served.message("/api/diff?a=small&b=none", 404), Contains("no run 'none'"));
+  CHECK_THAT(served.message("/api/diff?a=small&b=garbage", 422), Contains("not a run log"));
+  CHECK_THAT(served.message("/api/diff?a=small&b=other&tolerance=-1", 400), Contains("tolerance=-1"));
 }
 
 TEST_CASE("no address leads out of the served folders") {
