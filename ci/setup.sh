@@ -9,7 +9,7 @@ packages=(
   libgraphviz-dev libcairo2-dev fonts-dejavu-core ffmpeg
   catch2 librapidcheck-dev libbenchmark-dev
 )
-if [[ "${1:-}" == --tests ]]; then packages+=(chromium python3-jsonschema); fi
+if [[ "${1:-}" == --tests ]]; then packages+=(chromium locales python3-jsonschema); fi
 # Another npm than Debian's may be installed; Debian's would remove it.
 if ! command -v npm > /dev/null; then packages+=(nodejs npm); fi
 
