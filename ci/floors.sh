@@ -25,9 +25,11 @@ engine/simulation/*           core world behaviour/avatar_command.h
 replay/trace_*                core world perception replay/trace_*
 replay/session_import*        core world perception replay/trace_* replay/session_notation.h
 replay/session_notation*      core world perception
+replay/run_report*            core replay/run_* replay/exporters/* replay/sequence_alignment.h
 replay/run_*                  core replay/run_* replay/line_scan.h
 replay/line_scan.h            core
 replay/explain*               core replay/run_*
+replay/coverage*              core replay/run_* replay/coverage*
 replay/pictures/*             core world simulation/renderer.h replay/run_* replay/pictures/*
 replay/exporters/*            core replay/run_* replay/exporters/*
 replay/inspector_api*         core replay/run_* replay/line_scan.h replay/exporters/*
@@ -40,7 +42,7 @@ wrappers='
 nlohmann/*     engine/core/located_json.h
 xxhash.h       engine/core/digest.cpp
 Eigen/*        engine/world/*.h engine/world/*.cpp engine/simulation/*
-pugixml.hpp    engine/voxml/catalogue* engine/machine_file/jflap* engine/simulation/scene* tests/replay/state_graph_test.cpp
+pugixml.hpp    engine/voxml/catalogue* engine/machine_file/jflap* engine/simulation/scene* tests/replay/state_graph_test.cpp tests/replay/run_report_test.cpp
 mujoco/*       engine/simulation/*
 EGL/*          engine/simulation/*
 GL/*           engine/simulation/*
