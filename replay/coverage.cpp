@@ -53,8 +53,12 @@ class Counting {
 
   MachineCoverage result() const {
     const auto &machine = part(header_, "machine"), &lexicon = part(header_, "lexicon");
-    MachineCoverage coverage{text_of(machine, "name"),  text_of(machine, "digest"), text_of(lexicon, "name"),
-                             text_of(lexicon, "digest"), 1,                          {}};
+    MachineCoverage coverage{text_of(machine, "name"),
+                             text_of(machine, "digest"),
+                             text_of(lexicon, "name"),
+                             text_of(lexicon, "digest"),
+                             1,
+                             {}};
     coverage.kinds = {states(), transitions(), conditions(), gates(), operations(), phrases_.reached()};
     const auto named = [](const char* kind, const Counts& counts) {
       CoverageKind used{kind, {}, true};

@@ -75,15 +75,15 @@ Json coverage_json(const std::vector<MachineCoverage>& machines) {
       kinds.push_back(
           {{"kind", kind.name}, {"reached", kind.reached()}, {"of", kind.items.size()}, {"items", std::move(items)}});
     }
-    all.push_back({{"name", machine.name},
-                   {"digest", machine.digest},
-                   {"lexicon", machine.lexicon.empty()
-                                   ? Json()
-                                   : Json{{"name", machine.lexicon}, {"digest", machine.lexicon_digest}}},
-                   {"runs", machine.runs},
-                   {"reached", machine.reached()},
-                   {"of", machine.reachable()},
-                   {"kinds", std::move(kinds)}});
+    all.push_back(
+        {{"name", machine.name},
+         {"digest", machine.digest},
+         {"lexicon",
+          machine.lexicon.empty() ? Json() : Json{{"name", machine.lexicon}, {"digest", machine.lexicon_digest}}},
+         {"runs", machine.runs},
+         {"reached", machine.reached()},
+         {"of", machine.reachable()},
+         {"kinds", std::move(kinds)}});
   }
   return {{"machines", std::move(all)}};
 }

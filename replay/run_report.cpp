@@ -160,9 +160,9 @@ std::string made_with(const RunIndex& run) {
 
 std::string report_page(const RunReport& report) {
   const bool good = report.verdict == "same" || report.verdict == "same decisions" || report.verdict == "new";
-  std::string body = fmt::format("<h1>{} <span class=\"verdict {}\">{}</span></h1>\n<p class=\"cause\">{}</p>\n",
-                                 in_html(report.trace), good ? "good" : "bad", in_html(report.verdict),
-                                 in_html(report.sentence));
+  std::string body =
+      fmt::format("<h1>{} <span class=\"verdict {}\">{}</span></h1>\n<p class=\"cause\">{}</p>\n",
+                  in_html(report.trace), good ? "good" : "bad", in_html(report.verdict), in_html(report.sentence));
   body += fmt::format("<p class=\"quiet\">now: {}", made_with(*report.run));
   if (report.approved) body += fmt::format("<br/>approved: {}", made_with(*report.approved));
   body += "</p>\n<h2>The dialogue</h2>\n";

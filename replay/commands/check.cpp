@@ -114,8 +114,9 @@ void add_check_command(CLI::App& program, Run& run) {
           "replay traces in the kinematic world, where every act succeeds")
       ->excludes(physics);
   command->add_flag("--strict", options->strict, "that only the decisions are the same is a failure too");
-  auto* approve = command->add_flag("--approve", options->approve,
-                                    "show what is new or not as approved, ask, then write these runs beside their traces");
+  auto* approve =
+      command->add_flag("--approve", options->approve,
+                        "show what is new or not as approved, ask, then write these runs beside their traces");
   command->add_flag("--yes", options->yes, "with --approve: do not ask")->needs(approve);
   command->add_option("-j,--jobs", options->jobs, "how many files at a time")->check(CLI::Range(1, 256));
   auto shard = std::make_shared<std::string>();
@@ -130,9 +131,10 @@ void add_check_command(CLI::App& program, Run& run) {
   command->add_option("--summary", options->summary, "add what came out to this file, as Markdown");
   command->add_flag("--github", options->github,
                     "tell failures as GitHub's annotations too; on its own where GITHUB_ACTIONS is true");
-  command->add_option("--failures", options->failures,
-                      "folder for what shows why a trace fails, a folder for each: its run, the approved one, their diff\n"
-                      "and report.html; check-failures if left out, '' for none. Not with --approve");
+  command->add_option(
+      "--failures", options->failures,
+      "folder for what shows why a trace fails, a folder for each: its run, the approved one, their diff\n"
+      "and report.html; check-failures if left out, '' for none. Not with --approve");
   command->footer(
       "Of a trace: same (every byte), same decisions (as in another world), new (nothing is approved), changed,\n"
       "stale (approved from another trace), broken (cannot be replayed, or an expectation is not met).\n"

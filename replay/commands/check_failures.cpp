@@ -24,7 +24,8 @@ std::string ending_of(const ApprovedRun& approved) {
 
 std::string in_shell(const std::string& path) {
   const auto harmless = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string_view("/._-+,@%=").find(c) != std::string_view::npos;
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("/._-+,@%=").find(c) != std::string_view::npos;
   };
   if (!path.empty() && std::all_of(path.begin(), path.end(), harmless)) return path;
   std::string quoted = "'";
@@ -51,8 +52,8 @@ Result<std::string> write_failure(const FailureReport& report, const TraceCheck&
   const auto run_path = at(report.name + ".run.jsonl");
   std::vector<std::pair<std::string, std::string>> files = {{run_path, check.run}};
   RunReport page{report.trace, text(check.verdict), check.reason, nullptr, nullptr, nullptr, {}};
-  page.commands = {fmt::format("continua replay {}{} -o {}", in_shell(report.trace), report.replay_options,
-                               in_shell(run_path))};
+  page.commands = {
+      fmt::format("continua replay {}{} -o {}", in_shell(report.trace), report.replay_options, in_shell(run_path))};
   if (check.approved) files.emplace_back(at(report.name + ending_of(*check.approved)), check.approved->content);
   const auto alone = check.compared ? std::nullopt : std::optional(RunIndex::of_text(check.run, run_path));
   if (alone && !*alone) return alone->error();

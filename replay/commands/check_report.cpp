@@ -95,7 +95,8 @@ std::vector<std::pair<std::string, std::size_t>> verdicts_of(const CheckReport& 
     times.emplace_back(verdict, 0);
   for (const auto& one : report.cases) {
     if (one.is_trace != traces) continue;
-    auto found = std::find_if(times.begin(), times.end(), [&](const auto& known) { return known.first == one.verdict; });
+    auto found =
+        std::find_if(times.begin(), times.end(), [&](const auto& known) { return known.first == one.verdict; });
     if (found == times.end()) found = times.insert(times.end(), {one.verdict, 0});
     ++found->second;
   }
@@ -128,7 +129,8 @@ Result<CheckReport> read_report(std::string_view text, const std::string& name) 
   const Json shard = root.contains("shard") ? root["shard"] : Json();
   const auto is_count = [](const Json& json) { return json.is_number_unsigned() && json > 0 && json <= most_shards; };
   if (!shard.is_array() || shard.size() != 2 || !is_count(shard[0]) || !is_count(shard[1]) || shard[0] > shard[1])
-    return document->error("/shard", fmt::format("found {}; expected \"shard\": [I, N], I from 1 to N", compact(shard)));
+    return document->error("/shard",
+                           fmt::format("found {}; expected \"shard\": [I, N], I from 1 to N", compact(shard)));
   CheckReport report;
   report.shard = {shard[0].get<std::size_t>(), shard[1].get<std::size_t>()};
   report.files = member(root, "files", std::size_t{0}, &Json::is_number_unsigned);
@@ -153,15 +155,15 @@ MergedReports merged(const std::vector<std::string>& names, const std::vector<Ch
   for (std::size_t i = 0; i < reports.size(); ++i) {
     const auto& [shard, files, seconds, cases] = reports[i];
     if (shard.count != first.shard.count || files != first.files) {
-      all.problems.push_back({names[i], fmt::format("is shard {}/{} of {}; expected one of {} of {} as in {}", shard.index,
-                                                    shard.count, counted(files, "file"), first.shard.count,
+      all.problems.push_back({names[i], fmt::format("is shard {}/{} of {}; expected one of {} of {} as in {}",
+                                                    shard.index, shard.count, counted(files, "file"), first.shard.count,
                                                     counted(first.files, "file"), names.front())});
       continue;
     }
     auto& place = places[shard.index - 1];
     if (place < reports.size()) {
-      all.problems.push_back(
-          {names[i], fmt::format("is shard {}/{}, and so is {}; expected each once", shard.index, shard.count, names[place])});
+      all.problems.push_back({names[i], fmt::format("is shard {}/{}, and so is {}; expected each once", shard.index,
+                                                    shard.count, names[place])});
       continue;
     }
     place = i;

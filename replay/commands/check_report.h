@@ -53,8 +53,8 @@ std::vector<std::pair<std::string, std::size_t>> verdicts_of(const CheckReport& 
 /// "41 traces: 38 same, 2 same decisions, 1 changed; 9 other files: 9 true; in 12.3 s".
 std::string total_of(const CheckReport& report);
 
-/// {"check": 1, "shard": [I, N], "files", "seconds", "cases": [{"path", "trace", "verdict", "sentence", "status", "line",
-/// "problems" [{"where", "sentence"}], "details", "page"}]}; fields that are empty are left out.
+/// {"check": 1, "shard": [I, N], "files", "seconds", "cases": [{"path", "trace", "verdict", "sentence", "status",
+/// "line", "problems" [{"where", "sentence"}], "details", "page"}]}; fields that are empty are left out.
 Json json_of(const CheckReport& report);
 
 /// Reads what json_of wrote. `name` stands for the file in errors.

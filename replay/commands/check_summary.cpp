@@ -43,8 +43,8 @@ std::string fenced(const std::string& text) {
 }
 
 std::string failure(const CheckCase& one) {
-  std::string text = fmt::format("<details><summary><b>{}</b>: {}</summary>\n\n", in_html(one.path),
-                                 in_html(one.sentence));
+  std::string text =
+      fmt::format("<details><summary><b>{}</b>: {}</summary>\n\n", in_html(one.path), in_html(one.sentence));
   std::string problems;
   for (const auto& problem : one.problems) problems += problem.text() + "\n";
   if (!problems.empty()) text += fenced(problems) + "\n";
@@ -56,11 +56,13 @@ std::string failure(const CheckCase& one) {
 }  // namespace
 
 std::string markdown_of(const CheckReport& report) {
-  std::string text = fmt::format("## continua check: {}\n\n{}\n\n", report.status() == exit_done ? "all holds" : "failed",
-                                 plain(total_of(report)));
+  std::string text = fmt::format("## continua check: {}\n\n{}\n\n",
+                                 report.status() == exit_done ? "all holds" : "failed", plain(total_of(report)));
   text += "| verdict | traces | other files |\n| --- | ---: | ---: |\n";
-  for (const auto& [verdict, count] : verdicts_of(report, true)) text += fmt::format("| {} | {} | |\n", plain(verdict), count);
-  for (const auto& [verdict, count] : verdicts_of(report, false)) text += fmt::format("| {} | | {} |\n", plain(verdict), count);
+  for (const auto& [verdict, count] : verdicts_of(report, true))
+    text += fmt::format("| {} | {} | |\n", plain(verdict), count);
+  for (const auto& [verdict, count] : verdicts_of(report, false))
+    text += fmt::format("| {} | | {} |\n", plain(verdict), count);
   text += "\n";
   for (const auto& one : report.cases)
     if (one.status != exit_done) text += failure(one);

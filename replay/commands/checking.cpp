@@ -130,7 +130,8 @@ Checking::Finding Checking::trace_finding(std::size_t index) {
   told.verdict = text(check.verdict);
   told.status = fails ? exit_no : exit_done;
   told.sentence = check.reason.empty() ? told.verdict : fmt::format("{}: {}", told.verdict, check.reason);
-  if (!fails) told.sentence = counted(static_cast<std::size_t>(check.expectations), "expectation") + ", " + told.sentence;
+  if (!fails)
+    told.sentence = counted(static_cast<std::size_t>(check.expectations), "expectation") + ", " + told.sentence;
   if (fails) compare(check);
   told.line = check.line;
   if (fails) told.details = details_of(check);

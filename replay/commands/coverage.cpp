@@ -194,9 +194,8 @@ int run_coverage(const CoverageOptions& options) {
   counting.run();
   auto machines = by_machine(counting.usable(usable));
   for (auto& machine : machines) add_knowledge(machine, *data);
-  const auto text =
-      options.json ? coverage_json(machines).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                   : coverage_text(machines, options.never);
+  const auto text = options.json ? coverage_json(machines).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                                 : coverage_text(machines, options.never);
   if (const auto problem = write_file("-", text)) return report(*problem), exit_impossible;
   if (!usable) return exit_impossible;
   int status = exit_done;
@@ -220,7 +219,9 @@ void add_coverage_command(CLI::App& program, Run& run) {
       ->required();
   command->add_flag("--json", options->json, "all that can be reached, with counts, as JSON");
   command->add_flag("--never", options->never, "tell all that was never reached, not the first few of each kind");
-  command->add_option("--at-least", options->at_least, "PERCENT: end with 1 where less of what is a machine's own is reached")
+  command
+      ->add_option("--at-least", options->at_least,
+                   "PERCENT: end with 1 where less of what is a machine's own is reached")
       ->check(CLI::Range(0, 100));
   command->add_option("--knowledge", options->knowledge, "folder to use instead of engine/knowledge");
   command->add_option("-j,--jobs", options->jobs, "how many files at a time")->check(CLI::Range(1, 256));

@@ -28,11 +28,12 @@ CheckCase trace_case(const std::string& path, const std::string& verdict, int st
 
 CheckReport some_report() {
   CheckReport report{{1, 1}, 5, 1.26, {}};
-  report.cases = {trace_case("a.trace.jsonl", "same", exit_done, "1 expectation, same"),
-                  trace_case("b.trace.jsonl", "changed", exit_no, "changed: 50 % of <b>\nit"),
-                  trace_case("c.trace.jsonl", "same", exit_done, "2 expectations, same"),
-                  {"words", false, "not true", "1 of 2 examples not true", exit_no, 0, {{"words/a.json:3:7", "no"}}, "", ""},
-                  {"m.json", false, "true", "3 examples", exit_done, 0, {}, "", ""}};
+  report.cases = {
+      trace_case("a.trace.jsonl", "same", exit_done, "1 expectation, same"),
+      trace_case("b.trace.jsonl", "changed", exit_no, "changed: 50 % of <b>\nit"),
+      trace_case("c.trace.jsonl", "same", exit_done, "2 expectations, same"),
+      {"words", false, "not true", "1 of 2 examples not true", exit_no, 0, {{"words/a.json:3:7", "no"}}, "", ""},
+      {"m.json", false, "true", "3 examples", exit_done, 0, {}, "", ""}};
   report.cases[1].line = 4;
   report.cases[1].details = "| a | b |\n";
   report.cases[1].page = "check-failures/b/report.html";
@@ -70,10 +71,11 @@ TEST_CASE("a place is a file, perhaps a line, perhaps a column") {
     const char* file;
     std::size_t line, column;
   };
-  const Case cases[] = {{"", "", 0, 0},          {"a.json", "a.json", 0, 0},   {"a.json:3", "a.json", 3, 0},
-                        {"a:3:7", "a", 3, 7},    {"C:a:3:7", "C:a", 3, 7},     {"a:b", "a:b", 0, 0},
-                        {"a:", "a:", 0, 0},      {":3", ":3", 0, 0},           {"a:0", "a:0", 0, 0},
-                        {"a:3x", "a:3x", 0, 0},  {"a:1:2:3", "a:1", 2, 3},     {"a:99999999999999999999", "a:99999999999999999999", 0, 0}};
+  const Case cases[] = {
+      {"", "", 0, 0},         {"a.json", "a.json", 0, 0}, {"a.json:3", "a.json", 3, 0},
+      {"a:3:7", "a", 3, 7},   {"C:a:3:7", "C:a", 3, 7},   {"a:b", "a:b", 0, 0},
+      {"a:", "a:", 0, 0},     {":3", ":3", 0, 0},         {"a:0", "a:0", 0, 0},
+      {"a:3x", "a:3x", 0, 0}, {"a:1:2:3", "a:1", 2, 3},   {"a:99999999999999999999", "a:99999999999999999999", 0, 0}};
   for (const auto& [where, file, line, column] : cases) {
     CAPTURE(where);
     const auto place = place_of(where);
@@ -208,7 +210,8 @@ TEST_CASE("what is no report of a check is an error") {
       {R"({"check": 1})", R"(r:1:1: found null; expected "shard": [I, N], I from 1 to N)"},
       {R"({"check": 1, "shard": [0, 1]})", R"(r:1:23: found [0,1]; expected "shard": [I, N], I from 1 to N)"},
       {R"({"check": 1, "shard": [2, 1]})", R"(r:1:23: found [2,1]; expected "shard": [I, N], I from 1 to N)"},
-      {R"({"check": 1, "shard": [1, 99999999]})", R"(r:1:23: found [1,99999999]; expected "shard": [I, N], I from 1 to N)"},
+      {R"({"check": 1, "shard": [1, 99999999]})",
+       R"(r:1:23: found [1,99999999]; expected "shard": [I, N], I from 1 to N)"},
       {R"({"check": 1, "shard": [1, 1]})", R"(r:1:1: expected "cases": a list of what came out, file by file)"},
       {R"({"check": 1, "shard": [1, 1], "files": 1, "cases": []})",
        "r:1:52: found 0 cases; expected 1, the share of shard 1/1 of 1 file"},
@@ -219,7 +222,8 @@ TEST_CASE("what is no report of a check is an error") {
     const auto report = read_report(text, "r");
     CHECK((report ? "" : report.error().text()) == error);
   }
-  const auto odd = read_report(R"({"check": 1, "shard": [1, 1], "files": 1, "cases": [{"path": 7, "problems": [3, {}]}]})", "r");
+  const auto odd =
+      read_report(R"({"check": 1, "shard": [1, 1], "files": 1, "cases": [{"path": 7, "problems": [3, {}]}]})", "r");
   REQUIRE(odd.ok());
   CHECK(odd->status() == exit_impossible);
 }

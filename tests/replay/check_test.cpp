@@ -264,7 +264,8 @@ TEST_CASE("the shards of a check, merged, are the check that is not shared") {
     const auto [status, text] = told([&] { return run_check(with_reports); });
     const auto until = [](const std::string& all) { return all.substr(0, all.rfind("; in ")); };
     const auto summary = read_file(with_reports.summary).value();
-    return std::tuple(status, until(text), read_file(with_reports.junit).value(), summary.substr(summary.find("| verdict")));
+    return std::tuple(status, until(text), read_file(with_reports.junit).value(),
+                      summary.substr(summary.find("| verdict")));
   };
   const auto whole = outcome(options, "whole");
   CHECK(std::get<0>(whole) == exit_no);

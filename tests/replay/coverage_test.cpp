@@ -239,8 +239,9 @@ TEST_CASE("coverage is told with bars, and the first few of what was never reach
   CHECK(coverage_text({machine}, true).find("    t13: held; c\n") != std::string::npos);
   CHECK(coverage_text({machine}, true).find("more") == std::string::npos);
   machine.kinds.resize(1);
-  CHECK(coverage_json({machine}) ==
-        Json::parse(R"json({"machines": [{"name": "two", "digest": "0123456789", "lexicon": null, "runs": 2, "reached": 1,
+  CHECK(
+      coverage_json({machine}) ==
+      Json::parse(R"json({"machines": [{"name": "two", "digest": "0123456789", "lexicon": null, "runs": 2, "reached": 1,
           "of": 2, "kinds": [{"kind": "states", "reached": 1, "of": 2, "items": [{"name": "A", "count": 3},
           {"name": "B", "count": 0}]}]}]})json"));
   CHECK(percent(199, 200) == 99);
@@ -249,7 +250,8 @@ TEST_CASE("coverage is told with bars, and the first few of what was never reach
 
 TEST_CASE("the project's traces reach what they are there for") {
   CoverageOptions options;
-  options.paths = {std::string(CONTINUA_SOURCE_DIR) + "/traces/paper", std::string(CONTINUA_SOURCE_DIR) + "/traces/talk"};
+  options.paths = {std::string(CONTINUA_SOURCE_DIR) + "/traces/paper",
+                   std::string(CONTINUA_SOURCE_DIR) + "/traces/talk"};
   options.json = true;
   const auto [status, text] = told([&] { return run_coverage(options); });
   REQUIRE(status == exit_done);
@@ -261,8 +263,8 @@ TEST_CASE("the project's traces reach what they are there for") {
     if (machine["name"] != "interaction") continue;
     for (const auto& kind : machine["kinds"]) kinds[kind["kind"]] = kind;
   }
-  for (const char* kind : {"states", "transitions", "conditions", "operations", "phrases", "raising rules",
-                           "lexicon entries"}) {
+  for (const char* kind :
+       {"states", "transitions", "conditions", "operations", "phrases", "raising rules", "lexicon entries"}) {
     CAPTURE(kind);
     REQUIRE(kinds.contains(kind));
     CHECK(kinds[kind]["reached"] > 0);

@@ -15,8 +15,7 @@ RunIndex index_of(const LogBuilder& log) { return RunIndex::of_text(log.text(), 
 
 std::string told(const std::vector<DialogueLine>& lines) {
   std::string text;
-  for (const auto& line : lines)
-    text += (line.human ? "human " : "avatar ") + line.how + " " + line.what + "\n";
+  for (const auto& line : lines) text += (line.human ? "human " : "avatar ") + line.how + " " + line.what + "\n";
   return text;
 }
 
@@ -39,7 +38,8 @@ void check_page(const std::string& page) {
   INFO(parsed.description() << " at " << page.substr(static_cast<std::size_t>(parsed.offset), 80));
   CHECK(parsed);
   CHECK(document.select_node("//meta[@http-equiv='Content-Security-Policy']"));
-  for (const char* path : {"//script", "//link", "//iframe", "//img", "//@src", "//@href", "//@*[starts-with(name(), 'on')]"})
+  for (const char* path :
+       {"//script", "//link", "//iframe", "//img", "//@src", "//@href", "//@*[starts-with(name(), 'on')]"})
     CHECK_FALSE(document.select_node(path));
   CHECK(page.find("url(") == std::string::npos);
   CHECK(page.find("@import") == std::string::npos);
