@@ -117,21 +117,24 @@ TraceCheck check_trace(const std::string& trace_path, const ReplayOptions& optio
   check.verdict = verdict_of(comparison->sameness);
   check.reason = std::move(comparison->difference);
   if (check.verdict == Verdict::same) check.run.clear();
-  if (check.verdict == Verdict::changed || check.verdict == Verdict::stale) compare(check);
+  if (check.verdict == Verdict::changed || check.verdict == Verdict::stale)
+    if (const auto problem = compare(check)) check.reason += ", and where cannot be told: " + problem->text();
   if (check.verdict == Verdict::changed && check.compared) check.reason = check.compared->diff.sentence;
   if (check.verdict == Verdict::stale) check.reason = check.approved->path + " was made from another trace";
   return check;
 }
 
-void compare(TraceCheck& check) {
-  if (check.compared || !check.approved || !is_whole_log(*check.approved) || check.run.empty()) return;
+Outcome compare(TraceCheck& check) {
+  if (check.compared || !check.approved || !is_whole_log(*check.approved) || check.run.empty()) return std::nullopt;
   auto approved = RunIndex::of_text(check.approved->content, check.approved->path);
+  if (!approved) return approved.error();
   auto run = RunIndex::of_text(check.run, "the run");
-  if (!approved || !run) return;
+  if (!run) return run.error();
   auto diff = diff_runs(*approved, *run);
-  if (!diff) return;
+  if (!diff) return diff.error();
   check.line = line_of(*diff, *run);
   check.compared = ComparedRuns{*std::move(approved), *std::move(run), *std::move(diff)};
+  return std::nullopt;
 }
 
 }  // namespace continua

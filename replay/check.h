@@ -45,7 +45,8 @@ struct TraceCheck {
 /// Replays a trace and holds it against what is approved.
 TraceCheck check_trace(const std::string& trace_path, const ReplayOptions& options);
 
-/// Fills in `compared` and `line`, where there are two logs to compare and it has not been done.
-void compare(TraceCheck& check);
+/// Fills in `compared` and `line`, where there are two logs to compare and it has not been done. The error is of one
+/// that cannot be read.
+Outcome compare(TraceCheck& check);
 
 }  // namespace continua

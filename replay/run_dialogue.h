@@ -13,8 +13,8 @@ namespace continua {
 struct DialogueLine {
   std::size_t n = 0;  ///< of its record
   SimTime t{};
-  bool human = false;
-  std::string how;  ///< "says", "shows", "does", "did not" an act, "did not take" an input, "was expected"
+  std::string who;  ///< "human", "avatar", "expectation"
+  std::string how;  ///< "says", "shows", "does", "did not" an act, "did not take" an input, "is" not met
   std::string what;
 };
 

@@ -39,8 +39,7 @@ const char* described(RunDifference::Kind kind) {
 }
 
 std::string of_line(const DialogueLine& line) {
-  return fmt::format("<span class=\"who\">{}</span> {} {}", line.human ? "human" : "avatar", in_html(line.how),
-                     in_html(line.what));
+  return fmt::format("<span class=\"who\">{}</span> {} {}", line.who, in_html(line.how), in_html(line.what));
 }
 
 std::string same_row(const std::string& time, const std::string& html) {
@@ -71,8 +70,8 @@ std::string one_dialogue(const RunIndex& run) {
   return html + end_of_table;
 }
 
-// Lines that say the same, whenever they do, side by side; between them what differs, as far as there is something in
-// both.
+// Lines that say the same, whenever they do, side by side; between them what differs, side by side where it happened at
+// the same time.
 std::string both_dialogues(const RunIndex& approved, const RunIndex& now) {
   const auto a = dialogue_of(approved), b = dialogue_of(now);
   std::map<std::string, std::uint64_t> numbers;
@@ -86,8 +85,10 @@ std::string both_dialogues(const RunIndex& approved, const RunIndex& now) {
   std::size_t i = 0, j = 0;
   const auto tell_until = [&](std::size_t end_a, std::size_t end_b) {
     while (i < end_a || j < end_b) {
-      const auto* line_a = i < end_a ? &a[i++] : nullptr;
-      const auto* line_b = j < end_b ? &b[j++] : nullptr;
+      const auto* line_a = i < end_a && (j == end_b || a[i].t <= b[j].t) ? &a[i] : nullptr;
+      const auto* line_b = j < end_b && (i == end_a || b[j].t <= a[i].t) ? &b[j] : nullptr;
+      if (line_a) ++i;
+      if (line_b) ++j;
       html += differing_row(seconds((line_b ? line_b : line_a)->t), line_a ? of_line(*line_a) : "",
                             line_b ? of_line(*line_b) : "");
     }
@@ -163,6 +164,8 @@ std::string report_page(const RunReport& report) {
   std::string body =
       fmt::format("<h1>{} <span class=\"verdict {}\">{}</span></h1>\n<p class=\"cause\">{}</p>\n",
                   in_html(report.trace), good ? "good" : "bad", in_html(report.verdict), in_html(report.sentence));
+  if (report.diff && report.diff->sentence != report.sentence)
+    body += fmt::format("<p class=\"cause\">{}</p>\n", in_html(report.diff->sentence));
   body += fmt::format("<p class=\"quiet\">now: {}", made_with(*report.run));
   if (report.approved) body += fmt::format("<br/>approved: {}", made_with(*report.approved));
   body += "</p>\n<h2>The dialogue</h2>\n";

@@ -14,7 +14,7 @@ namespace continua {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t lines_shown = 8;
+constexpr std::size_t lines_shown = 14;
 
 bool is_open(const CheckOptions& options, const TraceCheck& check) {
   return can_be_approved(check.verdict) || (options.strict && check.verdict == Verdict::same_decisions);
@@ -25,16 +25,17 @@ std::string first_lines(std::string_view text) {
   for (std::size_t shown = 0; !text.empty(); ++shown) {
     if (shown == lines_shown) return lines + "    …\n";
     const auto length = std::min(text.find('\n'), text.size());
-    lines += fmt::format("    {}\n", text.substr(0, length));
+    lines += length == 0 ? "\n" : fmt::format("    {}\n", text.substr(0, length));
     text.remove_prefix(std::min(length + 1, text.size()));
   }
   return lines;
 }
 
+// The diff begins with its sentence.
 void show(const CheckCase& one, const TraceCheck& check) {
-  fmt::print("{}: {}\n", one.path, one.sentence);
-  if (const auto& compared = check.compared)
-    fmt::print("{}", first_lines(diff_text(compared->approved, compared->run, compared->diff)));
+  const auto& compared = check.compared;
+  fmt::print("\n{}: {}\n", one.path, compared ? one.verdict : one.sentence);
+  if (compared) fmt::print("{}", first_lines(diff_text(compared->approved, compared->run, compared->diff)));
 }
 
 bool answers_yes() {
@@ -55,7 +56,7 @@ Outcome approve(const CheckOptions& options, const std::vector<CheckItem>& items
       return Error{"--approve", fmt::format("{} would be approved, and nobody can be asked; expected --yes",
                                             counted(open.size(), "run"))};
     for (const auto i : open) show(cases[i], *checking.trace(i));
-    fmt::print("Approve {}? [y/N] ", counted(open.size(), "run"));
+    fmt::print("\nApprove {}? [y/N] ", counted(open.size(), "run"));
     std::fflush(stdout);
     if (!answers_yes()) return std::nullopt;
   }

@@ -15,7 +15,7 @@ RunIndex index_of(const LogBuilder& log) { return RunIndex::of_text(log.text(), 
 
 std::string told(const std::vector<DialogueLine>& lines) {
   std::string text;
-  for (const auto& line : lines) text += (line.human ? "human " : "avatar ") + line.how + " " + line.what + "\n";
+  for (const auto& line : lines) text += line.who + " " + line.how + " " + line.what + "\n";
   return text;
 }
 
@@ -77,15 +77,16 @@ TEST_CASE("a run is told as a dialogue") {
     const char* line;
   };
   const Case cases[] = {
-      {"act", R"({"program": "p", "status": "dropped", "result": {"reason": "it fell"}})", "avatar did not p: dropped, it fell\n"},
+      {"act", R"({"program": "p", "status": "dropped", "result": {"reason": "it fell"}})",
+       "avatar did not p: dropped, it fell\n"},
       {"act", R"({"program": "p", "status": "done"})", ""},
       {"act", R"({"program": "p", "status": "blocked", "step": 2})", ""},
       {"expect", R"({"met": false, "expected": {"state": "A"}, "found": {"state": "B"}})",
-       "avatar was expected not met: expected state A; found state B\n"},
+       "expectation is not met: expected state A; found state B\n"},
       {"expect", R"({"met": true})", ""},
       {"input", R"({"event": {"kind": "pointing"}})", ""},
       {"input", R"({"event": 7})", ""},
-      {"gesture", R"({"gesture": "look_at(x)"})", "avatar shows look_at(x)\n"},
+      {"gesture", R"json({"gesture": "look_at(x)"})json", "avatar shows look_at(x)\n"},
       {"utterance", R"({"text": ["no text"]})", "avatar says “[\"no text\"]”\n"},
       {"act", R"({"status": 3})", "avatar did not : 3\n"},
   };
