@@ -31,7 +31,7 @@ replay/run_*                  core replay/run_* replay/line_scan.h replay/event_
 replay/event_changes*         core replay/sequence_alignment.h
 replay/sequence_alignment*    core
 replay/line_scan.h            core
-replay/explain*               core replay/run_*
+replay/explain*               core replay/run_* replay/line_scan.h replay/explain*
 replay/coverage*              core replay/run_* replay/coverage*
 replay/pictures/*             core world simulation/renderer.h replay/run_* replay/pictures/*
 replay/exporters/*            core replay/run_* replay/exporters/*

@@ -1,6 +1,7 @@
 // Reads the members of a one-line JSON object without building a tree: enough to index a log at the speed of the disk.
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <optional>
@@ -29,21 +30,28 @@ struct LineWalk {
   bool skip_value() {
     if (next_is('"')) return skip_string();
     int depth = 0;
-    for (; at < text.size(); ++at) {
-      const char c = text[at];
-      if (c == '"') {
-        if (!skip_string()) return false;
-        --at;
-      } else if (c == '{' || c == '[') {
-        ++depth;
-      } else if (c == '}' || c == ']') {
-        if (depth == 0) return true;
-        --depth;
-      } else if (c == ',' && depth == 0) {
-        return true;
+    for (;;) {
+      while (at < text.size() && !parts_values[static_cast<unsigned char>(text[at])]) ++at;
+      if (at >= text.size()) return false;
+      switch (text[at]) {
+        case '"':
+          if (!skip_string()) return false;
+          break;
+        case ',':
+          if (depth == 0) return true;
+          ++at;
+          break;
+        case '{':
+        case '[':
+          ++depth;
+          ++at;
+          break;
+        default:
+          if (depth == 0) return true;
+          --depth;
+          ++at;
       }
     }
-    return false;
   }
   /// The value that is next, as written; empty where there is none.
   std::string_view value() {
@@ -54,6 +62,13 @@ struct LineWalk {
     while (!value.empty() && value.back() == ' ') value.remove_suffix(1);
     return value;
   }
+
+ private:
+  static constexpr auto parts_values = [] {
+    std::array<bool, 256> parts{};
+    for (const char c : {'"', ',', '{', '}', '[', ']'}) parts[static_cast<unsigned char>(c)] = true;
+    return parts;
+  }();
 };
 
 /// Calls `member(key, value)` for each member of the object in `line`; both are the text as written, a string with

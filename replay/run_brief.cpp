@@ -19,13 +19,6 @@ std::string joined(std::initializer_list<std::string> parts, std::string_view be
   return out;
 }
 
-const Json& member(const Json& object, const char* key) {
-  static const Json nothing;
-  if (!object.is_object()) return nothing;
-  const auto found = object.find(key);
-  return found == object.end() ? nothing : *found;
-}
-
 // "push{region: R, options: []}" of an operation with its one key.
 std::string operation_text(const Json& operation) {
   if (operation.is_string()) return operation.get<std::string>();
@@ -34,7 +27,7 @@ std::string operation_text(const Json& operation) {
 }
 
 std::string input_text(const Json& record) {
-  const auto& event = member(record, "event");
+  const auto& event = member_of(record, "event");
   const auto kind = text_of(event, "kind");
   if (kind == "speech") return fmt::format("“{}”", text_of(event, "text"));
   if (kind == "gesture")
@@ -54,18 +47,18 @@ std::string slots_text(const Json& slots) {
 }
 
 std::string expect_text(const Json& record) {
-  const bool met = member(record, "met").is_boolean() && member(record, "met").get<bool>();
-  const auto expected = slots_text(member(record, "expected")), found = slots_text(member(record, "found"));
+  const bool met = member_of(record, "met").is_boolean() && member_of(record, "met").get<bool>();
+  const auto expected = slots_text(member_of(record, "expected")), found = slots_text(member_of(record, "found"));
   return met ? "met: " + expected : fmt::format("not met: expected {}; found {}", expected, found);
 }
 
 // "there: pointed at [0.1,-0.15]", "nothing is pointed at, after 2.05 s"
 std::string percept_text(const Json& record) {
   std::string text;
-  if (const auto& bound = member(record, "bound"); bound.is_array())
+  if (const auto& bound = member_of(record, "bound"); bound.is_array())
     for (const auto& one : bound)
       text += fmt::format("{}{}: pointed at {}", text.empty() ? "" : ", ", text_of(one, "words"),
-                          text_of(member(one, "deixis"), "place"));
+                          text_of(member_of(one, "deixis"), "place"));
   if (text.empty()) text = "nothing is pointed at";
   const auto waited = text_of(record, "waited_s");
   return waited.empty() || waited == "0.0" ? text : fmt::format("{}, after {} s", text, waited);
@@ -75,7 +68,7 @@ std::string percept_text(const Json& record) {
 std::string reading_text(const Json& record) {
   const auto move = text_of(record, "move");
   if (move.empty()) return "not understood: " + text_of(record, "words");
-  const auto& referents = member(record, "referents");
+  const auto& referents = member_of(record, "referents");
   if (text_of(record, "meaning").empty() || move == "N") {
     std::string objects;
     for (const auto& object : referents)
@@ -93,7 +86,7 @@ struct Teller {
 const std::array tellers{
     Teller{"run",
            [](const Json& r) {
-             return joined({text_of(member(r, "trace"), "name"), "on", text_of(member(r, "machine"), "name")});
+             return joined({text_of(member_of(r, "trace"), "name"), "on", text_of(member_of(r, "machine"), "name")});
            }},
     Teller{"input", input_text},
     Teller{"percept", percept_text},
@@ -111,11 +104,11 @@ const std::array tellers{
     Teller{"transition", [](const Json& r) { return fmt::format("{} → {}", text_of(r, "from"), text_of(r, "to")); }},
     Teller{"symbol",
            [](const Json& r) {
-             return joined({fmt::format("#{}", text_of(r, "id")), slots_text(member(r, "slots"))});
+             return joined({fmt::format("#{}", text_of(r, "id")), slots_text(member_of(r, "slots"))});
            }},
     Teller{"rewrite",
            [](const Json& r) {
-             return joined({text_of(r, "state"), operation_text(member(r, "operation"))});
+             return joined({text_of(r, "state"), operation_text(member_of(r, "operation"))});
            }},
     Teller{"application",
            [](const Json& r) {
@@ -127,7 +120,7 @@ const std::array tellers{
            [](const Json& r) {
              return joined({text_of(r, "status"), text_of(r, "program")});
            }},
-    Teller{"pose", [](const Json& r) { return fmt::format("{} bodies", member(r, "bodies").size()); }},
+    Teller{"pose", [](const Json& r) { return fmt::format("{} bodies", member_of(r, "bodies").size()); }},
     Teller{"rest", [](const Json& r) { return fmt::format("{} – {} s", text_of(r, "from"), text_of(r, "to")); }},
     Teller{"refusal",
            [](const Json& r) {
@@ -141,8 +134,15 @@ const std::array tellers{
 
 }  // namespace
 
+const Json& member_of(const Json& object, const char* key) {
+  static const Json nothing;
+  if (!object.is_object()) return nothing;
+  const auto found = object.find(key);
+  return found == object.end() ? nothing : *found;
+}
+
 std::string text_of(const Json& object, const char* key) {
-  const auto& value = member(object, key);
+  const auto& value = member_of(object, key);
   if (value.is_null()) return {};
   return value.is_string() ? value.get<std::string>() : compact(value);
 }

@@ -7,6 +7,9 @@
 
 namespace continua {
 
+/// The member, or null where there is none or `object` is no object.
+const Json& member_of(const Json& object, const char* key);
+
 /// Text of a member that may be missing, null or not a string: strings without quotes, all else as JSON.
 std::string text_of(const Json& object, const char* key);
 

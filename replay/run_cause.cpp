@@ -38,8 +38,9 @@ struct Pivot {
   Json a, b;                        ///< its first records; null: none
   Json transition_a, transition_b;  ///< the first in it or after it; null: none
   Json reading_a, reading_b;
-  bool by_gesture = false;     ///< the input behind it is none that was said
-  std::string text_a, text_b;  ///< of all that it is about, to look names up in
+  std::vector<Json> senses_a, senses_b;  ///< of the words of the input behind it
+  bool by_gesture = false;               ///< the input behind it is none that was said
+  std::string text_a, text_b;            ///< of all that it is about, to look names up in
 };
 
 class Inquiry {
@@ -80,14 +81,15 @@ class Inquiry {
   Outcome look() {
     const auto& first = diff_.differences[diff_.first];
     pivot_.kind = first.kind;
-    if (auto problem = look_at(a_, first.a, pivot_.a, pivot_.transition_a, pivot_.reading_a, pivot_.text_a))
+    if (auto problem =
+            look_at(a_, first.a, pivot_.a, pivot_.transition_a, pivot_.reading_a, pivot_.senses_a, pivot_.text_a))
       return problem;
-    return look_at(b_, first.b, pivot_.b, pivot_.transition_b, pivot_.reading_b, pivot_.text_b);
+    return look_at(b_, first.b, pivot_.b, pivot_.transition_b, pivot_.reading_b, pivot_.senses_b, pivot_.text_b);
   }
 
   // A symbol is written before the transition that makes it; what an entry of a state does, after.
   Outcome look_at(const RunIndex& run, const std::vector<std::size_t>& records, Json& one, Json& transition,
-                  Json& reading, std::string& text) {
+                  Json& reading, std::vector<Json>& senses, std::string& text) {
     if (records.empty()) return std::nullopt;
     auto first = run.record(records.front());
     if (!first) return first.error();
@@ -122,8 +124,28 @@ class Inquiry {
       const auto record = run.record(*input);
       if (!record) return record.error();
       pivot_.by_gesture = text_of(member(*record, "event"), "kind") != "speech";
+      if (auto problem = add_senses(run, *input, senses)) return problem;
     }
     text = compact(one) + compact(transition) + compact(reading);
+    return std::nullopt;
+  }
+
+  // Of all that was read in an input.
+  static Outcome add_senses(const RunIndex& run, std::size_t input, std::vector<Json>& senses) {
+    for (const auto n : run.of_kind("reading")) {
+      auto cause = run.cause(n);
+      while (cause && *cause > input) cause = run.cause(*cause);
+      if (cause != input) continue;
+      const auto reading = run.record(n);
+      if (!reading) return reading.error();
+      const auto& entries = member(*reading, "entries");
+      if (!entries.is_array()) continue;
+      for (auto entry : entries) {
+        if (!entry.is_object()) continue;
+        entry.erase("parses");
+        senses.push_back(std::move(entry));
+      }
+    }
     return std::nullopt;
   }
 
@@ -210,28 +232,36 @@ class Inquiry {
     return said_in(given.a, pivot_.a) || said_in(given.b, pivot_.b);
   }
 
-  // A sense of the words of the same reading that only one run has, or has otherwise.
+  // A sense of the words of the same input that only one run has, or has otherwise: best one of words that the other
+  // run has in no sense, then one that has another term or cost there.
   std::optional<GivenDifference> differing_sense() const {
-    const auto &a = member(pivot_.reading_a, "entries"), &b = member(pivot_.reading_b, "entries");
-    const auto sense = [](Json entry) {
-      entry.erase("parses");
-      return entry;
+    const auto only_a = lacking(pivot_.senses_a, pivot_.senses_b), only_b = lacking(pivot_.senses_b, pivot_.senses_a);
+    const auto sense_of = [](const std::vector<Json>& senses, const Json& sense, bool of_category) -> const Json* {
+      const auto found = std::find_if(senses.begin(), senses.end(), [&](const Json& one) {
+        return text_of(one, "words") == text_of(sense, "words") &&
+               (!of_category || text_of(one, "category") == text_of(sense, "category"));
+      });
+      return found == senses.end() ? nullptr : &*found;
     };
-    const auto lacking = [&](const Json& in, const Json& other) -> std::optional<Json> {
-      if (!in.is_array()) return std::nullopt;
-      for (const auto& one : in) {
-        if (!one.is_object()) continue;
-        const auto same = [&](const Json& entry) { return entry.is_object() && sense(entry) == sense(one); };
-        if (!other.is_array() || std::none_of(other.begin(), other.end(), same)) return sense(one);
-      }
-      return std::nullopt;
+    const auto named = [](const Json& a, const Json& b) {
+      const auto words = text_of(a.is_null() ? b : a, "words");
+      return GivenDifference{"lexicon", words, a, b, words};
     };
-    const auto of_a = lacking(a, b), of_b = lacking(b, a);
-    if (!of_a && !of_b) return std::nullopt;
-    const auto words = text_of(of_a ? *of_a : *of_b, "words");
-    const bool both = of_a && of_b && text_of(*of_a, "words") == text_of(*of_b, "words");
-    GivenDifference found{"lexicon", words, of_a.value_or(Json()), both || !of_a ? of_b.value_or(Json()) : Json(),
-                          words};
+    for (const auto& sense : only_a)
+      if (!sense_of(pivot_.senses_b, sense, false)) return named(sense, Json());
+    for (const auto& sense : only_b)
+      if (!sense_of(pivot_.senses_a, sense, false)) return named(Json(), sense);
+    for (const auto& sense : only_a)
+      if (const auto* other = sense_of(only_b, sense, true)) return named(sense, *other);
+    if (!only_a.empty()) return named(only_a.front(), Json());
+    if (!only_b.empty()) return named(Json(), only_b.front());
+    return std::nullopt;
+  }
+
+  static std::vector<Json> lacking(const std::vector<Json>& senses, const std::vector<Json>& other) {
+    std::vector<Json> found;
+    for (const auto& sense : senses)
+      if (std::find(other.begin(), other.end(), sense) == other.end()) found.push_back(sense);
     return found;
   }
 

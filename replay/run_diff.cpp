@@ -400,7 +400,7 @@ std::size_t first_that_counts(const RunIndex& a, const RunIndex& b, const std::v
 
 // So few inputs in common say nothing of what became of what.
 bool unrelated(const RunDiff& diff) {
-  constexpr std::size_t few = 8, part = 10;
+  constexpr std::size_t few = 3, part = 10;
   const auto fewer = std::min(diff.inputs_a, diff.inputs_b);
   return fewer >= few && diff.inputs_common * part < fewer;
 }

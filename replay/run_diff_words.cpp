@@ -75,7 +75,7 @@ RootCause changed_in_words(const Json& a, const Json& b) {
   }
   std::vector<std::string> fields;
   for (const auto& difference : document_differences("input", one, other))
-    if (difference.what != "t")
+    if (difference.what != "t" && difference.what != "row" && difference.what != "n" && difference.what != "line")
       fields.push_back(
           fmt::format("{} {} in A, {} in B", difference.what, value_text(difference.a), value_text(difference.b)));
   cause.sentence = fmt::format("{} at {}: {}", event_words(a), place_of(a), fmt::join(fields, "; "));

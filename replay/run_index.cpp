@@ -167,7 +167,10 @@ Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
   std::optional<std::int64_t> id, below, top, act, step;
   std::string_view slots, event;
   bool has_stack = false, asked = false, of_line = false;
+  thread_local std::vector<RecordMember> members;
+  members.clear();
   const bool whole = scan_members(line, [&](std::string_view key, std::string_view value) {
+    members.push_back({key, value});
     if (key == "kind" && value.size() > 2 && value.front() == '"')
       kind = value.substr(1, value.size() - 2);
     else if (key == "n")
@@ -217,10 +220,10 @@ Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
   entry.t = SimTime::from_seconds(*t);
   if (entry.cause >= static_cast<std::int64_t>(n)) entry.cause = -1;
   if (of_line) entry.event = event_number(kind, event);
-  entry.meaning = meaning_of(kind, line);
+  entry.meaning = meaning_of(kind, members);
   entries_.push_back(entry);
   // A symbol lies above an older one: a chain can only lead down, whatever the file says.
-  if (kind == "symbol" && id) {
+  if (kind == "symbol" && id && *id >= 0) {
     const auto* lower = below ? symbol(*below) : nullptr;
     const std::array<std::uint64_t, 2> stack{lower ? lower->stack : 0, hash_of(slots)};
     const SymbolPlace place{n, lower ? *below : -1,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace continua {
@@ -12,8 +13,12 @@ struct RecordMeaning {
   std::uint64_t whole = 0;  ///< with all that it was decided by: candidates, weights, parses, operations
 };
 
-/// `line` is the record as written, an object of this kind.
-RecordMeaning meaning_of(std::string_view kind, std::string_view line);
+/// A member of a record, key and value as written.
+struct RecordMember {
+  std::string_view key, value;
+};
+
+RecordMeaning meaning_of(std::string_view kind, std::span<const RecordMember> members);
 
 /// Of an event of a trace: what it says, whenever it does. `event` is an object as written.
 std::uint64_t meaning_of_event(std::string_view event);

@@ -32,25 +32,10 @@ std::optional<std::size_t> first_record(const RunIndex& run, std::string_view ki
   return std::nullopt;
 }
 
-bool is_pointing_sample(const RunIndex& run, std::size_t n) {
-  if (run.kind(n) != "input") return false;
-  const auto record = run.record(n);
-  return record && text_of(record->value("event", Json::object()), "kind") == "pointing";
-}
-
 bool is_unmet(const Json& expect) { return expect.contains("met") && expect["met"] == false; }
 bool is_question(const Json& utterance) {
   const auto text = text_of(utterance, "text");
   return !text.empty() && text.back() == '?';
-}
-
-// What a reader wants to see first: a failed expectation, else where the avatar first had to ask, else first spoke.
-std::size_t first_of_interest(const RunIndex& run) {
-  if (const auto n = first_record(run, "expect", is_unmet)) return *n;
-  if (const auto n = first_record(run, "utterance", is_question)) return *n;
-  for (const char* kind : {"utterance", "act", "refusal", "transition"})
-    if (const auto all = run.of_kind(kind); !all.empty()) return all.front();
-  return std::min<std::size_t>(1, run.size() - 1);
 }
 
 Json brief_json(const RunIndex& run, std::size_t n, const Json& record) {
@@ -58,6 +43,23 @@ Json brief_json(const RunIndex& run, std::size_t n, const Json& record) {
 }
 
 }  // namespace
+
+bool is_pointing_sample(const RunIndex& run, std::size_t n) {
+  if (run.kind(n) != "input") return false;
+  const auto record = run.record(n);
+  return record && text_of(record->value("event", Json::object()), "kind") == "pointing";
+}
+
+std::size_t record_of_interest(const RunIndex& run) {
+  if (const auto n = first_record(run, "expect", is_unmet)) return *n;
+  if (const auto n = first_record(run, "utterance", is_question)) return *n;
+  const auto acts = run.of_kind("act");
+  for (auto at = acts.rbegin(); at != acts.rend(); ++at)
+    if (const auto act = run.record(*at); act && text_of(*act, "status") == "asked") return *at;
+  for (const char* kind : {"utterance", "act", "refusal", "transition"})
+    if (const auto all = run.of_kind(kind); !all.empty()) return all.front();
+  return std::min<std::size_t>(1, run.size() - 1);
+}
 
 Result<Json> run_listing(const RunIndex& run) {
   const auto header = run.record(0);
@@ -100,7 +102,7 @@ Result<Json> run_summary(const RunIndex& run) {
   for (const auto& [part, key] : {std::pair{"scene", "mjcf"}, {"machine", "document"}})
     if (header->contains(part) && (*header)[part].is_object()) (*header)[part].erase(key);
   header->erase("graph");
-  (*summary)["first"] = first_of_interest(run);
+  (*summary)["first"] = record_of_interest(run);
   (*summary)["header"] = *std::move(header);
   return summary;
 }
@@ -164,8 +166,11 @@ Result<Json> run_graph(const RunIndex& run) {
 
 namespace {
 
-// {slot: {was, now}} of the slots in which two symbols differ; null where one has none.
+// {slot: {was, now}} of the slots in which two symbols differ; null where one has none. Slots that are no object count
+// as none.
 Json slots_changed(const Json& was, const Json& now) {
+  if (!was.is_object()) return slots_changed(Json::object(), now);
+  if (!now.is_object()) return slots_changed(was, Json::object());
   Json changed = Json::object();
   const auto note = [&](const std::string& slot) {
     const auto before = was.value(slot, Json()), after = now.value(slot, Json());
@@ -177,16 +182,13 @@ Json slots_changed(const Json& was, const Json& now) {
   return changed;
 }
 
-}  // namespace
+constexpr std::int64_t no_symbol = -1;
 
-Result<Json> run_stack(const RunIndex& run, std::size_t n) {
-  const auto mark = run.mark_at(n);
-  if (!mark)
-    return Json{{"n", n}, {"at", nullptr}, {"depth", 0}, {"symbols", Json::array()}, {"removed", Json::array()}};
-  const auto& marks = run.stack_marks();
-  auto now = run.snapshot(marks[*mark].top);
+// From the stack with the top `was` to that with the top `top`.
+Result<Json> stack_change(const RunIndex& run, std::int64_t was, std::int64_t top) {
+  auto now = run.snapshot(top);
   if (!now) return now.error();
-  auto before = *mark > 0 ? run.snapshot(marks[*mark - 1].top) : Result<Json>(Json::array());
+  auto before = run.snapshot(was);
   if (!before) return before.error();
 
   // Stacks share their tails, so what is equal is equal from the bottom up.
@@ -212,11 +214,37 @@ Result<Json> run_stack(const RunIndex& run, std::size_t n) {
   }
   Json gone = Json::array();
   for (std::size_t i = 0; i + added < removed; ++i) gone.push_back((*before)[i]);
-  return Json{{"n", n},
-              {"at", marks[*mark].n},
-              {"depth", now->size()},
+  return Json{{"depth", now->size()},
+              {"depth_before", before->size()},
               {"symbols", *std::move(now)},
               {"removed", std::move(gone)}};
+}
+
+// The top that is known at record n: before the first step, the symbol that the log begins with.
+std::int64_t top_at(const RunIndex& run, std::size_t n) {
+  if (const auto mark = run.mark_at(n)) return run.stack_marks()[*mark].top;
+  if (n < 1 || run.kind(1) != "symbol") return no_symbol;
+  const auto symbol = run.record(1);
+  if (!symbol) return no_symbol;
+  const auto& id = member_of(*symbol, "id");
+  return id.is_number_integer() ? id.get<std::int64_t>() : no_symbol;
+}
+
+}  // namespace
+
+Result<Json> run_stack(const RunIndex& run, std::size_t n) {
+  const auto mark = run.mark_at(n);
+  const auto& marks = run.stack_marks();
+  auto change =
+      stack_change(run, mark && *mark > 0 ? marks[*mark - 1].top : no_symbol, mark ? marks[*mark].top : no_symbol);
+  if (!change) return change;
+  Json told{{"n", n}, {"at", mark ? Json(marks[*mark].n) : Json()}};
+  told.update(*change);
+  return told;
+}
+
+Result<Json> run_stack_since(const RunIndex& run, std::size_t before, std::size_t n) {
+  return stack_change(run, top_at(run, before), top_at(run, n));
 }
 
 Result<Json> run_derivation(const RunIndex& run, std::size_t n) {

@@ -24,6 +24,13 @@ struct RecordFilter {
 /// `refused_samples` are the refusals of pointing samples, which come by the hundred while nobody waits for them.
 Result<Json> run_listing(const RunIndex& run);
 
+/// The record that a reader wants to see first: an expectation that was not met, else where the avatar first had to
+/// ask, else the act that was asked for last, else what was said, refused or decided first.
+std::size_t record_of_interest(const RunIndex& run);
+
+/// Whether record n is a sample of where a hand points: these come by the hundred while nobody waits for an answer.
+bool is_pointing_sample(const RunIndex& run, std::size_t n);
+
 /// The header without its long texts, the listing's numbers, and `first`: the record to open the page at.
 Result<Json> run_summary(const RunIndex& run);
 
@@ -35,8 +42,12 @@ Result<Json> run_records(const RunIndex& run, const RecordFilter& filter);
 Result<Json> run_graph(const RunIndex& run);
 
 /// The stack as it stood at record n, top first, and what its last change did. `change` of a symbol is `added`,
-/// `changed` (it took a removed one's place on the same tail) or `same`; `slots_changed` gives {slot: {was, now}}.
+/// `changed` (it took a removed one's place on the same tail) or `same`; `slots_changed` gives {slot: {was, now}};
+/// `depth` and `depth_before` count symbols.
 Result<Json> run_stack(const RunIndex& run, std::size_t n);
+
+/// The same between the stacks as they stood at two records, without `n` and `at`. REQUIRES before, n < run.size().
+Result<Json> run_stack_since(const RunIndex& run, std::size_t before, std::size_t n);
 
 /// Why record n: its `chain` of causes, the `applications` behind it with the sub-terms they were built from,
 /// and the `inputs` that contributed. REQUIRES n < run.size().

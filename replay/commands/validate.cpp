@@ -15,6 +15,7 @@
 #include "replay/data_paths.h"
 #include "replay/language_loading.h"
 #include "replay/run_index.h"
+#include "replay/run_integrity.h"
 #include "replay/scene_voxemes.h"
 #include "replay/session_import.h"
 #include "replay/trace_file.h"
@@ -48,9 +49,11 @@ FileCheck check_trace(std::string_view text, const std::string& path) {
   return check;
 }
 
-FileCheck check_run(std::string_view, const std::string& path) {
+FileCheck check_run(std::string_view text, const std::string& path) {
+  auto problems = integrity_problems(text, path);
   const auto run = RunIndex::open(path);
-  if (!run) return {{run.error()}, {}, ""};
+  if (!run) problems.push_back(run.error());
+  if (!problems.empty()) return {std::move(problems), {}, ""};
   FileCheck check{{}, {}, "run log, " + counted(run->size(), "record")};
   if (!run->trouble().empty()) check.notes.push_back(path + ": " + run->trouble());
   return check;

@@ -1,0 +1,24 @@
+// Terms as logs write them, taken apart as text: a reader of logs knows no more of them than their notation.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace continua {
+
+/// `text` in its parts. All empty but `whole` for a name, a number, a place, and what is none of the notation.
+struct TermParts {
+  std::string whole;
+  std::vector<std::string> binders;   ///< of \x v. body: x, v
+  std::string body;                   ///< of a lambda
+  std::string head;                   ///< of head(a, b); empty for a list
+  std::vector<std::string> elements;  ///< of head(a, b) or [a, b]
+};
+
+TermParts term_parts(std::string_view text);
+
+/// Whether `name` stands in `text` as a whole word.
+bool mentions(std::string_view text, std::string_view name);
+
+}  // namespace continua
