@@ -26,11 +26,13 @@ replay/trace_diff*            core world perception replay/trace_* replay/run_* 
 replay/trace_*                core world perception replay/trace_*
 replay/session_import*        core world perception replay/trace_* replay/session_notation.h
 replay/session_notation*      core world perception
+replay/run_report*            core replay/run_* replay/exporters/* replay/sequence_alignment.h
 replay/run_*                  core replay/run_* replay/line_scan.h replay/event_changes.h replay/sequence_alignment.h
 replay/event_changes*         core replay/sequence_alignment.h
 replay/sequence_alignment*    core
 replay/line_scan.h            core
 replay/explain*               core replay/run_* replay/line_scan.h replay/explain*
+replay/coverage*              core replay/run_* replay/coverage*
 replay/pictures/*             core world simulation/renderer.h replay/run_* replay/pictures/*
 replay/exporters/*            core replay/run_* replay/exporters/*
 replay/inspector_api*         core replay/run_* replay/line_scan.h replay/exporters/*
@@ -43,7 +45,7 @@ wrappers='
 nlohmann/*     engine/core/located_json.h
 xxhash.h       engine/core/digest.cpp
 Eigen/*        engine/world/*.h engine/world/*.cpp engine/simulation/*
-pugixml.hpp    engine/voxml/catalogue* engine/machine_file/jflap* engine/simulation/scene* tests/replay/state_graph_test.cpp
+pugixml.hpp    engine/voxml/catalogue* engine/machine_file/jflap* engine/simulation/scene* tests/replay/state_graph_test.cpp tests/replay/run_report_test.cpp
 mujoco/*       engine/simulation/*
 EGL/*          engine/simulation/*
 GL/*           engine/simulation/*

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "replay/run_approved.h"
+#include "replay/run_diff.h"
 #include "replay/session.h"
 
 namespace continua {
@@ -24,16 +25,28 @@ bool is_failure(Verdict verdict);
 /// Whether approving would put it right.
 bool can_be_approved(Verdict verdict);
 
+/// Two whole logs and what is different.
+struct ComparedRuns {
+  RunIndex approved, run;
+  RunDiff diff;
+};
+
 struct TraceCheck {
   Verdict verdict = Verdict::same;
   std::string reason;                 ///< why not the same; one line, or empty
   int expectations = 0;               ///< how many there are
   std::optional<Error> warning = {};  ///< of its scene
-  std::string run;                    ///< the log of the replay, where it can be approved
+  std::size_t line = 0;               ///< of the trace: where it fails; 0: not known, or it does not
+  std::string run;                    ///< the log of the replay, unless it is the same or there is none
   std::optional<ApprovedRun> approved;
+  std::optional<ComparedRuns> compared;  ///< where both are whole logs, and not the same
 };
 
 /// Replays a trace and holds it against what is approved.
 TraceCheck check_trace(const std::string& trace_path, const ReplayOptions& options);
+
+/// Fills in `compared` and `line`, where there are two logs to compare and it has not been done. The error is of one
+/// that cannot be read.
+Outcome compare(TraceCheck& check);
 
 }  // namespace continua

@@ -19,6 +19,9 @@ struct ApprovedRun {
   std::string content;
 };
 
+/// Else only its digests.
+bool is_whole_log(const ApprovedRun& approved);
+
 /// That of a trace, NAME.trace.jsonl, in a world, "physics" or "kinematic": where what the body does there leads
 /// elsewhere, NAME.WORLD.run.jsonl or .json, else NAME.run.jsonl or .json; nullopt if there is none. An error if it
 /// cannot be read or there are both.
@@ -40,7 +43,7 @@ enum class Sameness {
 
 struct RunComparison {
   Sameness sameness = Sameness::same;
-  std::string difference;  ///< of decisions, the first; one line
+  std::string difference;  ///< of digests, which; one line
 };
 
 /// `run`: the log of a replay. An error if the approved run is none, or is cut short.

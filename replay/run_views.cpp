@@ -131,6 +131,7 @@ Result<Json> run_graph(const RunIndex& run) {
   const auto header = run.record(0);
   if (!header) return header.error();
   Json graph = header->value("graph", Json::object());
+  if (!graph.is_object()) graph = Json::object();
   std::map<std::tuple<std::string, std::string, std::string>, std::size_t> taken;
   std::map<std::string, std::size_t> entered;
   for (const auto n : run.of_kind("transition")) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs the commands of README.md's console blocks in the source tree, with `build/` standing for the build tree given as
-# the first argument, and compares what they print with what the README says.
+# the first argument, and compares what they print with what the README says. How long a check took is a second there.
 set -uo pipefail
 build=$1
 cd "$(dirname "$0")/.."
@@ -19,7 +19,7 @@ run() {
     timeout 3 bash -c "${command/--port 8080/--port 0}" 2>&1 | sed -E 's/:[0-9]+\//:8080\//'
   else
     bash -c "$command" 2>&1
-  fi | sed "s|$out/|build/|g"
+  fi | sed -E "s|$out/|build/|g; s/; in [0-9.]+ s\$/; in 1.0 s/"
 }
 
 check() {

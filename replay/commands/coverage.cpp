@@ -1,0 +1,236 @@
+#include "replay/commands/coverage.h"
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "core/located_json.h"
+#include "language/reduction.h"
+#include "language/vocabulary.h"
+#include "replay/commands/progress.h"
+#include "replay/coverage_text.h"
+#include "replay/data_paths.h"
+#include "replay/language_loading.h"
+#include "replay/session.h"
+#include "term/raising_file.h"
+
+namespace continua {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view trace_ending = ".trace.jsonl", run_ending = ".run.jsonl";
+
+// NAME.run.jsonl or NAME.WORLD.run.jsonl beside NAME.trace.jsonl.
+bool goes_with_a_trace(const fs::path& log) {
+  auto stem = log.string();
+  stem.resize(stem.size() - run_ending.size());
+  std::error_code problem;
+  return fs::exists(stem + std::string(trace_ending), problem) ||
+         fs::exists(fs::path(stem).replace_extension().string() + std::string(trace_ending), problem);
+}
+
+// What of a folder is meant, in the order of the names.
+std::vector<std::string> files_of(const fs::path& path) {
+  if (!is_folder(path)) return {path.string()};
+  std::vector<std::string> files;
+  std::error_code problem;
+  for (auto entry = fs::recursive_directory_iterator(path, problem); entry != fs::end(entry); entry.increment(problem))
+    if (const auto name = entry->path().string();
+        name.ends_with(trace_ending) || (name.ends_with(run_ending) && !goes_with_a_trace(entry->path())))
+      files.push_back(name);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+bool is_run_log(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  std::getline(file, line);
+  const auto header = parse_json_line(without_byte_order_mark(line), path, 1);
+  return header && header->is_object() && header->contains("kind") && (*header)["kind"] == "run";
+}
+
+// Counts files, several at once.
+class Counting {
+ public:
+  Counting(const CoverageOptions& options, std::vector<std::string> files)
+      : options_(options), files_(std::move(files)), found_(files_.size()), progress_(files_.size()) {}
+
+  void run() {
+    std::vector<std::thread> threads;
+    const auto count = std::min(static_cast<std::size_t>(options_.jobs), files_.size());
+    for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
+    work();
+    for (auto& thread : threads) thread.join();
+    progress_.clear();
+  }
+
+  /// What was found in the files that can be used; reports the others.
+  std::vector<MachineCoverage> usable(bool& all) const {
+    std::vector<MachineCoverage> coverages;
+    for (const auto& one : found_) {
+      if (one->ok())
+        coverages.push_back(**one);
+      else
+        report(one->error());
+      all = all && one->ok();
+    }
+    return coverages;
+  }
+
+ private:
+  void work() {
+    for (std::size_t i = next_++; i < files_.size(); i = next_++) {
+      auto coverage = is_run_log(files_[i]) ? of_log(RunIndex::open(files_[i])) : of_trace(files_[i]);
+      const std::lock_guard lock(mutex_);
+      found_[i] = std::move(coverage);
+      progress_.show(i, 1);
+    }
+  }
+
+  Result<MachineCoverage> of_log(const Result<RunIndex>& run) {
+    if (!run) return run.error();
+    if (!run->trouble().empty()) warn({run->path(), run->trouble()});
+    return coverage_of(*run);
+  }
+
+  Result<MachineCoverage> of_trace(const std::string& path) {
+    ReplayOptions options;
+    options.knowledge = options_.knowledge;
+    options.physics = false;
+    auto session = Session::load(path, options);
+    if (!session) return session.error();
+    if (session->warning()) warn(*session->warning());
+    std::ostringstream log;
+    session->run(log);
+    return of_log(RunIndex::of_text(std::move(log).str(), path));
+  }
+
+  void warn(const Error& warning) {
+    const std::lock_guard lock(mutex_);
+    if (!warned_.insert(warning.text()).second) return;
+    progress_.clear();
+    report_warning(warning);
+  }
+
+  const CoverageOptions& options_;
+  std::vector<std::string> files_;
+  std::mutex mutex_;
+  std::vector<std::optional<Result<MachineCoverage>>> found_;
+  Progress progress_;
+  std::set<std::string> warned_;
+  std::atomic<std::size_t> next_ = 0;
+};
+
+// The senses of all words: the lexicon's own, and those that its attributes' values make.
+std::vector<CoverageItem> entries_of(const std::shared_ptr<const Lexicon>& lexicon) {
+  const Vocabulary vocabulary(lexicon, WorldSnapshot());
+  std::set<std::string> words;
+  for (const auto& [word, entry] : lexicon->words) words.insert(word);
+  for (const auto& attribute : lexicon->attributes)
+    for (const auto& group : attribute.values)
+      for (auto value : group) {
+        std::replace(value.begin(), value.end(), '_', ' ');
+        words.insert(value);
+      }
+  std::vector<CoverageItem> entries;
+  for (const auto& word : words) {
+    const auto* entry = vocabulary.find(word);
+    if (!entry) continue;
+    for (const auto& sense : entry->senses)
+      entries.push_back(lexicon_entry(word, sense.category.text(), print(with_nice_variables(sense.term))));
+    if (entry->skip) entries.push_back(lexicon_entry(word, "", ""));
+  }
+  return entries;
+}
+
+std::vector<CoverageItem> named(const auto& rules) {
+  std::vector<CoverageItem> items;
+  for (const auto& rule : rules) items.push_back({rule.name, "", "", 0});
+  return items;
+}
+
+// What can be reached of the knowledge. A log does not hold it: the lexicon must be the one that the log names.
+void add_knowledge(MachineCoverage& machine, const DataPaths& data) {
+  const auto raising_path = (data.knowledge / "raising.json").lexically_normal().string();
+  auto& raising = machine.kind(raising_rules);
+  if (!machine.lexicon.empty() || !raising.items.empty())
+    if (const auto rules = load_raising(raising_path, names_of_terms())) add_reachable(raising, named(*rules));
+  if (machine.lexicon.empty()) return;
+  const auto lexicon = load_named_lexicon(data, machine.lexicon, machine.name);
+  if (!lexicon || (*lexicon)->digest != machine.lexicon_digest)
+    return report_warning({machine.name, fmt::format("the lexicon {} is not the one of the runs any more; of it only "
+                                                     "what they used is told",
+                                                     in_quotes(machine.lexicon))});
+  add_reachable(machine.kind(lexicon_rules), named((*lexicon)->rules));
+  add_reachable(machine.kind(lexicon_entries), entries_of(*lexicon));
+}
+
+}  // namespace
+
+int run_coverage(const CoverageOptions& options) {
+  const auto data = find_data_paths(options.knowledge);
+  if (!data) return report(data.error()), exit_impossible;
+  bool usable = true;
+  std::vector<std::string> files;
+  for (const auto& path : options.paths) {
+    const auto found = files_of(fs::path(path).lexically_normal());
+    if (found.empty()) {
+      report({path, "found neither a trace (.trace.jsonl) nor a run log (.run.jsonl) in it"});
+      usable = false;
+    }
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  Counting counting(options, std::move(files));
+  counting.run();
+  auto machines = by_machine(counting.usable(usable));
+  for (auto& machine : machines) add_knowledge(machine, *data);
+  const auto text = options.json ? coverage_json(machines).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                                 : coverage_text(machines, options.never);
+  if (const auto problem = write_file("-", text)) return report(*problem), exit_impossible;
+  if (!usable) return exit_impossible;
+  int status = exit_done;
+  for (const auto& machine : machines) {
+    const auto reached = percent(machine.reached(), machine.reachable());
+    if (reached >= static_cast<std::size_t>(options.at_least)) continue;
+    report({machine.name, fmt::format("{} % reached; expected at least {} %", reached, options.at_least)});
+    status = exit_no;
+  }
+  return status;
+}
+
+void add_coverage_command(CLI::App& program, Run& run) {
+  auto* command =
+      program.add_subcommand("coverage", "Tell what of their machines and of the knowledge runs reach, and what never");
+  auto options = std::make_shared<CoverageOptions>();
+  command
+      ->add_option("PATH", options->paths,
+                   "run logs, traces, or folders of them; traces are replayed in the kinematic world, instead of\n"
+                   "the logs beside them in a folder")
+      ->required();
+  command->add_flag("--json", options->json, "all that can be reached, with counts, as JSON");
+  command->add_flag("--never", options->never, "tell all that was never reached, not the first few of each kind");
+  command
+      ->add_option("--at-least", options->at_least,
+                   "PERCENT: end with 1 where less of what is a machine's own is reached")
+      ->check(CLI::Range(0, 100));
+  command->add_option("--knowledge", options->knowledge, "folder to use instead of engine/knowledge");
+  command->add_option("-j,--jobs", options->jobs, "how many files at a time")->check(CLI::Range(1, 256));
+  command->footer(
+      "Of a condition both outcomes count: that it held (its transition could have fired) and that it did not.\n"
+      "Exit status: 0 done, 1 less than --at-least, 2 a file cannot be used.\n"
+      "Examples: continua coverage traces -j 4\n"
+      "          continua coverage runs/*.run.jsonl --never");
+  command->callback([options, &run] { run = [options] { return run_coverage(*options); }; });
+}
+
+}  // namespace continua
