@@ -16,6 +16,7 @@
 #include "replay/commands/render.h"
 #include "replay/commands/replay.h"
 #include "replay/commands/serve.h"
+#include "replay/commands/shrink.h"
 #include "replay/commands/validate.h"
 #include "replay/version.h"
 
@@ -24,7 +25,7 @@ namespace {
 
 constexpr std::array commands = {
     add_replay_command, add_serve_command, add_render_command, add_export_command,   add_machine_command,
-    add_import_command, add_check_command, add_accept_command, add_validate_command,
+    add_import_command, add_check_command, add_accept_command, add_validate_command, add_shrink_command,
 };
 
 std::vector<std::string> options_of(const CLI::App& command) {
