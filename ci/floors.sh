@@ -22,10 +22,13 @@ engine/composition/*          core term world voxml moves automaton
 engine/behaviour/*            core term world voxml moves composition
 engine/pipeline/*             core term world voxml automaton perception language moves composition behaviour
 engine/simulation/*           core world behaviour/avatar_command.h
+replay/trace_diff*            core world perception replay/trace_* replay/run_* replay/event_changes.h
 replay/trace_*                core world perception replay/trace_*
 replay/session_import*        core world perception replay/trace_* replay/session_notation.h
 replay/session_notation*      core world perception
-replay/run_*                  core replay/run_* replay/line_scan.h
+replay/run_*                  core replay/run_* replay/line_scan.h replay/event_changes.h replay/sequence_alignment.h
+replay/event_changes*         core replay/sequence_alignment.h
+replay/sequence_alignment*    core
 replay/line_scan.h            core
 replay/explain*               core replay/run_*
 replay/pictures/*             core world simulation/renderer.h replay/run_* replay/pictures/*

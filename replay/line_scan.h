@@ -1,7 +1,6 @@
 // Reads the members of a one-line JSON object without building a tree: enough to index a log at the speed of the disk.
 #pragma once
 
-#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <optional>
@@ -9,24 +8,29 @@
 
 namespace continua {
 
-/// Calls `member(key, value)` for each member of the object in `line`; both are the text as written, a string with
-/// its quotes. False when the line is not one whole JSON object. Nested values are skipped, not checked.
-template <class Member>
-bool scan_members(std::string_view line, Member member) {
+/// Walks over the values of a JSON text. Nested values are skipped, not checked.
+struct LineWalk {
+  std::string_view text;
   std::size_t at = 0;
-  const auto skip_space = [&] {
-    while (at < line.size() && (line[at] == ' ' || line[at] == '\t' || line[at] == '\r')) ++at;
-  };
-  const auto skip_string = [&] {
-    for (++at; at < line.size() && line[at] != '"'; ++at)
-      if (line[at] == '\\') ++at;
-    return at++ < line.size();
-  };
-  const auto skip_value = [&] {
-    if (line[at] == '"') return skip_string();
+
+  bool done() const { return at >= text.size(); }
+  bool next_is(char c) const { return at < text.size() && text[at] == c; }
+
+  void skip_space() {
+    while (at < text.size() && (text[at] == ' ' || text[at] == '\t' || text[at] == '\r')) ++at;
+  }
+  /// REQUIRES that a quote is next. False where the string does not end.
+  bool skip_string() {
+    for (++at; at < text.size() && text[at] != '"'; ++at)
+      if (text[at] == '\\') ++at;
+    return at++ < text.size();
+  }
+  /// False where the value does not end before the text does: it is part of an object or array.
+  bool skip_value() {
+    if (next_is('"')) return skip_string();
     int depth = 0;
-    for (; at < line.size(); ++at) {
-      const char c = line[at];
+    for (; at < text.size(); ++at) {
+      const char c = text[at];
       if (c == '"') {
         if (!skip_string()) return false;
         --at;
@@ -40,35 +44,68 @@ bool scan_members(std::string_view line, Member member) {
       }
     }
     return false;
-  };
-  skip_space();
-  if (at >= line.size() || line[at++] != '{') return false;
-  for (bool first = true;; first = false) {
+  }
+  /// The value that is next, as written; empty where there is none.
+  std::string_view value() {
     skip_space();
-    if (at >= line.size()) return false;
-    if (line[at] == '}') break;
-    if (!first) {
-      if (line[at++] != ',') return false;
-      skip_space();
-    }
-    if (at >= line.size() || line[at] != '"') return false;
-    const auto key_from = at;
-    if (!skip_string()) return false;
-    const auto key = line.substr(key_from + 1, at - key_from - 2);
-    skip_space();
-    if (at >= line.size() || line[at++] != ':') return false;
-    skip_space();
-    if (at >= line.size()) return false;
-    const auto value_from = at;
-    if (!skip_value()) return false;
-    auto value = line.substr(value_from, at - value_from);
+    const auto from = at;
+    if (done() || !skip_value()) return {};
+    auto value = text.substr(from, at - from);
     while (!value.empty() && value.back() == ' ') value.remove_suffix(1);
+    return value;
+  }
+};
+
+/// Calls `member(key, value)` for each member of the object in `line`; both are the text as written, a string with
+/// its quotes. False when the line is not one whole JSON object.
+template <class Member>
+bool scan_members(std::string_view line, Member member) {
+  LineWalk walk{line};
+  walk.skip_space();
+  if (!walk.next_is('{')) return false;
+  ++walk.at;
+  for (bool first = true;; first = false) {
+    walk.skip_space();
+    if (walk.next_is('}')) break;
+    if (!first) {
+      if (!walk.next_is(',')) return false;
+      ++walk.at;
+      walk.skip_space();
+    }
+    if (!walk.next_is('"')) return false;
+    const auto key_from = walk.at;
+    if (!walk.skip_string()) return false;
+    const auto key = line.substr(key_from + 1, walk.at - key_from - 2);
+    walk.skip_space();
+    if (!walk.next_is(':')) return false;
+    ++walk.at;
+    const auto value = walk.value();
     if (value.empty()) return false;
     member(key, value);
   }
-  ++at;
-  skip_space();
-  return at == line.size();
+  ++walk.at;
+  walk.skip_space();
+  return walk.done();
+}
+
+/// Calls `element(value)` for each element of the array in `text`. False when it is not one whole JSON array.
+template <class Element>
+bool scan_elements(std::string_view text, Element element) {
+  LineWalk walk{text};
+  walk.skip_space();
+  if (!walk.next_is('[')) return false;
+  ++walk.at;
+  for (bool first = true;; first = false) {
+    walk.skip_space();
+    if (walk.next_is(']')) return true;
+    if (!first) {
+      if (!walk.next_is(',')) return false;
+      ++walk.at;
+    }
+    const auto value = walk.value();
+    if (value.empty()) return false;
+    element(value);
+  }
 }
 
 /// The number written in `text`, if all of it is one.

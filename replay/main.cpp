@@ -10,6 +10,7 @@
 #include "replay/commands/accept.h"
 #include "replay/commands/check.h"
 #include "replay/commands/command.h"
+#include "replay/commands/diff.h"
 #include "replay/commands/export.h"
 #include "replay/commands/import.h"
 #include "replay/commands/machine.h"
@@ -25,7 +26,8 @@ namespace {
 
 constexpr std::array commands = {
     add_replay_command, add_serve_command, add_render_command, add_export_command,   add_machine_command,
-    add_import_command, add_check_command, add_accept_command, add_validate_command, add_shrink_command,
+    add_import_command, add_check_command, add_accept_command, add_validate_command, add_diff_command,
+    add_shrink_command,
 };
 
 std::vector<std::string> options_of(const CLI::App& command) {

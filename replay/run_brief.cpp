@@ -59,6 +59,18 @@ std::string expect_text(const Json& record) {
   return met ? "met: " + expected : fmt::format("not met: expected {}; found {}", expected, found);
 }
 
+// "there: pointed at [0.1,-0.15]", "nothing is pointed at, after 2.05 s"
+std::string percept_text(const Json& record) {
+  std::string text;
+  if (const auto& bound = member(record, "bound"); bound.is_array())
+    for (const auto& one : bound)
+      text += fmt::format("{}{}: pointed at {}", text.empty() ? "" : ", ", text_of(one, "words"),
+                          text_of(member(one, "deixis"), "place"));
+  if (text.empty()) text = "nothing is pointed at";
+  const auto waited = text_of(record, "waited_s");
+  return waited.empty() || waited == "0.0" ? text : fmt::format("{}, after {} s", text, waited);
+}
+
 // "V put(plate, in_front(avatar))", "N cup or cup_blue", "not understood: glorp"
 std::string reading_text(const Json& record) {
   const auto move = text_of(record, "move");
@@ -84,6 +96,7 @@ const std::array tellers{
              return joined({text_of(member(r, "trace"), "name"), "on", text_of(member(r, "machine"), "name")});
            }},
     Teller{"input", input_text},
+    Teller{"percept", percept_text},
     Teller{"reading", reading_text},
     Teller{"observed",
            [](const Json& r) {

@@ -5,31 +5,76 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cstring>
 
 #include <fmt/format.h>
 
+#include "core/digest.h"
 #include "replay/line_scan.h"
 
 namespace continua {
+namespace {
+
+// A log that tells of more kinds is none of ours: what comes after is taken for the last one.
+constexpr std::size_t most_kinds = 1000;
+
+// What the trace tells: the inputs by their own kinds, of which the last are all others, and what else a line may be.
+constexpr std::array<std::string_view, 6> event_kinds{"speech", "gesture", "pointing", "", "observed", "expect"};
+
+std::uint8_t event_number(std::string_view record_kind, std::string_view event) {
+  auto kind = record_kind;
+  if (record_kind == "input") {
+    kind = "";
+    scan_members(event, [&](std::string_view key, std::string_view value) {
+      if (key == "kind" && value.size() >= 2) kind = value.substr(1, value.size() - 2);
+    });
+    if (std::find(event_kinds.begin(), event_kinds.begin() + 3, kind) == event_kinds.begin() + 3) kind = "";
+  }
+  const auto found = std::find(event_kinds.begin(), event_kinds.end(), kind);
+  return found == event_kinds.end() ? std::uint8_t{0} : static_cast<std::uint8_t>(found - event_kinds.begin() + 1);
+}
+
+}  // namespace
+
+// Where the log's bytes come from.
+class RunIndex::Source {
+ public:
+  virtual ~Source() = default;
+  // Bytes read, fewer than asked for at the end; -1 on failure. Leaves no position behind.
+  virtual ssize_t read(std::uint64_t offset, char* into, std::size_t size) const = 0;
+};
+
+class RunIndex::Text : public Source {
+ public:
+  explicit Text(std::string text) : text_(std::move(text)) {}
+
+  ssize_t read(std::uint64_t offset, char* into, std::size_t size) const override {
+    if (offset >= text_.size()) return 0;
+    return static_cast<ssize_t>(text_.copy(into, size, offset));
+  }
+
+ private:
+  std::string text_;
+};
 
 // A file that stays open, so that a log replaced meanwhile goes on being the one that was indexed.
-class RunIndex::LogFile {
+class RunIndex::File : public Source {
  public:
-  explicit LogFile(const std::string& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
-  ~LogFile() {
+  explicit File(const std::string& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+  ~File() override {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
-  LogFile(const LogFile&) = delete;
-  LogFile& operator=(const LogFile&) = delete;
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
 
   bool readable() const {
     struct stat status {};
     return descriptor_ >= 0 && ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
   }
 
-  // Bytes read, fewer than asked for at the end of the file; -1 on failure. Leaves no position behind.
-  ssize_t read(std::uint64_t offset, char* into, std::size_t size) const {
+  ssize_t read(std::uint64_t offset, char* into, std::size_t size) const override {
     std::size_t done = 0;
     while (done < size) {
       const auto got = ::pread(descriptor_, into + done, size - done, static_cast<off_t>(offset + done));
@@ -46,12 +91,28 @@ class RunIndex::LogFile {
 };
 
 Result<RunIndex> RunIndex::open(const std::string& path) {
+  const auto file = std::make_shared<const File>(path);
+  if (!file->readable()) return Error{path, "cannot be read; expected a run log"};
+  const auto print = print_of(path);
+  if (print)
+    if (auto known = kept(path, *print)) {
+      known->source_ = file;
+      return *std::move(known);
+    }
+  auto index = scan(file, path);
+  // Only of what did not change meanwhile.
+  if (index && print && print == print_of(path)) index->keep(*print);
+  return index;
+}
+
+Result<RunIndex> RunIndex::of_text(std::string text, const std::string& name) {
+  return scan(std::make_shared<const Text>(std::move(text)), name);
+}
+
+Result<RunIndex> RunIndex::scan(std::shared_ptr<const Source> source, const std::string& path) {
   RunIndex index;
   index.path_ = path;
-  const auto file = std::make_shared<const LogFile>(path);
-  if (!file->readable()) return Error{path, "cannot be read; expected a run log"};
-  index.file_ = file;
-
+  index.source_ = source;
   constexpr std::size_t block = std::size_t{1} << 20;
   std::string held;               // what has been read and not yet used
   std::uint64_t held_offset = 0;  // where it begins in the file
@@ -59,7 +120,7 @@ Result<RunIndex> RunIndex::open(const std::string& path) {
   for (;;) {
     const auto kept = held.size();
     held.resize(kept + block);
-    const auto got = file->read(held_offset + kept, held.data() + kept, block);
+    const auto got = source->read(held_offset + kept, held.data() + kept, block);
     if (got < 0) return Error{path, fmt::format("cannot be read: {}", std::strerror(errno))};
     held.resize(kept + static_cast<std::size_t>(got));
     std::size_t from = 0;
@@ -84,15 +145,15 @@ Result<RunIndex> RunIndex::open(const std::string& path) {
   } else if (!index.complete()) {
     index.trouble_ = fmt::format("The log has no end record: the run was cut short after record {}.", index.size() - 1);
   }
-  index.entries_.shrink_to_fit();
   return index;
 }
 
-std::uint32_t RunIndex::kind_number(std::string_view kind) {
+std::uint16_t RunIndex::kind_number(std::string_view kind) {
   const auto found = std::find(kinds_.begin(), kinds_.end(), kind);
-  if (found != kinds_.end()) return static_cast<std::uint32_t>(found - kinds_.begin());
+  if (found != kinds_.end()) return static_cast<std::uint16_t>(found - kinds_.begin());
+  if (kinds_.size() >= most_kinds) return static_cast<std::uint16_t>(kinds_.size() - 1);
   kinds_.emplace_back(kind);
-  return static_cast<std::uint32_t>(kinds_.size() - 1);
+  return static_cast<std::uint16_t>(kinds_.size() - 1);
 }
 
 Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
@@ -103,8 +164,9 @@ Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
   std::string_view kind;
   std::optional<std::size_t> number;
   std::optional<double> t, version;
-  std::optional<std::int64_t> id, below, top;
-  bool has_stack = false;
+  std::optional<std::int64_t> id, below, top, act, step;
+  std::string_view slots, event;
+  bool has_stack = false, asked = false, of_line = false;
   const bool whole = scan_members(line, [&](std::string_view key, std::string_view value) {
     if (key == "kind" && value.size() > 2 && value.front() == '"')
       kind = value.substr(1, value.size() - 2);
@@ -120,6 +182,20 @@ Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
       id = number_in<std::int64_t>(value);
     else if (key == "below")
       below = number_in<std::int64_t>(value);
+    else if (key == "slots")
+      slots = value;
+    else if (key == "line")
+      of_line = value != "null";
+    else if (key == "event")
+      event = value;
+    else if (key == "measured")
+      entry.measured = value == "true";
+    else if (key == "act")
+      act = number_in<std::int64_t>(value);
+    else if (key == "step")
+      step = number_in<std::int64_t>(value);
+    else if (key == "status")
+      asked = value == "\"asked\"";
     else if (key == "stack") {
       has_stack = true;
       top = number_in<std::int64_t>(value);
@@ -140,10 +216,20 @@ Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
   entry.kind = kind_number(kind);
   entry.t = SimTime::from_seconds(*t);
   if (entry.cause >= static_cast<std::int64_t>(n)) entry.cause = -1;
+  if (of_line) entry.event = event_number(kind, event);
+  entry.meaning = meaning_of(kind, line);
   entries_.push_back(entry);
   // A symbol lies above an older one: a chain can only lead down, whatever the file says.
-  if (kind == "symbol" && id) symbols_.try_emplace(*id, SymbolPlace{n, below && symbols_.count(*below) ? *below : -1});
+  if (kind == "symbol" && id) {
+    const auto* lower = below ? symbol(*below) : nullptr;
+    const std::array<std::uint64_t, 2> stack{lower ? lower->stack : 0, hash_of(slots)};
+    const SymbolPlace place{n, lower ? *below : -1,
+                            hash_of({reinterpret_cast<const char*>(stack.data()), sizeof stack})};
+    symbols_.try_emplace(*id, place);
+  }
   if (has_stack) marks_.push_back({n, top.value_or(-1)});
+  if (kind == "act" && act)
+    acts_.push_back({n, *act, static_cast<std::uint32_t>(std::max<std::int64_t>(step.value_or(0), 0)), asked});
   return std::nullopt;
 }
 
@@ -156,7 +242,7 @@ std::vector<std::size_t> RunIndex::of_kind(std::string_view kind) const {
   std::vector<std::size_t> found;
   const auto place = std::find(kinds_.begin(), kinds_.end(), kind);
   if (place == kinds_.end()) return found;
-  const auto number = static_cast<std::uint32_t>(place - kinds_.begin());
+  const auto number = static_cast<std::uint16_t>(place - kinds_.begin());
   for (std::size_t n = 0; n < entries_.size(); ++n)
     if (entries_[n].kind == number) found.push_back(n);
   return found;
@@ -165,7 +251,7 @@ std::vector<std::size_t> RunIndex::of_kind(std::string_view kind) const {
 Result<std::string> RunIndex::line(std::size_t n) const {
   const auto& entry = entries_[n];
   std::string text(entry.length, '\0');
-  if (file_->read(entry.offset, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+  if (source_->read(entry.offset, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
     return Error{where(n), "cannot be read any more: the file has changed since it was opened"};
   return text;
 }
@@ -185,6 +271,11 @@ std::optional<std::size_t> RunIndex::mark_at(std::size_t n) const {
                                       [](std::size_t number, const StackMark& mark) { return number < mark.n; });
   if (after == marks_.begin()) return std::nullopt;
   return static_cast<std::size_t>(after - marks_.begin()) - 1;
+}
+
+const SymbolPlace* RunIndex::symbol(std::int64_t id) const {
+  const auto found = symbols_.find(id);
+  return found == symbols_.end() ? nullptr : &found->second;
 }
 
 std::vector<std::int64_t> RunIndex::stack_ids(std::int64_t top) const {

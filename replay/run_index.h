@@ -13,6 +13,7 @@
 #include "core/located_json.h"
 #include "core/result.h"
 #include "core/sim_time.h"
+#include "replay/run_meaning.h"
 
 namespace continua {
 
@@ -20,30 +21,53 @@ namespace continua {
 struct RecordEntry {
   std::uint64_t offset = 0;  ///< of its first byte
   std::uint32_t length = 0;  ///< in bytes, without the line's end
-  std::uint32_t kind = 0;    ///< place in RunIndex::kinds()
+  std::uint16_t kind = 0;    ///< place in RunIndex::kinds()
+  std::uint8_t event = 0;      ///< of an event of the trace as it was read, a number for its kind; else 0
+  std::uint8_t measured = 0;   ///< 1: when it happened depends on how long an act took
   std::int64_t cause = -1;   ///< n of the record that brought it about, or -1
   SimTime t{};
+  RecordMeaning meaning;
 };
 
 /// A record after which the stack's top is known.
 struct StackMark {
-  std::size_t n = 0;
+  std::uint64_t n = 0;
   std::int64_t top = -1;  ///< id of the top symbol, or -1 for an empty stack
 };
 
 /// Where a stack symbol was written, and the one below it (-1 for none).
 struct SymbolPlace {
-  std::size_t n = 0;
+  std::uint64_t n = 0;
   std::int64_t below = -1;
+  std::uint64_t stack = 0;  ///< equal for stacks of equal symbols, in whatever run
+};
+
+/// A record that tells of an act.
+struct ActMark {
+  std::uint64_t n = 0;
+  std::int64_t act = 0;
+  std::uint32_t step = 0;   ///< of the act's steps; 0: of the act as a whole
+  std::uint32_t asked = 0;  ///< 1: it was asked for here
 };
 
 /// A run log held open. Values are read from the file on demand; reading from several threads is safe.
-/// Costs about 40 bytes of memory a record.
+/// Costs about 60 bytes of memory a record.
 class RunIndex {
  public:
+  /// A file as far as can be told without reading it: its size, when it was written, and its first and last bytes.
+  struct Print {
+    std::uint64_t bytes = 0;
+    std::int64_t written_ns = 0;
+    std::uint64_t ends = 0;
+    bool operator==(const Print&) const = default;
+  };
+
   /// Scans the whole file. A last line cut short is left out (see `trouble`); a file that is missing, empty or not
-  /// a run log is an error, as is a broken line before the last.
+  /// a run log is an error, as is a broken line before the last. Of a long log the index is kept beside it, as
+  /// PATH.index, and read again as long as the log is the same file; without leave to write there it is not kept.
   static Result<RunIndex> open(const std::string& path);
+  /// Of a log held in memory; `name` stands for the file.
+  static Result<RunIndex> of_text(std::string text, const std::string& name);
 
   const std::string& path() const { return path_; }
   std::uint64_t bytes() const { return bytes_; }
@@ -74,7 +98,10 @@ class RunIndex {
   /// The last stack known at record n: a place in stack_marks(), or nothing before the first.
   std::optional<std::size_t> mark_at(std::size_t n) const;
 
-  const std::unordered_map<std::int64_t, SymbolPlace>& symbols() const { return symbols_; }
+  /// The symbol of this id, or nullptr.
+  const SymbolPlace* symbol(std::int64_t id) const;
+
+  const std::vector<ActMark>& act_marks() const { return acts_; }
 
   /// Ids of the symbols from `top` down. A chain that names an unknown id ends there.
   std::vector<std::int64_t> stack_ids(std::int64_t top) const;
@@ -86,18 +113,27 @@ class RunIndex {
   std::string where(std::size_t n) const;
 
  private:
-  class LogFile;
+  class Source;
+  class File;
+  class Text;
   RunIndex() = default;
+  static Result<RunIndex> scan(std::shared_ptr<const Source> source, const std::string& path);
   Outcome add_line(std::string_view line, std::uint64_t offset);
-  std::uint32_t kind_number(std::string_view kind);
+  std::uint16_t kind_number(std::string_view kind);
+  // run_index_file.cpp
+  static std::optional<Print> print_of(const std::string& path);
+  static std::optional<RunIndex> kept(const std::string& path, const Print& print);
+  void keep(const Print& print) const;
+  bool consistent() const;
 
   std::string path_;
-  std::shared_ptr<const LogFile> file_;
+  std::shared_ptr<const Source> source_;
   std::uint64_t bytes_ = 0;
   std::vector<RecordEntry> entries_;
   std::vector<std::string> kinds_;
   std::vector<StackMark> marks_;
-  std::unordered_map<std::int64_t, SymbolPlace> symbols_;
+  std::unordered_map<std::int64_t, SymbolPlace> symbols_;  ///< by id
+  std::vector<ActMark> acts_;
   std::string trouble_;
 };
 

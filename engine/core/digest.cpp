@@ -16,6 +16,8 @@ struct FreeState {
 
 std::string digest(std::string_view bytes) { return hexadecimal(XXH3_128bits(bytes.data(), bytes.size())); }
 
+std::uint64_t hash_of(std::string_view bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
+
 struct RunningDigest::State {
   std::unique_ptr<XXH3_state_t, FreeState> hash{XXH3_createState()};
 };

@@ -1,6 +1,7 @@
 // Digests: short names for content, equal on every machine. XXH3-128, printed as 32 hexadecimal digits.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -8,6 +9,9 @@
 namespace continua {
 
 std::string digest(std::string_view bytes);
+
+/// A number for content, equal on every machine: XXH3-64. For telling apart what is in memory; files state digests.
+std::uint64_t hash_of(std::string_view bytes);
 
 /// A digest of bytes that arrive piece by piece; equal to `digest` of their concatenation.
 class RunningDigest {

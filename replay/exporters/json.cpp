@@ -17,7 +17,7 @@ class Snapshots {
     for (const auto id : run_.stack_ids(top)) {
       auto known = known_.find(id);
       if (known == known_.end()) {
-        const auto symbol = run_.record(run_.symbols().at(id).n);
+        const auto symbol = run_.record(run_.symbol(id)->n);
         if (!symbol) return symbol.error();
         known = known_.emplace(id, symbol->value("slots", Json::object())).first;
       }

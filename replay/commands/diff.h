@@ -1,0 +1,21 @@
+// `continua diff`: where two runs, or two traces, part and why.
+#pragma once
+
+#include <string>
+
+#include "replay/commands/command.h"
+
+namespace continua {
+
+struct DiffCommandOptions {
+  std::string a, b;
+  bool json = false, markdown = false;
+  double tolerance_m = 1e-3;
+  std::size_t most = 10;  ///< differences that are shown
+};
+
+int run_diff_command(const DiffCommandOptions& options);
+
+void add_diff_command(CLI::App& program, Run& run);
+
+}  // namespace continua
