@@ -224,9 +224,11 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
 Session::Session(std::unique_ptr<LoadedSession> loaded) : loaded_(std::move(loaded)) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
 
 const std::optional<Error>& Session::warning() const { return loaded_->warning; }
 const Trace& Session::trace() const { return loaded_->trace; }
+const ReplayOptions& Session::options() const { return loaded_->options; }
 const Machine& Session::machine() const { return *loaded_->parts.machine; }
 
 ReplaySummary Session::run(std::ostream& log) {

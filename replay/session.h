@@ -57,6 +57,7 @@ class Session {
   static Result<Session> load(const std::string& trace_path, ReplayOptions options);
   ~Session();
   Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
 
   /// What of the scene is not known; it can be used all the same.
   const std::optional<Error>& warning() const;
@@ -64,6 +65,7 @@ class Session {
   /// The trace; where ReplayOptions::with is given, with its events from then on.
   const Trace& trace() const;
   const Machine& machine() const;
+  const ReplayOptions& options() const;
 
   /// Replays the trace and writes its run log. Every run begins anew.
   ReplaySummary run(std::ostream& log);

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "replay/ddmin.h"
+#include "replay/shrink_against.h"
 #include "replay/trace_event.h"
 
 namespace continua {
@@ -58,8 +59,8 @@ struct Account {
 
 class Shrinker {
  public:
-  Shrinker(Session& session, const ShrinkGoal& goal, const ShrinkProgress& progress)
-      : session_(session), goal_(goal), progress_(progress), header_(session.trace().header) {
+  Shrinker(Session& session, const ShrinkGoal& goal, const ShrinkProgress& progress, const std::string& against)
+      : session_(session), goal_(goal), progress_(progress), against_path_(against), header_(session.trace().header) {
     for (const auto& event : session.trace().events)
       if (is_expectation(event))
         expectations_.push_back(event);
@@ -75,6 +76,8 @@ class Shrinker {
     if (!whole) return whole.error();
     shrunk.done = *whole;
     if (shrunk.done) {
+      // Nothing that comes later made it so.
+      if (found_at_) keep_if_still_holds([&](const TraceEvent& event) { return event.t <= *found_at_; });
       // What others did is never an input, and a kind that nobody knows makes at most a problem.
       keep_if_still_holds([&](const TraceEvent& event) {
         return std::holds_alternative<InputEvent>(event.what) || std::holds_alternative<End>(event.what);
@@ -117,15 +120,27 @@ class Shrinker {
         session_.trace(),
         [&](const Situation& situation) {
           account_.see(situation);
-          met = met || (goal_.situation && meets(*goal_.situation, situation));
+          if (goal_.situation && !met && meets(*goal_.situation, situation)) {
+            met = true;
+            found_at_ = situation.world.t;
+          }
           return false;
         },
         log);
     if (!run) return run.error();
     if (goal_.situation) return met;
+    if (goal_.kind == "changed") {
+      auto against = ShrinkAgainst::load(against_path_, session_.trace().name, session_.options(), log.str());
+      if (!against) return against.error();
+      against_ = std::move(*against);
+      const auto cause = against_->cause(session_.trace(), log.str());
+      if (cause) pinned_ = *cause;
+      return cause.has_value();
+    }
     for (const auto& finding : findings(log.view(), goal_.kind)) {
       if (goal_.line && finding.line != goal_.line) continue;
       pinned_ = finding.what;
+      found_at_ = finding.t;
       if (goal_.kind != "expect") return true;
       std::erase_if(expectations_, [&](const TraceEvent& event) {
         if (event.line != finding.line) return false;
@@ -145,8 +160,10 @@ class Shrinker {
     Watch watch;
     if (goal_.situation) watch = [&](const Situation& situation) { return met = meets(*goal_.situation, situation); };
     std::ostringstream log;
-    const auto run = session_.run(trace_of(header, events), watch, log);
+    const auto trace = trace_of(header, events);
+    const auto run = session_.run(trace, watch, log);
     if (!run || goal_.situation) return run && met;
+    if (against_) return against_->cause(trace, log.str()) == pinned_;
     const auto found = findings(log.view(), goal_.kind);
     return std::any_of(found.begin(), found.end(), [&](const Finding& one) { return one.what == pinned_; });
   }
@@ -256,19 +273,23 @@ class Shrinker {
   Session& session_;
   const ShrinkGoal& goal_;
   const ShrinkProgress& progress_;
+  const std::string& against_path_;
+  std::optional<ShrinkAgainst> against_;  // what it is to differ from
   TraceHeader header_;
   std::vector<TraceEvent> events_;        // that are left; no expectations
   std::vector<TraceEvent> expectations_;  // but the one that is to stay unmet
   std::optional<TraceEvent> unmet_;
-  Json pinned_;  // Finding::what of the record that is looked for
+  Json pinned_;                      // Finding::what of the record that is looked for, or the cause of the difference
+  std::optional<SimTime> found_at_;  // in the run of the whole trace
   Account account_;
   std::size_t probes_ = 0;
 };
 
 }  // namespace
 
-Result<Shrunk> shrink(Session& session, const ShrinkGoal& goal, const ShrinkProgress& progress) {
-  return Shrinker(session, goal, progress).run();
+Result<Shrunk> shrink(Session& session, const ShrinkGoal& goal, const ShrinkProgress& progress,
+                      const std::string& against) {
+  return Shrinker(session, goal, progress, against).run();
 }
 
 }  // namespace continua

@@ -15,8 +15,8 @@ namespace {
 constexpr const char* where = "--until";
 
 // What is found in a run, as a person calls it, and the kind of its records.
-constexpr std::array<std::pair<std::string_view, const char*>, 3> found_kinds = {
-    {{"unmet", "expect"}, {"refusal", "refusal"}, {"problem", "problem"}}};
+constexpr std::array<std::pair<std::string_view, const char*>, 4> found_kinds = {
+    {{"unmet", "expect"}, {"refusal", "refusal"}, {"problem", "problem"}, {"changed", "changed"}}};
 
 std::vector<std::string> expectable() {
   auto fields = fields_of_kind("expect");
@@ -28,7 +28,7 @@ Error unknown(const std::string& found) {
   auto known = expectable();
   for (const auto& [name, kind] : found_kinds) known.emplace_back(name);
   return {where, fmt::format("found {}{}; expected FIELD=VALUE with a field of {}, a JSON object of them, or unmet, "
-                             "refusal or problem",
+                             "refusal, problem or changed",
                              in_quotes(found), did_you_mean(found, known), fmt::join(expectable(), ", "))};
 }
 
@@ -62,6 +62,7 @@ Result<std::optional<ShrinkGoal>> found_goal(const std::string& text) {
   if (kind == found_kinds.end()) return std::optional<ShrinkGoal>();
   ShrinkGoal goal{{}, kind->second, {}, text};
   if (colon == text.size()) return std::optional(goal);
+  if (kind->first == "changed") return unknown(text);
   std::size_t line = 0;
   const auto* last = text.data() + text.size();
   const auto [end, problem] = std::from_chars(text.data() + colon + 1, last, line);
@@ -151,7 +152,7 @@ std::vector<Finding> findings(std::string_view log, const std::string& kind) {
     if (!text.starts_with(prefix)) continue;
     const auto record = Json::parse(text);
     if (kind == "expect" && record["met"] == true) continue;
-    Finding one{line_of(record, records), Json::object()};
+    Finding one{line_of(record, records), Json::object(), SimTime::from_seconds(record["t"].get<double>())};
     for (const char* field : {"line", "found", "state", "input", "message"})
       if (const auto* value = member(record, field)) one.what[field] = *value;
     found.push_back(std::move(one));

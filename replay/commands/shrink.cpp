@@ -11,6 +11,7 @@
 #include "core/located_json.h"
 #include "replay/commands/trace_name.h"
 #include "replay/data_paths.h"
+#include "replay/run_approved.h"
 #include "replay/shrink.h"
 
 namespace continua {
@@ -75,9 +76,19 @@ int run_shrink(const ShrinkCommandOptions& options) {
   auto session = Session::load(options.trace, options.replay);
   if (!session) return fail(session.error());
 
+  auto against = options.against;
+  if (goal->kind == "changed" && against.empty()) {
+    const auto approved = find_approved_run(options.trace, options.replay.physics ? "physics" : "kinematic");
+    if (!approved) return fail(approved.error());
+    if (!*approved)
+      return fail({options.trace, "has no approved run beside it; expected one, or --against RUN or TRACE"});
+    against = (*approved)->path;
+  }
+
   const auto start = std::chrono::steady_clock::now();
   Counter counter;
-  auto shrunk = shrink(*session, *goal, [&](std::size_t events, std::size_t probes) { counter.show(events, probes); });
+  const auto show = [&](std::size_t events, std::size_t probes) { counter.show(events, probes); };
+  auto shrunk = shrink(*session, *goal, show, against);
   counter.clear();
   if (!shrunk) return fail(shrunk.error());
   if (!shrunk->done) {
@@ -106,9 +117,13 @@ void add_shrink_command(CLI::App& program, Run& run) {
           "FIELD=VALUE with a field of an `expect` line (state, says, indicated, referents, act, holding, "
           "stack_depth), or JSON; given several times, all of it at one instant. Or unmet, refusal, problem: an "
           "`expect` line that is not met and finds the same, the same input refused in the same state, the same "
-          "problem; the first one of the run, or :LINE, that of a line of the trace")
+          "problem; the first one of the run, or :LINE, that of a line of the trace. Or changed: the run differs from "
+          "another one with the same cause, as diff tells it")
       ->required()
       ->allow_extra_args(false);
+  command->add_option("--against", options->against,
+                      "with --until changed: a run log, or a trace; otherwise the approved run beside the trace. Where "
+                      "that had another machine, each smaller trace is replayed with both");
   command->add_option("-o,--output", options->output, "a trace, or '-'; otherwise NAME.shrunk.trace.jsonl here");
   command->add_flag("--physics,!--no-physics", options->replay.physics,
                     "with physics; otherwise in the kinematic world, in which acts succeed at once");
@@ -124,7 +139,8 @@ void add_shrink_command(CLI::App& program, Run& run) {
       "Examples: continua shrink session.trace.jsonl --until state=Ask\n"
       "          continua shrink session.trace.jsonl --until says=\"What should I put there?\" -o ask.trace.jsonl\n"
       "          continua shrink session.trace.jsonl --until '{\"state\":\"Ask\",\"stack_depth\":3}' -o -\n"
-      "          continua shrink session.trace.jsonl --until unmet:14");
+      "          continua shrink session.trace.jsonl --until unmet:14\n"
+      "          continua shrink session.trace.jsonl --until changed --machine edited.json");
   command->callback([options, &run] { run = [options] { return run_shrink(*options); }; });
 }
 

@@ -163,6 +163,46 @@ TEST_CASE("what is left says no more than it must") {
         "{\"t\":3.0,\"kind\":\"speech\",\"text\":\"c\",\"words\":[{\"text\":\"c\",\"t\":3.0}]}\n");
 }
 
+TEST_CASE("what remains of a changed run still differs from the approved one for the same reason") {
+  Lab lab(speech(1, "x") + speech(2, "a") + speech(3, "y") + speech(4, "b") + speech(5, "c") + speech(6, "z"));
+  ShrinkCommandOptions options;
+  options.trace = lab.path;
+  options.until = {"changed"};
+  options.output = lab.folder.at("small.trace.jsonl");
+  options.replay.physics = false;
+  CHECK(run_shrink(options) == exit_impossible);  // no approved run
+  const auto run_to = [&](const std::string& name) {
+    auto session = Session::load(lab.path, options.replay);
+    REQUIRE(session.ok());
+    std::ofstream file(lab.folder.at(name), std::ios::binary);
+    session->run(file);
+  };
+  run_to("x.run.jsonl");
+  CHECK(run_shrink(options) == exit_no);
+  const auto remains = [&] {
+    CHECK(run_shrink(options) == exit_done);
+    std::string words;
+    const auto trace = read_trace(options.output);
+    REQUIRE(trace.ok());
+    for (const auto& event : trace->events) words += std::get<InputEvent>(event.what).text + " ";
+    return words;
+  };
+
+  // Another machine: both are replayed.
+  std::string edited = letters;
+  edited.replace(edited.find("push"), 4, "rewrite");
+  lab.folder.file("letters.json", edited);
+  CHECK(remains() == "a b ");
+
+  // Another trace: what comes before the difference stays.
+  lab.folder.file("letters.json", letters);
+  options.against =
+      lab.folder.file("other.trace.jsonl", header + "\n" + speech(1, "x") + speech(2, "a") + speech(4, "b"));
+  CHECK(remains().starts_with("x a "));
+  options.against = lab.folder.file("none.jsonl", "{}\n");
+  CHECK(run_shrink(options) == exit_impossible);
+}
+
 TEST_CASE("what a goal cannot be is told") {
   Lab lab(speech(1, "a") + "{\"t\":2,\"kind\":\"expect\",\"state\":\"A\"}\n");
   struct Row {
@@ -178,6 +218,7 @@ TEST_CASE("what a goal cannot be is told") {
                         {{"state=A", "state=B"}, "twice"},
                         {{"unmet", "state=A"}, "expected it alone"},
                         {{"unmet:x"}, "expected unmet:LINE"},
+                        {{"changed:4"}, "refusal, problem or changed"},
                         {{"unmet:2"}, "x.trace.jsonl:2 is no expectation of the trace"},
                         {{"refusal:3"}, "x.trace.jsonl:3 is no event of the trace"},
                         {{"{\"state\""}, "not valid JSON"},
