@@ -165,20 +165,20 @@ void Recorder::one(const StepEvent& step) {
 }
 
 void Recorder::one(const Fired& fired) {
-  const auto& transition = machine_.transitions[fired.transition];
+  const auto& transition = machine_->transitions[fired.transition];
   Json candidates = Json::array();
   for (const auto& candidate : fired.candidates) {
-    candidates.push_back({{"id", machine_.transitions[candidate.transition].id}, {"weight", candidate.weight}});
+    candidates.push_back({{"id", machine_->transitions[candidate.transition].id}, {"weight", candidate.weight}});
     if (fired.alternatives > 1) candidates.back()["alternative"] = candidate.alternative;
   }
   Json gates = Json::array();
   for (const auto& gate : fired.gates)
     gates.push_back(
-        {{"state", machine_.states[gate.state].name}, {"condition", gate.condition}, {"passed", gate.passed}});
+        {{"state", machine_->states[gate.state].name}, {"condition", gate.condition}, {"passed", gate.passed}});
   Json fields = {{"id", transition.id},
                  {"step", fired.step},
-                 {"from", machine_.states[fired.from].name},
-                 {"to", machine_.states[fired.to].name},
+                 {"from", machine_->states[fired.from].name},
+                 {"to", machine_->states[fired.to].name},
                  {"input", optional_text(fired.input)},
                  {"operation", Json::parse(fired.operation->source)},
                  {"weight", transition.weight},
@@ -199,10 +199,10 @@ void Recorder::one(const Explored& explored) {
   Json branches = Json::array();
   for (const auto& branch : explored.branches) {
     Json by = Json::array();
-    for (const auto transition : branch.by) by.push_back(machine_.transitions[transition].id);
+    for (const auto transition : branch.by) by.push_back(machine_->transitions[transition].id);
     branches.push_back({{"id", branch.id},
                         {"parent", branch.parent},
-                        {"state", machine_.states[branch.configuration.state].name},
+                        {"state", machine_->states[branch.configuration.state].name},
                         {"stack", branch.configuration.stack.id()},
                         {"depth", branch.configuration.stack.depth()},
                         {"weight", branch.weight},
@@ -218,13 +218,13 @@ void Recorder::one(const Explored& explored) {
 void Recorder::one(const MadeSymbol& made) {
   Json slots = Json::object();
   for (std::size_t i = 0; i < made.symbol.size(); ++i)
-    if (!is_empty(made.symbol[i].value)) slots[machine_.slots[i].name] = print(made.symbol[i].value);
+    if (!is_empty(made.symbol[i].value)) slots[machine_->slots[i].name] = print(made.symbol[i].value);
   write("symbol",
         {{"id", made.id}, {"below", made.below ? Json(*made.below) : Json(nullptr)}, {"slots", std::move(slots)}});
 }
 
 void Recorder::one(const Rewrote& rewrote) {
-  write("rewrite", {{"state", machine_.states[rewrote.state].name},
+  write("rewrite", {{"state", machine_->states[rewrote.state].name},
                     {"operation", Json::parse(rewrote.operation->source)},
                     {"stack", rewrote.stack},
                     {"depth", rewrote.depth}});
@@ -282,7 +282,7 @@ void Recorder::one(const ActEnd& end) {
 }
 
 void Recorder::one(const Remembered& remembered) {
-  write("memory", {{"register", machine_.memory[remembered.index].name}, {"value", print(remembered.value)}});
+  write("memory", {{"register", machine_->memory[remembered.index].name}, {"value", print(remembered.value)}});
 }
 
 void Recorder::one(const Taught& taught) {
@@ -300,7 +300,7 @@ void Recorder::one(const Forgotten& forgotten) {
 }
 
 void Recorder::one(const RefusedInput& refused) {
-  write("refusal", {{"state", machine_.states[refused.state].name},
+  write("refusal", {{"state", machine_->states[refused.state].name},
                     {"input", refused.input},
                     {"reason", refused.reason},
                     {"refused", refusals(refused.refused, refused.alternatives)}});
@@ -377,7 +377,7 @@ void Recorder::problem(std::size_t line, const std::string& message, SimTime t) 
 Json Recorder::refusals(const std::vector<Refused>& refused, std::size_t alternatives) const {
   Json list = Json::array();
   for (const auto& one : refused) {
-    list.push_back({{"id", machine_.transitions[one.transition].id}, {"reason", one.reason}});
+    list.push_back({{"id", machine_->transitions[one.transition].id}, {"reason", one.reason}});
     if (alternatives > 1) list.back()["alternative"] = one.alternative;
   }
   return list;

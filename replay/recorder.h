@@ -17,7 +17,10 @@ Json graph_of(const Machine& machine);
 class Recorder {
  public:
   /// Both must outlive the recorder.
-  Recorder(RunLog& log, const Machine& machine) : log_(log), machine_(machine) {}
+  Recorder(RunLog& log, const Machine& machine) : log_(log), machine_(&machine) {}
+
+  /// What comes is of this machine, which must outlive the recorder.
+  void go_on_with(const Machine& machine) { machine_ = &machine; }
 
   void input(const TraceEvent& event, const std::string& symbol);
   void observed(const TraceEvent& event, const Observed& observed);
@@ -77,7 +80,7 @@ class Recorder {
   void write_act(int number, const std::string& status, Json more, SimTime t);
 
   RunLog& log_;
-  const Machine& machine_;
+  const Machine* machine_;
   SimTime now_;
   std::optional<int> cause_;         ///< number of the record that brought about the next one
   std::map<int, int> input_record_;  ///< serial of an input → number of its record

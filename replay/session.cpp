@@ -1,51 +1,24 @@
 #include "replay/session.h"
 
 #include <algorithm>
-#include <deque>
 #include <filesystem>
 #include <memory>
+#include <tuple>
 
 #include <fmt/format.h>
 
 #include "behaviour/kinematic_body.h"
-#include "composition/learning_file.h"
-#include "core/digest.h"
-#include "pipeline/pipeline.h"
+#include "core/located_json.h"
 #include "replay/data_paths.h"
-#include "replay/expectation.h"
 #include "replay/language_loading.h"
 #include "replay/learned_file.h"
-#include "replay/recorder.h"
-#include "replay/run_record.h"
 #include "replay/scene_voxemes.h"
-#include "replay/trace_file.h"
-#include "replay/version.h"
+#include "replay/session_parts.h"
 #include "simulation/physics_body.h"
-#include "simulation/scene.h"
-#include "voxml/catalogue.h"
 
 namespace continua {
-
-struct LoadedSession {
-  ReplayOptions options;
-  Trace trace;
-  std::shared_ptr<const Machine> machine;
-  std::shared_ptr<const Language> language;
-  Scene scene;
-  std::optional<Error> warning;
-  std::unique_ptr<Body> body;
-  std::map<int, std::size_t> forced;  ///< step → transition
-  Learned learned;                    ///< when the run begins
-  Json knowledge;                     ///< digests of its files
-  std::optional<Learned> learned_at_end;
-};
-
+namespace fs = std::filesystem;
 namespace {
-
-// After the last event the world may go on until it rests, but not longer.
-constexpr double longest_tail_s = 120;
-// An act may be answered with another one that is done at once, and so on: so often before time goes on.
-constexpr int most_rounds = 1000;
 
 std::vector<ObjectOverride> overrides_of(const TraceHeader& header) {
   std::vector<ObjectOverride> overrides;
@@ -62,213 +35,36 @@ std::vector<ObjectOverride> overrides_of(const TraceHeader& header) {
   return overrides;
 }
 
-// The loop over a trace's events, with all that it carries along.
-class Loop {
- public:
-  Loop(const LoadedSession& loaded, std::ostream& out)
-      : loaded_(loaded),
-        choice_(loaded.options.choice.value_or(loaded.machine->choice)),
-        perspective_(perspective()),
-        seed_(loaded.options.seed.value_or(loaded.trace.header.seed)),
-        log_(out),
-        recorder_(log_, *loaded.machine),
-        pipeline_(loaded.machine, loaded.language, perspective_, most_branches()),
-        body_(*loaded.body) {}
+// The objects of a header, as a trace writes them.
+std::string objects_text(const TraceHeader& header) {
+  TraceHeader objects;
+  objects.objects = header.objects;
+  return write_header(objects);
+}
 
-  ReplaySummary run() {
-    write_header();
-    take(pipeline_.begin({choice_, Random(seed_), loaded_.forced, 0}, body_.snapshot(), loaded_.learned), SimTime{});
-    const auto& events = loaded_.trace.events;
-    for (const auto& note : loaded_.trace.notes) recorder_.problem(note.line, note.sentence, SimTime{});
-    for (std::size_t i = 0; i < events.size(); ++i) {
-      wait_until(std::max(now_, events[i].t));
-      std::visit([&](const auto& what) { take(events[i], what); }, events[i].what);
-      if (loaded_.options.progress && i % 64 == 0)
-        loaded_.options.progress(static_cast<double>(i) / static_cast<double>(events.size()));
-    }
-    settle();
-    return finish();
-  }
+std::string header_line(const Trace& trace) { return trace.name + ":1"; }
 
-  /// Of the run so far.
-  const Learned& learned() const { return state_->learned; }
+Result<std::string> scene_of(const Trace& trace, const std::string& option, const DataPaths& data) {
+  const auto& name = option.empty() ? trace.header.scene : option;
+  if (name.empty()) return Error{header_line(trace), "no scene; expected \"scene\" in the trace's header, or --scene"};
+  return resolve_scene(name, data, fs::path(trace.name).parent_path(), option.empty() ? header_line(trace) : "--scene");
+}
 
- private:
-  std::size_t most_branches() const {
-    return loaded_.options.most_branches ? loaded_.options.most_branches : default_most_branches;
-  }
-
-  Perspective perspective() const {
-    const auto& machines = loaded_.machine->perspective;
-    if (machines.empty()) return loaded_.trace.header.perspective;
-    return machines == "avatar" ? Perspective::avatar : Perspective::human;
-  }
-
-  void write_header() {
-    RunHeader header;
-    header.continua_version = program_version();
-    header.trace_name = std::filesystem::path(loaded_.trace.name).filename().string();
-    header.trace_digest = loaded_.trace.digest;
-    header.seed = seed_;
-    header.choice = text(choice_);
-    header.forced = loaded_.options.forced;
-    if (choice_ == Choice::explore) header.most_branches = most_branches();
-    header.world = loaded_.options.physics ? "physics" : "kinematic";
-    header.perspective = text(perspective_);
-    header.fingerprint = fingerprint();
-    header.machine_name = loaded_.machine->name;
-    header.machine_digest = digest(loaded_.machine->document);
-    header.machine_document = Json::parse(loaded_.machine->document);
-    if (!loaded_.machine->phrases.empty()) {
-      header.phrases_name = loaded_.machine->phrases;
-      header.phrases_digest = digest(loaded_.machine->phrase_document);
-      header.phrases_document = Json::parse(loaded_.machine->phrase_document);
-    }
-    if (!(loaded_.learned == Learned())) header.learned = Json::parse(print_learned(loaded_.learned));
-    header.graph = graph_of(*loaded_.machine);
-    if (loaded_.language->lexicon) {
-      header.lexicon_name = loaded_.machine->lexicon;
-      header.lexicon_digest = loaded_.language->lexicon->digest;
-    }
-    header.knowledge = loaded_.knowledge;
-    header.voxemes_digest = loaded_.language->voxemes->digest();
-    header.scene_name = std::filesystem::path(loaded_.scene.path()).stem().string();
-    header.scene_digest = digest(loaded_.scene.text());
-    header.scene_mjcf = loaded_.scene.text();
-    header.scene_description = loaded_.scene.description();
-    header.without_voxeme = objects_without_voxeme(loaded_.scene, *loaded_.language->voxemes);
-    log_.write("run", SimTime{}, run_fields(header));
-  }
-
-  void take(const TraceEvent& event, const InputEvent& input) {
-    ++summary_.inputs;
-    recorder_.input(event, symbol_of(input));
-    take(pipeline_.receive(*state_, input, body_.snapshot()), now_);
-    attend();
-  }
-  void take(const TraceEvent& event, const Observed& observed) { recorder_.observed(event, observed); }
-  // What is expected is checked once all that happened before has been attended to.
-  void take(const TraceEvent& event, const Expectation& expectation) {
-    expected_.push_back({&event, &expectation, state_->inputs});
-    check_expectations();
-  }
-  void take(const TraceEvent&, const End&) {}
-  void take(const TraceEvent&, const UnknownKind&) {}
-
-  void check_expectations() {
-    for (; !expected_.empty() && !state_->waits(expected_.front().inputs); expected_.pop_front())
-      check_expectation(*expected_.front().event, *expected_.front().what);
-  }
-  void check_expectation(const TraceEvent& event, const Expectation& expectation) {
-    const auto checked = check(expectation, {pipeline_.machine(), state_->configuration, body_.snapshot(),
-                                             said_since_input_, recorder_.last_act(), recorder_.last_referents()});
-    recorder_.expectation(event, checked.met, checked.found);
-    ++summary_.expectations;
-    summary_.expectations_met += checked.met;
-  }
-
-  void take(Tick tick, SimTime t) {
-    obey(std::move(tick), t);
-    go_on(t);  // what is done at once is done before the next event
-  }
-
-  void obey(Tick tick, SimTime t) {
-    recorder_.engine(tick.events, t);
-    for (const auto& event : tick.events) {
-      if (const auto* gesture = std::get_if<GestureCommand>(&event)) body_.command(gesture->command);
-      if (const auto* act = std::get_if<ActStep>(&event); act && act->command) body_.command(*act->command);
-      if (const auto* explored = std::get_if<Explored>(&event)) summary_.pruned += explored->pruned;
-      if (const auto* step = std::get_if<StepEvent>(&event))
-        if (const auto* said = std::get_if<Said>(step)) said_since_input_.push_back(said->text);
-    }
-    state_ = std::move(tick.after);
-  }
-
-  // Lets the world go on until then. What ends on the way is told to the engine at its time, and what follows from it
-  // begins at once.
-  void go_on(SimTime t) {
-    for (int rounds = 0; rounds < most_rounds; ++rounds) {
-      const auto report = body_.advance(t);
-      recorder_.world(report);
-      if (report.until > now_) rounds = 0;
-      now_ = report.until;
-      const bool ended = std::any_of(report.acts.begin(), report.acts.end(),
-                                     [](const ActReport& act) { return act.status != ActReport::Status::started; });
-      if (ended) obey(pipeline_.reported(*state_, report.acts, body_.snapshot()), now_);
-      if (!ended && now_ >= t) return;
-    }
-  }
-
-  // Attends to what is complete, one after the other.
-  void attend() {
-    while (!state_->complete.empty()) {
-      said_since_input_.clear();
-      take(pipeline_.attend(*state_, body_.snapshot()), now_);
-      check_expectations();
-    }
-  }
-
-  // Time goes on; what has waited long enough on the way is attended to.
-  void wait_until(SimTime t) {
-    for (auto due = pipeline_.due(*state_); due && *due <= t; due = pipeline_.due(*state_)) {
-      go_on(std::max(now_, *due));
-      take(pipeline_.wake(*state_, now_), now_);
-      attend();
-    }
-    go_on(t);
-  }
-
-  // Acts that are under way when the trace ends are still finished.
-  void settle() {
-    while (const auto due = pipeline_.due(*state_)) wait_until(std::max(now_, *due));
-    const SimTime last = now_ + SimTime::from_seconds(longest_tail_s);
-    while (!body_.at_rest() && now_ < last) go_on(now_ + SimTime::from_seconds(0.1));
-  }
-
-  ReplaySummary finish() {
-    recorder_.finish();
-    const auto& counts = log_.counts();
-    const auto count = [&](const char* kind) { return counts.contains(kind) ? counts.at(kind) : 0; };
-    summary_.utterances = count("utterance");
-    summary_.refusals = count("refusal");
-    summary_.problems = count("problem");
-    for (const auto& [number, act] : recorder_.acts()) {
-      ++summary_.acts;
-      summary_.acts_done += act.status == ActReport::Status::done;
-    }
-    for (const auto& [step, transition] : state_->chooser.forced)
-      summary_.not_forced[step] = loaded_.machine->transitions[transition].id;
-    summary_.end = now_;
-    log_.finish(now_);
-    return summary_;
-  }
-
-  const LoadedSession& loaded_;
-  Choice choice_;
-  Perspective perspective_;
-  std::uint64_t seed_;
-  RunLog log_;
-  Recorder recorder_;
-  Pipeline pipeline_;
-  std::optional<EngineState> state_;  // once the run has begun
-  Body& body_;
-  SimTime now_;
-  std::vector<std::string> said_since_input_;
-  struct Expected {
-    const TraceEvent* event;
-    const Expectation* what;
-    int inputs;  ///< that it comes after
-  };
-  std::deque<Expected> expected_;
-  ReplaySummary summary_;
-};
+Result<std::string> machine_of(const Trace& trace, const std::string& option, const DataPaths& data) {
+  const auto& name = option.empty() ? trace.header.machine : option;
+  if (name.empty())
+    return Error{header_line(trace), "no machine; expected \"machine\" in the trace's header, or --machine"};
+  return resolve_machine(name, data, fs::path(trace.name).parent_path(),
+                         option.empty() ? header_line(trace) : "--machine");
+}
 
 // The transitions that the options force, by index.
-Result<std::map<int, std::size_t>> forced_of(const ReplayOptions& options, const Machine& machine) {
+Result<std::map<int, std::size_t>> forced_of(const std::map<int, std::string>& options, Choice choice,
+                                             const Machine& machine) {
   std::map<int, std::size_t> forced;
-  if (!options.forced.empty() && options.choice.value_or(machine.choice) == Choice::explore)
+  if (!options.empty() && choice == Choice::explore)
     return Error{"--force", "nothing is chosen under explore, which takes all; expected another --choice"};
-  for (const auto& [step, id] : options.forced) {
+  for (const auto& [step, id] : options) {
     const auto found = std::find_if(machine.transitions.begin(), machine.transitions.end(),
                                     [&id = id](const Transition& transition) { return transition.id == id; });
     if (found == machine.transitions.end()) {
@@ -283,79 +79,184 @@ Result<std::map<int, std::size_t>> forced_of(const ReplayOptions& options, const
   return forced;
 }
 
+// What answers the human in a trace; of the options those that change it count.
+Result<EngineParts> load_parts(const Trace& trace, const ReplayOptions& options) {
+  const auto data = find_data_paths(options.knowledge);
+  if (!data) return data.error();
+  const auto path = machine_of(trace, options.machine, *data);
+  if (!path) return path.error();
+  auto machine = load_machine(*path, *data);
+  if (!machine) return machine.error();
+  auto language = load_language(*data, *machine);
+  if (!language) return language.error();
+  EngineParts parts;
+  parts.choice = options.choice.value_or(machine->choice);
+  parts.seed = options.seed.value_or(trace.header.seed);
+  parts.perspective = trace.header.perspective;
+  if (!machine->perspective.empty())
+    parts.perspective = machine->perspective == "avatar" ? Perspective::avatar : Perspective::human;
+  auto forced = forced_of(options.forced, parts.choice, *machine);
+  if (!forced) return forced.error();
+  parts.forced = std::move(*forced);
+  parts.knowledge = knowledge_digests(*data, *machine);
+  parts.machine = std::make_shared<const Machine>(std::move(*machine));
+  parts.language = std::make_shared<const Language>(std::move(*language));
+  return parts;
+}
+
+// The edited trace, whose scene cannot be another one: the world is in the midst of it.
+Result<Trace> read_edited(const Trace& original, const ReplayOptions& options, const DataPaths& data) {
+  auto edited = read_trace(options.with);
+  if (!edited) return edited.error();
+  const auto cannot = [&](const char* what) {
+    return Error{header_line(*edited),
+                 fmt::format("found {} than in {}; expected the same, since they cannot change in mid-run", what,
+                             header_line(original))};
+  };
+  if (options.scene.empty()) {
+    const auto was = scene_of(original, "", data);
+    if (!was) return was.error();
+    const auto now = edited->header.scene.empty() ? was : scene_of(*edited, "", data);
+    if (!now) return now.error();
+    std::error_code unknown;
+    if (*was != *now && !fs::equivalent(*was, *now, unknown)) return cannot("another 'scene'");
+  }
+  if (objects_text(original.header) != objects_text(edited->header)) return cannot("other 'objects'");
+  if (edited->header.machine.empty()) {
+    const auto machine = machine_of(original, "", data);
+    if (!machine) return machine.error();
+    edited->header.machine = *machine;
+  }
+  return edited;
+}
+
+bool same_note(const Note& a, const Note& b) { return a.line == b.line && a.sentence == b.sentence; }
+
+// Puts the edited trace's events from the instant on in the place of the trace's own.
+void splice(Trace& trace, Trace edited, WhatIf& what_if) {
+  const auto before = [&](const TraceEvent& event) { return event.t < what_if.from; };
+  std::erase_if(trace.events, [&](const TraceEvent& event) { return !before(event); });
+  for (const auto& note : edited.notes) {
+    const auto on_line = [&](const TraceEvent& event) { return event.line == note.line && !before(event); };
+    const auto known = [&](const Note& one) { return same_note(one, note); };
+    if (std::any_of(edited.events.begin(), edited.events.end(), on_line) &&
+        std::none_of(trace.notes.begin(), trace.notes.end(), known))
+      what_if.notes.push_back(note);
+  }
+  std::erase_if(edited.events, before);
+  std::move(edited.events.begin(), edited.events.end(), std::back_inserter(trace.events));
+  what_if.trace = {fs::path(edited.name).filename().string(), edited.digest};
+}
+
+// What the options change from their instant on, if they name one. The trace gets its events of then.
+Result<std::optional<WhatIf>> load_what_if(Trace& trace, const ReplayOptions& options, const DataPaths& data) {
+  if (!options.from) {
+    if (options.with.empty()) return std::optional<WhatIf>();
+    return Error{"--with", "found no --from; expected the instant from which on the trace's events are those of this"};
+  }
+  WhatIf what_if;
+  what_if.from = SimTime::from_seconds(*options.from);
+  std::optional<Trace> edited;
+  if (!options.with.empty()) {
+    auto read = read_edited(trace, options, data);
+    if (!read) return read.error();
+    edited = std::move(*read);
+  }
+  auto parts = load_parts(edited ? *edited : trace, options);
+  if (!parts) return parts.error();
+  what_if.parts = std::move(*parts);
+  if (edited) splice(trace, std::move(*edited), what_if);
+  return std::optional(std::move(what_if));
+}
+
+// Those of the options that say what the run was before anything was changed.
+ReplayOptions before_change(const ReplayOptions& options) {
+  if (!options.from) return options;
+  ReplayOptions before;
+  before.scene = options.scene;
+  before.learned = options.learned;
+  return before;
+}
+
 }  // namespace
+
+Result<std::unique_ptr<Body>> body_of(const Scene& scene, bool physics) {
+  if (!physics) return std::unique_ptr<Body>(std::make_unique<KinematicBody>(scene.initial_snapshot()));
+  auto body = PhysicsBody::create(scene);
+  if (!body) return body.error();
+  return std::unique_ptr<Body>(std::move(*body));
+}
 
 Result<Session> Session::load(const std::string& trace_path, ReplayOptions options) {
   auto trace = read_trace(trace_path);
   if (!trace) return trace.error();
-  const auto data = find_data_paths(options.knowledge);
+  const auto before = before_change(options);
+  const auto data = find_data_paths(before.knowledge);
   if (!data) return data.error();
-  const auto folder = std::filesystem::path(trace_path).parent_path();
-  const auto header_line = trace_path + ":1";
 
-  const auto& scene_name = options.scene.empty() ? trace->header.scene : options.scene;
-  if (scene_name.empty()) return Error{header_line, "no scene; expected \"scene\" in the trace's header, or --scene"};
-  const auto scene_path = resolve_scene(scene_name, *data, folder, options.scene.empty() ? header_line : "--scene");
+  const auto scene_path = scene_of(*trace, before.scene, *data);
   if (!scene_path) return scene_path.error();
   auto scene = load_scene(*scene_path, overrides_of(trace->header));
   if (!scene) return scene.error();
-
-  const auto& machine_name = options.machine.empty() ? trace->header.machine : options.machine;
-  if (machine_name.empty())
-    return Error{header_line, "no machine; expected \"machine\" in the trace's header, or --machine"};
-  const auto machine_path =
-      resolve_machine(machine_name, *data, folder, options.machine.empty() ? header_line : "--machine");
-  if (!machine_path) return machine_path.error();
-  auto machine = load_machine(*machine_path, *data);
-  if (!machine) return machine.error();
-  auto language = load_language(*data, *machine);
-  if (!language) return language.error();
-  auto learned =
-      options.learned.empty() ? Result<Learned>(Learned()) : read_learned(options.learned, *machine, *language);
+  auto parts = load_parts(*trace, before);
+  if (!parts) return parts.error();
+  auto learned = before.learned.empty() ? Result<Learned>(Learned())
+                                        : read_learned(before.learned, *parts->machine, *parts->language);
   if (!learned) return learned.error();
-  auto forced = forced_of(options, *machine);
-  if (!forced) return forced.error();
+  auto what_if = load_what_if(*trace, options, *data);
+  if (!what_if) return what_if.error();
+  if (const auto body = body_of(*scene, options.physics); !body) return body.error();
 
-  auto knowledge = knowledge_digests(*data, *machine);
-  auto warning = warning_of_voxemes(*scene, *language->voxemes, data->knowledge.string());
-  std::unique_ptr<Body> body;
-  if (options.physics) {
-    auto physics = PhysicsBody::create(*scene);
-    if (!physics) return physics.error();
-    body = std::move(*physics);
-  } else {
-    body = std::make_unique<KinematicBody>(scene->initial_snapshot());
-  }
-  return Session(std::make_unique<LoadedSession>(LoadedSession{std::move(options),
-                                                               std::move(*trace),
-                                                               std::make_shared<const Machine>(std::move(*machine)),
-                                                               std::make_shared<const Language>(std::move(*language)),
-                                                               std::move(*scene),
-                                                               std::move(warning),
-                                                               std::move(body),
-                                                               std::move(*forced),
-                                                               std::move(*learned),
-                                                               std::move(knowledge),
-                                                               {}}));
+  auto warning = warning_of_voxemes(*scene, *parts->language->voxemes, data->knowledge.string());
+  auto loaded = std::make_unique<LoadedSession>(LoadedSession{std::move(options),
+                                                              std::move(*trace),
+                                                              std::move(*parts),
+                                                              std::move(*what_if),
+                                                              std::move(*scene),
+                                                              std::move(*learned),
+                                                              std::move(warning),
+                                                              {},
+                                                              {}});
+  loaded->header = header_of(*loaded);
+  return Session(std::move(loaded));
 }
 
 Session::Session(std::unique_ptr<LoadedSession> loaded) : loaded_(std::move(loaded)) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
 
 const std::optional<Error>& Session::warning() const { return loaded_->warning; }
+const Trace& Session::trace() const { return loaded_->trace; }
+const ReplayOptions& Session::options() const { return loaded_->options; }
+const Machine& Session::machine() const { return *loaded_->parts.machine; }
 
 ReplaySummary Session::run(std::ostream& log) {
-  Loop loop(*loaded_, log);
-  auto summary = loop.run();
-  loaded_->learned_at_end = loop.learned();
+  auto summary = run(loaded_->trace, {}, log);
+  require(summary.ok(), "a session that was loaded can be run");
+  return *summary;
+}
+
+Result<ReplaySummary> Session::run(const Trace& trace, const Watch& watch, std::ostream& log) {
+  if (objects_text(trace.header) != objects_text(loaded_->trace.header)) {
+    auto scene = load_scene(loaded_->scene.path(), overrides_of(trace.header));
+    if (!scene) return scene.error();
+    loaded_->scene = std::move(*scene);
+    loaded_->trace.header.objects = trace.header.objects;
+    loaded_->header = header_of(*loaded_);
+  }
+  const auto body = body_of(loaded_->scene, loaded_->options.physics);
+  if (!body) return body.error();
+  auto [summary, learned] = replay_events(*loaded_, trace, **body, watch, log);
+  loaded_->learned_at_end = std::move(learned);
   return summary;
 }
 
 Outcome Session::keep_learned() const {
   require(loaded_->learned_at_end.has_value(), "what was learned is kept after the run");
-  if (loaded_->options.learned.empty() || *loaded_->learned_at_end == loaded_->learned) return std::nullopt;
-  return write_learned(loaded_->options.learned, *loaded_->learned_at_end);
+  const auto& path = loaded_->options.learned;
+  if (path.empty() || loaded_->what_if || *loaded_->learned_at_end == loaded_->learned) return std::nullopt;
+  return write_learned(path, *loaded_->learned_at_end);
 }
 
 }  // namespace continua

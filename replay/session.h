@@ -1,5 +1,4 @@
-// A replay: the only loop there is. Events of a trace go to the engine and time to the world; what both did goes to the
-// log.
+// A replay of a trace: what is loaded once, and the runs of it. Its only loop is session_loop.cpp.
 #pragma once
 
 #include <functional>
@@ -16,11 +15,15 @@
 namespace continua {
 
 struct ReplayOptions {
-  std::optional<std::uint64_t> seed;          ///< else the trace's
-  std::optional<Choice> choice;               ///< else the machine's
-  std::string scene, machine;                 ///< names or paths; empty: the trace's
-  std::string knowledge;                      ///< folder; empty: the program's own
-  std::string learned;                        ///< file of what was taught in earlier runs; empty: none
+  std::optional<std::uint64_t> seed;  ///< else the trace's
+  std::optional<Choice> choice;       ///< else the machine's
+  std::string scene, machine;         ///< names or paths; empty: the trace's
+  std::string knowledge;              ///< folder; empty: the program's own
+  std::string learned;                ///< file of what was taught in earlier runs; empty: none
+  /// What if: seed, choice, machine, knowledge, forced and `with` count from this instant of the run on, seconds; until
+  /// then it is the trace's own run. The configuration goes over by names.
+  std::optional<double> from;
+  std::string with;                           ///< with `from`: the trace whose events count from then on; else empty
   std::map<int, std::string> forced;          ///< step → id of the transition to take there
   std::size_t most_branches = 0;              ///< under `explore`; 0: the engine's own bound
   bool physics = true;                        ///< else the kinematic world
@@ -35,9 +38,17 @@ struct ReplaySummary {
   int problems = 0;
   int pruned = 0;                         ///< configurations given up under `explore`
   std::map<int, std::string> not_forced;  ///< of ReplayOptions::forced, those that did not apply at their step
+  bool changed = false;                   ///< ReplayOptions::from was reached
+  std::optional<Error> stopped = {};      ///< why what is changed then cannot go on with the run; the log ends there
 };
 
 struct LoadedSession;
+struct Situation;
+struct Trace;
+
+/// Looks on: called after all that the engine did at an instant, with what it left. Where it returns true the replay
+/// ends, and its log with it.
+using Watch = std::function<bool(const Situation&)>;
 
 /// A trace with its machine and its scene, ready to be replayed.
 class Session {
@@ -46,14 +57,25 @@ class Session {
   static Result<Session> load(const std::string& trace_path, ReplayOptions options);
   ~Session();
   Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
 
   /// What of the scene is not known; it can be used all the same.
   const std::optional<Error>& warning() const;
 
-  /// Replays the trace and writes its run log. The world is used up by it: REQUIRES that it is called once.
+  /// The trace; where ReplayOptions::with is given, with its events from then on.
+  const Trace& trace() const;
+  const Machine& machine() const;
+  const ReplayOptions& options() const;
+
+  /// Replays the trace and writes its run log. Every run begins anew.
   ReplaySummary run(std::ostream& log);
 
-  /// Writes ReplayOptions::learned, if the run taught or forgot something. REQUIRES that it has run.
+  /// The same of another trace, over what is loaded: its events and notes count, and the `objects` of its header; of
+  /// what else its header says nothing does. Errors: the scene cannot be set out like that.
+  Result<ReplaySummary> run(const Trace& trace, const Watch& watch, std::ostream& log);
+
+  /// Writes ReplayOptions::learned, if the run taught or forgot something; what if does not count. REQUIRES that it has
+  /// run.
   Outcome keep_learned() const;
 
  private:

@@ -58,6 +58,15 @@ std::vector<BeliefChange> Beliefs::overhear(std::string_view utterance) {
   return changes;
 }
 
+Beliefs Beliefs::carried_over(const BeliefTable& table) const {
+  Beliefs carried(table);
+  for (std::size_t i = 0; i < table.concepts.size(); ++i)
+    for (std::size_t was = 0; was < table_->concepts.size(); ++was)
+      if (table_->concepts[was].name == table.concepts[i].name && !table.concepts[i].fixed)
+        carried.certainty_[i] = certainty_[was];
+  return carried;
+}
+
 void Beliefs::change(std::size_t concept_index, double value, std::vector<BeliefChange>& changes) {
   const auto& entry = table_->concepts[concept_index];
   if (entry.fixed || certainty_[concept_index] == value) return;

@@ -59,6 +59,9 @@ class Beliefs {
   std::vector<BeliefChange> set(std::string_view symbol, double value);
   std::vector<BeliefChange> overhear(std::string_view utterance);
 
+  /// The same certainties of another table's concepts, by their names; one that is fixed there, or new, is as at first.
+  Beliefs carried_over(const BeliefTable& table) const;
+
  private:
   void change(std::size_t concept_index, double value, std::vector<BeliefChange>& changes);
 

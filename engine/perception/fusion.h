@@ -66,6 +66,9 @@ class Fusion {
   /// Whether an input up to this serial waits.
   bool waits(int serial) const;
 
+  /// From now on with this window.
+  void use(FusionWindow window) { window_ = window; }
+
   /// When something that waits will be complete at the latest if nothing more arrives; nothing waits if there is none.
   std::optional<SimTime> due() const;
 

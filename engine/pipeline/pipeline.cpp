@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "automaton/carry_over.h"
+#include "core/located_json.h"
 #include "pipeline/discourse.h"
 #include "pipeline/inputs.h"
 #include "pipeline/lessons.h"
@@ -72,14 +74,36 @@ Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world, Learned learne
                         0},
             {}};
   methods_.see(&world, &tick.after.chooser.random, &tick.after.learned);
-  if (!machine_->lexicon.empty()) {
-    untaught_.emplace(*language_, world, facts_);
-    understanding_.emplace(*untaught_);
-    taught_.clear();
-  }
+  open_vocabulary(world);
   begin(tick.after, tick.events);
   perform(tick.after, world, tick.events);
   return tick;
+}
+
+void Pipeline::open_vocabulary(const WorldSnapshot& world) {
+  if (machine_->lexicon.empty()) return;
+  untaught_.emplace(*language_, world, facts_);
+  understanding_.emplace(*untaught_);
+  taught_.clear();
+}
+
+Result<EngineState> Pipeline::take_over(EngineState state, const Machine& was, const WorldSnapshot& world) {
+  for (const auto& [name, program] : state.learned.programs)
+    if (is_taken(name, *machine_))
+      return Error{machine_->name, fmt::format("the run was taught the word {}, which means something else in this "
+                                               "machine",
+                                               in_quotes(name))};
+  auto configuration = carried_over(state.configuration, was, *machine_);
+  if (!configuration) return configuration.error();
+  state.configuration = std::move(*configuration);
+  auto exploration = carried_over(state.exploration, was, *machine_);
+  if (!exploration) return exploration.error();
+  state.exploration = std::move(*exploration);
+  follow_policy(state.chooser, state.configuration, state.exploration);
+  state.beliefs = state.beliefs.carried_over(machine_->beliefs);
+  state.fusion.use(window_);
+  open_vocabulary(world);
+  return state;
 }
 
 void Pipeline::begin(EngineState& state, std::vector<EngineEvent>& events) {

@@ -31,6 +31,12 @@ class Pipeline {
   /// `learned` what was taught before.
   Tick begin(Chooser chooser, const WorldSnapshot& world, Learned learned = {});
 
+  /// Instead of `begin`: goes on with a run that another pipeline, of the machine `was`, has begun. The state goes over
+  /// by names: state, slots and registers of the automaton as automaton/carry_over.h has it, certainties by concept;
+  /// what was taught, what waits and what is being done as they are. Nothing happens by it. The chooser goes on as the
+  /// state has it; the caller may change it before.
+  Result<EngineState> take_over(EngineState state, const Machine& was, const WorldSnapshot& world);
+
   /// Something happened, and is known at `world.t` or at its own time if that is later.
   Tick receive(const EngineState& before, const InputEvent& event, const WorldSnapshot& world);
   /// Nothing happened up to `now`: what waited for so long is complete.
@@ -55,6 +61,7 @@ class Pipeline {
   struct Heard;
 
   void begin(EngineState& state, std::vector<EngineEvent>& events);
+  void open_vocabulary(const WorldSnapshot& world);
   void keep_up(const Learned& learned);
   Tick attended(Tick tick, const WorldSnapshot& world);
   Percept percept_of(const EngineState& state, const InputEvent& event, int serial) const;

@@ -2,6 +2,7 @@
 
 #include "core/located_json.h"
 #include "replay/commands/progress.h"
+#include "replay/commands/trace_name.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -19,15 +20,36 @@ namespace continua {
 namespace fs = std::filesystem;
 namespace {
 
-// "x.trace.jsonl" and "x.jsonl" give "x.run.jsonl".
-std::string run_name(const std::string& trace) {
-  auto name = fs::path(trace).filename().string();
-  for (const std::string ending : {".trace.jsonl", ".jsonl"})
-    if (name.ends_with(ending)) {
-      name.resize(name.size() - ending.size());
-      break;
+// What a run is called unless it is said; what if is not to take the place of the run itself.
+std::string run_name(const std::string& trace, const ReplayOptions& options) {
+  return trace_name(trace) + (options.from ? ".what_if" : "") + ".run.jsonl";
+}
+
+// The run of the trace as it was, where a file of that name stands beside the trace or beside the output.
+std::optional<std::string> original_run(const std::string& trace, const std::string& output, bool physics) {
+  const auto name = trace_name(trace);
+  for (const auto& folder : {fs::path(trace).parent_path(), fs::path(output).parent_path()})
+    for (const auto* ending : {physics ? ".physics.run.jsonl" : ".kinematic.run.jsonl", ".run.jsonl"}) {
+      const auto path = folder / (name + ending);
+      std::error_code unknown;
+      if (fs::is_regular_file(path, unknown) && !fs::equivalent(path, output, unknown)) return path.string();
     }
-  return name + ".run.jsonl";
+  return std::nullopt;
+}
+
+// As a shell reads it.
+std::string as_argument(const std::string& path) {
+  if (path.find_first_of(" '\"\\$&()*;<>?[]`|~#!") == std::string::npos) return path;
+  std::string quoted = "'";
+  for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+// What to type next to see what the change has changed.
+std::string comparison(const std::string& trace, const std::string& output, const ReplayOptions& options) {
+  if (output == "-" || (!options.from && options.forced.empty())) return "";
+  const auto original = original_run(trace, output, options.physics);
+  return original ? fmt::format("; compare: continua diff {} {}", as_argument(*original), as_argument(output)) : "";
 }
 
 Result<std::vector<std::string>> outputs_of(const ReplayCommandOptions& options) {
@@ -42,7 +64,7 @@ Result<std::vector<std::string>> outputs_of(const ReplayCommandOptions& options)
   std::vector<std::string> outputs;
   std::map<std::string, std::string> trace_of;
   for (const auto& trace : options.traces) {
-    const auto path = folder ? (fs::path(output) / run_name(trace)).string() : output;
+    const auto path = folder ? (fs::path(output) / run_name(trace, options.replay)).string() : output;
     const auto [other, fresh] = trace_of.emplace(path, trace);
     if (!fresh) return Error{trace, fmt::format("would be written to {}, as would {}", path, other->second)};
     if (fs::exists(path) && fs::exists(trace) && fs::equivalent(path, trace))
@@ -105,6 +127,8 @@ class Batch {
     if (!file) return finish(index, Error{output, "cannot be written; expected a writable file"}, output);
     const auto summary = session->run(file);
     file.close();
+    std::error_code ignored;
+    if (summary.stopped && fs::is_regular_file(output, ignored)) fs::remove(output, ignored);
     if (!file) return finish(index, Error{output, "could not be written to its end"}, output);
     finish(index, kept(*session, summary), output);
   }
@@ -118,6 +142,7 @@ class Batch {
   }
 
   static Result<ReplaySummary> kept(const Session& session, const ReplaySummary& summary) {
+    if (summary.stopped) return *summary.stopped;
     if (const auto problem = session.keep_learned()) return *problem;
     return summary;
   }
@@ -131,7 +156,11 @@ class Batch {
       status_ = exit_impossible;
       lines_[index] = "";
     } else {
-      lines_[index] = line_of(options_.traces[index], *summary, output);
+      const auto& trace = options_.traces[index];
+      lines_[index] = line_of(trace, *summary, output) + comparison(trace, output, options_.replay);
+      if (options_.replay.from && !summary->changed)
+        report_warning({trace, fmt::format("--from {}: nothing happens from then on; nothing was changed",
+                                           *options_.replay.from)});
       for (const auto& [step, transition] : summary->not_forced) {
         report({options_.traces[index],
                 fmt::format("--force {}={}: that transition does not apply at that step", step, transition)});
@@ -195,6 +224,15 @@ void add_replay_command(CLI::App& program, Run& run) {
       ->add_option("--force", *forced,
                    "N=TRANSITION: at step N of the run, a transition record's `step`, take this transition")
       ->allow_extra_args(false);
+  command
+      ->add_option("--from", options->replay.from,
+                   "seconds: what if? --machine, --knowledge, --choice, --seed, --force and --with count from this "
+                   "instant of the run on; until then it is the trace's own run. State, slots and registers go over by "
+                   "their names")
+      ->check(CLI::Range(0.0, 1e9));
+  command->add_option("--with", options->replay.with,
+                      "with --from: a trace, perhaps an edited copy; from then on its events happen, and its machine, "
+                      "seed and perspective count. Its scene and objects must be the same");
   command->add_option("--scene", options->replay.scene, "a name or an MJCF file; otherwise the trace's");
   command->add_option("--machine", options->replay.machine, "a name or a machine file; otherwise the trace's");
   command->add_option("--knowledge", options->replay.knowledge,
@@ -207,7 +245,9 @@ void add_replay_command(CLI::App& program, Run& run) {
   command->add_option("-j,--jobs", options->jobs, "how many traces at a time")->check(CLI::Range(1, 256));
   command->footer(
       "Examples: continua replay traces/pilot/*.jsonl -o runs -j 2\n"
-      "          continua replay session.trace.jsonl --force 12=ask_color -o what_if.run.jsonl");
+      "          continua replay session.trace.jsonl --force 12=ask_color -o what_if.run.jsonl\n"
+      "          continua replay session.trace.jsonl --from 4.0 --machine edited.json -o what_if.run.jsonl\n"
+      "          continua diff session.run.jsonl what_if.run.jsonl");
   command->callback([options, choice, forced, &run] {
     options->replay.choice = parse_choice(*choice);
     for (const auto& one : *forced) add_forced(one, options->replay.forced);

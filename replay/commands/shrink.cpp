@@ -1,0 +1,147 @@
+#include "replay/commands/shrink.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "core/located_json.h"
+#include "replay/commands/trace_name.h"
+#include "replay/data_paths.h"
+#include "replay/run_approved.h"
+#include "replay/shrink.h"
+
+namespace continua {
+namespace fs = std::filesystem;
+namespace {
+
+// Overwrites its line on a terminal.
+class Counter {
+ public:
+  void show(std::size_t events, std::size_t probes) {
+    if (!on_terminal_ || probes % 8 != 0) return;
+    fmt::print(stderr, "\r{:<60}", fmt::format("{} left, {}", counted(events, "event"), counted(probes, "probe")));
+    std::fflush(stderr);
+    shown_ = true;
+  }
+  void clear() const {
+    if (shown_) fmt::print(stderr, "\r{:60}\r", "");
+  }
+
+ private:
+  const bool on_terminal_ = isatty(STDERR_FILENO) != 0;
+  bool shown_ = false;
+};
+
+// What the header means by a path relative to the trace, as it is to be called in another folder.
+template <class Resolve>
+void move_path(std::string& name, const fs::path& from, const fs::path& to, Resolve resolve) {
+  if (name.empty() || fs::path(name).is_absolute()) return;
+  const Result<std::string> path = resolve(name);
+  if (!path) return;
+  std::error_code unknown;
+  if (fs::equivalent(*path, from / name, unknown)) name = fs::proximate(*path, to, unknown).generic_string();
+}
+
+Outcome move_paths(TraceHeader& header, const std::string& trace, const std::string& output,
+                   const std::string& knowledge) {
+  const auto data = find_data_paths(knowledge);
+  if (!data) return data.error();
+  const auto folder_of = [](const std::string& file) {
+    const auto folder = file == "-" ? fs::path() : fs::path(file).parent_path();
+    return folder.empty() ? fs::path(".") : folder;
+  };
+  const auto from = folder_of(trace), to = folder_of(output);
+  move_path(header.scene, from, to, [&](const auto& name) { return resolve_scene(name, *data, from, trace); });
+  move_path(header.machine, from, to, [&](const auto& name) { return resolve_machine(name, *data, from, trace); });
+  return std::nullopt;
+}
+
+}  // namespace
+
+int run_shrink(const ShrinkCommandOptions& options) {
+  const auto fail = [](const Error& error) {
+    report(error);
+    return exit_impossible;
+  };
+  const auto output = options.output.empty() ? trace_name(options.trace) + ".shrunk.trace.jsonl" : options.output;
+  std::error_code unknown;
+  if (output != "-" && fs::equivalent(output, options.trace, unknown))
+    return fail({options.trace, "is also the output; expected another file"});
+  const auto goal = parse_goal(options.until);
+  if (!goal) return fail(goal.error());
+  auto session = Session::load(options.trace, options.replay);
+  if (!session) return fail(session.error());
+
+  auto against = options.against;
+  if (goal->kind == "changed" && against.empty()) {
+    const auto approved = find_approved_run(options.trace, options.replay.physics ? "physics" : "kinematic");
+    if (!approved) return fail(approved.error());
+    if (!*approved)
+      return fail({options.trace, "has no approved run beside it; expected one, or --against RUN or TRACE"});
+    against = (*approved)->path;
+  }
+
+  const auto start = std::chrono::steady_clock::now();
+  Counter counter;
+  const auto show = [&](std::size_t events, std::size_t probes) { counter.show(events, probes); };
+  auto shrunk = shrink(*session, *goal, show, against);
+  counter.clear();
+  if (!shrunk) return fail(shrunk.error());
+  if (!shrunk->done) {
+    report({options.trace, fmt::format("the whole trace never does {}: {}", in_quotes(goal->text), shrunk->instead)});
+    return exit_no;
+  }
+  if (const auto problem = move_paths(shrunk->trace.header, options.trace, output, options.replay.knowledge))
+    return fail(*problem);
+  if (const auto problem = write_file(output, write_trace(shrunk->trace))) return fail(*problem);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  fmt::print(output == "-" ? stderr : stdout, "{}: {} -> {}, {}, {:.2f} s -> {}\n",
+             fs::path(options.trace).filename().string(), counted(shrunk->events_before, "event"), shrunk->events,
+             counted(shrunk->probes, "probe"), passed.count(), output);
+  return exit_done;
+}
+
+void add_shrink_command(CLI::App& program, Run& run) {
+  auto* command = program.add_subcommand("shrink", "Find the smallest trace that still does something");
+  auto options = std::make_shared<ShrinkCommandOptions>();
+  options->replay.physics = false;
+  command->add_option("TRACE", options->trace, "a trace (.jsonl)")->required();
+  command
+      ->add_option(
+          "--until", options->until,
+          "what it must still do. A situation, met at some instant of the run, after an input or the end of an act: "
+          "FIELD=VALUE with a field of an `expect` line (state, says, indicated, referents, act, holding, "
+          "stack_depth), or JSON; given several times, all of it at one instant. Or unmet, refusal, problem: an "
+          "`expect` line that is not met and finds the same, the same input refused in the same state, the same "
+          "problem; the first one of the run, or :LINE, that of a line of the trace. Or changed: the run differs from "
+          "another one with the same cause, as diff tells it")
+      ->required()
+      ->allow_extra_args(false);
+  command->add_option("--against", options->against,
+                      "with --until changed: a run log, or a trace; otherwise the approved run beside the trace. Where "
+                      "that had another machine, each smaller trace is replayed with both");
+  command->add_option("-o,--output", options->output, "a trace, or '-'; otherwise NAME.shrunk.trace.jsonl here");
+  command->add_flag("--physics,!--no-physics", options->replay.physics,
+                    "with physics; otherwise in the kinematic world, in which acts succeed at once");
+  command->add_option("--scene", options->replay.scene, "a name or an MJCF file; otherwise the trace's");
+  command->add_option("--machine", options->replay.machine, "a name or a machine file; otherwise the trace's");
+  command->add_option("--knowledge", options->replay.knowledge,
+                      "folder of machines, lexicon, voxemes; otherwise the program's");
+  command->add_option("--learned", options->replay.learned, "a file of what was taught; it is not written");
+  command->add_option("--seed", options->replay.seed, "for draws; otherwise the trace's");
+  command->footer(
+      "Takes away events by delta debugging, until taking away any single one would lose it, then alternatives of "
+      "n-best lists, words, and objects of the header. `expect` lines that hold in the smaller run are kept.\n"
+      "Examples: continua shrink session.trace.jsonl --until state=Ask\n"
+      "          continua shrink session.trace.jsonl --until says=\"What should I put there?\" -o ask.trace.jsonl\n"
+      "          continua shrink session.trace.jsonl --until '{\"state\":\"Ask\",\"stack_depth\":3}' -o -\n"
+      "          continua shrink session.trace.jsonl --until unmet:14\n"
+      "          continua shrink session.trace.jsonl --until changed --machine edited.json");
+  command->callback([options, &run] { run = [options] { return run_shrink(*options); }; });
+}
+
+}  // namespace continua
