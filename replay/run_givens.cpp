@@ -116,6 +116,14 @@ class DocumentComparison {
   std::vector<GivenDifference> found_;
 };
 
+// What counted in the end: where something was changed in mid-run, that.
+Json as_it_went_on(const Json& header) {
+  Json all = header;
+  if (const auto& changed = member(header, "what_if"); changed.is_object())
+    for (const auto& [key, value] : changed.items()) all[key] = value;
+  return all;
+}
+
 void add(std::vector<GivenDifference>& all, std::vector<GivenDifference> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
@@ -200,7 +208,8 @@ std::vector<GivenDifference> document_differences(const std::string& kind, const
   return comparison.take();
 }
 
-std::vector<GivenDifference> given_differences(const Json& a, const Json& b) {
+std::vector<GivenDifference> given_differences(const Json& header_a, const Json& header_b) {
+  const auto a = as_it_went_on(header_a), b = as_it_went_on(header_b);
   std::vector<GivenDifference> all;
   add_document(all, "machine", a, b);
   add_document(all, "phrases", a, b);

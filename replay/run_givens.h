@@ -23,7 +23,8 @@ struct GivenDifference {
 std::vector<GivenDifference> document_differences(const std::string& kind, const Json& a, const Json& b,
                                                   std::size_t most = 100);
 
-/// Headers are `run` records. In the order in which they are best named as a cause.
+/// Headers are `run` records; of a run in which something was changed in mid-run what it was changed to counts. In the
+/// order in which they are best named as a cause.
 std::vector<GivenDifference> given_differences(const Json& a, const Json& b);
 
 /// "transition 'ask': when: x = 1 in A, x = 2 in B"; without its kind.

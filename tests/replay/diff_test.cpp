@@ -234,3 +234,14 @@ TEST_CASE("the command's status is that of the answer") {
   CHECK(status(one, folder.at("none.run.jsonl")) == exit_impossible);
   CHECK(status(one, folder.file("x.txt", "hello\n")) == exit_impossible);
 }
+
+TEST_CASE("of a run that was changed in mid-run the change is named") {
+  auto a = begun(), b = begun({{"what_if", {{"from", 1.0}, {"seed", 7}}}});
+  a.add("input", 2, speech("go"));
+  b.add("input", 2, speech("go"));
+  a.add("utterance", 2, {{"text", "Yes."}}, 1);
+  b.add("utterance", 2, {{"text", "No."}}, 1);
+  const auto diff = diff_of(a, b);
+  CHECK(diff.cause.kind == "choice");
+  CHECK(diff.cause.what == "seed");
+}
