@@ -39,7 +39,7 @@ class Text {
       led();
       heading(fmt::format("First difference ({})", text(diff_.differences[diff_.first].kind)));
       difference(diff_.differences[diff_.first]);
-      follows();
+      more();
     }
     givens();
     return std::move(text_);
@@ -81,12 +81,13 @@ class Text {
       if (&one == &diff_.differences[diff_.first]) line(" ", "33", value);
   }
 
-  void follows() {
-    const auto shown = std::min(diff_.differences.size(), options_.most);
+  void more() {
+    const auto others = std::min(diff_.differences.size() - 1, options_.most);
     if (diff_.count > 1) {
-      heading(fmt::format("What follows ({} of {})", shown - std::min<std::size_t>(shown, 1), diff_.count - 1));
-      for (std::size_t i = 0; i < shown; ++i) {
+      heading(fmt::format("More differences ({} of {})", others, diff_.count - 1));
+      for (std::size_t i = 0, shown = 0; shown < others; ++i) {
         if (i == diff_.first) continue;
+        ++shown;
         text_ += fmt::format("  {} at {} s\n", text(diff_.differences[i].kind),
                              seconds_text(diff_.differences[i].t.seconds()));
         difference(diff_.differences[i]);

@@ -10,7 +10,7 @@ namespace continua {
 
 struct DiffTextOptions {
   bool colour = false;
-  std::size_t most = 10;  ///< differences that are shown
+  std::size_t most = 10;  ///< differences that are shown beside the first
 };
 
 /// The sentence first; then what led there, the first difference, the values, what follows, where the runs meet again.

@@ -83,7 +83,7 @@ void add_diff_command(CLI::App& program, Run& run) {
       ->add_option("--tolerance", options->tolerance_m,
                    "metres that a body may be elsewhere where all else is the same; 0.001 if left out")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--most", options->most, "how many differences to show; 10 if left out");
+  command->add_option("--most", options->most, "how many differences to show beside the first; 10 if left out");
   command->footer(
       "Runs of different traces, machines, lexicons and worlds can be held against each other; numbers of records, "
       "ids\n"
