@@ -23,40 +23,36 @@ struct Shape {
   std::vector<std::size_t> at;  ///< where in `followed` those of a number begin; one more than numbers
 };
 
-// Records that say what happened. Between which of them an act goes on is measured, and poses are held against each
-// other by themselves.
-bool happened(const RunIndex& run, std::size_t n, const std::vector<bool>& left_out) {
-  const auto& entry = run.entry(n);
-  return entry.meaning.what != 0 && !entry.event && !left_out[entry.kind];
-}
-
+// Between which records an act goes on is measured, and poses are held against each other by themselves: of acts it
+// counts that they were asked for.
 Shape shape_of(const RunIndex& run) {
   std::vector<bool> left_out;
   for (const auto& kind : run.kinds()) left_out.push_back(kind == "pose" || kind == "act" || kind == "observed");
-  std::vector<bool> asked(run.size(), false);
+  std::vector<bool> counts(run.size(), false);
   for (const auto& mark : run.act_marks())
-    if (mark.asked) asked[mark.n] = true;
+    if (mark.asked) counts[mark.n] = true;
 
   Shape shape;
   Numbers from(run.size(), 0);
+  shape.at.assign(2, 0);
   for (std::size_t n = 0; n < run.size(); ++n) {
-    const auto cause = run.entry(n).cause;
-    if (run.entry(n).event) {
+    const auto& entry = run.entry(n);
+    if (entry.event) {
       shape.events.push_back(static_cast<std::uint32_t>(n));
+      shape.at.push_back(0);
       from[n] = static_cast<std::uint32_t>(shape.events.size());
-    } else {
-      from[n] = cause >= 0 ? from[static_cast<std::size_t>(cause)] : static_cast<std::uint32_t>(shape.events.size());
+      continue;
     }
+    from[n] = entry.cause >= 0 ? from[static_cast<std::size_t>(entry.cause)]
+                               : static_cast<std::uint32_t>(shape.events.size());
+    if (entry.meaning.what != 0 && !left_out[entry.kind]) counts[n] = true;
+    if (counts[n]) ++shape.at[from[n] + 1];
   }
-  shape.at.assign(shape.events.size() + 2, 0);
-  const auto counts = [&](std::size_t n) { return asked[n] || happened(run, n, left_out); };
-  for (std::size_t n = 0; n < run.size(); ++n)
-    if (counts(n)) ++shape.at[from[n] + 1];
   for (std::size_t i = 1; i < shape.at.size(); ++i) shape.at[i] += shape.at[i - 1];
   shape.followed.resize(shape.at.back());
   auto next = shape.at;
   for (std::size_t n = 0; n < run.size(); ++n)
-    if (counts(n)) shape.followed[next[from[n]]++] = static_cast<std::uint32_t>(n);
+    if (counts[n]) shape.followed[next[from[n]]++] = static_cast<std::uint32_t>(n);
   return shape;
 }
 
@@ -82,7 +78,7 @@ class Comparison {
     followed({0, 0});
     for (std::size_t i = 0; i < of_event.size(); ++i)
       if (of_event[i] != none) followed({i + 1, of_event[i] + 1});
-    std::sort(pairs_.begin(), pairs_.end());
+    if (!std::is_sorted(pairs_.begin(), pairs_.end())) std::sort(pairs_.begin(), pairs_.end());
     outcomes();
     std::stable_sort(differences_.begin(), differences_.end(),
                      [](const RunDifference& x, const RunDifference& y) { return key(x) < key(y); });
@@ -249,6 +245,7 @@ class Comparison {
     collect(a_, last_a, act_a);
     collect(b_, last_b, act_b);
     for (const auto& [n, m] : pairs_) {
+      if (a_.kind(n) != "act") continue;
       const auto one = act_a.find(n), other = act_b.find(m);
       if (one == act_a.end() || other == act_b.end()) continue;
       const auto end_a = last_a[one->second], end_b = last_b[other->second];

@@ -20,6 +20,12 @@ namespace {
 // A log that tells of more kinds is none of ours: what comes after is taken for the last one.
 constexpr std::size_t most_kinds = 1000;
 
+// REQUIRES that the key is as long as the name.
+template <std::size_t size>
+bool is(std::string_view key, const char (&name)[size]) {
+  return std::memcmp(key.data(), name, size - 1) == 0;
+}
+
 // What the trace tells: the inputs by their own kinds, of which the last are all others, and what else a line may be.
 constexpr std::array<std::string_view, 6> event_kinds{"speech", "gesture", "pointing", "", "observed", "expect"};
 
@@ -149,10 +155,13 @@ Result<RunIndex> RunIndex::scan(std::shared_ptr<const Source> source, const std:
 }
 
 std::uint16_t RunIndex::kind_number(std::string_view kind) {
-  const auto found = std::find(kinds_.begin(), kinds_.end(), kind);
+  const auto found = std::find_if(kinds_.begin(), kinds_.end(), [&](const std::string& known) {
+    return known.size() == kind.size() && known[0] == kind[0] && known == kind;
+  });
   if (found != kinds_.end()) return static_cast<std::uint16_t>(found - kinds_.begin());
   if (kinds_.size() >= most_kinds) return static_cast<std::uint16_t>(kinds_.size() - 1);
   kinds_.emplace_back(kind);
+  record_kinds_.push_back(record_kind(kind));
   return static_cast<std::uint16_t>(kinds_.size() - 1);
 }
 
@@ -171,37 +180,43 @@ Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
   members.clear();
   const bool whole = scan_members(line, [&](std::string_view key, std::string_view value) {
     members.push_back({key, value});
-    if (key == "kind" && value.size() > 2 && value.front() == '"')
-      kind = value.substr(1, value.size() - 2);
-    else if (key == "n")
-      number = number_in<std::size_t>(value);
-    else if (key == "t")
-      t = number_in<double>(value);
-    else if (key == "version")
-      version = number_in<double>(value);
-    else if (key == "cause")
-      entry.cause = number_in<std::int64_t>(value).value_or(-1);
-    else if (key == "id")
-      id = number_in<std::int64_t>(value);
-    else if (key == "below")
-      below = number_in<std::int64_t>(value);
-    else if (key == "slots")
-      slots = value;
-    else if (key == "line")
-      of_line = value != "null";
-    else if (key == "event")
-      event = value;
-    else if (key == "measured")
-      entry.measured = value == "true";
-    else if (key == "act")
-      act = number_in<std::int64_t>(value);
-    else if (key == "step")
-      step = number_in<std::int64_t>(value);
-    else if (key == "status")
-      asked = value == "\"asked\"";
-    else if (key == "stack") {
-      has_stack = true;
-      top = number_in<std::int64_t>(value);
+    switch (key.size()) {
+      case 1:
+        if (is(key, "n")) number = number_in<std::size_t>(value);
+        if (is(key, "t")) t = number_in<double>(value);
+        break;
+      case 2:
+        if (is(key, "id")) id = number_in<std::int64_t>(value);
+        break;
+      case 3:
+        if (is(key, "act")) act = number_in<std::int64_t>(value);
+        break;
+      case 4:
+        if (is(key, "kind") && value.size() > 2 && value.front() == '"') kind = value.substr(1, value.size() - 2);
+        if (is(key, "line")) of_line = value != "null";
+        if (is(key, "step")) step = number_in<std::int64_t>(value);
+        break;
+      case 5:
+        if (is(key, "cause")) entry.cause = number_in<std::int64_t>(value).value_or(-1);
+        if (is(key, "below")) below = number_in<std::int64_t>(value);
+        if (is(key, "slots")) slots = value;
+        if (is(key, "event")) event = value;
+        if (is(key, "stack")) {
+          has_stack = true;
+          top = number_in<std::int64_t>(value);
+        }
+        break;
+      case 6:
+        if (is(key, "status")) asked = value == "\"asked\"";
+        break;
+      case 7:
+        if (is(key, "version")) version = number_in<double>(value);
+        break;
+      case 8:
+        if (is(key, "measured")) entry.measured = value == "true";
+        break;
+      default:
+        break;
     }
   });
   if (n == 0 && (!whole || kind != "run"))
@@ -220,7 +235,7 @@ Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
   entry.t = SimTime::from_seconds(*t);
   if (entry.cause >= static_cast<std::int64_t>(n)) entry.cause = -1;
   if (of_line) entry.event = event_number(kind, event);
-  entry.meaning = meaning_of(kind, members);
+  entry.meaning = meaning_of(record_kinds_[entry.kind], members);
   entries_.push_back(entry);
   // A symbol lies above an older one: a chain can only lead down, whatever the file says.
   if (kind == "symbol" && id && *id >= 0) {

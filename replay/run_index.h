@@ -131,6 +131,7 @@ class RunIndex {
   std::uint64_t bytes_ = 0;
   std::vector<RecordEntry> entries_;
   std::vector<std::string> kinds_;
+  std::vector<const RecordKind*> record_kinds_;  ///< of each kind, while the log is scanned
   std::vector<StackMark> marks_;
   std::unordered_map<std::int64_t, SymbolPlace> symbols_;  ///< by id
   std::vector<ActMark> acts_;

@@ -18,7 +18,13 @@ struct RecordMember {
   std::string_view key, value;
 };
 
-RecordMeaning meaning_of(std::string_view kind, std::span<const RecordMember> members);
+/// What counts in records of a kind.
+struct RecordKind;
+
+/// nullptr for kinds whose records say nothing that counts.
+const RecordKind* record_kind(std::string_view name);
+
+RecordMeaning meaning_of(const RecordKind* kind, std::span<const RecordMember> members);
 
 /// Of an event of a trace: what it says, whenever it does. `event` is an object as written.
 std::uint64_t meaning_of_event(std::string_view event);
