@@ -31,25 +31,21 @@ struct LineWalk {
     if (next_is('"')) return skip_string();
     int depth = 0;
     for (;;) {
-      while (at < text.size() && !parts_values[static_cast<unsigned char>(text[at])]) ++at;
+      // Within an object or array only what nests counts.
+      const auto& stops = depth == 0 ? ends_values : nests;
+      while (at < text.size() && !stops[static_cast<unsigned char>(text[at])]) ++at;
       if (at >= text.size()) return false;
-      switch (text[at]) {
-        case '"':
-          if (!skip_string()) return false;
-          break;
-        case ',':
-          if (depth == 0) return true;
-          ++at;
-          break;
-        case '{':
-        case '[':
-          ++depth;
-          ++at;
-          break;
-        default:
-          if (depth == 0) return true;
-          --depth;
-          ++at;
+      const char c = text[at];
+      if (c == '"') {
+        if (!skip_string()) return false;
+      } else if (c == '{' || c == '[') {
+        ++depth;
+        ++at;
+      } else if (depth == 0) {
+        return true;
+      } else {
+        --depth;
+        ++at;
       }
     }
   }
@@ -64,12 +60,18 @@ struct LineWalk {
   }
 
  private:
-  static constexpr auto parts_values = [] {
-    std::array<bool, 256> parts{};
-    for (const char c : {'"', ',', '{', '}', '[', ']'}) parts[static_cast<unsigned char>(c)] = true;
-    return parts;
-  }();
+  using Characters = std::array<bool, 256>;
+  static constexpr Characters among(std::string_view characters) {
+    Characters among{};
+    for (const char c : characters) among[static_cast<unsigned char>(c)] = true;
+    return among;
+  }
+  static constexpr std::string_view nesting = "\"{}[]", ending = "\"{}[],";
+  static const Characters nests, ends_values;
 };
+
+inline constexpr LineWalk::Characters LineWalk::nests = among(nesting);
+inline constexpr LineWalk::Characters LineWalk::ends_values = among(ending);
 
 /// Calls `member(key, value)` for each member of the object in `line`; both are the text as written, a string with
 /// its quotes. False when the line is not one whole JSON object.

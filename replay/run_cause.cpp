@@ -54,7 +54,11 @@ class Inquiry {
     }
     if (auto problem = look()) return problem;
     const auto& first = diff_.differences[diff_.first];
-    if (first.input)
+    if (const auto* run = cut_short(first))
+      diff_.cause = {
+          "cut short", "", Json(), Json(),
+          fmt::format("the log of {} is cut short after record {}", run == &a_ ? "A" : "B", run->size() - 1)};
+    else if (first.input)
       diff_.cause = input_cause(a_, b_, first);
     else if (const auto* given = likeliest())
       diff_.cause = {given->kind, given->what, given->a, given->b, told(*given)};
@@ -66,6 +70,15 @@ class Inquiry {
   }
 
  private:
+  // The run whose log ends before the first difference, without having come to its end.
+  const RunIndex* cut_short(const RunDifference& first) const {
+    const auto cut = [&](const RunIndex& run, const std::vector<std::size_t>& records) {
+      return records.empty() && !run.complete() && run.entry(run.size() - 1).t <= first.t;
+    };
+    if (cut(a_, first.a)) return &a_;
+    return cut(b_, first.b) ? &b_ : nullptr;
+  }
+
   void nothing_differs() {
     diff_.sentence = "The runs are the same.";
     if (diff_.givens.empty()) return;

@@ -41,7 +41,7 @@ const char* text(RunDifference::Kind kind);
 /// Why the runs part.
 struct RootCause {
   /// "input", "condition value", "machine", "phrases", "lexicon", "gestures", "raising", "voxemes", "scene", "learned",
-  /// "choice", "world", "perspective", "program", "timing only", "physics only", "none"
+  /// "choice", "world", "perspective", "program", "timing only", "physics only", "cut short" (a log), "none"
   std::string kind = "none";
   std::string what;      ///< the part of it: "transition 'ask': when", "the plate", "seed"; empty where kind says all
   Json a, b;             ///< what it is in each run; null: not there

@@ -124,11 +124,12 @@ std::string happened_in_words(const Json& a, const Json& b) {
   return fmt::format("{} {} in A, {} in B", kind, brief(a), brief(b));
 }
 
-std::string how(const RunDiff& diff, const RunDifference& first, const Json& a, const Json& b, const Json& transition_a,
-                const Json& transition_b) {
+std::string how(const RunIndex& run_a, const RunIndex& run_b, const RunDiff& diff, const Json& a, const Json& b,
+                const Json& transition_a, const Json& transition_b) {
+  const auto& first = diff.differences[diff.first];
   switch (first.kind) {
     case RunDifference::Kind::input:
-      return diff.cause.sentence;
+      return input_cause(run_a, run_b, first).sentence;
     case RunDifference::Kind::decided:
       return decided_in_words(a, b);
     case RunDifference::Kind::timing:
@@ -236,10 +237,11 @@ std::string sentence_of(const RunIndex& a, const RunIndex& b, const RunDiff& dif
       diff.sameness == RunDiff::Sameness::unrelated
           ? fmt::format("The runs are unrelated: {} of {} and {} inputs are common. They part at {} s{}: {}.",
                         diff.inputs_common, diff.inputs_a, diff.inputs_b, seconds_text(first.t.seconds()),
-                        numbers(first), how(diff, first, one, other, transition_a, transition_b))
+                        numbers(first), how(a, b, diff, one, other, transition_a, transition_b))
           : fmt::format("They part at {} s{}: {}.", seconds_text(first.t.seconds()), numbers(first),
-                        how(diff, first, one, other, transition_a, transition_b));
-  if (!first.input) text += fmt::format(" Cause ({}): {}.", diff.cause.kind, diff.cause.sentence);
+                        how(a, b, diff, one, other, transition_a, transition_b));
+  if (!first.input || diff.cause.kind == "cut short")
+    text += fmt::format(" Cause ({}): {}.", diff.cause.kind, diff.cause.sentence);
   return diff.sameness == RunDiff::Sameness::unrelated ? text : text + " " + effect(a, b, diff);
 }
 

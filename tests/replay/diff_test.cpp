@@ -245,3 +245,17 @@ TEST_CASE("of a run that was changed in mid-run the change is named") {
   CHECK(diff.cause.kind == "choice");
   CHECK(diff.cause.what == "seed");
 }
+
+TEST_CASE("a log that is cut short is told from a run that went otherwise") {
+  const auto text = *read_file((traces / "paper/never_mind.run.jsonl").string());
+  const auto whole = index_of(text);
+  for (const std::size_t line : {40u, 60u, 90u}) {
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < line; ++i) end = text.find('\n', end) + 1;
+    const auto diff = diff_of(whole, index_of(text.substr(0, end)));
+    INFO(diff.sentence);
+    CHECK(diff.cause.kind == "cut short");
+    CHECK(diff.sentence.find("the log of B is cut short after record " + std::to_string(line - 1)) !=
+          std::string::npos);
+  }
+}
