@@ -13,13 +13,6 @@
 namespace continua {
 namespace {
 
-const Json& member(const Json& object, const char* key) {
-  static const Json nothing;
-  if (!object.is_object()) return nothing;
-  const auto found = object.find(key);
-  return found == object.end() ? nothing : *found;
-}
-
 bool is_name_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
 // Whether `name` stands in `text` as a word of its own.
@@ -136,7 +129,7 @@ class Inquiry {
     if (const auto input = cause_of("input")) {
       const auto record = run.record(*input);
       if (!record) return record.error();
-      pivot_.by_gesture = text_of(member(*record, "event"), "kind") != "speech";
+      pivot_.by_gesture = text_of(member_of(*record, "event"), "kind") != "speech";
       if (auto problem = add_senses(run, *input, senses)) return problem;
     }
     text = compact(one) + compact(transition) + compact(reading);
@@ -151,7 +144,7 @@ class Inquiry {
       if (cause != input) continue;
       const auto reading = run.record(n);
       if (!reading) return reading.error();
-      const auto& entries = member(*reading, "entries");
+      const auto& entries = member_of(*reading, "entries");
       if (!entries.is_array()) continue;
       for (auto entry : entries) {
         if (!entry.is_object()) continue;
@@ -181,7 +174,7 @@ class Inquiry {
 
   static std::set<std::string> ids_of(const Json& transition, const char* list) {
     std::set<std::string> ids;
-    if (const auto& all = member(transition, list); all.is_array())
+    if (const auto& all = member_of(transition, list); all.is_array())
       for (const auto& one : all) ids.insert(text_of(one, "id"));
     return ids;
   }
@@ -230,9 +223,9 @@ class Inquiry {
 
   int relevance_of_choice(const GivenDifference& given) const {
     const auto &a = pivot_.transition_a, &b = pivot_.transition_b;
-    if (given.what == "forced") return member(a, "forced") != member(b, "forced") ? 99 : 27;
+    if (given.what == "forced") return member_of(a, "forced") != member_of(b, "forced") ? 99 : 27;
     const bool same_choice = ids_of(a, "candidates") == ids_of(b, "candidates") && !a.is_null();
-    if (given.what == "seed") return same_choice && member(a, "draw") != member(b, "draw") ? 96 : 1;
+    if (given.what == "seed") return same_choice && member_of(a, "draw") != member_of(b, "draw") ? 96 : 1;
     return same_choice ? 90 : 27;
   }
 
@@ -294,7 +287,7 @@ class Inquiry {
 
   // Why a transition of one run was refused in the other.
   static std::string reason_for(const Json& transition, const std::string& id) {
-    if (const auto& refused = member(transition, "refused"); refused.is_array())
+    if (const auto& refused = member_of(transition, "refused"); refused.is_array())
       for (const auto& one : refused)
         if (text_of(one, "id") == id) return text_of(one, "reason");
     return {};
@@ -315,14 +308,14 @@ class Inquiry {
       diff_.evidence.push_back(value->sentence);
     tell_referents();
     const auto &a = pivot_.transition_a, &b = pivot_.transition_b;
-    if (member(a, "draw") != member(b, "draw"))
+    if (member_of(a, "draw") != member_of(b, "draw"))
       diff_.evidence.push_back(
-          fmt::format("the draw is {} in A, {} in B", compact(member(a, "draw")), compact(member(b, "draw"))));
+          fmt::format("the draw is {} in A, {} in B", compact(member_of(a, "draw")), compact(member_of(b, "draw"))));
   }
 
   // Objects that the same noun phrase may mean in one run and not in the other.
   void tell_referents() {
-    const auto &a = member(pivot_.reading_a, "resolved"), &b = member(pivot_.reading_b, "resolved");
+    const auto &a = member_of(pivot_.reading_a, "resolved"), &b = member_of(pivot_.reading_b, "resolved");
     if (!a.is_array() || !b.is_array()) return;
     for (const auto& one : a)
       for (const auto& other : b) {
@@ -333,10 +326,10 @@ class Inquiry {
   }
 
   void tell_ruled_out(const Json& one, const Json& other, const char* where) {
-    const auto &referents = member(one, "referents"), &ruled_out = member(other, "ruled_out");
+    const auto &referents = member_of(one, "referents"), &ruled_out = member_of(other, "ruled_out");
     if (!referents.is_array() || !ruled_out.is_array()) return;
     for (const auto& each : ruled_out)
-      if (std::find(referents.begin(), referents.end(), member(each, "object")) != referents.end())
+      if (std::find(referents.begin(), referents.end(), member_of(each, "object")) != referents.end())
         diff_.evidence.push_back(fmt::format("{} is ruled out for “{}” in {}: {}", text_of(each, "object"),
                                              text_of(other, "words"), where, text_of(each, "reason")));
   }

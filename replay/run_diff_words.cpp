@@ -12,21 +12,14 @@
 namespace continua {
 namespace {
 
-const Json& member(const Json& object, const char* key) {
-  static const Json nothing;
-  if (!object.is_object()) return nothing;
-  const auto found = object.find(key);
-  return found == object.end() ? nothing : *found;
-}
-
 // Of a run's record the event is a member, of a trace's line it is the line.
 Json event_of(const Json& record) {
-  const auto& event = member(record, "event");
+  const auto& event = member_of(record, "event");
   return event.is_object() ? event : record;
 }
 
 double time_of(const Json& record) {
-  const auto& t = member(record, "t");
+  const auto& t = member_of(record, "t");
   return t.is_number() ? t.get<double>() : 0;
 }
 
@@ -104,7 +97,7 @@ std::string brief_of(const Json& record) { return fmt::format("{} {}", text_of(r
 std::string decided_in_words(const Json& a, const Json& b) {
   for (const char* key : {"weight", "forced", "draw", "operation", "gates", "refused", "candidates", "probability",
                           "depth", "parses", "unknown", "unused", "found", "reason", "confidence", "types", "rule"})
-    if (const auto& one = member(a, key), &other = member(b, key); one != other) {
+    if (const auto& one = member_of(a, key), &other = member_of(b, key); one != other) {
       const auto subject =
           text_of(a, "kind") == "transition" ? fmt::format("transition '{}'", text_of(a, "id")) : brief_of(a);
       const auto was = value_text(one), is = value_text(other);

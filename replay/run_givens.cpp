@@ -11,13 +11,6 @@
 namespace continua {
 namespace {
 
-const Json& member(const Json& object, const std::string& key) {
-  static const Json nothing;
-  if (!object.is_object()) return nothing;
-  const auto found = object.find(key);
-  return found == object.end() ? nothing : *found;
-}
-
 // "transitions" → "transition".
 std::string one_of(const std::string& section) {
   return section.size() > 1 && section.back() == 's' ? section.substr(0, section.size() - 1) : section;
@@ -72,7 +65,7 @@ class DocumentComparison {
 
   void members(const Json& a, const Json& b, const Path& path) {
     const auto one = [&](const std::string& key) {
-      compare(member(a, key), member(b, key), path.section ? path.named(key) : path.inner(key));
+      compare(member_of(a, key.c_str()), member_of(b, key.c_str()), path.section ? path.named(key) : path.inner(key));
     };
     for (const auto& [key, value] : a.items()) one(key);
     for (const auto& [key, value] : b.items())
@@ -119,7 +112,7 @@ class DocumentComparison {
 // What counted in the end: where something was changed in mid-run, that.
 Json as_it_went_on(const Json& header) {
   Json all = header;
-  if (const auto& changed = member(header, "what_if"); changed.is_object())
+  if (const auto& changed = member_of(header, "what_if"); changed.is_object())
     for (const auto& [key, value] : changed.items()) all[key] = value;
   return all;
 }
@@ -130,25 +123,26 @@ void add(std::vector<GivenDifference>& all, std::vector<GivenDifference> more) {
 
 // Of a part that has a name, a digest and a document.
 void add_document(std::vector<GivenDifference>& all, const char* part, const Json& a, const Json& b) {
-  const auto &one = member(a, part), &other = member(b, part);
+  const auto &one = member_of(a, part), &other = member_of(b, part);
   if (text_of(one, "digest") == text_of(other, "digest") && one.is_null() == other.is_null()) return;
-  auto differences = document_differences(part, member(one, "document"), member(other, "document"));
+  auto differences = document_differences(part, member_of(one, "document"), member_of(other, "document"));
   // What is told about the parts, and their examples, is for people.
   std::erase_if(differences, [](const GivenDifference& part_of) {
     return part_of.what.ends_with("about") || part_of.what.starts_with("example") || part_of.what == "name";
   });
   if (differences.empty() && text_of(one, "name") != text_of(other, "name"))
-    differences.push_back({part, "name", member(one, "name"), member(other, "name"), ""});
+    differences.push_back({part, "name", member_of(one, "name"), member_of(other, "name"), ""});
   add(all, std::move(differences));
 }
 
 // "lexicon/english/words.json" is of the lexicon.
 void add_knowledge(std::vector<GivenDifference>& all, const Json& a, const Json& b) {
-  const auto &one = member(a, "knowledge"), &other = member(b, "knowledge");
+  const auto &one = member_of(a, "knowledge"), &other = member_of(b, "knowledge");
   if (!one.is_object() || !other.is_object()) {
     for (const char* part : {"lexicon", "voxemes"})
-      if (text_of(member(a, part), "digest") != text_of(member(b, part), "digest"))
-        all.push_back({part, part, member(member(a, part), "digest"), member(member(b, part), "digest"), ""});
+      if (text_of(member_of(a, part), "digest") != text_of(member_of(b, part), "digest"))
+        all.push_back(
+            {part, part, member_of(member_of(a, part), "digest"), member_of(member_of(b, part), "digest"), ""});
     return;
   }
   for (auto& difference : document_differences("", one, other)) {
@@ -161,17 +155,17 @@ void add_knowledge(std::vector<GivenDifference>& all, const Json& a, const Json&
 
 // Where the bodies of the scene start, that of free ones; then whatever else of it differs.
 void add_scene(std::vector<GivenDifference>& all, const Json& a, const Json& b) {
-  const auto &one = member(a, "scene"), &other = member(b, "scene");
+  const auto &one = member_of(a, "scene"), &other = member_of(b, "scene");
   const auto before = all.size();
   if (text_of(one, "name") != text_of(other, "name"))
-    all.push_back({"scene", "name", member(one, "name"), member(other, "name"), ""});
-  auto bodies = document_differences("scene", member(one, "bodies"), member(other, "bodies"));
+    all.push_back({"scene", "name", member_of(one, "name"), member_of(other, "name"), ""});
+  auto bodies = document_differences("scene", member_of(one, "bodies"), member_of(other, "bodies"));
   for (auto& body : bodies) body.name = body.what;
   add(all, std::move(bodies));
-  if (all.size() == before && member(one, "geoms") != member(other, "geoms"))
+  if (all.size() == before && member_of(one, "geoms") != member_of(other, "geoms"))
     all.push_back({"scene", "shapes", Json(), Json(), ""});
   if (all.size() == before && text_of(one, "digest") != text_of(other, "digest"))
-    all.push_back({"scene", "MJCF", member(one, "digest"), member(other, "digest"), ""});
+    all.push_back({"scene", "MJCF", member_of(one, "digest"), member_of(other, "digest"), ""});
 }
 
 std::string value_text(const Json& value) {
@@ -216,7 +210,7 @@ std::vector<GivenDifference> given_differences(const Json& header_a, const Json&
   add_knowledge(all, a, b);
   add_scene(all, a, b);
   const auto simple = [&](const char* kind, const char* key) {
-    if (member(a, key) != member(b, key)) all.push_back({kind, key, member(a, key), member(b, key), ""});
+    if (member_of(a, key) != member_of(b, key)) all.push_back({kind, key, member_of(a, key), member_of(b, key), ""});
   };
   simple("learned", "learned");
   simple("choice", "choice");
@@ -226,7 +220,7 @@ std::vector<GivenDifference> given_differences(const Json& header_a, const Json&
   simple("world", "world");
   simple("perspective", "perspective");
   simple("program", "continua");
-  for (auto& difference : document_differences("program", member(a, "fingerprint"), member(b, "fingerprint")))
+  for (auto& difference : document_differences("program", member_of(a, "fingerprint"), member_of(b, "fingerprint")))
     all.push_back(std::move(difference));
   return all;
 }

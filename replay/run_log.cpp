@@ -104,7 +104,7 @@ void RunLog::finish(SimTime t) {
   for (const auto& outcome : decision_order_.outcomes()) decisions_.add(compact(outcome));
   if (next_ % records_per_block == records_per_block - 1) close_block(t);
   const Json fields{{"counts", counts_},
-                    {"fragile", std::move(fragile_)},
+                    {"fragile", fragile_},
                     {"decisions", decisions_.text()},
                     {"physics", physics_.text()},
                     {"digest", all_.text()}};

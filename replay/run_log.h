@@ -55,6 +55,8 @@ class RunLog {
 
   /// How many records of each kind there are.
   const std::map<std::string, int>& counts() const { return counts_; }
+  /// How many decisions were fragile so far.
+  std::size_t fragile() const { return fragile_.size(); }
 
  private:
   int write_line(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause);

@@ -36,6 +36,7 @@ struct ReplaySummary {
   int inputs = 0, refusals = 0, utterances = 0, acts = 0, acts_done = 0;
   int expectations = 0, expectations_met = 0;
   int problems = 0;
+  int fragile = 0;                        ///< decisions that the smallest step of the world could have changed
   int pruned = 0;                         ///< configurations given up under `explore`
   std::map<int, std::string> not_forced;  ///< of ReplayOptions::forced, those that did not apply at their step
   bool changed = false;                   ///< ReplayOptions::from was reached

@@ -178,6 +178,7 @@ class Loop {
   void finish() {
     recorder_.finish();
     const auto& counts = log_.counts();
+    summary_.fragile = static_cast<int>(log_.fragile());
     const auto count = [&](const char* kind) { return counts.contains(kind) ? counts.at(kind) : 0; };
     summary_.utterances = count("utterance");
     summary_.refusals = count("refusal");

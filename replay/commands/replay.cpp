@@ -79,12 +79,13 @@ std::string line_of(const std::string& trace, const ReplaySummary& summary, cons
     return count ? fmt::format(", {}{}", counted(static_cast<std::size_t>(count), noun), more) : std::string();
   };
   return fmt::format(
-      "{}: {:.1f} s, {} inputs, {} utterances, {} of {} acts done, {} inputs refused{}{}{} -> {}",
+      "{}: {:.1f} s, {} inputs, {} utterances, {} of {} acts done, {} inputs refused{}{}{}{} -> {}",
       fs::path(trace).filename().string(), summary.end.seconds(), summary.inputs, summary.utterances, summary.acts_done,
       summary.acts, summary.refusals,
       summary.expectations ? fmt::format(", {} of {} expectations met", summary.expectations_met, summary.expectations)
                            : "",
-      optional(summary.pruned, "configuration", " pruned"), optional(summary.problems, "problem"), output);
+      optional(summary.fragile, "fragile decision"), optional(summary.pruned, "configuration", " pruned"),
+      optional(summary.problems, "problem"), output);
 }
 
 // Several replays at once, and what they tell of themselves; lines come out in the order of the traces.

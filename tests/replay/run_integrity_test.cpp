@@ -9,6 +9,7 @@
 #include "replay/run_diff.h"
 #include "replay/run_index.h"
 #include "replay/run_log.h"
+#include "replay/trace_file.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -110,10 +111,14 @@ TEST_CASE("what the last line states has to be so") {
   }
 }
 
-TEST_CASE("logs of every version that was written can be read") {
+TEST_CASE("logs and traces of every version that was written can be read") {
   const auto folder = fs::path(CONTINUA_SOURCE_DIR) / "tests/replay/frozen";
-  int logs = 0;
+  int logs = 0, recorded = 0;
   for (const auto& file : fs::directory_iterator(folder)) {
+    if (file.path().string().ends_with(".trace.jsonl")) {
+      ++recorded;
+      CHECK(read_trace(file.path().string()).ok());
+    }
     if (!file.path().string().ends_with(".run.jsonl")) continue;
     ++logs;
     INFO(file.path());
@@ -128,4 +133,5 @@ TEST_CASE("logs of every version that was written can be read") {
     CHECK(diff->sameness == RunDiff::Sameness::same);
   }
   CHECK(logs >= 1);
+  CHECK(recorded >= 1);
 }

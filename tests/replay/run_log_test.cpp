@@ -52,6 +52,21 @@ TEST_CASE("decisions are digested apart from poses, from margins, and from what 
   CHECK(end_of({{"id", "b"}, {"margin", 0.1}}, pose)["decisions"] != same["decisions"]);
 }
 
+TEST_CASE("decisions near to others are fragile, and the log's end names them") {
+  std::ostringstream out;
+  RunLog log(out);
+  log.write("transition", SimTime{}, {{"id", "a"}, {"margin", 0.2}});
+  log.write("transition", SimTime{}, {{"id", "a"}, {"margin", nullptr}});
+  log.write("transition", SimTime{}, {{"id", "b"}, {"margin", -0.00002}});
+  log.write("reading", SimTime{}, {{"resolved", {{{"margin", 0.5}}, {{"margin", 0.0}}}}});
+  log.write("utterance", SimTime{}, {{"margin", 0.0}});
+  CHECK(log.fragile() == 2);
+  log.finish(SimTime{});
+  const auto text = out.str();
+  CHECK(compact(Json::parse(text.substr(text.rfind('\n', text.size() - 2) + 1))["fragile"]) ==
+        R"([{"n":2,"margin":2e-05},{"n":3,"margin":0.0}])");
+}
+
 TEST_CASE("between which records an act goes on does not count, what it came to does") {
   const Json said{{"text", "OK."}}, act{{"act", 1}, {"status", "done"}}, other{{"act", 2}, {"status", "done"}};
   const auto decisions = [](const std::vector<std::pair<std::string, Json>>& records) {
