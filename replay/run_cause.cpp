@@ -225,7 +225,10 @@ class Inquiry {
     const auto &a = pivot_.transition_a, &b = pivot_.transition_b;
     if (given.what == "forced") return member_of(a, "forced") != member_of(b, "forced") ? 99 : 27;
     const bool same_choice = ids_of(a, "candidates") == ids_of(b, "candidates") && !a.is_null();
-    if (given.what == "seed") return same_choice && member_of(a, "draw") != member_of(b, "draw") ? 96 : 1;
+    if (given.what == "seed") {
+      const auto &one = member_of(a, "draw"), &other = member_of(b, "draw");
+      return same_choice && one.is_number() && other.is_number() && one != other ? 96 : 1;
+    }
     return same_choice ? 90 : 27;
   }
 

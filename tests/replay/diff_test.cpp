@@ -259,3 +259,22 @@ TEST_CASE("a log that is cut short is told from a run that went otherwise") {
           std::string::npos);
   }
 }
+
+TEST_CASE("a draw that only one run made comes of the policy, two draws of the seed") {
+  struct Row {
+    Json draw_a, draw_b;
+    const char *choice, *what;
+  };
+  for (const auto& [draw_a, draw_b, choice, what] :
+       {Row{nullptr, 0.3, "sample", "choice"}, Row{0.7, 0.3, "likeliest", "seed"}}) {
+    auto a = begun({{"choice", "likeliest"}, {"seed", 0}}), b = begun({{"choice", choice}, {"seed", 5}});
+    auto drawn_a = transition_fields("ask", "A", "B", 0, 0), drawn_b = drawn_a;
+    drawn_a["draw"] = draw_a;
+    drawn_b["draw"] = draw_b;
+    a.add("input", 1, speech("go"));
+    b.add("input", 1, speech("go"));
+    a.add("transition", 1, drawn_a, 1);
+    b.add("transition", 1, drawn_b, 1);
+    CHECK(diff_of(a, b).cause.what == what);
+  }
+}
