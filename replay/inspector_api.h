@@ -12,6 +12,7 @@
 #include "replay/run_frames.h"
 #include "replay/run_index.h"
 #include "replay/run_library.h"
+#include "replay/run_listings.h"
 
 namespace continua {
 
@@ -38,6 +39,12 @@ class InspectorApi {
   explicit InspectorApi(std::vector<std::string> paths, std::shared_ptr<RunFrames> frames = nullptr)
       : library_(std::move(paths)), frames_(std::move(frames)) {}
 
+  /// From now on a thread reads all runs, the newest first, so that the first look at one finds it read. Until it has,
+  /// "/api/runs" tells of a run that it is `pending`.
+  void start_preparing();
+  /// Waits for the run that is being read. Implied by the end of this object.
+  void stop_preparing() { listings_.stop(); }
+
   /// `target` as it stands in the request line: "/api/runs/ID/stack?n=137". Errors are {"error": {"message": …}}.
   /// "/api/runs/ID/frame?t=SECONDS&size=WxH" is a PNG of the scene at that instant (size: 640x360 if not given); 400
   /// for a t outside the run or a bad size, 422 where the log has nothing that can be drawn, 501 where this machine
@@ -48,13 +55,14 @@ class InspectorApi {
   /// "/api/diff?a=ID&b=ID&tolerance=METRES" is what diff_json (run_diff_text.h) tells of two runs.
   ApiResponse get(std::string_view target);
 
+  /// How far a run that is being written has come: {records, t (seconds), complete}.
+  ApiResponse growth(const std::string& id);
+
  private:
-  ApiResponse runs();
   ApiResponse run(const std::string& id, const std::string& view, const Query& query);
   ApiResponse kept(const std::shared_ptr<const RunIndex>& run, const std::string& id, const std::string& view);
   ApiResponse diff(const Query& query);
   ApiResponse frame(const std::shared_ptr<const RunIndex>& run, const Query& query);
-  Result<Json> listing(const RunFile& file);
 
   RunLibrary library_;
   std::shared_ptr<RunFrames> frames_;
@@ -66,12 +74,7 @@ class InspectorApi {
     std::string body;
   };
   std::list<Kept> kept_;  // the last used first
-  struct Listed {
-    std::uintmax_t bytes;
-    std::filesystem::file_time_type written;
-    Json listing;
-  };
-  std::map<std::string, Listed> listed_;  // path -> its line on the start page
+  RunListings listings_{library_};  // last: its thread uses all of the above
 };
 
 /// {"error": {"message": …}}
