@@ -73,7 +73,7 @@ class InspectorApi {
     std::weak_ptr<const RunIndex> run;
     std::string body;
   };
-  std::list<Kept> kept_;  // the last used first
+  std::list<Kept> kept_;            // the last used first
   RunListings listings_{library_};  // last: its thread uses all of the above
 };
 

@@ -87,8 +87,8 @@ void send_answer(const httplib::Request& request, httplib::Response& response, A
   response.set_header("Cache-Control", "no-store");
   response.set_header("Vary", "Accept-Encoding");
   // Pictures are packed already; columns go faster as they are to where no wire is.
-  const bool packs = answer.content_type != "image/png" &&
-                     !(answer.content_type == "application/octet-stream" && is_here(request));
+  const bool packs =
+      answer.content_type != "image/png" && !(answer.content_type == "application/octet-stream" && is_here(request));
   if (packs && answer.body.size() >= smallest_packed && takes_gzip(request)) {
     response.set_header("Content-Encoding", "gzip");
     answer.body = packed(answer.body);

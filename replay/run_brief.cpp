@@ -85,7 +85,8 @@ struct Teller {
 
 const std::vector<Teller> tellers{
     Teller{"run",
-           {"trace", "machine"}, "on",
+           {"trace", "machine"},
+           "on",
            [](const Json& r) {
              return joined({text_of(member_of(r, "trace"), "name"), "on", text_of(member_of(r, "machine"), "name")});
            }},
@@ -93,54 +94,68 @@ const std::vector<Teller> tellers{
     Teller{"percept", {"bound", "waited_s"}, ": pointed at, nothing is pointed at, after s", percept_text},
     Teller{"reading", {"move", "words", "meaning", "referents"}, "not understood: nothing or", reading_text},
     Teller{"observed",
-           {"channel", "content"}, "",
+           {"channel", "content"},
+           "",
            [](const Json& r) {
              return joined({text_of(r, "channel"), text_of(r, "content")});
            }},
     Teller{"belief",
-           {"concept", "value", "was"}, "(was )",
+           {"concept", "value", "was"},
+           "(was )",
            [](const Json& r) {
              return fmt::format("{} {} (was {})", text_of(r, "concept"), text_of(r, "value"), text_of(r, "was"));
            }},
     Teller{"memory",
-           {"register", "value"}, ":=",
+           {"register", "value"},
+           ":=",
            [](const Json& r) { return fmt::format("{} := {}", text_of(r, "register"), text_of(r, "value")); }},
     Teller{"transition",
-           {"from", "to"}, "→",
+           {"from", "to"},
+           "→",
            [](const Json& r) { return fmt::format("{} → {}", text_of(r, "from"), text_of(r, "to")); }},
     Teller{"symbol",
-           {"id", "slots"}, "# ,",
+           {"id", "slots"},
+           "# ,",
            [](const Json& r) {
              return joined({fmt::format("#{}", text_of(r, "id")), slots_text(member_of(r, "slots"))});
            }},
     Teller{"rewrite",
-           {"state", "operation"}, "",
+           {"state", "operation"},
+           "",
            [](const Json& r) {
              return joined({text_of(r, "state"), operation_text(member_of(r, "operation"))});
            }},
     Teller{"application",
-           {"function", "argument", "result"}, "@ =",
+           {"function", "argument", "result"},
+           "@ =",
            [](const Json& r) {
              return fmt::format("{} @ {} = {}", text_of(r, "function"), text_of(r, "argument"), text_of(r, "result"));
            }},
     Teller{"utterance", {"text"}, "“”", [](const Json& r) { return fmt::format("“{}”", text_of(r, "text")); }},
     Teller{"gesture", {"gesture"}, "", [](const Json& r) { return text_of(r, "gesture"); }},
     Teller{"act",
-           {"status", "program"}, "",
+           {"status", "program"},
+           "",
            [](const Json& r) {
              return joined({text_of(r, "status"), text_of(r, "program")});
            }},
-    Teller{"pose", {"bodies"}, "bodies", [](const Json& r) { return fmt::format("{} bodies", member_of(r, "bodies").size()); }},
+    Teller{"pose",
+           {"bodies"},
+           "bodies",
+           [](const Json& r) { return fmt::format("{} bodies", member_of(r, "bodies").size()); }},
     Teller{"rest",
-           {"from", "to"}, "– s",
+           {"from", "to"},
+           "– s",
            [](const Json& r) { return fmt::format("{} – {} s", text_of(r, "from"), text_of(r, "to")); }},
     Teller{"refusal",
-           {"input", "state", "reason"}, "in :",
+           {"input", "state", "reason"},
+           "in :",
            [](const Json& r) {
              return joined({text_of(r, "input"), "in", text_of(r, "state") + ":", text_of(r, "reason")});
            }},
     Teller{"problem",
-           {"line", "message"}, "line :",
+           {"line", "message"},
+           "line :",
            [](const Json& r) { return fmt::format("line {}: {}", text_of(r, "line"), text_of(r, "message")); }},
     Teller{"expect", {"met", "expected", "found"}, "met: not met: expected ; found ,", expect_text},
     Teller{"end", {}, "end of the log", [](const Json&) { return std::string("end of the log"); }},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <unordered_map>
 
 #include "replay/line_scan.h"
 #include "replay/run_brief.h"
@@ -32,6 +33,8 @@ std::vector<std::string> words_in(const std::string& text) {
   return words;
 }
 
+constexpr std::size_t most_told = 5000;
+
 bool is_small_letter(char c) { return c >= 'a' && c <= 'z'; }
 
 bool all_in(std::string_view text, const std::vector<std::string>& words) {
@@ -56,49 +59,55 @@ class Finder {
       if (told.find(word) != std::string::npos) continue;
       told_by_kind_ = false;
       // What brief() adds may hold it, or a part of it.
-      const bool added =
-          adds.find(word) != std::string::npos || std::any_of(word.begin(), word.end(), [&](char c) {
-            return !is_small_letter(c) && adds.find(c) != std::string::npos;
-          });
+      const bool added = adds.find(word) != std::string::npos || std::any_of(word.begin(), word.end(), [&](char c) {
+                           return !is_small_letter(c) && adds.find(c) != std::string::npos;
+                         });
       if (added) continue;
       plain_.push_back(word);
       if (std::all_of(word.begin(), word.end(), is_small_letter)) letters_.push_back(word);
     }
   }
 
-  bool tells_of_words(std::string_view line) const {
+  bool tells_of_words(std::string_view line) {
     if (told_by_kind_) return true;
-    if (!may_tell_of_words(line)) return false;
-    return all_in(folded(kind_ + " " + label_of(kind_, line)), words_);
+    if (kind_ == "pose") return false;
+    shown_.clear();
+    bool as_written = parts_.has_value();
+    if (parts_) {
+      const auto& members = parts_->members;
+      scan_members(line, [&](std::string_view key, std::string_view value) {
+        const auto member = std::find(members.begin(), members.end(), key);
+        if (member == members.end()) return;
+        shown_.append(1, static_cast<char>(1 + (member - members.begin()))).append(value);
+        as_written = as_written && shows_as_written(value);
+      });
+    } else {
+      shown_ = line;
+    }
+    if (!may_tell_of_words(as_written)) return false;
+    // Many records of a run say the same.
+    if (const auto known = told_.find(shown_); known != told_.end()) return known->second;
+    const bool tells = all_in(folded(kind_ + " " + label_of(kind_, line)), words_);
+    if (told_.size() < most_told) told_.emplace(shown_, tells);
+    return tells;
   }
 
  private:
   // False only if the label cannot. Letters stay what they are even where a value is shown otherwise than written.
-  bool may_tell_of_words(std::string_view line) const {
+  bool may_tell_of_words(bool as_written) const {
     if (plain_.empty()) return true;
-    if (kind_ == "pose") return false;
-    thread_local std::string text;
-    text.clear();
-    bool as_written = parts_.has_value();
-    if (parts_) {
-      scan_members(line, [&](std::string_view key, std::string_view value) {
-        if (std::find(parts_->members.begin(), parts_->members.end(), key) == parts_->members.end()) return;
-        text.append(value).append(" ");
-        as_written = as_written && shows_as_written(value);
-      });
-    } else {
-      text = line;
-    }
-    if (!as_written && (letters_.empty() || text.find("\\u") != std::string::npos)) return true;
-    return all_in(folded(text), as_written ? plain_ : letters_);
+    if (!as_written && (letters_.empty() || shown_.find("\\u") != std::string::npos)) return true;
+    return all_in(folded(shown_), as_written ? plain_ : letters_);
   }
 
   std::string kind_;
   std::optional<BriefParts> parts_;
   std::vector<std::string> words_;
   bool told_by_kind_ = true;
-  std::vector<std::string> plain_;    // words that stand in what is shown as written, if in the label at all
-  std::vector<std::string> letters_;  // of these, those of small letters alone
+  std::string shown_;                           // of the record at hand, what its label is made from
+  std::unordered_map<std::string, bool> told_;  // by that
+  std::vector<std::string> plain_;              // words that stand in what is shown as written, if in the label at all
+  std::vector<std::string> letters_;            // of these, those of small letters alone
 };
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t prepared_runs = 2;
-constexpr double live_s = 15;           // a log written to so lately goes on
-constexpr auto patience = 100ms;        // that the start page has for what is nearly read
+constexpr double live_s = 15;     // a log written to so lately goes on
+constexpr auto patience = 100ms;  // that the start page has for what is nearly read
 
 double seconds_since_1970(std::filesystem::file_time_type time) {
   return std::chrono::duration<double>(std::chrono::file_clock::to_sys(time).time_since_epoch()).count();

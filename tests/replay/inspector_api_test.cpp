@@ -1,7 +1,11 @@
 #include "replay/inspector_api.h"
 
+#include <chrono>
+#include <filesystem>
+
 #include "inspector_log.h"
 #include "support/catch.h"
+#include "support/columns.h"
 
 using namespace continua;
 
@@ -11,10 +15,15 @@ namespace {
 struct Served {
   Served() {
     const auto text = small_log().text();
-    folder.write("small.run.jsonl", text);
-    folder.write("below/cut one.run.jsonl", text.substr(0, text.size() - 20));
-    folder.write("garbage.run.jsonl", "hello\n");
+    write("small.run.jsonl", text, 30);
+    write("below/cut one.run.jsonl", text.substr(0, text.size() - 20), 10);
+    write("garbage.run.jsonl", "hello\n", 20);
     folder.write("notes.txt", "not served");
+  }
+  // As if it had been written so many seconds ago.
+  void write(const std::string& name, const std::string& text, int ago_s) {
+    const auto path = folder.write(name, text);
+    std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now() - std::chrono::seconds(ago_s));
   }
   Json get(const std::string& target, int status = 200) {
     const auto answer = api.get(target);
@@ -44,6 +53,10 @@ TEST_CASE("the list of runs tells what is in each, and which cannot be read") {
   const auto runs = served.get("/api/runs")["runs"];
   REQUIRE(runs.size() == 3);
   CHECK(column(runs, "id") == Json{"below.cut_one", "garbage", "small"});
+  CHECK(column(runs, "live") == Json{true, false, false});
+  CHECK(runs[0]["changed"].get<double>() - runs[2]["changed"].get<double>() == Approx(20).margin(1));
+  CHECK(runs[2]["first"] == 6);
+  CHECK_FALSE(runs[2].contains("pending"));
   const auto& small = runs[2];
   CHECK(small["duration"] == 10);
   CHECK(small["utterances"] == 1);
@@ -55,6 +68,47 @@ TEST_CASE("the list of runs tells what is in each, and which cannot be read") {
   CHECK(small["counts"]["transition"] == 3);
   CHECK(runs[0]["complete"] == false);
   CHECK_THAT(runs[1]["error"]["message"].get<std::string>(), Contains("garbage.run.jsonl:1: not a run log"));
+}
+
+TEST_CASE("a run that is not yet read is pending, and read in the background") {
+  Served served;
+  served.api.start_preparing();
+  Json runs;
+  for (int tries = 0; tries < 100; ++tries) {
+    runs = served.get("/api/runs")["runs"];
+    REQUIRE(runs.size() == 3);
+    CHECK(runs[0]["bytes"].get<int>() > 0);
+    if (std::none_of(runs.begin(), runs.end(), [](const Json& run) { return run.contains("pending"); })) break;
+    CHECK(tries < 99);
+  }
+  CHECK(runs[2]["utterances"] == 1);
+  CHECK_THAT(runs[1]["error"]["message"].get<std::string>(), Contains("not a run log"));
+  served.write("new.run.jsonl", small_log().text(), 0);
+  while (runs.size() < 4 || runs[0].contains("pending")) runs = served.get("/api/runs")["runs"];
+  CHECK(runs[0]["id"] == "new");
+  CHECK(runs[0]["records"] == 22);
+  served.api.stop_preparing();
+}
+
+TEST_CASE("what a page draws from comes as bytes") {
+  Served served;
+  const auto answer = served.api.get("/api/runs/small/columns");
+  CHECK(answer.status == 200);
+  CHECK(answer.content_type == "application/octet-stream");
+  CHECK(Columns(answer.body).numbers("t").size() == 22);
+  CHECK(served.api.get("/api/runs/small/columns").body == answer.body);
+  const auto found = served.api.get("/api/runs/small/find?text=which+BLOCK&kind=*");
+  CHECK(found.content_type == "application/octet-stream");
+  REQUIRE(found.body.size() % 4 == 0);
+  CHECK(found.body.substr(0, 4) == std::string("\6\0\0\0", 4));
+}
+
+TEST_CASE("how far a run has come") {
+  Served served;
+  CHECK(Json::parse(served.api.growth("small").body) == Json{{"records", 22}, {"t", 10.0}, {"complete", true}});
+  CHECK(Json::parse(served.api.growth("below.cut_one").body)["complete"] == false);
+  CHECK(served.api.growth("none").status == 404);
+  CHECK(served.api.growth("garbage").status == 422);
 }
 
 TEST_CASE("runs that appear, change or go are noticed") {
@@ -213,7 +267,10 @@ TEST_CASE("what cannot be answered is said with its status") {
   CHECK_THAT(served.message("/api/runs/small/stack?n=-1", 400), Contains("n=-1"));
   CHECK_THAT(served.message("/api/runs/small/records?limit=many", 400), Contains("limit=many"));
   CHECK_THAT(served.message("/api/runs/small/frame?t=1", 501), Contains("not served"));
-  CHECK_THAT(served.message("/api/live", 501), Contains("not served"));
+  CHECK_THAT(served.message("/api/sessions", 501), Contains("not served"));
+  CHECK_THAT(served.message("/api/runs/small/labels?n=5,22", 400), Contains("records 0 to 21"));
+  CHECK_THAT(served.message("/api/runs/small/labels?from=x", 400), Contains("from=x"));
+  CHECK(served.get("/api/runs/small/labels?from=20&limit=50")["labels"].size() == 2);
 }
 
 TEST_CASE("two runs are held against each other") {
