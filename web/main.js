@@ -31,9 +31,17 @@ class App {
 
   /** Fetches what the address names and builds the page for it. */
   async open() {
+    delete document.body.dataset.ready;
+    await this.show();
+    await this.client?.idle();
+    document.body.dataset.ready = '';
+  }
+
+  async show() {
     const id = this.model.selection.run;
     this.stop();
     this.data = null;
+    this.client = null;
     page.replaceChildren(h('p', {class: 'loading'}, 'Loading…'));
     try {
       if (id === null) {

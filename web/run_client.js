@@ -37,4 +37,7 @@ export class RecordClient {
     }
     return this.#kept.get(key);
   }
+
+  /** Resolves when all that was asked for has come. */
+  idle() { return Promise.allSettled(this.#kept.values()); }
 }
