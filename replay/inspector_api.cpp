@@ -198,7 +198,10 @@ ApiResponse InspectorApi::diff(const Query& query) {
   if (!(*tolerance >= 0)) return api_error(400, fmt::format("tolerance={}; expected metres from 0", *tolerance));
   const auto told = diff_runs(*sides[0], *sides[1], {*tolerance});
   if (!told) return api_error(422, told.error().text());
-  return answer(diff_json(*sides[0], *sides[1], *told));
+  auto body = diff_json(*sides[0], *sides[1], *told);
+  body["pairs"] = told->pairs;
+  body["markdown"] = diff_markdown(*sides[0], *sides[1], *told);
+  return answer(body);
 }
 
 ApiResponse InspectorApi::frame(const std::shared_ptr<const RunIndex>& run, const Query& query) {

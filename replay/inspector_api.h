@@ -41,7 +41,8 @@ class InspectorApi {
   /// "/api/runs/ID/frame?t=SECONDS&size=WxH" is a PNG of the scene at that instant (size: 640x360 if not given); 400
   /// for a t outside the run or a bad size, 422 where the log has nothing that can be drawn, 501 where this machine
   /// cannot draw.
-  /// "/api/diff?a=ID&b=ID&tolerance=METRES" is what diff_json (run_diff_text.h) tells of two runs.
+  /// "/api/diff?a=ID&b=ID&tolerance=METRES" is what diff_json (run_diff_text.h) tells of two runs,
+  /// as `markdown` what diff_markdown does, and `pairs`: [[n of a, n of b], …].
   ApiResponse get(std::string_view target);
 
  private:
