@@ -1,6 +1,7 @@
 // The inspector's addresses as a function: a request's path and query in, status and JSON out. Knows no server.
 #pragma once
 
+#include <list>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -41,6 +42,9 @@ class InspectorApi {
   /// "/api/runs/ID/frame?t=SECONDS&size=WxH" is a PNG of the scene at that instant (size: 640x360 if not given); 400
   /// for a t outside the run or a bad size, 422 where the log has nothing that can be drawn, 501 where this machine
   /// cannot draw.
+  /// "/api/runs/ID/columns" (run_columns.h), "/labels?n=5,17" or "?from=N&limit=K" (run_labels.h) and
+  /// "/find?text=WORDS&kind=KIND" (run_find.h; the numbers as u32, little endian) are what a page draws all records
+  /// from.
   /// "/api/diff?a=ID&b=ID&tolerance=METRES" is what diff_json (run_diff_text.h) tells of two runs,
   /// as `markdown` what diff_markdown does, and `pairs`: [[n of a, n of b], …].
   ApiResponse get(std::string_view target);
@@ -48,6 +52,7 @@ class InspectorApi {
  private:
   ApiResponse runs();
   ApiResponse run(const std::string& id, const std::string& view, const Query& query);
+  ApiResponse kept(const std::shared_ptr<const RunIndex>& run, const std::string& id, const std::string& view);
   ApiResponse diff(const Query& query);
   ApiResponse frame(const std::shared_ptr<const RunIndex>& run, const Query& query);
   Result<Json> listing(const RunFile& file);
@@ -57,10 +62,11 @@ class InspectorApi {
   std::mutex mutex_;
   // What was worked out from an index stays true as long as that index lives.
   struct Kept {
+    std::pair<std::string, std::string> key;  // id, view
     std::weak_ptr<const RunIndex> run;
     std::string body;
   };
-  std::map<std::string, Kept> kept_;  // "ID/view" -> body
+  std::list<Kept> kept_;  // the last used first
   struct Listed {
     std::uintmax_t bytes;
     std::filesystem::file_time_type written;
