@@ -18,6 +18,8 @@ namespace continua {
 namespace {
 
 constexpr std::size_t most_records = 5000;  // in one answer
+constexpr std::size_t most_worlds = 4;      // kept
+constexpr double latest_s = 1e9;
 constexpr std::size_t most_numbers = 500;   // named one by one
 constexpr std::size_t most_columns = 2;     // runs of which they are kept
 constexpr auto json_type = "application/json";
@@ -219,6 +221,11 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
   if (view == "labels") return labels(log, query);
   if (view == "find") return find(log, query);
   if (view == "frame") return frame(*opened, query);
+  if (view == "poses") return poses(*opened, query);
+  if (view == "scene") {
+    const auto scene = run_scene(log);
+    return scene ? answer(*scene) : api_error(422, scene.error().text());
+  }
   if (view != "" && view != "graph" && view != "lanes" && view != "columns")
     return api_error(404, fmt::format("a run has no '{}'", view));
 
@@ -246,6 +253,38 @@ ApiResponse InspectorApi::kept(const std::shared_ptr<const RunIndex>& run, const
   std::size_t columns = 0;
   std::erase_if(kept_, [&](const Kept& one) { return one.key.second == "columns" && ++columns > most_columns; });
   return {200, type, *std::move(body)};
+}
+
+ApiResponse InspectorApi::poses(const std::shared_ptr<const RunIndex>& run, const Query& query) {
+  const auto end = run->entry(run->size() - 1).t.seconds();
+  const auto from = number<double>(query, "from", 0), to = number<double>(query, "to", end);
+  if (!from) return api_error(400, from.error().sentence);
+  if (!to) return api_error(400, to.error().sentence);
+  if (!(*from >= 0 && *from <= *to && *to <= latest_s))
+    return api_error(
+        400, fmt::format("from={} and to={}; expected seconds from 0, the first not after the second", *from, *to));
+  const auto world = world_of(run);
+  if (!world) return api_error(422, world.error().text());
+  return answer((*world)->window(SimTime::from_seconds(*from), SimTime::from_seconds(*to)));
+}
+
+Result<std::shared_ptr<RunWorld>> InspectorApi::world_of(const std::shared_ptr<const RunIndex>& run) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = std::find_if(worlds_.begin(), worlds_.end(), [&](const auto& kept) { return kept.run == run; });
+    if (known != worlds_.end()) {
+      worlds_.splice(worlds_.begin(), worlds_, known);
+      return worlds_.front().world;
+    }
+  }
+  auto world = RunWorld::read(run);
+  if (!world) return world;
+  const std::lock_guard lock(mutex_);
+  // That of a log which has changed since is of no more use.
+  worlds_.remove_if([&](const KeptWorld& kept) { return kept.run->path() == run->path(); });
+  worlds_.push_front({run, *world});
+  if (worlds_.size() > most_worlds) worlds_.pop_back();
+  return world;
 }
 
 ApiResponse InspectorApi::diff(const Query& query) {
