@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "replay/explain.h"
 #include "replay/line_scan.h"
 #include "replay/run_diff.h"
 #include "replay/run_diff_text.h"
@@ -162,6 +163,14 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
     const auto n = record_number(query, log);
     if (!n) return api_error(400, n.error().sentence);
     return answer(view == "stack" ? run_stack(log, *n) : run_derivation(log, *n));
+  }
+  if (view == "explain") {
+    const auto n = record_number(query, log);
+    if (!n) return api_error(400, n.error().sentence);
+    const auto cell = query.find("cell");
+    if (cell == query.end()) return answer(explain(log, *n));
+    const auto told = explain_cell(log, *n, cell->second);
+    return told ? answer(*told) : api_error(404, told.error().sentence);
   }
   if (view == "frame") return frame(*opened, query);
   if (view != "" && view != "graph" && view != "lanes") return api_error(404, fmt::format("a run has no '{}'", view));
