@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "replay/explain.h"
 #include "replay/line_scan.h"
 #include "replay/run_columns.h"
 #include "replay/run_diff.h"
@@ -20,8 +21,8 @@ namespace {
 constexpr std::size_t most_records = 5000;  // in one answer
 constexpr std::size_t most_worlds = 4;      // kept
 constexpr double latest_s = 1e9;
-constexpr std::size_t most_numbers = 500;   // named one by one
-constexpr std::size_t most_columns = 2;     // runs of which they are kept
+constexpr std::size_t most_numbers = 500;  // named one by one
+constexpr std::size_t most_columns = 2;    // runs of which they are kept
 constexpr auto json_type = "application/json";
 constexpr auto bytes_type = "application/octet-stream";
 
@@ -217,6 +218,14 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
     const auto n = record_number(query, log);
     if (!n) return api_error(400, n.error().sentence);
     return answer(view == "stack" ? run_stack(log, *n) : run_derivation(log, *n));
+  }
+  if (view == "explain") {
+    const auto n = record_number(query, log);
+    if (!n) return api_error(400, n.error().sentence);
+    const auto cell = query.find("cell");
+    if (cell == query.end()) return answer(explain(log, *n));
+    const auto told = explain_cell(log, *n, cell->second);
+    return told ? answer(*told) : api_error(404, told.error().sentence);
   }
   if (view == "labels") return labels(log, query);
   if (view == "find") return find(log, query);

@@ -75,7 +75,7 @@ class InspectorApi {
     std::shared_ptr<RunWorld> world;
   };
   std::list<KeptWorld> worlds_;  // the last used first
-  std::list<Kept> kept_;  // the last used first
+  std::list<Kept> kept_;         // the last used first
   struct Listed {
     std::uintmax_t bytes;
     std::filesystem::file_time_type written;

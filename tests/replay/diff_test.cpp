@@ -82,7 +82,8 @@ TEST_CASE("any two runs can be held against each other, and differ both ways rou
     CHECK(diff_json(runs[i], runs[i + 1], diff)["count"] == diff.count);
     for (std::size_t k = 0; k < diff.pairs.size(); ++k) {
       CHECK((diff.pairs[k].first < runs[i].size() && diff.pairs[k].second < runs[i + 1].size()));
-      if (k > 0) CHECK((diff.pairs[k - 1].first < diff.pairs[k].first && diff.pairs[k - 1].second < diff.pairs[k].second));
+      if (k > 0)
+        CHECK((diff.pairs[k - 1].first < diff.pairs[k].first && diff.pairs[k - 1].second < diff.pairs[k].second));
     }
   }
 }
