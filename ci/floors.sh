@@ -51,7 +51,7 @@ EGL/*          engine/simulation/*
 GL/*           engine/simulation/*
 png.h          engine/simulation/*
 httplib.h      replay/inspector_server.cpp
-zlib.h         replay/inspector_server.cpp
+zlib.h         replay/gzip.cpp
 cairo*         replay/pictures/canvas.cpp
 graphviz/*     replay/exporters/graph_layout.cpp
 CLI/*          replay/main.cpp replay/commands/*

@@ -1,7 +1,9 @@
 // The server's addresses. An answer is JSON or bytes; an error carries a sentence for the reader. An exported page has
 // no server: it brings the answers along.
 
-const recorded = globalThis.continua_recorded ?? null;
+import {Recorded} from './recorded.js';
+
+const recorded = globalThis.continua_recorded ? new Recorded(globalThis.continua_recorded) : null;
 
 /** @returns {Promise<Response>} of the server, or what was recorded of it. */
 async function ask(path, options = {}) {
