@@ -10,6 +10,7 @@
 #include "replay/gzip.h"
 #include "replay/inspector_api.h"
 #include "replay/pictures/frame_cache.h"
+#include "replay/what_if_session.h"
 #include "web/assets.h"
 
 namespace continua {
@@ -86,7 +87,7 @@ bool is_number_address(const std::string& host) {
 
 class InspectorServer::Impl {
  public:
-  explicit Impl(std::vector<std::string> paths) : api_(std::move(paths), drawn_frames()) {
+  explicit Impl(std::vector<std::string> paths) : api_(std::move(paths), drawn_frames(), replayed_what_if()) {
     server_.set_payload_max_length(largest_body);
     server_.set_keep_alive_timeout(2);
     server_.set_default_headers({{"Content-Security-Policy", policy},
@@ -111,6 +112,14 @@ class InspectorServer::Impl {
       else
         send_answer(request, response, api_error(404, fmt::format("there is nothing at {}", request.path)));
     });
+    const auto content_type = [](const httplib::Request& request) { return request.get_header_value("Content-Type"); };
+    server_.Post("/api/what-if", [this, content_type](const httplib::Request& request, httplib::Response& response) {
+      send_answer(request, response, api_.post(request.target, content_type(request), request.body));
+    });
+    server_.Put("/api/runs/[^/]+/notes",
+                [this, content_type](const httplib::Request& request, httplib::Response& response) {
+                  send_answer(request, response, api_.put(request.target, content_type(request), request.body));
+                });
     const auto nothing_to_write = [](const httplib::Request& request, httplib::Response& response) {
       const bool live = request.path.starts_with("/api/sessions");
       send_answer(request, response,
@@ -136,7 +145,10 @@ class InspectorServer::Impl {
   }
 
   void run() { server_.listen_after_bind(); }
-  void stop() { server_.stop(); }
+  void stop() {
+    api_.stop();
+    server_.stop();
+  }
 
  private:
   // Why a request is not answered; empty when it is. A page elsewhere may reach this port through its visitor's
