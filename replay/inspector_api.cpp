@@ -14,6 +14,8 @@ namespace continua {
 namespace {
 
 constexpr std::size_t most_records = 5000;  // in one answer
+constexpr std::size_t most_worlds = 4;      // kept
+constexpr double latest_s = 1e9;
 constexpr auto json_type = "application/json";
 
 int hex_value(char c) {
@@ -164,6 +166,11 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
     return answer(view == "stack" ? run_stack(log, *n) : run_derivation(log, *n));
   }
   if (view == "frame") return frame(*opened, query);
+  if (view == "poses") return poses(*opened, query);
+  if (view == "scene") {
+    const auto scene = run_scene(log);
+    return scene ? answer(*scene) : api_error(422, scene.error().text());
+  }
   if (view != "" && view != "graph" && view != "lanes") return api_error(404, fmt::format("a run has no '{}'", view));
 
   // These depend on the log alone: worked out once.
@@ -181,6 +188,38 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
   std::erase_if(kept_, [](const auto& kept) { return kept.second.run.expired(); });
   kept_.insert_or_assign(key, Kept{*opened, response.body});
   return response;
+}
+
+ApiResponse InspectorApi::poses(const std::shared_ptr<const RunIndex>& run, const Query& query) {
+  const auto end = run->entry(run->size() - 1).t.seconds();
+  const auto from = number<double>(query, "from", 0), to = number<double>(query, "to", end);
+  if (!from) return api_error(400, from.error().sentence);
+  if (!to) return api_error(400, to.error().sentence);
+  if (!(*from >= 0 && *from <= *to && *to <= latest_s))
+    return api_error(
+        400, fmt::format("from={} and to={}; expected seconds from 0, the first not after the second", *from, *to));
+  const auto world = world_of(run);
+  if (!world) return api_error(422, world.error().text());
+  return answer((*world)->window(SimTime::from_seconds(*from), SimTime::from_seconds(*to)));
+}
+
+Result<std::shared_ptr<RunWorld>> InspectorApi::world_of(const std::shared_ptr<const RunIndex>& run) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = std::find_if(worlds_.begin(), worlds_.end(), [&](const auto& kept) { return kept.run == run; });
+    if (known != worlds_.end()) {
+      worlds_.splice(worlds_.begin(), worlds_, known);
+      return worlds_.front().world;
+    }
+  }
+  auto world = RunWorld::read(run);
+  if (!world) return world;
+  const std::lock_guard lock(mutex_);
+  // That of a log which has changed since is of no more use.
+  worlds_.remove_if([&](const KeptWorld& kept) { return kept.run->path() == run->path(); });
+  worlds_.push_front({run, *world});
+  if (worlds_.size() > most_worlds) worlds_.pop_back();
+  return world;
 }
 
 ApiResponse InspectorApi::diff(const Query& query) {

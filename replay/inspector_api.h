@@ -1,6 +1,7 @@
 // The inspector's addresses as a function: a request's path and query in, status and JSON out. Knows no server.
 #pragma once
 
+#include <list>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -11,6 +12,7 @@
 #include "replay/run_frames.h"
 #include "replay/run_index.h"
 #include "replay/run_library.h"
+#include "replay/run_world.h"
 
 namespace continua {
 
@@ -41,6 +43,7 @@ class InspectorApi {
   /// "/api/runs/ID/frame?t=SECONDS&size=WxH" is a PNG of the scene at that instant (size: 640x360 if not given); 400
   /// for a t outside the run or a bad size, 422 where the log has nothing that can be drawn, 501 where this machine
   /// cannot draw.
+  /// "/api/runs/ID/scene" is run_scene, "/api/runs/ID/poses?from=SECONDS&to=SECONDS" RunWorld::window (run_world.h).
   /// "/api/diff?a=ID&b=ID&tolerance=METRES" is what diff_json (run_diff_text.h) tells of two runs.
   ApiResponse get(std::string_view target);
 
@@ -48,6 +51,8 @@ class InspectorApi {
   ApiResponse runs();
   ApiResponse run(const std::string& id, const std::string& view, const Query& query);
   ApiResponse diff(const Query& query);
+  Result<std::shared_ptr<RunWorld>> world_of(const std::shared_ptr<const RunIndex>& run);
+  ApiResponse poses(const std::shared_ptr<const RunIndex>& run, const Query& query);
   ApiResponse frame(const std::shared_ptr<const RunIndex>& run, const Query& query);
   Result<Json> listing(const RunFile& file);
 
@@ -60,6 +65,11 @@ class InspectorApi {
     std::string body;
   };
   std::map<std::string, Kept> kept_;  // "ID/view" -> body
+  struct KeptWorld {
+    std::shared_ptr<const RunIndex> run;
+    std::shared_ptr<RunWorld> world;
+  };
+  std::list<KeptWorld> worlds_;  // the last used first
   struct Listed {
     std::uintmax_t bytes;
     std::filesystem::file_time_type written;
