@@ -8,6 +8,7 @@ import {renderStart} from './panels/start.js';
 import {mountHeader} from './panels/header.js';
 import {mountDialogue} from './panels/dialogue.js';
 import {mountGraph} from './panels/graph.js';
+import {mountScene} from './panels/scene.js';
 import {mountStack} from './panels/stack.js';
 import {mountLanes} from './panels/lanes.js';
 import {mountRecords} from './panels/records.js';
@@ -70,11 +71,11 @@ class App {
     this.graph = mountGraph(this);
     this.lanes = mountLanes(this);
     this.records = mountRecords(this);
-    const dialogue = mountDialogue(this), stack = mountStack(this), details = mountDetails(this);
+    const dialogue = mountDialogue(this), scene = mountScene(this), stack = mountStack(this), details = mountDetails(this);
     this.dialog = helpDialog();
-    page.replaceChildren(header, h('main', {class: 'run'}, dialogue.element, this.graph.element, stack.element, this.lanes.element,
+    page.replaceChildren(header, h('main', {class: 'run'}, dialogue.element, this.graph.element, scene.element, stack.element, this.lanes.element,
       this.records.element, details.element), this.dialog);
-    this.panels = [mountHeader(header, this), dialogue, this.graph, stack, this.lanes, this.records, details];
+    this.panels = [mountHeader(header, this), dialogue, this.graph, scene, stack, this.lanes, this.records, details];
     this.render();
   }
 

@@ -29,6 +29,10 @@ export class RecordClient {
   }
   stack(n) { return this.#keep(`stack ${n}`, () => get(`${run(this.#id)}/stack?n=${n}`)); }
   derivation(n) { return this.#keep(`derivation ${n}`, () => get(`${run(this.#id)}/derivation?n=${n}`)); }
+  scene() { return this.#keep('scene', () => get(`${run(this.#id)}/scene`)); }
+  /** Not kept: Motion keeps what it needs. */
+  poses(from, to) { return get(`${run(this.#id)}/poses?from=${from.toFixed(6)}&to=${to.toFixed(6)}`); }
+  frameAddress(t, width, height) { return `${run(this.#id)}/frame?t=${Math.max(0, t).toFixed(3)}&size=${width}x${height}`; }
 
   #keep(key, fetched) {
     if (!this.#kept.has(key)) {
