@@ -118,7 +118,7 @@ export function mountDetails(app) {
   };
 
   return {
-    element: panel('details', 'Record', title, body),
+    element: panel('why', 'Why', title, body),
     async render({n}) {
       if (asked === n) return;
       asked = n;
