@@ -58,6 +58,9 @@ export class RecordClient {
   find(text, kind) {
     return bytes(`${run(this.id)}/find?text=${encodeURIComponent(text)}&kind=${encodeURIComponent(kind)}`).then((answer) => new Uint32Array(answer));
   }
+  scene() { return this.#keep('scene'); }
+  /** What moved, pointed and was done in a window of seconds. Not kept here: Motion keeps what it needs. */
+  poses(from, to) { return get(`${run(this.id)}/poses?from=${from.toFixed(3)}&to=${to.toFixed(3)}`); }
   notes() { return get(`${run(this.id)}/notes`); }
   saveNotes(notes) { return send('PUT', `${run(this.id)}/notes`, notes); }
 

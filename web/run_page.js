@@ -7,6 +7,7 @@ import {whatIfDialog} from './panels/what_if.js';
 import {mountHeader} from './panels/header.js';
 import {mountDialogue} from './panels/dialogue.js';
 import {mountGraph} from './panels/graph.js';
+import {mountScene} from './panels/scene.js';
 import {mountStack} from './panels/stack.js';
 import {mountLanes} from './panels/lanes.js';
 import {mountRecords} from './panels/records.js';
@@ -19,7 +20,7 @@ export function buildRunPage(host, app) {
   const {comparison} = app;
   const header = h('header', {class: 'top'});
   const parts = {
-    dialogue: mountDialogue(app), graph: mountGraph(app), lanes: mountLanes(app, comparison),
+    dialogue: mountDialogue(app), graph: mountGraph(app), scene: mountScene(app, {other: comparison && otherRun(comparison, app)}), lanes: mountLanes(app, comparison),
     stack: mountStack(app), why: mountDetails(app), records: mountRecords(app), notes: mountNotes(app),
     ...comparison && {differences: mountDifferences(app)},
   };
@@ -27,7 +28,7 @@ export function buildRunPage(host, app) {
   const element = (name) => parts[name].element;
   const more = tabs('more', [...comparison ? ['differences'] : [], 'why', 'records', 'notes'].map(element), (panel) => app.model.go({tab: panel}));
   const main = h('main', {class: comparison ? 'run compared' : 'run'},
-    h('div', {class: 'upper'}, element('dialogue'), element('graph')),
+    h('div', {class: 'upper'}, element('dialogue'), element('graph'), element('scene')),
     element('lanes'),
     h('div', {class: 'lower'}, element('stack'), more.element));
   host.replaceChildren(header, main, ...Object.values(dialogs).map((one) => one.element));
@@ -45,4 +46,10 @@ export function buildRunPage(host, app) {
     },
   };
   return {...parts, parts, dialogs, panels: [frame, mountHeader(header, app), ...Object.values(parts)]};
+}
+
+/** The other run as the scene shows it: where its bodies were at what belongs to record n of this one. */
+function otherRun(comparison, app) {
+  const {client, data} = comparison.side;
+  return {client, timeOf: (n) => data.t[comparison.otherOf({n, hunk: app.model.selection.hunk})]};
 }
