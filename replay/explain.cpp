@@ -15,7 +15,7 @@
 #include "replay/explain_steps.h"
 #include "replay/line_scan.h"
 #include "replay/run_brief.h"
-#include "replay/run_views.h"
+#include "replay/run_listing.h"
 
 namespace continua {
 namespace {
@@ -81,7 +81,7 @@ bool is_deed(const RunIndex& run, std::size_t n) {
   if (place == deeds.size()) return false;
   const auto cause = run.cause(n);
   if (run.kind(n) == "act") return !cause || run.kind(*cause) != "act";  // asked for, and not how it goes on
-  return run.kind(n) != "refusal" || !cause || !is_pointing_sample(run, *cause);
+  return run.kind(n) != "refusal" || !cause || !run.entry(*cause).sample;
 }
 
 Result<std::size_t> last_deed(const RunIndex& run, double until_s) {

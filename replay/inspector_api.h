@@ -1,6 +1,7 @@
 // The inspector's addresses as a function: a request's path and query in, status and JSON out. Knows no server.
 #pragma once
 
+#include <list>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -11,6 +12,7 @@
 #include "replay/run_frames.h"
 #include "replay/run_index.h"
 #include "replay/run_library.h"
+#include "replay/run_world.h"
 
 namespace continua {
 
@@ -41,13 +43,21 @@ class InspectorApi {
   /// "/api/runs/ID/frame?t=SECONDS&size=WxH" is a PNG of the scene at that instant (size: 640x360 if not given); 400
   /// for a t outside the run or a bad size, 422 where the log has nothing that can be drawn, 501 where this machine
   /// cannot draw.
-  /// "/api/diff?a=ID&b=ID&tolerance=METRES" is what diff_json (run_diff_text.h) tells of two runs.
+  /// "/api/runs/ID/scene" is run_scene, "/api/runs/ID/poses?from=SECONDS&to=SECONDS" RunWorld::window (run_world.h).
+  /// "/api/runs/ID/columns" (run_columns.h), "/labels?n=5,17" or "?from=N&limit=K" (run_labels.h) and
+  /// "/find?text=WORDS&kind=KIND" (run_find.h; the numbers as u32, little endian) are what a page draws all records
+  /// from.
+  /// "/api/diff?a=ID&b=ID&tolerance=METRES" is what diff_json (run_diff_text.h) tells of two runs,
+  /// as `markdown` what diff_markdown does, and `pairs`: [[n of a, n of b], …].
   ApiResponse get(std::string_view target);
 
  private:
   ApiResponse runs();
   ApiResponse run(const std::string& id, const std::string& view, const Query& query);
+  ApiResponse kept(const std::shared_ptr<const RunIndex>& run, const std::string& id, const std::string& view);
   ApiResponse diff(const Query& query);
+  Result<std::shared_ptr<RunWorld>> world_of(const std::shared_ptr<const RunIndex>& run);
+  ApiResponse poses(const std::shared_ptr<const RunIndex>& run, const Query& query);
   ApiResponse frame(const std::shared_ptr<const RunIndex>& run, const Query& query);
   Result<Json> listing(const RunFile& file);
 
@@ -56,10 +66,16 @@ class InspectorApi {
   std::mutex mutex_;
   // What was worked out from an index stays true as long as that index lives.
   struct Kept {
+    std::pair<std::string, std::string> key;  // id, view
     std::weak_ptr<const RunIndex> run;
     std::string body;
   };
-  std::map<std::string, Kept> kept_;  // "ID/view" -> body
+  struct KeptWorld {
+    std::shared_ptr<const RunIndex> run;
+    std::shared_ptr<RunWorld> world;
+  };
+  std::list<KeptWorld> worlds_;  // the last used first
+  std::list<Kept> kept_;         // the last used first
   struct Listed {
     std::uintmax_t bytes;
     std::filesystem::file_time_type written;

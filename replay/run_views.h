@@ -20,20 +20,6 @@ struct RecordFilter {
   std::size_t limit = 500;
 };
 
-/// A line of the start page: {duration, records, utterances, acts, refusals, machine, scene, complete, …}.
-/// `refused_samples` are the refusals of pointing samples, which come by the hundred while nobody waits for them.
-Result<Json> run_listing(const RunIndex& run);
-
-/// The record that a reader wants to see first: an expectation that was not met, else where the avatar first had to
-/// ask, else the act that was asked for last, else what was said, refused or decided first.
-std::size_t record_of_interest(const RunIndex& run);
-
-/// Whether record n is a sample of where a hand points: these come by the hundred while nobody waits for an answer.
-bool is_pointing_sample(const RunIndex& run, std::size_t n);
-
-/// The header without its long texts, the listing's numbers, and `first`: the record to open the page at.
-Result<Json> run_summary(const RunIndex& run);
-
 /// {records: […], next: n to go on `after`, or null}.
 Result<Json> run_records(const RunIndex& run, const RecordFilter& filter);
 

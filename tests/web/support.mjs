@@ -78,6 +78,7 @@ export class Visitor {
     page.on('pageerror', (problem) => complaints.push(problem.stack));
     page.on('request', (request) => { if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(this.address)) complaints.push(`asked ${request.url()}`); });
     if (from_disk) await page.route('**/*', (route) => serveFromDisk(route, this.address));
+    await this.shim?.(page);
     await page.goto(this.address + path);
     if (ready) await page.waitForSelector(ready, {state: 'attached'});
     return page;

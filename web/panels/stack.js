@@ -75,7 +75,7 @@ export function mountStack(app) {
     body.replaceChildren(
       h('p', {class: 'note', 'data-testid': 'operation'}, jump(stack.at, `#${stack.at} ${app.data.label(stack.at)}`), happened(record)),
       h('div', {class: 'heads', 'aria-hidden': 'true'}, h('span', {}, 'before'), h('span', {}, 'after')),
-      h('ol', {class: 'rows'}, shown.map((row) => h('li', {class: 'row-pair'}, before(row), after(row)))),
+      h('ol', {class: 'stack-rows'}, shown.map((row) => h('li', {class: 'row-pair'}, before(row), after(row)))),
       ...[folded > 0 && h('button', {type: 'button', class: 'link fold', 'data-testid': 'fold', 'aria-expanded': String(unfolded), onclick: () => { unfolded = !unfolded; draw(); body.querySelector('.fold')?.focus(); }},
         unfolded ? `▾ ${folded} unchanged below` : `▸ ${folded} unchanged below`),
       !stack.symbols.length && h('p', {class: 'empty'}, 'The stack is empty.')].filter(Boolean));

@@ -1,0 +1,49 @@
+// The page of a run, or of two that are compared: its panels and where they stand.
+import {h, tabs} from './dom.js';
+import {helpDialog} from './keys.js';
+import {compareDialog} from './panels/compare.js';
+import {goToDialog} from './panels/go_to.js';
+import {whatIfDialog} from './panels/what_if.js';
+import {mountHeader} from './panels/header.js';
+import {mountDialogue} from './panels/dialogue.js';
+import {mountGraph} from './panels/graph.js';
+import {mountStack} from './panels/stack.js';
+import {mountDerivation} from './panels/derivation.js';
+import {mountLanes} from './panels/lanes.js';
+import {mountRecords} from './panels/records.js';
+import {mountWhy} from './panels/why.js';
+import {mountNotes} from './panels/notes.js';
+import {mountDifferences} from './panels/differences.js';
+
+/** Puts the page into `host`. @returns what the app keeps of it */
+export function buildRunPage(host, app) {
+  const {comparison} = app;
+  const header = h('header', {class: 'top'});
+  const parts = {
+    dialogue: mountDialogue(app), graph: mountGraph(app), lanes: mountLanes(app, comparison),
+    stack: mountStack(app), derivation: mountDerivation(app), why: mountWhy(app), records: mountRecords(app), notes: mountNotes(app),
+    ...comparison && {differences: mountDifferences(app)},
+  };
+  const dialogs = {help: helpDialog(), compare: compareDialog(app), go_to: goToDialog(app), what_if: whatIfDialog(app)};
+  const element = (name) => parts[name].element;
+  const more = tabs('more', [...comparison ? ['differences'] : [], 'why', 'records', 'notes'].map(element), (panel) => app.model.go({tab: panel}));
+  const main = h('main', {class: comparison ? 'run compared' : 'run'},
+    h('div', {class: 'upper'}, element('dialogue'), element('graph')),
+    element('lanes'),
+    h('div', {class: 'lower'}, element('stack'), element('derivation'), more.element));
+  host.replaceChildren(header, main, ...Object.values(dialogs).map((one) => one.element));
+
+  // One panel may fill the page; the others then wait out of sight.
+  const frame = {
+    render({panel, tab}) {
+      more.show(parts[panel] && more.has(panel) ? panel : tab);
+      main.classList.toggle('one', Boolean(parts[panel]));
+      for (const [name, part] of Object.entries(parts)) {
+        const large = name === panel;
+        part.element.classList.toggle('enlarged', large);
+        part.element.querySelector('.larger')?.setAttribute('aria-pressed', String(large));
+      }
+    },
+  };
+  return {...parts, parts, dialogs, panels: [frame, mountHeader(header, app), ...Object.values(parts)]};
+}
