@@ -52,6 +52,8 @@ export class RecordClient {
   /** Records of a kind from n on, up to `limit`. */
   records(kind, after, limit) { return this.#keep(`records?kind=${encodeURIComponent(kind)}&after=${after}&limit=${limit}`).then((answer) => answer.records); }
   stack(n) { return this.#keep(`stack?n=${n}`); }
+  /** Why record n; given a cell of the stack, how the value that record n gave it came about. */
+  explain(n, cell = '') { return this.#keep(`explain?n=${n}${cell ? `&cell=${encodeURIComponent(cell)}` : ''}`); }
   derivation(n) { return this.#keep(`derivation?n=${n}`); }
   labels(numbers) { return get(`${run(this.id)}/labels?n=${numbers.join(',')}`).then((answer) => answer.labels); }
   /** Running numbers of the records that match, in order. */
