@@ -15,6 +15,7 @@ import {mountRecords} from './panels/records.js';
 import {mountWhy} from './panels/why.js';
 import {mountNotes} from './panels/notes.js';
 import {mountDifferences} from './panels/differences.js';
+import {keepMarked, otherSide} from './panels/side_by_side.js';
 
 /** Puts the page into `host`. @returns what the app keeps of it */
 export function buildRunPage(host, app) {
@@ -23,15 +24,18 @@ export function buildRunPage(host, app) {
   const parts = {
     dialogue: mountDialogue(app), graph: mountGraph(app), scene: mountScene(app, {other: comparison && otherRun(comparison, app)}), lanes: mountLanes(app, comparison),
     stack: mountStack(app), derivation: mountDerivation(app), why: mountWhy(app), records: mountRecords(app), notes: mountNotes(app),
-    ...comparison && {differences: mountDifferences(app)},
+    ...comparison && {differences: mountDifferences(app), ...otherSide(app)},
   };
+  if (comparison) keepMarked(parts.stack.element, parts.stack_b.element, '.cell');
+  if (comparison) keepMarked(parts.derivation.element, parts.derivation_b.element, '.node-line');
   const dialogs = {help: helpDialog(), compare: compareDialog(app), go_to: goToDialog(app), what_if: whatIfDialog(app)};
   const element = (name) => parts[name].element;
-  const more = tabs('more', [...comparison ? ['differences'] : [], 'why', 'records', 'notes'].map(element), (panel) => app.model.go({tab: panel}));
+  const shared = comparison ? ['differences', 'derivation', 'derivation_b', 'why', 'records', 'notes'] : ['why', 'records', 'notes'];
+  const more = tabs('more', shared.map(element), (panel) => app.model.go({tab: panel}));
   const main = h('main', {class: comparison ? 'run compared' : 'run'},
     h('div', {class: 'upper'}, element('dialogue'), element('graph'), element('scene')),
     element('lanes'),
-    h('div', {class: 'lower'}, element('stack'), element('derivation'), more.element));
+    h('div', {class: 'lower'}, element('stack'), element(comparison ? 'stack_b' : 'derivation'), more.element));
   host.replaceChildren(header, main, ...Object.values(dialogs).map((one) => one.element));
 
   // One panel may fill the page; the others then wait out of sight.

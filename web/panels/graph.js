@@ -39,7 +39,7 @@ function arrowHead(points) {
 
 /** The value in "|options| > 1: |options| is 1"; all of a reason that has none. */
 const valueOf = (reason) => {
-  const text = brief(String(reason ?? '')), at = text.indexOf(': ');
+  const text = brief(String(reason ?? '')), at = text.lastIndexOf(': ');
   const value = at < 0 ? text : text.slice(at + 2);
   return value.length > 26 ? `${value.slice(0, 25)}…` : value;
 };
