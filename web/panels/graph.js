@@ -88,7 +88,7 @@ export function mountGraph(app) {
     const from = data.step(app.model.selection.n) + 1;
     for (let i = 0; i < n.length; ++i) {
       const place = (from + i) % n.length;
-      if (to[place] === id) return n[place];
+      if (data.names[to[place]] === id) return n[place];
     }
     return null;
   };
