@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {eyeOf, fit, flight, fovy, sides, viewFrom} from '../../web/scene3d/framing.js';
+import {eyeOf, fit, flight, sides, viewFrom} from '../../web/scene3d/framing.js';
 import {apart} from '../../web/scene3d/ghost.js';
 import {between, Motion, Window} from '../../web/scene3d/motion.js';
 import {approached, shifted, turned} from '../../web/scene3d/orbit.js';
@@ -113,8 +113,8 @@ test('a camera fitted to points has all of them in the picture, and just', () =>
     const seen = points.map((point) => {
       const d = point.map((x, i) => x - eye[i]), depth = d[0] * forward[0] + d[1] * forward[1] + d[2] * forward[2];
       const right = [Math.sin(view.azimuth), -Math.cos(view.azimuth), 0];
-      const across = (d[0] * right[0] + d[1] * right[1]) / depth / Math.tan(fovy / 2) / aspect;
-      const up = Math.sqrt(Math.max(0, d[0] ** 2 + d[1] ** 2 + d[2] ** 2 - depth ** 2 - (d[0] * right[0] + d[1] * right[1]) ** 2)) / depth / Math.tan(fovy / 2);
+      const across = (d[0] * right[0] + d[1] * right[1]) / depth / Math.tan(view.fovy / 2) / aspect;
+      const up = Math.sqrt(Math.max(0, d[0] ** 2 + d[1] ** 2 + d[2] ** 2 - depth ** 2 - (d[0] * right[0] + d[1] * right[1]) ** 2)) / depth / Math.tan(view.fovy / 2);
       return Math.max(Math.abs(across), up);
     });
     assert.ok(Math.max(...seen) <= 1 && Math.max(...seen) > 0.8, `${seen}`);
