@@ -194,6 +194,7 @@ ApiResponse InspectorApi::runs() {
   Json all = Json::array();
   for (const auto& file : library_.runs()) {
     Json line{{"id", file.id}, {"name", file.name}};
+    if (!file.what_if_of.empty()) line["what_if_of"] = file.what_if_of;
     const auto listed = listing(file);
     if (listed)
       line.update(*listed);
@@ -230,6 +231,7 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
   if (view == "labels") return labels(log, query);
   if (view == "find") return find(log, query);
   if (view == "frame") return frame(*opened, query);
+  if (view == "notes") return notes(log);
   if (view == "poses") return poses(*opened, query);
   if (view == "scene") {
     const auto scene = run_scene(log);

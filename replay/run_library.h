@@ -20,7 +20,8 @@ namespace continua {
 struct RunFile {
   std::string id;
   std::string path;
-  std::string name;  ///< for people: the id without its folder's marks
+  std::string name;             ///< for people: the id without its folder's marks
+  std::string what_if_of = {};  ///< id of the run that it was made from; empty for those that were there
 };
 
 /// Safe to use from several threads.
@@ -29,8 +30,11 @@ class RunLibrary {
   /// Run files, or folders whose files named *.run.jsonl are meant, at any depth.
   explicit RunLibrary(std::vector<std::string> paths) : paths_(std::move(paths)) {}
 
-  /// All runs there are now, in order of their paths.
+  /// All runs there are now, in order of their paths; then those that were added.
   std::vector<RunFile> runs() const;
+
+  /// One more run, made from another; gives its id, `name` where that is free.
+  std::string add(const std::string& name, const std::string& path, const std::string& what_if_of);
 
   /// The index of a run, read again when the file has changed. Null index: no run has this id.
   Result<std::shared_ptr<const RunIndex>> open(const std::string& id);
@@ -43,7 +47,8 @@ class RunLibrary {
     std::shared_ptr<const RunIndex> run;
   };
   std::vector<std::string> paths_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
+  std::vector<RunFile> added_;
   std::list<Held> held_;  // the last used first
 };
 

@@ -19,6 +19,9 @@ export const h = (tag, props, ...children) => fill(document.createElement(tag), 
 /** An SVG element. */
 export const s = (tag, props, ...children) => fill(document.createElementNS(SVG, tag), props, children);
 
+/** The address of the page's icon, which an exported file brings along. */
+export const icon = () => globalThis.continua_recorded?.icon ?? '/icon.svg';
+
 /** A term as people read it: λ for the backslash of the files. */
 export const shown = (term) => String(term ?? '').replaceAll('\\', 'λ');
 

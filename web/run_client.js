@@ -1,7 +1,9 @@
 // The server's addresses. An answer is JSON or bytes; an error carries a sentence for the reader. An exported page has
 // no server: it brings the answers along.
 
-const recorded = globalThis.continua_recorded ?? null;
+import {Recorded} from './recorded.js';
+
+const recorded = globalThis.continua_recorded ? new Recorded(globalThis.continua_recorded) : null;
 
 /** @returns {Promise<Response>} of the server, or what was recorded of it. */
 async function ask(path, options = {}) {
@@ -50,6 +52,8 @@ export class RecordClient {
   /** Records of a kind from n on, up to `limit`. */
   records(kind, after, limit) { return this.#keep(`records?kind=${encodeURIComponent(kind)}&after=${after}&limit=${limit}`).then((answer) => answer.records); }
   stack(n) { return this.#keep(`stack?n=${n}`); }
+  /** Why record n; given a cell of the stack, how the value that record n gave it came about. */
+  explain(n, cell = '') { return this.#keep(`explain?n=${n}${cell ? `&cell=${encodeURIComponent(cell)}` : ''}`); }
   derivation(n) { return this.#keep(`derivation?n=${n}`); }
   labels(numbers) { return get(`${run(this.id)}/labels?n=${numbers.join(',')}`).then((answer) => answer.labels); }
   /** Running numbers of the records that match, in order. */

@@ -9,9 +9,10 @@ import {mountDialogue} from './panels/dialogue.js';
 import {mountGraph} from './panels/graph.js';
 import {mountScene} from './panels/scene.js';
 import {mountStack} from './panels/stack.js';
+import {mountDerivation} from './panels/derivation.js';
 import {mountLanes} from './panels/lanes.js';
 import {mountRecords} from './panels/records.js';
-import {mountDetails} from './panels/details.js';
+import {mountWhy} from './panels/why.js';
 import {mountNotes} from './panels/notes.js';
 import {mountDifferences} from './panels/differences.js';
 
@@ -21,7 +22,7 @@ export function buildRunPage(host, app) {
   const header = h('header', {class: 'top'});
   const parts = {
     dialogue: mountDialogue(app), graph: mountGraph(app), scene: mountScene(app, {other: comparison && otherRun(comparison, app)}), lanes: mountLanes(app, comparison),
-    stack: mountStack(app), why: mountDetails(app), records: mountRecords(app), notes: mountNotes(app),
+    stack: mountStack(app), derivation: mountDerivation(app), why: mountWhy(app), records: mountRecords(app), notes: mountNotes(app),
     ...comparison && {differences: mountDifferences(app)},
   };
   const dialogs = {help: helpDialog(), compare: compareDialog(app), go_to: goToDialog(app), what_if: whatIfDialog(app)};
@@ -30,7 +31,7 @@ export function buildRunPage(host, app) {
   const main = h('main', {class: comparison ? 'run compared' : 'run'},
     h('div', {class: 'upper'}, element('dialogue'), element('graph'), element('scene')),
     element('lanes'),
-    h('div', {class: 'lower'}, element('stack'), more.element));
+    h('div', {class: 'lower'}, element('stack'), element('derivation'), more.element));
   host.replaceChildren(header, main, ...Object.values(dialogs).map((one) => one.element));
 
   // One panel may fill the page; the others then wait out of sight.

@@ -1,5 +1,5 @@
 // The start page: all runs, the newest first; search; two of them held against each other.
-import {h, clock, counted, grouped} from '../dom.js';
+import {h, clock, icon, counted, grouped} from '../dom.js';
 import {fetchRuns, pictureOf} from '../run_client.js';
 
 const again_ms = 1500;   // while runs are being read, or written
@@ -21,7 +21,7 @@ export class StartPage {
       h('table', {'data-testid': 'runs'}, h('thead', {}, h('tr', {}, ['Choose', 'Scene', 'Run', 'Verdict', 'Length', 'Said', 'Acts', 'Refused', 'Machine', 'Changed'].map((title, i) =>
         h('th', {scope: 'col', class: i >= 4 && i <= 7 ? 'number' : null}, i < 2 ? h('span', {class: 'unseen'}, title) : title)))), this.body));
     host.replaceChildren(h('main', {class: 'start'},
-      h('h1', {}, h('img', {src: '/icon.svg', alt: '', width: 28, height: 28}), 'Continua'), this.lead,
+      h('h1', {}, h('img', {src: icon(), alt: '', width: 28, height: 28}), 'Continua'), this.lead,
       h('div', {class: 'tools'}, this.search, this.compare, this.hint), this.table));
   }
 
