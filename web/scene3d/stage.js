@@ -1,6 +1,7 @@
 // The surface the scene is shown on: drawn here where the browser has WebGL and three.js was built in, else as pictures
 // of the server. Keeps to one drawing a frame, and to none while nothing changed or nobody can see it.
 import {h} from '../dom.js';
+import {coloursOf} from './colours.js';
 import {orbit} from './orbit.js';
 import {Pictures} from './pictures.js';
 import {SceneView} from './view.js';
@@ -9,21 +10,6 @@ const flight_ms = 350;
 // Where WebGL runs without a graphics card: what moves is drawn coarsely and not with every frame, and sharp at rest.
 const slow_ratio = 0.5, slow_every_ms = 40, sharp_after_ms = 250;
 const largest_picture = 1280, coarse = 32;  // pixels; sizes of pictures are multiples of the latter
-
-/** The colours of the page as numbers, whatever way the style sheet writes them. */
-export function coloursOf(element) {
-  const style = getComputedStyle(element), brush = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
-  const number = (name) => {
-    brush.fillStyle = '#888888';
-    brush.fillStyle = style.getPropertyValue(name).trim();
-    brush.fillRect(0, 0, 1, 1);
-    const [r, g, b] = brush.getImageData(0, 0, 1, 1).data;
-    return r << 16 | g << 8 | b;
-  };
-  const background = number('--panel');
-  return {background, human: number('--human'), avatar: number('--avatar'), act: number('--act'), ghost: number('--ghost'), cursor: number('--cursor'),
-    dark: (background >> 16) + (background >> 8 & 255) + (background & 255) < 384};
-}
 
 export class Stage {
   #element; #three; #address; #changed; #before; #after; #resized; #click;
