@@ -3,12 +3,13 @@ import assert from 'node:assert/strict';
 import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {eyeOf, fit, flight, fovy, sides, viewFrom} from '../../web/scene3d/framing.js';
+import {eyeOf, fit, flight, sides, viewFrom} from '../../web/scene3d/framing.js';
+import {buildBodies, shapeOf} from '../../web/scene3d/geometry.js';
 import {apart} from '../../web/scene3d/ghost.js';
 import {between, Motion, Window} from '../../web/scene3d/motion.js';
 import {approached, shifted, turned} from '../../web/scene3d/orbit.js';
 import {objectNear, placeText, sceneSentence} from '../../web/scene3d/scene_text.js';
-import {root, serve, temporaryFolder, Visitor} from './support.mjs';
+import {packages, root, serve, temporaryFolder, Visitor} from './support.mjs';
 
 const close = (a, b, by = 1e-9) => assert.ok(Math.abs(a - b) <= by, `${a} is not ${b}`);
 const at = (x, turn = 0) => [x, 0, 0, Math.cos(turn / 2), 0, 0, Math.sin(turn / 2)];
@@ -79,6 +80,21 @@ test('windows are fetched once, the next one ahead, and kept within bounds', asy
   assert.ok(full.motion.numbers < 2.3e6, `${full.motion.numbers}`);
 });
 
+test('what a run that grows has more of is fetched', async () => {
+  let end = 5;
+  const {motion, asked} = motionOf(() => ({}), {duration: () => end});
+  motion.at(9);
+  await settled();
+  assert.ok(motion.at(5));
+  await settled();
+  assert.equal(asked.length, 1);
+  end = 7;
+  assert.equal(motion.at(7), null);
+  await settled();
+  assert.ok(motion.at(7));
+  assert.equal(asked.length, 2);
+});
+
 test('of many instants asked for while one is on its way only the last is fetched', async () => {
   const {motion, asked} = motionOf(() => ({}));
   for (let t = 0; t < 500; t += 10) motion.at(t);
@@ -113,8 +129,8 @@ test('a camera fitted to points has all of them in the picture, and just', () =>
     const seen = points.map((point) => {
       const d = point.map((x, i) => x - eye[i]), depth = d[0] * forward[0] + d[1] * forward[1] + d[2] * forward[2];
       const right = [Math.sin(view.azimuth), -Math.cos(view.azimuth), 0];
-      const across = (d[0] * right[0] + d[1] * right[1]) / depth / Math.tan(fovy / 2) / aspect;
-      const up = Math.sqrt(Math.max(0, d[0] ** 2 + d[1] ** 2 + d[2] ** 2 - depth ** 2 - (d[0] * right[0] + d[1] * right[1]) ** 2)) / depth / Math.tan(fovy / 2);
+      const across = (d[0] * right[0] + d[1] * right[1]) / depth / Math.tan(view.fovy / 2) / aspect;
+      const up = Math.sqrt(Math.max(0, d[0] ** 2 + d[1] ** 2 + d[2] ** 2 - depth ** 2 - (d[0] * right[0] + d[1] * right[1]) ** 2)) / depth / Math.tan(view.fovy / 2);
       return Math.max(Math.abs(across), up);
     });
     assert.ok(Math.max(...seen) <= 1 && Math.max(...seen) > 0.8, `${seen}`);
@@ -142,6 +158,29 @@ test('places and what goes on are told in words', () => {
   assert.equal(objectNear([0, 0, 0], ['thing', 'other'], poses), null);
   assert.equal(sceneSentence({objects: ['thing'], poses, pointing: [{who: 'human', target: [0.2, 0.01, 0]}], acts: [{program: 'lift(thing)', target: null}]}),
     'The human points at thing. The avatar carries out lift(thing). thing: 20 cm right.');
+});
+
+test('geoms of MuJoCo become shapes of the same size, z up, those that look alike as one; what is none is left out', async () => {
+  const THREE = await import(join(packages, 'three/build/three.module.js'));
+  const extent = (shape) => {
+    shape.computeBoundingBox();
+    return [...shape.boundingBox.max].map((x) => +x.toFixed(3));
+  };
+  const of = (type, ...size) => extent(shapeOf(THREE, {type, size}));
+  assert.deepEqual(of('capsule', 0.1, 0.5, 0), [0.1, 0.1, 0.6]);
+  assert.deepEqual(of('cylinder', 0.1, 0.5, 0), [0.1, 0.1, 0.5]);
+  assert.deepEqual(of('ellipsoid', 1, 2, 3), [1, 2, 3]);
+  assert.deepEqual(of('box', 1, 2, 3), [1, 2, 3]);
+  assert.deepEqual(of('plane', 3, 2, 0.1), [3, 2, 0]);
+  assert.deepEqual(of('sphere', 2), [2, 2, 2]);
+  assert.deepEqual(extent(shapeOf(THREE, {type: 'mesh', mesh: {vertices: [0, 0, 0, 1, 0, 0, 0, 2, 0], faces: [0, 1, 2, 0, 1, 9]}})), [1, 2, 0]);
+  for (const bad of [null, {}, {type: 'hfield'}, {type: 'box', size: [1, -1, 1]}, {type: 'box', size: 'x'}, {type: 'mesh'}, {type: 'mesh', mesh: {vertices: [1], faces: [0, 0, 0]}}, {type: 'toString', size: [1, 1, 1]}])
+    assert.equal(shapeOf(THREE, bad), null);
+  const half = Math.SQRT1_2, red = [1, 0, 0, 1];
+  const {bodies} = buildBodies(THREE, [{body: 'a', type: 'box', size: [1, 2, 3], rgba: red, pos: [0, 0, 1], quat: [half, 0, 0, half]}, {body: 'a', type: 'sphere', size: [1], rgba: red, pos: [9, 0, 0]},
+    {body: 'a', type: 'sphere', size: [1], rgba: [0, 0, 0, 0]}, {body: 'b', type: 'sphere', size: [1]}, null, {body: 7}], () => new THREE.MeshBasicMaterial());
+  assert.deepEqual([...bodies].map(([name, body]) => [name, body.children.length]), [['a', 1], ['b', 1]]);
+  assert.deepEqual(extent(bodies.get('a').children[0].geometry), [10, 1, 4]);
 });
 
 test('a ghost is seen from a millimetre on', () => {

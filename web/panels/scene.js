@@ -56,11 +56,13 @@ export function mountScene(app, {other = null} = {}) {
 
   async function open() {
     try {
-      const [answer, header] = await Promise.all([client.scene(), client.record(0).catch(() => null)]);
+      const header = await client.record(0);
       if (closed) return;
-      scene = answer;
+      if (!header?.scene?.bodies) throw new Error('The log carries no scene with the poses of its bodies.');
+      scene = await client.scene();
+      if (closed) return;
       const names = [...new Set((Array.isArray(scene.geoms) ? scene.geoms : []).map((geom) => geom?.body).filter((name) => typeof name === 'string'))];
-      bodies = readMjcf(header?.scene?.mjcf, names);
+      bodies = readMjcf(header.scene.mjcf, names);
       // Nothing of three is loaded before the page was painted once.
       await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
       if (closed) return;
@@ -129,7 +131,7 @@ export function mountScene(app, {other = null} = {}) {
     const said = {...world, objects: bodies.objects};
     stage.describe(`The scene at ${t.toFixed(1)} seconds. ${sceneSentence(said)}`);
     const pose = selected && world.poses.get(selected);
-    put(caption, pose ? `${selected}: ${placeText(pose)}` : sceneSentence({...said, objects: []}));
+    put(caption, pose ? `${selected}: ${placeText(pose)}` : sceneSentence(said, true));
     if (!list.open) return;
     const rows = bodies.objects.filter((name) => world.poses.has(name));
     if (places.childElementCount !== rows.length) places.replaceChildren(...rows.map((name) => h('li', {},

@@ -1,9 +1,9 @@
 // Where a camera has to stand to see given points, and how it gets from one place to another. Pure. Metres and radians,
-// frame W: x to the human's right, y away from the human, z up. A view is {target, azimuth, elevation, distance}: the
-// camera looks at `target` along azimuth (π/2: along y) and elevation (below 0: downward).
+// frame W: x to the human's right, y away from the human, z up. A view is {target, azimuth, elevation, distance, fovy}:
+// the camera looks at `target` along azimuth (π/2: along y) and elevation (below 0: downward).
 
 const degree = Math.PI / 180;
-export const fovy = 30 * degree;
+const usual_fovy = 30 * degree;
 const margin = 0.94;  // of half the picture
 
 export const sides = {
@@ -26,17 +26,17 @@ export function eyeOf(view) {
 }
 
 /** The view from `eye` to `target`. */
-export function viewFrom(eye, target) {
+export function viewFrom(eye, target, fovy = usual_fovy) {
   const d = target.map((x, i) => x - eye[i]);
   const distance = Math.max(Math.hypot(...d), 0.05);
-  return {target, distance, azimuth: Math.atan2(d[1], d[0]), elevation: Math.asin(Math.max(-1, Math.min(1, d[2] / distance)))};
+  return {target, distance, fovy, azimuth: Math.atan2(d[1], d[0]), elevation: Math.asin(Math.max(-1, Math.min(1, d[2] / distance)))};
 }
 
 /** The view in this direction in which all points are just in the picture. */
 export function fit({azimuth, elevation}, points, aspect) {
   if (!points.length) points = [[-0.5, -0.5, 0], [0.5, 0.5, 0.5]];
   const {forward, right, up} = axes({azimuth, elevation});
-  const half_height = Math.tan(fovy / 2), half_width = half_height * Math.max(aspect, 0.05);
+  const fovy = usual_fovy, half_height = Math.tan(fovy / 2), half_width = half_height * Math.max(aspect, 0.05);
   const target = [0, 1, 2].map((i) => points.reduce((sum, point) => sum + point[i], 0) / points.length);
   let distance = 1;
   // The nearer points decide the distance, and the distance where the middle seems to be: a few rounds settle both.
@@ -53,7 +53,7 @@ export function fit({azimuth, elevation}, points, aspect) {
     for (let i = 0; i < 3; ++i) target[i] += distance * (up[i] * (high + low) / 2 + right[i] * (left + farthest_right) / 2);
     distance = Math.max(0.1, distance * Math.max(0.5, Math.min(2, scale)));
   }
-  return {target, azimuth, elevation, distance};
+  return {target, azimuth, elevation, distance, fovy};
 }
 
 /** A part (0 … 1) of the way from one view to another, turning the shorter way. */
@@ -62,5 +62,5 @@ export function flight(a, b, part) {
   const mix = (x, y) => x + eased * (y - x);
   const turn = Math.atan2(Math.sin(b.azimuth - a.azimuth), Math.cos(b.azimuth - a.azimuth));
   return {target: a.target.map((x, i) => mix(x, b.target[i])), azimuth: a.azimuth + eased * turn,
-    elevation: mix(a.elevation, b.elevation), distance: mix(a.distance, b.distance)};
+    elevation: mix(a.elevation, b.elevation), distance: mix(a.distance, b.distance), fovy: mix(a.fovy, b.fovy)};
 }

@@ -54,29 +54,56 @@ export function place(object, pos, quat) {
   object.quaternion.set(q[1], q[2], q[3], q[0]).normalize();
 }
 
+/** One shape out of several, each put where its mesh has it. */
+function joined(THREE, meshes) {
+  const parts = meshes.map((mesh) => {
+    mesh.updateMatrix();
+    const part = mesh.geometry.index ? mesh.geometry.toNonIndexed() : mesh.geometry.clone();
+    return part.applyMatrix4(mesh.matrix);
+  });
+  const whole = new THREE.BufferGeometry();
+  for (const name of ['position', 'normal']) {
+    const arrays = parts.map((part) => part.getAttribute(name).array);
+    const all = new Float32Array(arrays.reduce((sum, array) => sum + array.length, 0));
+    let at = 0;
+    for (const array of arrays) {
+      all.set(array, at);
+      at += array.length;
+    }
+    whole.setAttribute(name, new THREE.BufferAttribute(all, 3));
+  }
+  for (const part of parts) part.dispose();
+  return whole;
+}
+
 /**
- * A group for each body, with a mesh for each of its geoms; equal shapes and colours are shared. `materialOf(geom, rgba)`
- * makes the material. Gives {bodies: Map of name to Group, dispose}.
+ * A group for each body, in it one mesh for all its geoms that look alike: what costs time is how many are drawn.
+ * `materialOf(geom, rgba)` makes the material of a look. Gives {bodies: Map of name to Group, dispose}.
  */
 export function buildBodies(THREE, geoms, materialOf) {
-  const bodies = new Map(), shared = new Map(), materials = new Map();
+  const looks = new Map(), materials = new Map();
   for (const geom of Array.isArray(geoms) ? geoms : []) {
     const rgba = rgbaOf(geom);
     if (typeof geom?.body !== 'string' || rgba[3] === 0) continue;
-    const key = geom.type === 'mesh' ? geom : `${geom.type} ${geom.size}`;
-    if (!shared.has(key)) shared.set(key, shapeOf(THREE, geom));
-    const shape = shared.get(key);
+    const shape = shapeOf(THREE, geom);
     if (!shape) continue;
-    const look = `${geom.type === 'plane'} ${rgba}`;
+    const plane = geom.type === 'plane', look = `${plane} ${geom.type === 'mesh'} ${rgba}`, key = JSON.stringify([geom.body, look]);
     if (!materials.has(look)) materials.set(look, materialOf(geom, rgba));
-    const mesh = new THREE.Mesh(shape, materials.get(look));
-    mesh.userData = {body: geom.body, plane: geom.type === 'plane'};
+    const mesh = new THREE.Mesh(shape);
     place(mesh, geom.pos, geom.quat);
-    if (!bodies.has(geom.body)) bodies.set(geom.body, new THREE.Group());
-    bodies.get(geom.body).add(mesh);
+    if (!looks.has(key)) looks.set(key, {body: geom.body, plane, material: materials.get(look), meshes: []});
+    looks.get(key).meshes.push(mesh);
+  }
+  const bodies = new Map();
+  for (const {body, plane, material, meshes} of looks.values()) {
+    const mesh = new THREE.Mesh(joined(THREE, meshes), material);
+    mesh.userData = {body, plane};
+    for (const one of meshes) one.geometry.dispose();
+    if (!bodies.has(body)) bodies.set(body, new THREE.Group());
+    bodies.get(body).add(mesh);
   }
   const dispose = () => {
-    for (const one of shared.values()) one?.dispose();
+    for (const body of bodies.values()) for (const mesh of body.children) mesh.geometry.dispose();
     for (const one of materials.values()) one.dispose();
   };
   return {bodies, dispose};

@@ -19,14 +19,8 @@ export class Ghost {
     this.fill = fill;
     const solid = (Array.isArray(geoms) ? geoms : []).filter((geom) => geom?.type !== 'plane');
     this.built = buildBodies(THREE, solid, () => fill);
-    this.edges = new Map();
     for (const body of this.built.bodies.values()) {
-      for (const mesh of [...body.children]) {
-        if (!this.edges.has(mesh.geometry)) this.edges.set(mesh.geometry, new THREE.EdgesGeometry(mesh.geometry, 35));
-        const outline = new THREE.LineSegments(this.edges.get(mesh.geometry), this.line);
-        place(outline, mesh.position.toArray(), [mesh.quaternion.w, mesh.quaternion.x, mesh.quaternion.y, mesh.quaternion.z]);
-        body.add(outline);
-      }
+      for (const mesh of [...body.children]) body.add(new THREE.LineSegments(new THREE.EdgesGeometry(mesh.geometry, 35), this.line));
       this.group.add(body);
     }
   }
@@ -51,7 +45,6 @@ export class Ghost {
 
   dispose() {
     this.built.dispose();
-    for (const one of this.edges.values()) one.dispose();
     this.line.dispose();
     this.fill.dispose();
   }

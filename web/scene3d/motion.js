@@ -92,8 +92,8 @@ export class Motion {
   #retry_at = 0;
 
   /**
-   * `fetch(from, to)` gives a promise of an answer of `poses`; `duration()` the end of the run; `arrived()` is called
-   * when there is more to show. `width`: seconds of a window.
+   * `fetch(from, to)` gives a promise of an answer of `poses`; `duration()` the end of the run, which may grow;
+   * `arrived()` is called when there is more to show. `width`: seconds of a window.
    */
   constructor({fetch, duration, arrived, width = 8, now = () => performance.now()}) {
     this.#fetch = fetch;
@@ -108,16 +108,13 @@ export class Motion {
 
   /** The window that tells of t, or null while it is on its way. */
   at(t) {
-    t = Math.max(0, t);
+    t = Math.max(0, Math.min(this.#duration(), t));
     this.#wanted = t;
     const here = this.#covering(t);
     if (here) this.#kept.push(...this.#kept.splice(this.#kept.indexOf(here), 1));
     if (!here || this.#ahead(here, t) !== null) this.#go();
     return here ?? null;
   }
-
-  /** Forgets the end of the run, which has grown: the last window told of less than there is now. */
-  grown(from) { this.#kept = this.#kept.filter((one) => one.to < from); }
 
   close() { this.#wanted = null; this.#kept = []; this.#arrived = () => {}; }
 
@@ -136,13 +133,13 @@ export class Motion {
       const t = this.#wanted, here = this.#covering(t);
       const from = here ? this.#ahead(here, t) : this.#begin(t);
       if (from === null) break;
-      const to = from + this.#width;
+      const to = from + this.#width, end = this.#duration();
       try {
         const answer = await this.#fetch(Math.max(0, from - lead_s), to + lead_s);
         this.problem = '';
         const told = Number.isFinite(answer?.next) ? answer.next : to;
-        // An answer that stops before the instant that was asked for still tells where bodies were up to there.
-        this.#keep(new Window(answer, from, told > from ? Math.min(to, told) : from + 1e-3));
+        // Good for an instant at least, so that what is asked for next lies further on.
+        this.#keep(new Window(answer, from, Math.max(from + 1e-3, Math.min(to, told, end))));
       } catch (problem) {
         this.problem = problem?.message ?? String(problem);
         this.#retry_at = this.#now() + 2000;

@@ -1,5 +1,5 @@
 // Turning, shifting and approaching a view by mouse, touch and keys. Changes the view it is given and says so.
-import {axes, fovy} from './framing.js';
+import {axes} from './framing.js';
 
 const steepest = 89 * Math.PI / 180;
 const clamp = (x, low, high) => Math.max(low, Math.min(high, x));
@@ -9,7 +9,7 @@ export const turned = (view, azimuth, elevation) =>
 export const approached = (view, factor) => ({...view, distance: clamp(view.distance * factor, 0.05, 50)});
 /** Shifted by parts of the picture's height, right and up in the picture. */
 export function shifted(view, by_right, by_up) {
-  const {right, up} = axes(view), height = 2 * view.distance * Math.tan(fovy / 2);
+  const {right, up} = axes(view), height = 2 * view.distance * Math.tan(view.fovy / 2);
   return {...view, target: view.target.map((x, i) => x + height * (by_right * right[i] + by_up * up[i]))};
 }
 

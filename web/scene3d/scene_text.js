@@ -26,18 +26,18 @@ export function objectNear(point, objects, poses) {
   return best;
 }
 
-/** A sentence or two about what goes on. */
-export function sceneSentence({objects, poses, pointing, acts}) {
+/** A sentence or two about what goes on, and, unless `brief`, where the objects are. */
+export function sceneSentence({objects, poses, pointing, acts}, brief = false) {
   const sentences = [];
   for (const {who, target} of pointing) {
     const near = objectNear(target, objects, poses);
     sentences.push(`${who === 'avatar' ? 'The avatar' : 'The human'} points ${near ? `at ${near}` : placeText(target)}.`);
   }
   for (const {program, target} of acts) sentences.push(`The avatar carries out ${program}${target ? `, to ${placeText(target)}` : ''}.`);
-  const shown = objects.filter((name) => poses.has(name));
+  const shown = brief ? [] : objects.filter((name) => poses.has(name));
   if (shown.length > 12) sentences.push(`${shown.length} objects.`);
   else if (shown.length) sentences.push(`${shown.map((name) => `${name}: ${placeText(poses.get(name))}`).join('; ')}.`);
-  return sentences.join(' ') || 'Nothing that has a place.';
+  return sentences.join(' ') || (brief ? '' : 'Nothing that has a place.');
 }
 
 /**

@@ -1,27 +1,15 @@
 // The surface the scene is shown on: drawn here where the browser has WebGL and three.js was built in, else as pictures
 // of the server. Keeps to one drawing a frame, and to none while nothing changed or nobody can see it.
 import {h} from '../dom.js';
+import {coloursOf} from './colours.js';
 import {orbit} from './orbit.js';
 import {Pictures} from './pictures.js';
 import {SceneView} from './view.js';
 
 const flight_ms = 350;
+// Where WebGL runs without a graphics card: what moves is drawn coarsely and not with every frame, and sharp at rest.
+const slow_ratio = 0.5, slow_every_ms = 40, sharp_after_ms = 250;
 const largest_picture = 1280, coarse = 32;  // pixels; sizes of pictures are multiples of the latter
-
-/** The colours of the page as numbers, whatever way the style sheet writes them. */
-export function coloursOf(element) {
-  const style = getComputedStyle(element), brush = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
-  const number = (name) => {
-    brush.fillStyle = '#888888';
-    brush.fillStyle = style.getPropertyValue(name).trim();
-    brush.fillRect(0, 0, 1, 1);
-    const [r, g, b] = brush.getImageData(0, 0, 1, 1).data;
-    return r << 16 | g << 8 | b;
-  };
-  const background = number('--panel');
-  return {background, human: number('--human'), avatar: number('--avatar'), act: number('--act'), ghost: number('--ghost'), cursor: number('--cursor'),
-    dark: (background >> 16) + (background >> 8 & 255) + (background & 255) < 384};
-}
 
 export class Stage {
   #element; #three; #address; #changed; #before; #after; #resized; #click;
@@ -31,6 +19,10 @@ export class Stage {
   #flight = null;
   #goal = null;
   #closed = false;
+  #slow = false;
+  #coarse = false;
+  #drawn_at = -Infinity;
+  #timer = 0;
   #sizes; #sight;
   #theme = '';
   #view = null;
@@ -79,7 +71,7 @@ export class Stage {
   /** Begins with this scene: loads what is needed to draw it. */
   async open(scene) {
     this.#scene = scene;
-    const context = this.#three && this.canvas.getContext('webgl2', {alpha: true, antialias: true, powerPreference: 'low-power'});
+    const context = this.#three && this.#context();
     if (!context) { this.#toPictures(); return; }
     try {
       const THREE = await this.#three();
@@ -91,6 +83,12 @@ export class Stage {
     } catch {
       if (!this.#closed) this.#toPictures();
     }
+  }
+
+  #context() {
+    const fast = this.canvas.getContext('webgl2', {alpha: true, antialias: true, failIfMajorPerformanceCaveat: true});
+    this.#slow = !fast;
+    return fast ?? this.canvas.getContext('webgl2', {alpha: true, antialias: false});
   }
 
   #toPictures() {
@@ -160,10 +158,29 @@ export class Stage {
     }
     if (this.#before(this.#view, this.#pictures)) this.#dirty = true;
     if (!this.#view || !this.#dirty || !this.#view.size) return;
+    if (this.#slow && !this.#paced()) return;
     this.#dirty = false;
     this.#move();
     this.#view.draw();
     this.#after(this.#view);
+  }
+
+  /** Whether it is time to draw; sees to it that it will be, and that what came to rest is drawn sharp. */
+  #paced() {
+    clearTimeout(this.#timer);
+    const since = performance.now() - this.#drawn_at, moving = since < sharp_after_ms;
+    if (since < slow_every_ms) {
+      this.#timer = setTimeout(() => this.wake(), slow_every_ms - since);
+      return false;
+    }
+    if (moving !== this.#coarse) this.#sharpen(moving);
+    if (moving) this.#timer = setTimeout(() => this.touch(), sharp_after_ms + slow_every_ms);
+    this.#drawn_at = performance.now();
+    return true;
+  }
+  #sharpen(coarse) {
+    this.#coarse = coarse;
+    this.#view.resize(...this.#view.size, coarse ? slow_ratio : devicePixelRatio || 1);
   }
 
   #move() {
@@ -183,6 +200,7 @@ export class Stage {
     const {clientWidth, clientHeight} = this.#element;
     if (!clientWidth || !clientHeight) return;
     if (this.#view) {
+      this.#coarse = false;
       this.#view.resize(clientWidth, clientHeight, devicePixelRatio || 1);
       this.#resized(this.#view);
     }
@@ -192,6 +210,7 @@ export class Stage {
   close() {
     this.#closed = true;
     cancelAnimationFrame(this.#frame);
+    clearTimeout(this.#timer);
     this.#sizes.disconnect();
     this.#sight.disconnect();
     this.#pictures?.close();

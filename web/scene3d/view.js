@@ -1,10 +1,11 @@
 // The scene drawn with three.js. Draws only when told to; knows no run, only poses and what to lay over them.
 import {buildBodies, place} from './geometry.js';
-import {axes, eyeOf, fit, flight, fovy, sides, viewFrom} from './framing.js';
+import {axes, eyeOf, fit, flight, sides, viewFrom} from './framing.js';
 import {Ghost} from './ghost.js';
 import {isPose} from './motion.js';
 import {Overlays} from './overlays.js';
 
+const degree = Math.PI / 180;
 const most_pixels_ratio = 2;
 // As MuJoCo lights a scene: three divides what is diffuse by π.
 const ambient = 0.45 * Math.PI, headlight = 0.35 * Math.PI, lamp = 0.5 * Math.PI;
@@ -15,10 +16,11 @@ export class SceneView {
     this.THREE = THREE;
     this.renderer = new THREE.WebGLRenderer({canvas, context, alpha: true});
     // Colours are shown as they are logged, and mixed as MuJoCo mixes them.
+    THREE.ColorManagement.enabled = false;
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.draws = 0;
     this.world = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(fovy * 180 / Math.PI, 1, 0.01, 100);
+    this.camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
     this.camera.up.set(0, 0, 1);
     this.lights = [new THREE.AmbientLight(0xffffff, ambient), new THREE.DirectionalLight(0xffffff, headlight), new THREE.DirectionalLight(0xffffff, lamp)];
     this.lights[2].position.set(-0.3, -0.5, 1);
@@ -36,9 +38,8 @@ export class SceneView {
     this.view = fit(sides.front, this.corners(), 1.6);
   }
 
-  #colour(rgb) { return new this.THREE.Color().setRGB(...rgb, this.THREE.LinearSRGBColorSpace); }
   #material(geom, [r, g, b, a]) {
-    const material = new this.THREE.MeshLambertMaterial({color: this.#colour([r, g, b]), transparent: a < 1, opacity: a,
+    const material = new this.THREE.MeshLambertMaterial({color: new this.THREE.Color(r, g, b), transparent: a < 1, opacity: a, polygonOffset: true, polygonOffsetFactor: 1,
       side: geom.type === 'plane' || geom.type === 'mesh' ? this.THREE.DoubleSide : this.THREE.FrontSide});
     if (geom.type === 'plane') this.floors.push({material, own: [r, g, b]});
     return material;
@@ -53,18 +54,16 @@ export class SceneView {
     const dim = colours.dark ? 0.82 : 1;
     [ambient, headlight, lamp].forEach((strength, i) => { this.lights[i].intensity = strength * dim; });
     for (const {material, own} of this.floors)
-      material.color.copy(colours.dark ? this.#plain(colours.background).multiplyScalar(1.5) : this.#colour(own));
-    this.frame.material.color.copy(this.#plain(colours.cursor));
-    this.ghost?.recolour(this.#plain(colours.ghost));
+      material.color.copy(colours.dark ? new this.THREE.Color(colours.background).multiplyScalar(1.5) : new this.THREE.Color(...own));
+    this.frame.material.color.set(colours.cursor);
+    this.ghost?.recolour(colours.ghost);
   }
-  #plain(hex) { return this.#colour([(hex >> 16) / 255, (hex >> 8 & 255) / 255, (hex & 255) / 255]); }
 
   resize(width, height, ratio) {
     this.renderer.setPixelRatio(Math.min(ratio, most_pixels_ratio));
     this.renderer.setSize(width, height, false);
     this.size = [width, height];
     this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
   }
 
   /** Puts the bodies where the map says. */
@@ -78,9 +77,7 @@ export class SceneView {
   }
 
   overlay(pointing, acts, heightAt) {
-    const {human, avatar, act} = this.colours;
-    const plain = (hex) => this.#plain(hex).getHex(this.THREE.LinearSRGBColorSpace);
-    this.overlays.show({pointing, acts, heightAt, colours: {human: plain(human), avatar: plain(avatar), act: plain(act)}});
+    this.overlays.show({pointing, acts, heightAt, colours: this.colours});
   }
 
   /** Shows the bodies of another scene as a ghost; null takes it away. */
@@ -89,7 +86,7 @@ export class SceneView {
       this.world.remove(this.ghost.group);
       this.ghost.dispose();
     }
-    this.ghost = geoms ? new Ghost(this.THREE, geoms, this.#plain(this.colours.ghost)) : null;
+    this.ghost = geoms ? new Ghost(this.THREE, geoms, this.colours.ghost) : null;
     if (this.ghost) this.world.add(this.ghost.group);
   }
 
@@ -124,15 +121,14 @@ export class SceneView {
   cameras(objects) {
     const all = this.corners(), aspect = this.camera.aspect;
     const there = this.corners(objects), looked = there.length ? there : all;
-    const middle = [0, 1, 2].map((i) => looked.reduce((sum, corner) => sum + corner[i], 0) / Math.max(looked.length, 1));
     // The avatar looks from just before what reaches highest.
     const top = all.reduce((best, corner) => Math.max(best, corner[2]), 0.3);
     const head = all.filter((corner) => corner[2] > top - 0.03);
     const eye = head.length ? [head.reduce((sum, corner) => sum + corner[0], 0) / head.length, Math.min(...head.map((corner) => corner[1])) - 0.03, top - 0.07] : [0, 0.4, top];
     return {
       default: fit(sides.front, all, aspect),
-      human: viewFrom([0, -0.95, 0.62], middle),
-      avatar: viewFrom(eye, middle),
+      human: viewFrom([0, -0.95, 0.62], [0, 0.1, 0.15], 52 * degree),
+      avatar: viewFrom(eye, [0, -0.1, 0], 75 * degree),
       above: fit(sides.above, looked.length === all.length ? all : [...looked, ...this.#table(looked)], aspect),
     };
   }
@@ -164,6 +160,7 @@ export class SceneView {
     const eye = eyeOf(this.view), {forward} = axes(this.view);
     this.camera.position.set(...eye);
     this.camera.lookAt(...eye.map((x, i) => x + forward[i]));
+    this.camera.fov = this.view.fovy / degree;
     this.camera.near = Math.max(0.005, this.view.distance / 200);
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
