@@ -8,16 +8,17 @@ import {depths, described, isHole, line, nodeAt, sources, stepsAt, told} from '.
 import {arrowsTo} from '../terms/arrows.js';
 
 const depth_names = {gloss: 'words', 'λ': 'λ', CPS: 'CPS'};
-const depth_titles = {gloss: 'What was said and shown', 'λ': 'λ-notation', CPS: 'Continuation-passing style'};
+const depth_titles = {gloss: 'words: what was said and shown', 'λ': 'λ-notation', CPS: 'CPS: continuation-passing style'};
 const shorter = (number) => number.replace(/-?\d+\.\d{3,}/g, (one) => String(+Number(one).toFixed(3)));
 
 export function mountDerivation(app) {
   const subject = h('p', {class: 'subject', 'data-testid': 'subject'});
-  const steps = h('div', {class: 'steps', 'data-testid': 'steps', hidden: true});
+  const bar = h('div', {class: 'step-bar', 'data-testid': 'steps', hidden: true});
+  const expression = h('code', {class: 'expression', 'data-testid': 'expression', hidden: true});
   const chips = h('ul', {class: 'chips', 'data-testid': 'chips', 'aria-label': 'Words and gestures it came from'});
   const tree = h('ul', {class: 'tree', role: 'tree', 'aria-label': 'Derivation', 'data-testid': 'tree'});
   const curves = s('svg', {class: 'curves', 'aria-hidden': 'true'});
-  const inner = h('div', {class: 'inner'}, subject, steps, chips, tree, curves);
+  const inner = h('div', {class: 'inner'}, h('div', {class: 'about'}, subject, bar), expression, chips, tree, curves);
   const body = h('div', {class: 'terms', tabindex: 0, role: 'region', 'aria-label': 'Term'}, inner);
   const chosen = h('p', {class: 'chosen-node', 'data-testid': 'node', hidden: true});
   const tracker = new CellTracker();
@@ -47,29 +48,27 @@ export function mountDerivation(app) {
   document.addEventListener('keydown', onKeys);
 
   const drawSteps = () => {
-    steps.hidden = states.length < 2;
-    if (steps.hidden) return;
+    bar.hidden = expression.hidden = states.length < 2;
+    if (bar.hidden) return;
     const {term, redex, rule, haskell} = states[place], last = place === states.length - 1;
     const held = document.activeElement?.dataset?.by;
     const button = (by, sign, label) => h('button', {type: 'button', 'data-by': by, 'aria-label': label, 'aria-disabled': String(by < 0 ? place === 0 : last), onclick: () => stepBy(by)}, sign);
-    steps.replaceChildren(
-      h('div', {class: 'step-bar'}, button(-1, '‹', 'Step back (Alt+←)'), button(1, '›', 'Step on (Alt+→)'),
-        h('span', {'data-testid': 'step', role: 'status'}, `${place} of ${states.length - 1}${last ? ': worked out' : `: next ${rule}`}`)),
-      h('code', {class: 'expression', 'data-testid': 'expression'},
-        new Printer({sign: 'λ', mark: redex, haskell}).pieces(term).map(({text, marked}) => (marked ? h('mark', {class: 'redex'}, shorter(text)) : shorter(text)))));
-    if (held) steps.querySelector(`[data-by="${held}"]`)?.focus();
+    bar.replaceChildren(button(-1, '‹', 'Step back (Alt+←)'), button(1, '›', 'Step on (Alt+→)'),
+      h('span', {'data-testid': 'step', role: 'status'}, `${place} of ${states.length - 1}${last ? ': worked out' : `: next ${rule}`}`));
+    expression.replaceChildren(...new Printer({sign: 'λ', mark: redex, haskell}).pieces(term).map(({text, marked}) => (marked ? h('mark', {class: 'redex'}, shorter(text)) : shorter(text))));
+    if (held) bar.querySelector(`[data-by="${held}"]`)?.focus();
   };
 
   const item = (node, path, level, role) => {
     const {text, type} = line(node, depth), below = Array.isArray(node.children) ? node.children.filter((one) => one && typeof one === 'object') : [];
     const roles = depth === 'CPS' && node.how === 'application' ? ['m', 'n'] : [];
     const from = isHole(node) ? node.origin.text : told(node.origin);
-    return h('li', {role: 'treeitem', 'aria-level': level, 'aria-selected': 'false', tabindex: -1, 'data-path': path, class: below.length ? null : 'leaf',
-      'aria-expanded': below.length ? 'true' : null, 'aria-label': [role && `${role}:`, isHole(node) ? 'open' : '', text, type && `of type ${type}`, node.rule && `raised by ${node.rule}`, from].filter(Boolean).join(' ')},
-    h('div', {class: `node-line ${isHole(node) ? 'hole' : node.how}`},
-      role && h('span', {class: 'role'}, role), h('span', {class: 'term'}, isHole(node) && depth !== 'gloss' ? `▢ ${shorter(text)}` : shorter(text)), type && h('span', {class: 'type'}, type),
-      node.rule && h('span', {class: 'badge'}, `↑ ${shown(node.rule)}`), from && h('span', {class: 'from'}, `← ${from}`)),
-    below.length > 0 && h('ul', {role: 'group'}, below.map((one, i) => item(one, path ? `${path}.${i}` : `${i}`, level + 1, roles[i]))));
+    return h('li', {role: 'none'},
+      h('div', {role: 'treeitem', class: `node-line ${isHole(node) ? 'hole' : node.how}`, 'aria-level': level, 'aria-selected': 'false', 'aria-expanded': below.length ? 'true' : null, tabindex: -1, 'data-path': path},
+        role && h('span', {class: 'role'}, role), h('span', {class: 'term'}, isHole(node) && depth !== 'gloss' ? `▢ ${shorter(text)}` : shorter(text)), isHole(node) && h('span', {class: 'unseen'}, 'open'),
+        type && h('span', {class: 'type'}, h('span', {class: 'unseen'}, 'of type '), type),
+        node.rule && h('span', {class: 'badge'}, h('span', {class: 'unseen'}, 'raised by '), `↑ ${shown(node.rule)}`), from && h('span', {class: 'from'}, `← ${from}`)),
+      below.length > 0 && h('ul', {role: 'group'}, below.map((one, i) => item(one, path ? `${path}.${i}` : `${i}`, level + 1, roles[i]))));
   };
 
   const select = (path) => app.model.go({term: path});
@@ -125,7 +124,7 @@ export function mountDerivation(app) {
   const bend = () => {
     const path = chosenPath();
     arrowsTo(curves, inner, [...chips.querySelectorAll('.chip')].flatMap((chip) => chip.dataset.paths.split(' ').map((leaf) => ({
-      chip, leaf: tree.querySelector(`[data-path="${leaf}"] > .node-line`), kind: chip.className, strong: path !== null && (leaf === path || path === '' || leaf.startsWith(`${path}.`)),
+      chip, leaf: tree.querySelector(`[data-path="${leaf}"]`), kind: chip.className, strong: path !== null && (leaf === path || path === '' || leaf.startsWith(`${path}.`)),
     }))));
   };
   const observer = new ResizeObserver(() => bend());

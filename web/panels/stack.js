@@ -31,7 +31,7 @@ export function mountStack(app) {
         ? h('div', {class: 'pair'}, named)
         : h('button', {type: 'button', class: 'pair', 'data-cell': keyOf(known), 'aria-pressed': 'false', onclick: () => app.model.go({cell: selected === known ? '' : keyOf(known)})}, named),
       known && now !== undefined && h('p', {class: 'meta'},
-        jump(known.set, `set at #${known.set}`, {'aria-label': `${slot} was set at record ${known.set}`}), `, ${age(app.data.t[told.n] - known.t)}`,
+        jump(known.set, `set at #${known.set}`, {'aria-label': `set at #${known.set}: ${slot}`}), `, ${age(app.data.t[told.n] - known.t)}`,
         known.expression !== null && ` ← ${brief(text(known.expression))}`,
         known.origin && `, from ${known.origin.text}`));
   };
@@ -60,7 +60,7 @@ export function mountStack(app) {
 
   const happened = (record) => {
     if (!record) return [];
-    const {what, sets} = operationWords(record.operation);
+    const {what, sets: all} = operationWords(record.operation), sets = all.filter(([, value]) => value !== 'null');
     return [`, ${what}`, sets.length > 0 && h('span', {class: 'sets'}, ' (', sets.map(([slot, value], i) => [i > 0 && ', ', h('span', {class: 'term'}, `${slot} ← ${brief(value)}`)]), ')')];
   };
 

@@ -106,7 +106,7 @@ const raised = (node, term) => (node.rule ? apply(name(textOf(node.rule), !/^\w+
 
 // What is applied, with its arguments still open: put : e → loc → t is λx v. put(x, v).
 function opened(node, term) {
-  const [args] = arrows(node.type);
+  const [args] = arrows(typeOf(node));
   if (term.kind !== 'name' || !args.length) return term;
   const used = new Set([term.name]);
   const variables = args.map((type) => {
@@ -123,6 +123,14 @@ const binders = (node) => {
   for (let at = parse(textOf(node.term)); at.kind === 'lambda'; at = at.body) found.push(at.name);
   return found;
 };
+
+/** The type of a node, where the log leaves it out that of a lambda by its variables and its body. */
+export function typeOf(node) {
+  if (node.type || node.how !== 'abstraction') return textOf(node.type);
+  const body = children(node)[0], all = walk(body).map((one) => one.node);
+  const types = binders(node).map((one) => all.find((each) => each.how === 'leaf' && each.term === one)?.type);
+  return body?.type && types.every(Boolean) ? [...types, textOf(body.type)].map((type, i) => (i < types.length && type.includes('->') ? `(${type})` : type)).join(' -> ') : '';
+}
 
 /** The term of a node before anything in it is applied. */
 export function unreduced(node) {
@@ -155,30 +163,47 @@ function asked(node) {
   return apply(computation(node), variable('k'));
 }
 
-/** The states of the derivation at a depth ([{pieces: [{text, marked}], rule}]), the last with nothing left to do. */
+// The outermost term that the name is applied to something in.
+function appliedBy(term, rule) {
+  if (term.kind === 'apply' && term.head.kind === 'name' && term.head.name === rule) return term;
+  for (const part of [term.head, term.body, ...(term.args ?? term.parts ?? [])]) {
+    const found = part && appliedBy(part, rule);
+    if (found) return found;
+  }
+  return null;
+}
+
+/** The states of the derivation at a depth, [{term, redex, rule, haskell}], the last with nothing left to do. */
 export function stepsAt(root, depth) {
   if (!root || depth === 'gloss') return [];
   const haskell = depth === 'CPS', all = states(haskell ? asked(root) : unreduced(root));
-  return all.map(({term, redex, rule}) => ({term, redex, rule, haskell}));
+  // What a raising rule makes of its argument the machine knows: the log has what came of it.
+  const last = all.at(-1), rule = textOf(walk(root).find(({node}) => node.rule)?.node.rule), raising = rule && !last.redex ? appliedBy(last.term, rule) : null;
+  const result = parse(textOf(root.term));
+  if (raising && root.how === 'application') {
+    all[all.length - 1] = {...last, redex: raising, rule};
+    all.push({term: haskell ? apply(variable('k'), result) : result, redex: null, rule: ''});
+  }
+  return all.map((one) => ({...one, haskell}));
 }
 
 /** One line for a node: {text, type}. */
 export function line(node, depth) {
   if (depth === 'gloss') return {text: gloss(node), type: ''};
   const term = textOf(node.term);
-  if (depth === 'λ') return {text: print(parse(term), {sign: 'λ'}), type: shownType(node.type)};
+  if (depth === 'λ') return {text: print(parse(term), {sign: 'λ'}), type: shownType(typeOf(node))};
   if (node.how === 'application') return {text: node.rule ? `cpsApply m (cpsApply (cpsConst ${textOf(node.rule)}) n)` : 'cpsApply m n', type: compType(node.type)};
   if (isHole(node)) return {text: `cpsConst ${term}`, type: compType(node.type)};
-  if (node.how === 'abstraction') return {text: `λ ${binders(node).join(' ')} → …`, type: shownType(node.type)};
+  if (node.how === 'abstraction') return {text: `λ ${binders(node).join(' ')} → …`, type: shownType(typeOf(node))};
   const parsed = parse(term), simple = parsed.kind !== 'apply' && parsed.kind !== 'lambda';
   return {text: `cpsConst ${simple ? term : `(${print(parsed, {sign: 'λ'})})`}`, type: compType(node.type)};
 }
 
-const hows = {application: 'applied', abstraction: 'what it lacks is left open', parts: 'put together by the machine; the log has no application of it', taught: 'one step of what was taught', leaf: ''};
+const hows = {application: '', abstraction: 'what it lacks is left open', parts: 'put together by the machine; the log has no application of it', taught: 'one step of what was taught', leaf: ''};
 
 /** All that is known of a node in words, for those who do not see the tree. */
 export function described(node) {
-  const type = shownType(node.type);
+  const type = shownType(typeOf(node));
   return [type && `type ${type}`, hows[node.how] ?? textOf(node.how), node.rule && `raised by ${textOf(node.rule)}`,
     textOf(node.origin?.text)].filter(Boolean).join('; ');
 }
