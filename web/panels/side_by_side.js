@@ -12,6 +12,7 @@ export function otherSide(app) {
     element.dataset.testid = `panel-${name}`;
     element.setAttribute('aria-label', title);
     element.querySelector('h2').textContent = title;
+    for (const part of element.querySelectorAll('[role=region], [role=tree], [role=group]')) part.setAttribute('aria-label', `${part.getAttribute('aria-label')}, of B`);
     return {...mounted, render: (selection) => mounted.render({...selection, n: app.comparison.otherOf(selection)})};
   };
   return {stack_b: sided('stack_b', mountStack(other)), derivation_b: sided('derivation_b', mountDerivation(other))};
