@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cctype>
+#include <chrono>
+#include <thread>
 
 #include <fmt/format.h>
 #include <httplib.h>
@@ -18,6 +21,9 @@ namespace {
 
 constexpr std::size_t largest_body = std::size_t{1} << 20;
 constexpr std::size_t smallest_packed = 1024;  // shorter answers are not worth compressing
+constexpr int most_streams = 16;               // each has a thread
+constexpr int other_threads = 16;
+constexpr std::chrono::milliseconds look_every{200};  // at a run that is being written
 
 // Nothing but what this server gives out may be loaded, run, framed or sent to.
 constexpr auto policy =
@@ -37,11 +43,17 @@ void send(httplib::Response& response, std::shared_ptr<const std::string> body, 
                                 });
 }
 
+bool is_here(const httplib::Request& request) {
+  return request.remote_addr == "127.0.0.1" || request.remote_addr == "::1";
+}
+
 void send_answer(const httplib::Request& request, httplib::Response& response, ApiResponse answer) {
   response.status = answer.status;
   response.set_header("Cache-Control", "no-store");
   response.set_header("Vary", "Accept-Encoding");
-  const bool packs = answer.content_type == "application/json";  // pictures are packed, columns are wanted at once
+  // Pictures are packed already; columns go faster as they are to where no wire is.
+  const bool packs =
+      answer.content_type != "image/png" && !(answer.content_type == "application/octet-stream" && is_here(request));
   if (packs && answer.body.size() >= smallest_packed && takes_gzip(request)) {
     response.set_header("Content-Encoding", "gzip");
     answer.body = gzipped(answer.body);
@@ -101,6 +113,10 @@ class InspectorServer::Impl {
       send_answer(request, response, api_error(403, refused));
       return httplib::Server::HandlerResponse::Handled;
     });
+    server_.new_task_queue = [] { return new httplib::ThreadPool(most_streams + other_threads); };
+    server_.Get("/api/live", [this](const httplib::Request& request, httplib::Response& response) {
+      send_growth(request, response);
+    });
     server_.Get("/api/.*", [this](const httplib::Request& request, httplib::Response& response) {
       send_answer(request, response, api_.get(request.target));
     });
@@ -144,13 +160,45 @@ class InspectorServer::Impl {
     return bound;
   }
 
-  void run() { server_.listen_after_bind(); }
+  void run() {
+    api_.start_preparing();
+    server_.listen_after_bind();
+    api_.stop_preparing();
+  }
   void stop() {
     api_.stop();
+    stopping_ = true;
     server_.stop();
   }
 
  private:
+  // Tells how far a run has come whenever it has come further, until it is complete or nobody listens.
+  void send_growth(const httplib::Request& request, httplib::Response& response) {
+    const auto id = request.get_param_value("run");
+    if (const auto first = api_.growth(id); first.status != 200) return send_answer(request, response, first);
+    if (streams_.fetch_add(1) >= most_streams) {
+      --streams_;
+      return send_answer(request, response,
+                         api_error(503, fmt::format("{} runs are being followed already", most_streams)));
+    }
+    response.set_header("Cache-Control", "no-store");
+    response.set_chunked_content_provider(
+        "text/event-stream",
+        [this, id, told = std::string()](std::size_t, httplib::DataSink& sink) mutable {
+          const auto growth = api_.growth(id);
+          if (growth.status != 200) return sink.done(), true;
+          if (growth.body != told) {
+            told = growth.body;
+            const auto event = fmt::format("event: grown\ndata: {}\n\n", told);
+            if (!sink.write(event.data(), event.size())) return false;
+          }
+          if (growth.body.find("\"complete\":true") != std::string::npos) return sink.done(), true;
+          std::this_thread::sleep_for(look_every);
+          return !stopping_ && sink.is_writable();
+        },
+        [this](bool) { --streams_; });
+  }
+
   // Why a request is not answered; empty when it is. A page elsewhere may reach this port through its visitor's
   // browser: by its own name made to point here (the host is then that name), or openly (the origin is then its own).
   std::string refusal(const httplib::Request& request) const {
@@ -169,6 +217,8 @@ class InspectorServer::Impl {
   InspectorApi api_;
   httplib::Server server_;
   std::string address_;
+  std::atomic<int> streams_ = 0;
+  std::atomic<bool> stopping_ = false;
 };
 
 InspectorServer::InspectorServer(std::vector<std::string> paths) : impl_(std::make_unique<Impl>(std::move(paths))) {}

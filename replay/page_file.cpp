@@ -26,8 +26,7 @@ std::string base64(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const auto left = std::min<std::size_t>(3, bytes.size() - i);
     unsigned three = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      three = three << 8 | (k < left ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 3; ++k) three = three << 8 | (k < left ? static_cast<unsigned char>(bytes[i + k]) : 0u);
     for (std::size_t k = 0; k < 4; ++k) out += k <= left ? letters[three >> (18 - 6 * k) & 63u] : '=';
   }
   return out;
@@ -73,9 +72,7 @@ class Answers {
     if (answer.status == 200) add(key, answer.body);
   }
 
-  ApiResponse ask(const std::string& view) {
-    return api_.get("/api/runs/" + id_ + (view.empty() ? "" : "/" + view));
-  }
+  ApiResponse ask(const std::string& view) { return api_.get("/api/runs/" + id_ + (view.empty() ? "" : "/" + view)); }
 
   void add(const std::string& key, const std::string& json) {
     text_ += key;
