@@ -161,47 +161,28 @@ ApiResponse InspectorApi::get(std::string_view target) {
   const auto [path, query] = split_target(target);
   const auto parts = split(path, '/');
   if (parts.size() >= 2 && parts[0] == "api") {
-    if (parts[1] == "runs" && parts.size() == 2) return runs();
+    if (parts[1] == "runs" && parts.size() == 2) return answer(Json{{"runs", listings_.all()}});
     if (parts[1] == "runs" && parts.size() <= 4) return run(parts[2], parts.size() == 4 ? parts[3] : "", query);
     if (parts[1] == "diff" && parts.size() == 2) return diff(query);
-    if (parts[1] == "live" || parts[1] == "sessions")
-      return api_error(501, fmt::format("/api/{} is not served by this version", parts[1]));
+    if (parts[1] == "sessions") return api_error(501, "live sessions are not served by this version");
   }
   return api_error(404, fmt::format("there is nothing at {}", path));
 }
 
-Result<Json> InspectorApi::listing(const RunFile& file) {
-  std::error_code problem;
-  const auto bytes = std::filesystem::file_size(file.path, problem);
-  const auto written = std::filesystem::last_write_time(file.path, problem);
-  {
-    const std::lock_guard lock(mutex_);
-    const auto known = listed_.find(file.path);
-    if (known != listed_.end() && known->second.bytes == bytes && known->second.written == written)
-      return known->second.listing;
-  }
-  const auto run = library_.open(file.id);
-  if (!run) return run.error();
-  if (!*run) return Error{file.path, "has gone"};
-  auto listed = run_listing(**run);
-  if (!listed) return listed;
-  const std::lock_guard lock(mutex_);
-  listed_.insert_or_assign(file.path, Listed{bytes, written, *listed});
-  return listed;
+void InspectorApi::start_preparing() {
+  listings_.start([this](const std::string& id) {
+    for (const char* view : {"", "graph", "columns"})
+      if (const auto opened = library_.open(id); opened && *opened) kept(*opened, id, view);
+  });
 }
 
-ApiResponse InspectorApi::runs() {
-  Json all = Json::array();
-  for (const auto& file : library_.runs()) {
-    Json line{{"id", file.id}, {"name", file.name}};
-    const auto listed = listing(file);
-    if (listed)
-      line.update(*listed);
-    else
-      line["error"] = Json{{"message", listed.error().text()}};
-    all.push_back(std::move(line));
-  }
-  return answer(Json{{"runs", std::move(all)}});
+ApiResponse InspectorApi::growth(const std::string& id) {
+  const auto opened = library_.open(id);
+  if (!opened) return api_error(422, opened.error().text());
+  if (!*opened) return api_error(404, fmt::format("there is no run '{}'", id));
+  const RunIndex& log = **opened;
+  return answer(
+      Json{{"records", log.size()}, {"t", log.entry(log.size() - 1).t.seconds()}, {"complete", log.complete()}});
 }
 
 ApiResponse InspectorApi::run(const std::string& id, const std::string& view, const Query& query) {
@@ -230,6 +211,7 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
   if (view == "labels") return labels(log, query);
   if (view == "find") return find(log, query);
   if (view == "frame") return frame(*opened, query);
+  if (view == "notes") return notes(log);
   if (view == "poses") return poses(*opened, query);
   if (view == "scene") {
     const auto scene = run_scene(log);

@@ -79,70 +79,86 @@ std::string reading_text(const Json& record) {
 struct Teller {
   const char* kind;
   std::vector<std::string_view> members;  // that it reads
+  std::string_view adds;                  // all that it puts between what these say
   std::string (*tell)(const Json&);
 };
 
 const std::vector<Teller> tellers{
     Teller{"run",
            {"trace", "machine"},
+           "on",
            [](const Json& r) {
              return joined({text_of(member_of(r, "trace"), "name"), "on", text_of(member_of(r, "machine"), "name")});
            }},
-    Teller{"input", {"event"}, input_text},
-    Teller{"percept", {"bound", "waited_s"}, percept_text},
-    Teller{"reading", {"move", "words", "meaning", "referents"}, reading_text},
+    Teller{"input", {"event"}, "“” pointing observed", input_text},
+    Teller{"percept", {"bound", "waited_s"}, ": pointed at, nothing is pointed at, after s", percept_text},
+    Teller{"reading", {"move", "words", "meaning", "referents"}, "not understood: nothing or", reading_text},
     Teller{"observed",
            {"channel", "content"},
+           "",
            [](const Json& r) {
              return joined({text_of(r, "channel"), text_of(r, "content")});
            }},
     Teller{"belief",
            {"concept", "value", "was"},
+           "(was )",
            [](const Json& r) {
              return fmt::format("{} {} (was {})", text_of(r, "concept"), text_of(r, "value"), text_of(r, "was"));
            }},
     Teller{"memory",
            {"register", "value"},
+           ":=",
            [](const Json& r) { return fmt::format("{} := {}", text_of(r, "register"), text_of(r, "value")); }},
     Teller{"transition",
            {"from", "to"},
+           "→",
            [](const Json& r) { return fmt::format("{} → {}", text_of(r, "from"), text_of(r, "to")); }},
     Teller{"symbol",
            {"id", "slots"},
+           "# ,",
            [](const Json& r) {
              return joined({fmt::format("#{}", text_of(r, "id")), slots_text(member_of(r, "slots"))});
            }},
     Teller{"rewrite",
            {"state", "operation"},
+           "",
            [](const Json& r) {
              return joined({text_of(r, "state"), operation_text(member_of(r, "operation"))});
            }},
     Teller{"application",
            {"function", "argument", "result"},
+           "@ =",
            [](const Json& r) {
              return fmt::format("{} @ {} = {}", text_of(r, "function"), text_of(r, "argument"), text_of(r, "result"));
            }},
-    Teller{"utterance", {"text"}, [](const Json& r) { return fmt::format("“{}”", text_of(r, "text")); }},
-    Teller{"gesture", {"gesture"}, [](const Json& r) { return text_of(r, "gesture"); }},
+    Teller{"utterance", {"text"}, "“”", [](const Json& r) { return fmt::format("“{}”", text_of(r, "text")); }},
+    Teller{"gesture", {"gesture"}, "", [](const Json& r) { return text_of(r, "gesture"); }},
     Teller{"act",
            {"status", "program"},
+           "",
            [](const Json& r) {
              return joined({text_of(r, "status"), text_of(r, "program")});
            }},
-    Teller{"pose", {"bodies"}, [](const Json& r) { return fmt::format("{} bodies", member_of(r, "bodies").size()); }},
+    Teller{"pose",
+           {"bodies"},
+           "bodies",
+           [](const Json& r) { return fmt::format("{} bodies", member_of(r, "bodies").size()); }},
     Teller{"rest",
            {"from", "to"},
+           "– s",
            [](const Json& r) { return fmt::format("{} – {} s", text_of(r, "from"), text_of(r, "to")); }},
     Teller{"refusal",
            {"input", "state", "reason"},
+           "in :",
            [](const Json& r) {
              return joined({text_of(r, "input"), "in", text_of(r, "state") + ":", text_of(r, "reason")});
            }},
     Teller{"problem",
            {"line", "message"},
+           "line :",
            [](const Json& r) { return fmt::format("line {}: {}", text_of(r, "line"), text_of(r, "message")); }},
-    Teller{"expect", {"met", "expected", "found"}, expect_text},
-    Teller{"end", {}, [](const Json&) { return std::string("end of the log"); }},
+    Teller{"expect", {"met", "expected", "found"}, "met: not met: expected ; found ,", expect_text},
+    Teller{"end", {}, "end of the log", [](const Json&) { return std::string("end of the log"); }},
 };
 
 const Teller* teller_of(std::string_view kind) {
@@ -152,9 +168,10 @@ const Teller* teller_of(std::string_view kind) {
 
 }  // namespace
 
-const std::vector<std::string_view>* brief_members(std::string_view kind) {
+std::optional<BriefParts> brief_parts(std::string_view kind) {
   const auto* teller = teller_of(kind);
-  return teller ? &teller->members : nullptr;
+  if (!teller) return std::nullopt;
+  return BriefParts{teller->members, teller->adds};
 }
 
 const Json& member_of(const Json& object, const char* key) {
@@ -169,10 +186,6 @@ std::string text_of(const Json& object, const char* key) {
   if (value.is_null()) return {};
   return value.is_string() ? value.get<std::string>() : compact(value);
 }
-
-const std::string brief_words =
-    "pointing observed pointed at nothing is after not understood or bodies in line was on met expected found end of "
-    "the log";
 
 std::string brief(const Json& record) {
   const auto kind = text_of(record, "kind");

@@ -1,9 +1,10 @@
 // A record in a few words, for lists and labels. Reads the log's own fields only.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/located_json.h"
 
@@ -18,10 +19,14 @@ std::string text_of(const Json& object, const char* key);
 /// What the record says, without its kind, number and time. Kinds it does not know give their fields as JSON.
 std::string brief(const Json& record);
 
-/// The members of records of this kind that brief() reads, besides `kind`; nullptr: all of them.
-const std::vector<std::string_view>* brief_members(std::string_view kind);
+/// What brief() makes of records of a kind: it puts what their members say one after another, with something of `adds`
+/// between any two.
+struct BriefParts {
+  std::span<const std::string_view> members;  ///< that it reads, besides `kind`
+  std::string_view adds;
+};
 
-/// All words of letters that brief() adds to what a record says.
-extern const std::string brief_words;
+/// Nothing for kinds that brief() does not know: it gives all of their members.
+std::optional<BriefParts> brief_parts(std::string_view kind);
 
 }  // namespace continua

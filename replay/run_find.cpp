@@ -7,6 +7,7 @@
 #include "replay/run_brief.h"
 #include "replay/run_labels.h"
 #include "replay/run_stops.h"
+#include "replay/run_text.h"
 
 namespace continua {
 namespace {
@@ -31,49 +32,72 @@ std::vector<std::string> words_in(const std::string& text) {
   return words;
 }
 
+bool is_small_letter(char c) { return c >= 'a' && c <= 'z'; }
+
+bool all_in(std::string_view text, const std::vector<std::string>& words) {
+  return std::all_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return text.find(word) != std::string_view::npos; });
+}
+
+// Whether brief() shows the value as it is written.
+bool shows_as_written(std::string_view value) {
+  if (is_plain_text(value) || value == "null" || value == "true" || value == "false") return true;
+  return value.size() <= 15 && number_in<std::int64_t>(value) && !value.starts_with("-0");
+}
+
+// Finds words in records of a kind. A label is made only where what it is made from holds the words.
 class Finder {
  public:
-  explicit Finder(const std::string& text) : words_(words_in(folded(text))) {
-    // Words of letters alone stand in the line as they stand in the label, unless brief() adds them.
-    for (const auto& word : words_)
-      if (std::all_of(word.begin(), word.end(), is_ascii_letter) && brief_words.find(word) == std::string::npos)
-        written_.push_back(word);
+  Finder(std::string kind, const std::vector<std::string>& words)
+      : kind_(std::move(kind)), parts_(brief_parts(kind_)), words_(words) {
+    const auto told = folded(kind_);
+    const auto adds = folded(parts_ ? parts_->adds : "");
+    for (const auto& word : words_) {
+      if (told.find(word) != std::string::npos) continue;
+      told_by_kind_ = false;
+      // What brief() adds may hold it, or a part of it.
+      const bool added = adds.find(word) != std::string::npos || std::any_of(word.begin(), word.end(), [&](char c) {
+                           return !is_small_letter(c) && adds.find(c) != std::string::npos;
+                         });
+      if (added) continue;
+      plain_.push_back(word);
+      if (std::all_of(word.begin(), word.end(), is_small_letter)) letters_.push_back(word);
+    }
   }
 
-  bool tells_of(const std::string& kind, std::string_view line) const {
-    if (kind != "pose" && !may_tell_of(kind, line)) return false;
-    const auto told = folded(kind + " " + label_of(kind, line));
-    return all_in(told, words_);
+  bool tells_of_words(std::string_view line) const {
+    if (told_by_kind_) return true;
+    if (!may_tell_of_words(line)) return false;
+    return all_in(folded(kind_ + " " + label_of(kind_, line)), words_);
   }
 
  private:
-  static bool is_ascii_letter(char c) { return c >= 'a' && c <= 'z'; }
-
-  static bool all_in(std::string_view text, const std::vector<std::string>& words) {
-    return std::all_of(words.begin(), words.end(),
-                       [&](const std::string& word) { return text.find(word) != std::string_view::npos; });
-  }
-
-  // False only if the label cannot tell of every word.
-  bool may_tell_of(const std::string& kind, std::string_view line) const {
-    if (written_.empty() || line.find("\\u") != std::string_view::npos) return true;
-    const auto* members = brief_members(kind);
+  // False only if the label cannot. Letters stay what they are even where a value is shown otherwise than written.
+  bool may_tell_of_words(std::string_view line) const {
+    if (plain_.empty()) return true;
+    if (kind_ == "pose") return false;
     thread_local std::string text;
-    text.assign(kind).append(" ");
-    if (members) {
+    text.clear();
+    bool as_written = parts_.has_value();
+    if (parts_) {
       scan_members(line, [&](std::string_view key, std::string_view value) {
-        if (std::find(members->begin(), members->end(), key) != members->end()) text.append(value).append(" ");
+        if (std::find(parts_->members.begin(), parts_->members.end(), key) == parts_->members.end()) return;
+        text.append(value).append(" ");
+        as_written = as_written && shows_as_written(value);
       });
     } else {
-      text.append(line);
+      text = line;
     }
-    for (auto& c : text)
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
-    return all_in(text, written_);
+    if (!as_written && (letters_.empty() || text.find("\\u") != std::string::npos)) return true;
+    return all_in(folded(text), as_written ? plain_ : letters_);
   }
 
+  std::string kind_;
+  std::optional<BriefParts> parts_;
   std::vector<std::string> words_;
-  std::vector<std::string> written_;  // of the words those that the line must hold as written
+  bool told_by_kind_ = true;
+  std::vector<std::string> plain_;    // words that stand in what is shown as written, if in the label at all
+  std::vector<std::string> letters_;  // of these, those of small letters alone
 };
 
 }  // namespace
@@ -95,7 +119,9 @@ std::string folded(std::string_view text) {
 }
 
 Result<std::vector<std::uint32_t>> run_find(const RunIndex& run, const std::string& text, const std::string& kind) {
-  const Finder finder(text);
+  const auto words = words_in(folded(text));
+  std::vector<Finder> finders;
+  for (const auto& one : run.kinds()) finders.emplace_back(one, words);
   std::vector<std::uint32_t> found;
   const auto stops = kind.empty() ? records_worth_stopping_at(run) : std::vector<std::uint32_t>();
   auto stop = stops.begin();
@@ -106,7 +132,7 @@ Result<std::vector<std::uint32_t>> run_find(const RunIndex& run, const std::stri
         return stop != stops.end() && *stop == n;
       },
       [&](std::size_t n, std::string_view line) {
-        if (finder.tells_of(run.kind(n), line)) found.push_back(static_cast<std::uint32_t>(n));
+        if (finders[run.entry(n).kind].tells_of_words(line)) found.push_back(static_cast<std::uint32_t>(n));
         return true;
       });
   if (problem) return *problem;

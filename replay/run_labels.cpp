@@ -31,14 +31,14 @@ std::string shown_text(const std::string& kind, std::string_view line) {
 
 std::string label_of(const std::string& kind, std::string_view line) {
   if (kind == "pose") return {};
-  const auto* members = brief_members(kind);
+  const auto parts = brief_parts(kind);
   Json record;
-  if (members) {
+  if (parts) {
     // Only what is read is made a tree.
     thread_local std::string part;
     part = "{\"kind\":" + compact(kind);
     scan_members(line, [&](std::string_view key, std::string_view value) {
-      if (std::find(members->begin(), members->end(), key) != members->end())
+      if (std::find(parts->members.begin(), parts->members.end(), key) != parts->members.end())
         part.append(",\"").append(key).append("\":").append(value);
     });
     record = Json::parse(part += '}', nullptr, false);

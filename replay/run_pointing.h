@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/located_json.h"
@@ -35,7 +36,8 @@ class PointingReader {
  public:
   explicit PointingReader(std::set<std::string> bodies) : bodies_(std::move(bodies)) {}
 
-  /// Record n, an `input`, with the event that it has.
+  /// Record n, an `input`, with the event that it has, as written or read.
+  void input(std::size_t n, SimTime t, std::string_view event);
   void input(std::size_t n, SimTime t, const Json& event);
   /// Record n, a `gesture` of the avatar, with its term.
   void avatar_gesture(std::size_t n, SimTime t, const std::string& term);
@@ -44,7 +46,7 @@ class PointingReader {
   std::vector<RunPointing> finish();
 
  private:
-  std::optional<std::size_t> point(std::size_t n, SimTime t, SimTime until, const Json& event);
+  std::size_t point(std::size_t n, SimTime t, SimTime until, const std::string& hand, const PointedAt& at);
 
   std::set<std::string> bodies_;
   std::vector<RunPointing> pointings_;

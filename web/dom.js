@@ -19,6 +19,9 @@ export const h = (tag, props, ...children) => fill(document.createElement(tag), 
 /** An SVG element. */
 export const s = (tag, props, ...children) => fill(document.createElementNS(SVG, tag), props, children);
 
+/** The address of the page's icon, which an exported file brings along. */
+export const icon = () => globalThis.continua_recorded?.icon ?? '/icon.svg';
+
 /** A term as people read it: λ for the backslash of the files. */
 export const shown = (term) => String(term ?? '').replaceAll('\\', 'λ');
 
@@ -46,7 +49,7 @@ export const counted = (number, one, many = `${one}s`) => `${grouped(number)} ${
 /** The frame of a panel: heading, controls beside it, a button that lets it fill the page, and a body. */
 export function panel(name, title, controls, body) {
   const larger = h('button', {type: 'button', class: 'larger', title: 'Larger or smaller (Enter on the heading)', 'aria-label': `Enlarge ${title}`, 'aria-pressed': 'false',
-    onclick: (event) => event.target.dispatchEvent(new CustomEvent('enlarge', {bubbles: true, detail: name}))}, '⤢');
+    onclick: (event) => event.target.dispatchEvent(new CustomEvent('enlarge', {bubbles: true, detail: event.target.closest('.panel').dataset.panel}))}, '⤢');
   return h('section', {class: `panel ${name}`, 'aria-label': title, 'data-testid': `panel-${name}`, 'data-panel': name},
     h('header', {}, h('h2', {}, title), h('div', {class: 'controls'}, controls, larger)), body);
 }

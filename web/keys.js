@@ -47,7 +47,8 @@ export function helpDialog() {
     h('h2', {}, 'Keys'),
     h('dl', {}, keys.map(([, names, what]) => h('div', {}, h('dt', {}, names.split(' ').map((name) => (name === '–' ? ' – ' : h('kbd', {}, name)))), h('dd', {}, what)))),
     h('p', {class: 'muted'}, 'On the timeline: wheel zooms, drag moves, click goes there; drag along the top to scrub. ',
-      'In the graph: wheel zooms, drag moves, a click on a state goes to its next visit.'),
+      'In the graph: wheel zooms, drag moves, a click on a state goes to its next visit. ',
+      'In the scene: drag or the arrow keys turn (with Shift: move), wheel, + and − approach.'),
     h('form', {method: 'dialog'}, h('button', {autofocus: true}, 'Close')));
   return {element, open: () => element.showModal()};
 }

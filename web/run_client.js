@@ -1,7 +1,9 @@
 // The server's addresses. An answer is JSON or bytes; an error carries a sentence for the reader. An exported page has
 // no server: it brings the answers along.
 
-const recorded = globalThis.continua_recorded ?? null;
+import {Recorded} from './recorded.js';
+
+const recorded = globalThis.continua_recorded ? new Recorded(globalThis.continua_recorded) : null;
 
 /** @returns {Promise<Response>} of the server, or what was recorded of it. */
 async function ask(path, options = {}) {
@@ -58,6 +60,9 @@ export class RecordClient {
   find(text, kind) {
     return bytes(`${run(this.id)}/find?text=${encodeURIComponent(text)}&kind=${encodeURIComponent(kind)}`).then((answer) => new Uint32Array(answer));
   }
+  scene() { return this.#keep('scene'); }
+  /** What moved, pointed and was done in a window of seconds. Not kept here: Motion keeps what it needs. */
+  poses(from, to) { return get(`${run(this.id)}/poses?from=${from.toFixed(3)}&to=${to.toFixed(3)}`); }
   notes() { return get(`${run(this.id)}/notes`); }
   saveNotes(notes) { return send('PUT', `${run(this.id)}/notes`, notes); }
 

@@ -10,7 +10,7 @@ import {fileURLToPath} from 'node:url';
 export const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
 export const program = process.env.CONTINUA ?? join(root, 'build/continua');
 const chromium_path = process.env.CHROMIUM || '/usr/bin/chromium';
-const packages = process.env.CONTINUA_NODE_MODULES ?? join(root, 'build/tests/web/npm/node_modules');
+export const packages = process.env.CONTINUA_NODE_MODULES ?? join(root, 'build/tests/web/npm/node_modules');
 
 function skip(why) {
   console.log(`skipped: ${why}`);

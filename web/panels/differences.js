@@ -5,6 +5,7 @@ const described = {
   input: 'another input', happened: 'something else happened', decided: 'the same, decided by something else', timing: 'at another time',
   outcome: 'an act came to something else', poses: 'bodies are elsewhere',
 };
+const telling = ({kind, a, b}) => (kind === 'input' && (a[0] ?? b[0]).kind === 'expect' ? 'another expectation' : described[kind] ?? kind);
 const sign = (hunk) => (!hunk.a.length ? '+' : !hunk.b.length ? '−' : '~');
 const most_lines = 6;
 
@@ -16,7 +17,7 @@ export function mountDifferences(app) {
     records.slice(0, most_lines).map((one) => line(mark, side, one)),
     records.length > most_lines && h('li', {class: 'muted'}, `and ${records.length - most_lines} more`)];
   const item = (hunk, i) => h('li', {class: `hunk ${hunk.kind}`, 'data-testid': 'hunk'},
-    h('button', {type: 'button', onclick: () => show(i)}, h('span', {class: 'sign'}, sign(hunk)), `${described[hunk.kind] ?? hunk.kind}, ${seconds(hunk.t)}`),
+    h('button', {type: 'button', onclick: () => show(i)}, h('span', {class: 'sign'}, sign(hunk)), ` ${telling(hunk)}, ${seconds(hunk.t)}`),
     h('ul', {}, lines('−', 'a', hunk.a), lines('+', 'b', hunk.b)));
   const list = h('ol', {class: 'hunks'}, hunks.map(item));
   const rows = [...list.children];

@@ -39,7 +39,7 @@ function arrowHead(points) {
 
 /** The value in "|options| > 1: |options| is 1"; all of a reason that has none. */
 const valueOf = (reason) => {
-  const text = brief(String(reason ?? '')), at = text.indexOf(': ');
+  const text = brief(String(reason ?? '')), at = text.lastIndexOf(': ');
   const value = at < 0 ? text : text.slice(at + 2);
   return value.length > 26 ? `${value.slice(0, 25)}…` : value;
 };
@@ -88,7 +88,7 @@ export function mountGraph(app) {
     const from = data.step(app.model.selection.n) + 1;
     for (let i = 0; i < n.length; ++i) {
       const place = (from + i) % n.length;
-      if (to[place] === id) return n[place];
+      if (data.names[to[place]] === id) return n[place];
     }
     return null;
   };

@@ -170,7 +170,7 @@ export function mountLanes(app, comparison = null) {
   slider.style.setProperty('height', `${lanes_px + overview_px}px`);
 
   return {
-    element, zoomBy, panBy, all,
+    element, rows, zoomBy, panBy, all,
     labelsArrived: () => paint(true),
     render(next) {
       selection = next;

@@ -1,5 +1,5 @@
 // The start page: all runs, the newest first; search; two of them held against each other.
-import {h, clock, counted, grouped} from '../dom.js';
+import {h, clock, icon, counted, grouped} from '../dom.js';
 import {fetchRuns, pictureOf} from '../run_client.js';
 
 const again_ms = 1500;   // while runs are being read, or written
@@ -10,6 +10,7 @@ export class StartPage {
     this.app = app;
     this.runs = [];
     this.chosen = [];
+    this.pictures = new Pictures();
     document.title = 'Continua';
     this.lead = h('p', {class: 'lead'}, 'Looking for runs …');
     this.search = h('input', {type: 'search', placeholder: 'Search  ( / )', 'aria-label': 'Search runs', 'data-testid': 'search', spellcheck: 'false', autocomplete: 'off',
@@ -21,7 +22,7 @@ export class StartPage {
       h('table', {'data-testid': 'runs'}, h('thead', {}, h('tr', {}, ['Choose', 'Scene', 'Run', 'Verdict', 'Length', 'Said', 'Acts', 'Refused', 'Machine', 'Changed'].map((title, i) =>
         h('th', {scope: 'col', class: i >= 4 && i <= 7 ? 'number' : null}, i < 2 ? h('span', {class: 'unseen'}, title) : title)))), this.body));
     host.replaceChildren(h('main', {class: 'start'},
-      h('h1', {}, h('img', {src: '/icon.svg', alt: '', width: 28, height: 28}), 'Continua'), this.lead,
+      h('h1', {}, h('img', {src: icon(), alt: '', width: 28, height: 28}), 'Continua'), this.lead,
       h('div', {class: 'tools'}, this.search, this.compare, this.hint), this.table));
   }
 
@@ -30,7 +31,10 @@ export class StartPage {
     this.render(this.app.model.selection);
     if (this.runs.some((run) => run.pending || run.live)) this.timer = setTimeout(() => this.load().catch(() => {}), again_ms);
   }
-  close() { clearTimeout(this.timer); }
+  close() {
+    clearTimeout(this.timer);
+    this.pictures.close();
+  }
   onKey(key) {
     if (key === '/') this.search.focus();
     if (key === 't') this.app.toggleTheme();
@@ -61,7 +65,7 @@ export class StartPage {
     const box = readable && h('input', {type: 'checkbox', 'aria-label': `Choose ${run.name} to compare`, 'data-testid': 'choose', checked: this.chosen.includes(run.id),
       onchange: () => { this.chosen = this.chosen.filter((id) => id !== run.id).concat(box.checked ? [run.id] : []).slice(-2); this.tellChosen(); }});
     if (box) box.run = run.id;
-    const picture = readable && h('img', {class: 'thumbnail', alt: '', loading: 'lazy', width: 96, height: 54, src: pictureOf(run.id, pictureTime(run), '192x108'), onerror: (event) => event.target.remove()});
+    const picture = readable && this.pictures.picture(pictureOf(run.id, pictureTime(run), '192x108'));
     const verdict = verdictOf(run);
     return h('tr', {'data-testid': 'run'}, h('td', {}, box || null), h('td', {class: 'pictured'}, picture || null),
       h('td', {}, readable ? h('a', {class: 'name', href: `/r/${encodeURIComponent(run.id)}`, onclick: open}, run.name) : h('span', {class: 'name'}, run.name),
@@ -76,6 +80,49 @@ export class StartPage {
     for (const box of this.body.querySelectorAll('input[type=checkbox]')) box.checked = this.chosen.includes(box.run);
     this.compare.disabled = this.chosen.length < 2;
     this.compare.textContent = this.chosen.length === 1 ? 'Choose one more' : 'Compare';
+  }
+}
+
+// Pictures are drawn by the server, which takes a while: one after the other, those in sight, so that nothing else waits.
+class Pictures {
+  #waiting = [];
+  #busy = false;
+  #seen = new IntersectionObserver((entries) => {
+    for (const {target, isIntersecting} of entries) {
+      if (!isIntersecting) continue;
+      this.#seen.unobserve(target);
+      this.#waiting.push(target);
+    }
+    this.#next();
+  });
+  #known = new Map();
+
+  picture(address) {
+    if (!this.#known.has(address)) {
+      const image = h('img', {class: 'thumbnail', alt: '', width: 96, height: 54});
+      image.wanted = address;
+      this.#known.set(address, image);
+      this.#seen.observe(image);
+    }
+    return this.#known.get(address);
+  }
+  close() {
+    this.#seen.disconnect();
+    this.#waiting = [];
+  }
+  #next() {
+    if (this.#busy) return;
+    const image = this.#waiting.shift();
+    if (!image) return;
+    const done = (drawn) => {
+      this.#busy = false;
+      if (!drawn) image.remove();
+      this.#next();
+    };
+    this.#busy = true;
+    image.onload = () => done(true);
+    image.onerror = () => done(false);
+    image.src = image.wanted;
   }
 }
 
