@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "replay/explain.h"
 #include "replay/line_scan.h"
 #include "replay/run_columns.h"
 #include "replay/run_diff.h"
 #include "replay/run_diff_text.h"
 #include "replay/run_find.h"
 #include "replay/run_labels.h"
-#include "replay/run_lanes.h"
 #include "replay/run_listing.h"
 #include "replay/run_views.h"
 
@@ -18,8 +18,10 @@ namespace continua {
 namespace {
 
 constexpr std::size_t most_records = 5000;  // in one answer
-constexpr std::size_t most_numbers = 500;   // named one by one
-constexpr std::size_t most_columns = 2;     // runs of which they are kept
+constexpr std::size_t most_worlds = 4;      // kept
+constexpr double latest_s = 1e9;
+constexpr std::size_t most_numbers = 500;  // named one by one
+constexpr std::size_t most_columns = 2;    // runs of which they are kept
 constexpr auto json_type = "application/json";
 constexpr auto bytes_type = "application/octet-stream";
 
@@ -117,7 +119,7 @@ std::string text_of_query(const Query& query, const char* name) {
 
 Result<std::string> work_out(const RunIndex& log, const std::string& id, const std::string& view) {
   if (view == "columns") return run_columns(log);
-  auto told = view == "graph" ? run_graph(log) : view == "lanes" ? run_lanes(log) : run_summary(log);
+  auto told = view == "graph" ? run_graph(log) : run_summary(log);
   if (!told) return told.error();
   if (view == "") (*told)["id"] = id;
   return compact(*told);
@@ -195,13 +197,31 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
   if (view == "stack" || view == "derivation") {
     const auto n = record_number(query, log);
     if (!n) return api_error(400, n.error().sentence);
-    return answer(view == "stack" ? run_stack(log, *n) : run_derivation(log, *n));
+    if (view == "derivation") return answer(run_derivation(log, *n));
+    if (!query.count("branch")) return answer(run_stack(log, *n));
+    const auto branch = number<std::int64_t>(query, "branch", 0);
+    if (!branch) return api_error(400, branch.error().sentence);
+    const auto stack = run_branch_stack(log, *n, *branch);
+    return stack ? answer(*stack) : api_error(404, stack.error().sentence);
+  }
+  if (view == "explain") {
+    const auto n = record_number(query, log);
+    if (!n) return api_error(400, n.error().sentence);
+    const auto cell = query.find("cell");
+    if (cell == query.end()) return answer(explain(log, *n));
+    const auto told = explain_cell(log, *n, cell->second);
+    return told ? answer(*told) : api_error(404, told.error().sentence);
   }
   if (view == "labels") return labels(log, query);
   if (view == "find") return find(log, query);
   if (view == "frame") return frame(*opened, query);
-  if (view != "" && view != "graph" && view != "lanes" && view != "columns")
-    return api_error(404, fmt::format("a run has no '{}'", view));
+  if (view == "notes") return notes(log);
+  if (view == "poses") return poses(*opened, query);
+  if (view == "scene") {
+    const auto scene = run_scene(log);
+    return scene ? answer(*scene) : api_error(422, scene.error().text());
+  }
+  if (view != "" && view != "graph" && view != "columns") return api_error(404, fmt::format("a run has no '{}'", view));
 
   return kept(*opened, id, view);
 }
@@ -229,6 +249,38 @@ ApiResponse InspectorApi::kept(const std::shared_ptr<const RunIndex>& run, const
   return {200, type, *std::move(body)};
 }
 
+ApiResponse InspectorApi::poses(const std::shared_ptr<const RunIndex>& run, const Query& query) {
+  const auto end = run->entry(run->size() - 1).t.seconds();
+  const auto from = number<double>(query, "from", 0), to = number<double>(query, "to", end);
+  if (!from) return api_error(400, from.error().sentence);
+  if (!to) return api_error(400, to.error().sentence);
+  if (!(*from >= 0 && *from <= *to && *to <= latest_s))
+    return api_error(
+        400, fmt::format("from={} and to={}; expected seconds from 0, the first not after the second", *from, *to));
+  const auto world = world_of(run);
+  if (!world) return api_error(422, world.error().text());
+  return answer((*world)->window(SimTime::from_seconds(*from), SimTime::from_seconds(*to)));
+}
+
+Result<std::shared_ptr<RunWorld>> InspectorApi::world_of(const std::shared_ptr<const RunIndex>& run) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = std::find_if(worlds_.begin(), worlds_.end(), [&](const auto& kept) { return kept.run == run; });
+    if (known != worlds_.end()) {
+      worlds_.splice(worlds_.begin(), worlds_, known);
+      return worlds_.front().world;
+    }
+  }
+  auto world = RunWorld::read(run);
+  if (!world) return world;
+  const std::lock_guard lock(mutex_);
+  // That of a log which has changed since is of no more use.
+  worlds_.remove_if([&](const KeptWorld& kept) { return kept.run->path() == run->path(); });
+  worlds_.push_front({run, *world});
+  if (worlds_.size() > most_worlds) worlds_.pop_back();
+  return world;
+}
+
 ApiResponse InspectorApi::diff(const Query& query) {
   std::vector<std::shared_ptr<const RunIndex>> sides;
   for (const char* side : {"a", "b"}) {
@@ -244,7 +296,10 @@ ApiResponse InspectorApi::diff(const Query& query) {
   if (!(*tolerance >= 0)) return api_error(400, fmt::format("tolerance={}; expected metres from 0", *tolerance));
   const auto told = diff_runs(*sides[0], *sides[1], {*tolerance});
   if (!told) return api_error(422, told.error().text());
-  return answer(diff_json(*sides[0], *sides[1], *told));
+  auto body = diff_json(*sides[0], *sides[1], *told);
+  body["pairs"] = told->pairs;
+  body["markdown"] = diff_markdown(*sides[0], *sides[1], *told);
+  return answer(body);
 }
 
 ApiResponse InspectorApi::frame(const std::shared_ptr<const RunIndex>& run, const Query& query) {

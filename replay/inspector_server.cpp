@@ -1,7 +1,5 @@
 #include "replay/inspector_server.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -12,8 +10,10 @@
 #include <fmt/format.h>
 #include <httplib.h>
 
+#include "replay/gzip.h"
 #include "replay/inspector_api.h"
 #include "replay/pictures/frame_cache.h"
+#include "replay/what_if_session.h"
 #include "web/assets.h"
 
 namespace continua {
@@ -29,41 +29,6 @@ constexpr std::chrono::milliseconds look_every{200};  // at a run that is being 
 constexpr auto policy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-
-// zlib with a gzip header: 15 bits of window and 16 to ask for it.
-constexpr int gzip_window = 15 + 16;
-
-std::string packed(const std::string& text) {
-  z_stream stream{};
-  if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, gzip_window, 8, Z_DEFAULT_STRATEGY) != Z_OK) return {};
-  std::string out(deflateBound(&stream, text.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  const bool done = deflate(&stream, Z_FINISH) == Z_STREAM_END;
-  out.resize(done ? stream.total_out : 0);
-  deflateEnd(&stream);
-  return out;
-}
-
-std::string unpacked(std::string_view gzip) {
-  z_stream stream{};
-  if (inflateInit2(&stream, gzip_window) != Z_OK) return {};
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(gzip.data()));
-  stream.avail_in = static_cast<uInt>(gzip.size());
-  std::string out;
-  std::array<char, 1 << 14> block;
-  int state = Z_OK;
-  while (state == Z_OK) {
-    stream.next_out = reinterpret_cast<Bytef*>(block.data());
-    stream.avail_out = static_cast<uInt>(block.size());
-    state = inflate(&stream, Z_NO_FLUSH);
-    out.append(block.data(), block.size() - stream.avail_out);
-  }
-  inflateEnd(&stream);
-  return out;
-}
 
 bool takes_gzip(const httplib::Request& request) {
   return request.get_header_value("Accept-Encoding").find("gzip") != std::string::npos;
@@ -91,7 +56,7 @@ void send_answer(const httplib::Request& request, httplib::Response& response, A
       answer.content_type != "image/png" && !(answer.content_type == "application/octet-stream" && is_here(request));
   if (packs && answer.body.size() >= smallest_packed && takes_gzip(request)) {
     response.set_header("Content-Encoding", "gzip");
-    answer.body = packed(answer.body);
+    answer.body = gzipped(answer.body);
   }
   send(response, std::make_shared<const std::string>(std::move(answer.body)), answer.content_type);
 }
@@ -106,7 +71,7 @@ void send_asset(const httplib::Request& request, httplib::Response& response, co
   }
   const bool gzip = takes_gzip(request);
   if (gzip) response.set_header("Content-Encoding", "gzip");
-  send(response, std::make_shared<const std::string>(gzip ? std::string(asset.gzip) : unpacked(asset.gzip)),
+  send(response, std::make_shared<const std::string>(gzip ? std::string(asset.gzip) : gunzipped(asset.gzip)),
        std::string(asset.mime));
 }
 
@@ -134,7 +99,7 @@ bool is_number_address(const std::string& host) {
 
 class InspectorServer::Impl {
  public:
-  explicit Impl(std::vector<std::string> paths) : api_(std::move(paths), drawn_frames()) {
+  explicit Impl(std::vector<std::string> paths) : api_(std::move(paths), drawn_frames(), replayed_what_if()) {
     server_.set_payload_max_length(largest_body);
     server_.set_keep_alive_timeout(2);
     server_.set_default_headers({{"Content-Security-Policy", policy},
@@ -163,6 +128,14 @@ class InspectorServer::Impl {
       else
         send_answer(request, response, api_error(404, fmt::format("there is nothing at {}", request.path)));
     });
+    const auto content_type = [](const httplib::Request& request) { return request.get_header_value("Content-Type"); };
+    server_.Post("/api/what-if", [this, content_type](const httplib::Request& request, httplib::Response& response) {
+      send_answer(request, response, api_.post(request.target, content_type(request), request.body));
+    });
+    server_.Put("/api/runs/[^/]+/notes",
+                [this, content_type](const httplib::Request& request, httplib::Response& response) {
+                  send_answer(request, response, api_.put(request.target, content_type(request), request.body));
+                });
     const auto nothing_to_write = [](const httplib::Request& request, httplib::Response& response) {
       const bool live = request.path.starts_with("/api/sessions");
       send_answer(request, response,
@@ -193,6 +166,7 @@ class InspectorServer::Impl {
     api_.stop_preparing();
   }
   void stop() {
+    api_.stop();
     stopping_ = true;
     server_.stop();
   }

@@ -54,6 +54,12 @@ FileState file_state(const std::string& path) {
 std::vector<RunFile> RunLibrary::runs() {
   std::vector<RunFile> found;
   std::set<std::string> paths, ids;
+  std::vector<RunFile> added;
+  {
+    const std::lock_guard lock(mutex_);
+    added = added_;
+  }
+  for (const auto& run : added) ids.insert(run.id);
   const auto add = [&](const fs::path& path, const std::string& relative) {
     std::error_code problem;
     const auto real = fs::weakly_canonical(path, problem).string();
@@ -61,7 +67,7 @@ std::vector<RunFile> RunLibrary::runs() {
     const auto name = without_suffix(relative);
     auto id = id_of(name);
     for (int copy = 2; !ids.insert(id).second; ++copy) id = fmt::format("{}-{}", id_of(name), copy);
-    found.push_back({id, path.string(), name});
+    found.push_back({id, path.string(), name, ""});
   };
   for (const auto& path : paths_) {
     std::error_code problem;
@@ -70,10 +76,23 @@ std::vector<RunFile> RunLibrary::runs() {
     else
       add(path, fs::path(path).filename().string());
   }
+  found.insert(found.end(), added.begin(), added.end());
   const std::lock_guard lock(mutex_);
   known_.clear();
   for (const auto& file : found) known_.emplace(file.id, file.path);
   return found;
+}
+
+std::string RunLibrary::add(const std::string& name, const std::string& path, const std::string& what_if_of) {
+  const auto all = runs();
+  const auto is_known = [&](const std::string& id) {
+    return std::any_of(all.begin(), all.end(), [&](const RunFile& run) { return run.id == id; });
+  };
+  auto id = name;
+  for (int copy = 2; is_known(id); ++copy) id = fmt::format("{}-{}", name, copy);
+  const std::lock_guard lock(mutex_);
+  added_.push_back({id, path, id, what_if_of});
+  return id;
 }
 
 // Empty: no run has this id.

@@ -29,7 +29,8 @@ FileState file_state(const std::string& path);
 struct RunFile {
   std::string id;
   std::string path;
-  std::string name;  ///< for people: the id without its folder's marks
+  std::string name;             ///< for people: the id without its folder's marks
+  std::string what_if_of = {};  ///< the run that it was made from by replaying it otherwise; else empty
 };
 
 /// Safe to use from several threads: those that ask for other runs do not wait while one is read.
@@ -38,8 +39,11 @@ class RunLibrary {
   /// Run files, or folders whose files named *.run.jsonl are meant, at any depth.
   explicit RunLibrary(std::vector<std::string> paths) : paths_(std::move(paths)) {}
 
-  /// All runs there are now, in order of their paths.
+  /// All runs there are now, in order of their paths; then those that were added.
   std::vector<RunFile> runs();
+
+  /// One more run, made from another; gives its id, `name` where that is free.
+  std::string add(const std::string& name, const std::string& path, const std::string& what_if_of);
 
   /// The index of a run, read again when the file has changed; of a log that has grown, only what was added. Null
   /// index: no run has this id. The indexes used last stay in memory.
@@ -64,7 +68,8 @@ class RunLibrary {
   std::vector<std::string> paths_;
   std::mutex mutex_;                          // guards what follows; never held while a file is read
   std::map<std::string, std::string> known_;  // id -> path, as found last
-  std::list<std::shared_ptr<Held>> held_;     // the last used first
+  std::vector<RunFile> added_;
+  std::list<std::shared_ptr<Held>> held_;  // the last used first
 };
 
 }  // namespace continua

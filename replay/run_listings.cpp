@@ -117,6 +117,7 @@ Json RunListings::all() {
   for (const auto& one : all) {
     const auto changed = seconds_since_1970(one.state.written);
     Json line{{"id", one.file.id}, {"name", one.file.name}, {"changed", changed}};
+    if (!one.file.what_if_of.empty()) line["what_if_of"] = one.file.what_if_of;
     const auto known = known_.find(one.file.path);
     if (known != known_.end()) line.update(known->second.line);
     if (!is_known(one)) line["pending"] = true;

@@ -172,6 +172,7 @@ Result<std::optional<WhatIf>> load_what_if(Trace& trace, const ReplayOptions& op
 // Those of the options that say what the run was before anything was changed.
 ReplayOptions before_change(const ReplayOptions& options) {
   if (!options.from) return options;
+  if (options.before) return *options.before;
   ReplayOptions before;
   before.scene = options.scene;
   before.learned = options.learned;

@@ -23,6 +23,8 @@ struct ReplayOptions {
   /// What if: seed, choice, machine, knowledge, forced and `with` count from this instant of the run on, seconds; until
   /// then it is the trace's own run. The configuration goes over by names.
   std::optional<double> from;
+  /// With `from`: what counts until then, instead of what makes the trace's own run.
+  std::shared_ptr<const ReplayOptions> before;
   std::string with;                           ///< with `from`: the trace whose events count from then on; else empty
   std::map<int, std::string> forced;          ///< step → id of the transition to take there
   std::size_t most_branches = 0;              ///< under `explore`; 0: the engine's own bound

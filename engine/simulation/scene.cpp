@@ -17,6 +17,7 @@ namespace continua {
 namespace {
 
 constexpr const char* table_geom = "table_top";
+constexpr int most_mesh_corners = 200'000;  // of faces, in the description of a scene
 
 /// A compiled source, or what is wrong with it and where.
 Result<std::shared_ptr<const mjModel>> compile(const SceneSource& source) {
@@ -155,6 +156,15 @@ Json rounded_list(const T* values, int count) {
   return list;
 }
 
+// What a mesh consists of, in its geom's frame.
+Json mesh_json(const mjModel& model, int mesh) {
+  Json faces = Json::array();
+  const int* corner = model.mesh_face + 3 * model.mesh_faceadr[mesh];
+  for (int i = 0; i < 3 * model.mesh_facenum[mesh]; ++i) faces.push_back(corner[i]);
+  return {{"vertices", rounded_list(model.mesh_vert + 3 * model.mesh_vertadr[mesh], 3 * model.mesh_vertnum[mesh])},
+          {"faces", std::move(faces)}};
+}
+
 const char* type_text(int geom_type) {
   switch (geom_type) {
     case mjGEOM_PLANE:
@@ -278,6 +288,7 @@ WorldSnapshot Scene::initial_snapshot() const {
 
 Json Scene::description() const {
   Json geoms = Json::array();
+  int corners_left = most_mesh_corners;
   for (int geom = 0; geom < model_->ngeom; ++geom) {
     const int material = model_->geom_matid[geom];
     geoms.push_back(
@@ -287,6 +298,11 @@ Json Scene::description() const {
          {"rgba", rounded_list(material < 0 ? model_->geom_rgba + 4 * geom : model_->mat_rgba + 4 * material, 4)},
          {"pos", rounded_list(model_->geom_pos + 3 * geom, 3)},
          {"quat", rounded_list(model_->geom_quat + 4 * geom, 4)}});
+    const int mesh = model_->geom_type[geom] == mjGEOM_MESH ? model_->geom_dataid[geom] : -1;
+    if (mesh < 0 || 3 * model_->mesh_facenum[mesh] > corners_left || model_->mesh_vertnum[mesh] > corners_left)
+      continue;
+    corners_left -= std::max(3 * model_->mesh_facenum[mesh], model_->mesh_vertnum[mesh]);
+    geoms.back()["mesh"] = mesh_json(*model_, mesh);
   }
 
   const DataOwner data(mj_makeData(model_.get()));

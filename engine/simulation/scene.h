@@ -58,7 +58,9 @@ class Scene {
   /// For a viewer without MuJoCo:
   /// {"geoms":[{"body","type","size":[…],"rgba":[…],"pos":[…],"quat":[w,x,y,z]}…],   pose in the body's frame
   ///  "bodies":{name:[x,y,z,qw,qx,qy,qz]…}}                                            pose in W at time zero
-  /// in metres, rounded to 1e-5; sizes are MuJoCo's (half lengths, radii).
+  /// in metres, rounded to 1e-5; sizes are MuJoCo's (half lengths, radii). A geom of type `mesh` also has
+  /// "mesh":{"vertices":[x,y,z,…],"faces":[a,b,c,…]}, in the geom's frame; those with which there would be more than
+  /// 200,000 corners of faces have their size only.
   Json description() const;
 
  private:

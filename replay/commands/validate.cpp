@@ -16,6 +16,7 @@
 #include "replay/language_loading.h"
 #include "replay/run_index.h"
 #include "replay/run_integrity.h"
+#include "replay/run_notes.h"
 #include "replay/scene_voxemes.h"
 #include "replay/session_import.h"
 #include "replay/trace_file.h"
@@ -26,6 +27,8 @@
 
 namespace continua {
 namespace {
+
+constexpr std::string_view notes_ending = ".notes.json";
 
 // The first line that is not blank, as JSON; null if it is none.
 Json first_line(std::string_view text) {
@@ -56,6 +59,22 @@ FileCheck check_run(std::string_view text, const std::string& path) {
   if (!problems.empty()) return {std::move(problems), {}, ""};
   FileCheck check{{}, {}, "run log, " + counted(run->size(), "record")};
   if (!run->trouble().empty()) check.notes.push_back(path + ": " + run->trouble());
+  return check;
+}
+
+bool is_notes_file(std::string_view, const std::string& path) { return path.ends_with(notes_ending); }
+
+// On records of the run beside it, if there is one.
+FileCheck check_notes(std::string_view text, const std::string& path) {
+  const auto log = path.substr(0, path.size() - notes_ending.size()) + ".run.jsonl";
+  std::error_code unknown;
+  std::optional<std::size_t> records;
+  if (std::filesystem::is_regular_file(log, unknown))
+    if (const auto run = RunIndex::open(log)) records = run->size();
+  FileCheck check{notes_problems(text, path, records), {}, ""};
+  if (!check.problems.empty()) return check;
+  const auto notes = LocatedJson::parse(text, path)->root()["notes"].size();
+  check.summary = counted(notes, "note") + (records ? "" : ", on a run that is not beside it");
   return check;
 }
 
@@ -206,6 +225,7 @@ constexpr std::array file_kinds = {
     FileKind{[](std::string_view text, const std::string& path) { return is_jflap(text, path); }, check_jflap},
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "trace"); }, check_trace},
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "run"); }, check_run},
+    FileKind{is_notes_file, check_notes},
     FileKind{is_lexicon_file, check_lexicon_file},
     FileKind{is_gesture_file, check_gesture_file},
     FileKind{[](std::string_view text, const std::string& path) {
@@ -278,7 +298,7 @@ int run_validate(const ValidateOptions& options) {
 
 void add_validate_command(CLI::App& program, Run& run) {
   auto* command = program.add_subcommand(
-      "validate", "Check traces, machines, phrases, lexicons, voxemes, scenes, run logs and session logs");
+      "validate", "Check traces, machines, phrases, lexicons, voxemes, scenes, run logs, notes and session logs");
   auto options = std::make_shared<ValidateOptions>();
   command->add_option("FILE", options->files, "files of any kind, or folders of them")->required();
   command->footer("Example: continua validate traces/corner/*.trace.jsonl");

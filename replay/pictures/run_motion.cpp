@@ -1,7 +1,8 @@
 #include "replay/pictures/run_motion.h"
 
 #include <algorithm>
-#include <array>
+
+#include "replay/run_points.h"
 
 namespace continua {
 namespace {
@@ -10,15 +11,10 @@ namespace {
 constexpr SimTime longest_step{50'000};
 
 std::optional<Pose> pose_of(const Json& numbers) {
-  if (!numbers.is_array() || numbers.size() != 7) return std::nullopt;
-  std::array<double, 7> v{};
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    if (!numbers[i].is_number()) return std::nullopt;
-    v[i] = numbers[i].get<double>();
-  }
-  const Eigen::Quaterniond R_WB(v[3], v[4], v[5], v[6]);
-  if (!(R_WB.norm() > 0.5)) return std::nullopt;
-  return Pose{{v[0], v[1], v[2]}, R_WB.normalized()};
+  const auto pose = pose_in(numbers);
+  if (!pose) return std::nullopt;
+  const auto& v = *pose;
+  return Pose{{v[0], v[1], v[2]}, Eigen::Quaterniond(v[3], v[4], v[5], v[6]).normalized()};
 }
 
 }  // namespace

@@ -184,12 +184,12 @@ TEST_CASE("refusals of pointing samples are counted apart and are no stops") {
   log.add("input", 2, {{"event", {{"kind", "speech"}, {"text", "x"}}}, {"symbol", "x"}});
   log.add("refusal", 2, {{"state", "A"}, {"input", "x"}, {"reason", "no"}}, 3);
   InspectorApi api({folder.write("refused.run.jsonl", log.text())});
-  const auto summary = Json::parse(api.get("/api/runs/refused").body),
-             lanes = Json::parse(api.get("/api/runs/refused/lanes").body);
+  const auto summary = Json::parse(api.get("/api/runs/refused").body);
+  const Columns columns(api.get("/api/runs/refused/columns").body);
   CHECK(summary["refusals"] == 2);
   CHECK(summary["refused_samples"] == 1);
-  CHECK(lanes["interest"] == Json{3, 4});
-  CHECK(lanes["flags"].size() == 1);
+  CHECK(columns.numbers("stop") == std::vector<double>{3, 4});
+  CHECK(columns.numbers("flag.n") == std::vector<double>{4});
 }
 
 TEST_CASE("the stack at a record tells what its last change did") {
@@ -238,29 +238,11 @@ TEST_CASE("a derivation leads back to all that contributed") {
   CHECK(served.get("/api/runs/small/derivation?n=9")["applications"].empty());
 }
 
-TEST_CASE("the lanes hold what the timeline draws") {
-  Served served;
-  const auto lanes = served.get("/api/runs/small/lanes");
-  CHECK(lanes["t"].size() == 22);
-  CHECK(lanes["kinds"][lanes["kind"][6].get<std::size_t>()] == "utterance");
-  CHECK(lanes["label"][6] == "“Which block?”");
-  CHECK(lanes["cause"][5] == 2);
-  CHECK(compact(lanes["speech"]) == R"j([[1.5,2.25,2,"Put it there."]])j");
-  CHECK(compact(lanes["gesture"]) == R"j([[3.0,10.0,10,"point"]])j");
-  CHECK(compact(lanes["pointing"]) == R"j([[2.0,2.0,7,1]])j");
-  CHECK(compact(lanes["act"]) == R"j([[3.0,5.0,14,"put(block2, on(block1))","done"]])j");
-  CHECK(compact(lanes["rest"]) == R"j([[5.5,8.0,17]])j");
-  CHECK(compact(lanes["flags"]) == R"j([[8.0,18,"refusal"]])j");
-  CHECK(lanes["transitions"]["to"] == Json{"AskWhichBlock", "AskWhichBlock", "Wait"});
-  // The sample and the transition it only kept in place are not worth a stop; nor are poses, symbols and rests.
-  CHECK(lanes["interest"] == Json{2, 3, 5, 6, 10, 11, 13, 14, 15, 16, 18, 19, 20});
-}
-
 TEST_CASE("what cannot be answered is said with its status") {
   Served served;
   CHECK_THAT(served.message("/api/nothing", 404), Contains("/api/nothing"));
   CHECK_THAT(served.message("/api/runs/none", 404), Contains("no run 'none'"));
-  CHECK_THAT(served.message("/api/runs/garbage/lanes", 422), Contains("not a run log"));
+  CHECK_THAT(served.message("/api/runs/garbage/columns", 422), Contains("not a run log"));
   CHECK_THAT(served.message("/api/runs/small/nothing", 404), Contains("nothing"));
   CHECK_THAT(served.message("/api/runs/small/stack", 400), Contains("n is missing"));
   CHECK_THAT(served.message("/api/runs/small/stack?n=22", 400), Contains("records 0 to 21"));

@@ -102,6 +102,32 @@ TEST_CASE("other hosts, other origins, writing and large bodies are refused") {
              StartsWith("HTTP/1.1 413"));
 }
 
+TEST_CASE("notes and what-if can be written, by those who may") {
+  const Server server;
+  const auto send = [&](const std::string& method, const std::string& target, const std::string& body,
+                        const std::string& headers = "Content-Type: application/json\r\n") {
+    return server.ask(method, target,
+                      server.host() + headers + "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body);
+  };
+  const std::string notes = R"({"notes":[{"id":"a","n":3,"text":"Here."}],"version":""})";
+  const std::string elsewhere = "Content-Type: application/json\r\nOrigin: http://example.org\r\n";
+  CHECK_THAT(send("PUT", "/api/runs/small/notes", notes, elsewhere), StartsWith("HTTP/1.1 403"));
+  CHECK_THAT(send("PUT", "/api/runs/small/notes", notes, "Content-Type: text/plain\r\n"), StartsWith("HTTP/1.1 415"));
+  CHECK_THAT(send("PUT", "/api/runs/small/notes", notes, ""), StartsWith("HTTP/1.1 415"));
+  CHECK_THAT(send("PUT", "/api/runs/small/notes", notes), StartsWith("HTTP/1.1 200"));
+  CHECK_THAT(server.get("/api/runs/small/notes"), Contains("Here."));
+  CHECK_THAT(send("PUT", "/api/runs/small/notes", notes), StartsWith("HTTP/1.1 409"));
+  CHECK_THAT(send("POST", "/api/runs/small/notes", notes), StartsWith("HTTP/1.1 405"));
+  CHECK_THAT(send("PUT", "/api/runs/small/stack", notes), StartsWith("HTTP/1.1 405"));
+  CHECK_THAT(send("DELETE", "/api/runs/small/notes", ""), StartsWith("HTTP/1.1 405"));
+  const std::string what_if = R"({"run":"small"})";
+  CHECK_THAT(send("POST", "/api/what-if", what_if, elsewhere), StartsWith("HTTP/1.1 403"));
+  CHECK_THAT(send("POST", "/api/what-if", what_if, "Content-Type: text/plain\r\n"), StartsWith("HTTP/1.1 415"));
+  CHECK_THAT(send("POST", "/api/what-if", what_if), StartsWith("HTTP/1.1 400"));
+  CHECK_THAT(send("PUT", "/api/what-if", what_if), StartsWith("HTTP/1.1 405"));
+  CHECK_THAT(send("PUT", "/api/runs/small/notes", std::string((1 << 20) + 1, ' ')), StartsWith("HTTP/1.1 413"));
+}
+
 TEST_CASE("a port in use is an error with a sentence") {
   InspectorServer first({});
   const auto port = first.listen();

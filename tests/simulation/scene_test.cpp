@@ -86,6 +86,36 @@ TEST_CASE("the description has every geom and body of the scene") {
   CHECK(description["bodies"]["block6"] == Json::array({-0.144, 0.0656, 0.03, 1, 0, 0, 0}));
 }
 
+TEST_CASE("the description has what meshes consist of, where that is not too much") {
+  const std::string wedge =
+      "<mujoco><asset><mesh name='wedge' vertex='-.1 -.1 -.1  .1 -.1 -.1  -.1 .1 -.1  .1 .1 -.1  -.1 -.1 .1  .1 -.1 "
+      ".1'/>"
+      "</asset><worldbody><body name='table'>" +
+      a_table + "</body><body name='ramp' pos='0 0 .1'><geom type='mesh' mesh='wedge'/></body></worldbody></mujoco>";
+  const auto scene = load_scene(written("wedge.xml", wedge));
+  if (!scene) FAIL(scene.error().text());
+  const auto geoms = scene->description()["geoms"];
+  REQUIRE(geoms.size() == 2);
+  CHECK_FALSE(geoms[0].contains("mesh"));
+  const auto& geom = geoms[1];
+  CHECK(geom["type"] == "mesh");
+  const auto &vertices = geom["mesh"]["vertices"], &faces = geom["mesh"]["faces"];
+  CHECK(vertices.size() == 18);
+  CHECK(faces.size() == 24);
+  for (const auto& face : faces) CHECK((face >= 0 && face < 6));
+  // Put by the geom's pose, the corners are where the file has them.
+  const auto& q = geom["quat"];
+  const Eigen::Quaterniond R_BG(q[0].get<double>(), q[1].get<double>(), q[2].get<double>(), q[3].get<double>());
+  double highest = -1;
+  for (std::size_t i = 0; i < vertices.size(); i += 3) {
+    const Vec3 corner(vertices[i].get<double>(), vertices[i + 1].get<double>(), vertices[i + 2].get<double>());
+    const Vec3 p_B = R_BG * corner + Vec3(geom["pos"][0], geom["pos"][1], geom["pos"][2]);
+    CHECK(p_B.cwiseAbs().isApprox(Vec3::Constant(0.1), 1e-3));
+    highest = std::max(highest, p_B.z());
+  }
+  CHECK(highest == Approx(0.1).margin(1e-4));
+}
+
 TEST_CASE("the text of a scene has its inclusions in place, and loads again to the same") {
   const auto scene = load_scene(staircase);
   REQUIRE(scene.ok());
