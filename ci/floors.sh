@@ -36,7 +36,7 @@ replay/coverage*              core replay/run_* replay/coverage*
 replay/pictures/*             core world simulation/renderer.h replay/run_* replay/pictures/*
 replay/exporters/*            core replay/run_* replay/exporters/*
 replay/inspector_changes*     core replay/run_* replay/inspector_api.h
-replay/inspector_api*         core replay/run_* replay/line_scan.h replay/exporters/*
+replay/inspector_api*         core replay/run_* replay/line_scan.h replay/exporters/* replay/explain.h
 replay/reading_record*        core term language moves
 replay/recorder*              replay/reading_record.h pipeline core term world voxml automaton perception language moves composition behaviour replay/trace_file.h replay/run_*
 '
@@ -52,7 +52,7 @@ EGL/*          engine/simulation/*
 GL/*           engine/simulation/*
 png.h          engine/simulation/*
 httplib.h      replay/inspector_server.cpp
-zlib.h         replay/inspector_server.cpp
+zlib.h         replay/gzip.cpp
 cairo*         replay/pictures/canvas.cpp
 graphviz/*     replay/exporters/graph_layout.cpp
 CLI/*          replay/main.cpp replay/commands/*

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "replay/explain_cells.h"
 #include "replay/explain_derivation.h"
 #include "replay/explain_headline.h"
 #include "replay/explain_scope.h"
@@ -14,7 +15,7 @@
 #include "replay/explain_steps.h"
 #include "replay/line_scan.h"
 #include "replay/run_brief.h"
-#include "replay/run_views.h"
+#include "replay/run_listing.h"
 
 namespace continua {
 namespace {
@@ -80,7 +81,7 @@ bool is_deed(const RunIndex& run, std::size_t n) {
   if (place == deeds.size()) return false;
   const auto cause = run.cause(n);
   if (run.kind(n) == "act") return !cause || run.kind(*cause) != "act";  // asked for, and not how it goes on
-  return run.kind(n) != "refusal" || !cause || !is_pointing_sample(run, *cause);
+  return run.kind(n) != "refusal" || !cause || !run.entry(*cause).sample;
 }
 
 Result<std::size_t> last_deed(const RunIndex& run, double until_s) {
@@ -180,6 +181,7 @@ Result<Json> explain(const RunIndex& run, std::size_t n) {
   auto stack = explained_stack(scope);
   if (!stack) return stack.error();
   told["stack"] = *std::move(stack);
+  told["cells"] = explained_cells(own);
   told["derivation"] = derivation_of(scope);
   told["act"] = std::move(act);
   told["brought_about"] = brought_about(scope, about);
@@ -189,6 +191,13 @@ Result<Json> explain(const RunIndex& run, std::size_t n) {
   told["fragile"] = fragile_among(run, scope);
   told["trouble"] = run.trouble();
   return told;
+}
+
+Result<Json> explain_cell(const RunIndex& run, std::size_t n, const std::string& cell) {
+  const auto value = cell_value(run, cell);
+  if (value.empty()) return Error{run.path(), fmt::format("found no cell '{}'; expected SYMBOL.SLOT", cell)};
+  ExplainScope scope(run, n);
+  return Json{{"n", n}, {"cell", cell}, {"value", value}, {"derivation", derivation_of(scope, value)}};
 }
 
 }  // namespace continua

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "core/located_json.h"
 #include "core/result.h"
@@ -33,6 +34,7 @@ Result<std::size_t> asked_record(const RunIndex& run, const ExplainQuestion& que
 /// - "steps": the transitions that led here (explained_steps); "choice": the policy that chose among candidates
 /// - "refused": what a refusal's transitions said (explained_refusals), else null
 /// - "stack": what changed (explained_stack)
+/// - "cells": what is on the stack at n, since when and where from (explained_cells)
 /// - "derivation": the term behind it (derivation_of) or null
 /// - "act": how it went (explained_act) or null
 /// - "brought_about": what the record led to at once, [{"n", "kind", "brief"}]; "along": what else its cause did
@@ -41,5 +43,9 @@ Result<std::size_t> asked_record(const RunIndex& run, const ExplainQuestion& que
 ///
 /// REQUIRES n < run.size(). An error when the record cannot be read.
 Result<Json> explain(const RunIndex& run, std::size_t n);
+
+/// How the value of a cell of the stack ("SYMBOL.SLOT") came about, told from record n, which set it:
+/// {"n", "cell", "value", "derivation": derivation_of}. REQUIRES n < run.size(). An error when there is no such cell.
+Result<Json> explain_cell(const RunIndex& run, std::size_t n, const std::string& cell);
 
 }  // namespace continua

@@ -143,6 +143,10 @@ std::string composed_on_stack(ExplainScope& scope, Derivation& derivation, std::
 
 }  // namespace
 
+Json derivation_of(ExplainScope& scope, const std::string& term) {
+  return Derivation(scope).of(term, "", scope.n() + 1, {});
+}
+
 Json derivation_of(ExplainScope& scope) {
   const auto n = scope.n();
   const Json& record = scope.record(n);

@@ -17,4 +17,7 @@ namespace continua {
 ///         `leaf` (then "origin", see origin_of; of a choice with "settled_by", the input since which it is this one)}.
 Json derivation_of(ExplainScope& scope);
 
+/// The same of this term as the scope's record has it. REQUIRES not empty.
+Json derivation_of(ExplainScope& scope, const std::string& term);
+
 }  // namespace continua

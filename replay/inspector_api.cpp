@@ -4,10 +4,15 @@
 
 #include <fmt/format.h>
 
+#include "replay/explain.h"
 #include "replay/line_scan.h"
+#include "replay/run_columns.h"
 #include "replay/run_diff.h"
 #include "replay/run_diff_text.h"
+#include "replay/run_find.h"
+#include "replay/run_labels.h"
 #include "replay/run_lanes.h"
+#include "replay/run_listing.h"
 #include "replay/run_views.h"
 
 namespace continua {
@@ -16,7 +21,10 @@ namespace {
 constexpr std::size_t most_records = 5000;  // in one answer
 constexpr std::size_t most_worlds = 4;      // kept
 constexpr double latest_s = 1e9;
+constexpr std::size_t most_numbers = 500;  // named one by one
+constexpr std::size_t most_columns = 2;    // runs of which they are kept
 constexpr auto json_type = "application/json";
+constexpr auto bytes_type = "application/octet-stream";
 
 int hex_value(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -84,6 +92,52 @@ Result<RecordFilter> record_filter(const Query& query) {
   return filter;
 }
 
+// n=5,17,300 or from=N&limit=K, in order.
+Result<std::vector<std::size_t>> record_numbers(const Query& query, const RunIndex& run) {
+  std::vector<std::size_t> numbers;
+  if (const auto named = query.find("n"); named != query.end()) {
+    for (const auto& part : split(named->second, ',')) {
+      const auto n = number_in<std::size_t>(part);
+      if (!n || *n >= run.size())
+        return Error{"", fmt::format("n={}: the run has records 0 to {}", part, run.size() - 1)};
+      numbers.push_back(*n);
+    }
+    if (numbers.size() > most_numbers) return Error{"", fmt::format("n: more than {} numbers", most_numbers)};
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+  }
+  const auto from = number<std::size_t>(query, "from", 0), limit = number<std::size_t>(query, "limit", most_numbers);
+  if (!from) return from.error();
+  if (!limit) return limit.error();
+  for (auto n = *from; n < run.size() && numbers.size() < std::min(*limit, most_records); ++n) numbers.push_back(n);
+  return numbers;
+}
+
+std::string text_of_query(const Query& query, const char* name) {
+  const auto found = query.find(name);
+  return found == query.end() ? std::string() : found->second;
+}
+
+Result<std::string> work_out(const RunIndex& log, const std::string& id, const std::string& view) {
+  if (view == "columns") return run_columns(log);
+  auto told = view == "graph" ? run_graph(log) : view == "lanes" ? run_lanes(log) : run_summary(log);
+  if (!told) return told.error();
+  if (view == "") (*told)["id"] = id;
+  return compact(*told);
+}
+
+ApiResponse labels(const RunIndex& log, const Query& query) {
+  const auto numbers = record_numbers(query, log);
+  return numbers ? answer(run_labels(log, *numbers)) : api_error(400, numbers.error().sentence);
+}
+
+ApiResponse find(const RunIndex& log, const Query& query) {
+  const auto found = run_find(log, text_of_query(query, "text"), text_of_query(query, "kind"));
+  if (!found) return api_error(500, found.error().text());
+  return {200, bytes_type,
+          std::string(reinterpret_cast<const char*>(found->data()), found->size() * sizeof(found->front()))};
+}
+
 }  // namespace
 
 ApiResponse api_error(int status, const std::string& message) {
@@ -107,48 +161,28 @@ ApiResponse InspectorApi::get(std::string_view target) {
   const auto [path, query] = split_target(target);
   const auto parts = split(path, '/');
   if (parts.size() >= 2 && parts[0] == "api") {
-    if (parts[1] == "runs" && parts.size() == 2) return runs();
+    if (parts[1] == "runs" && parts.size() == 2) return answer(Json{{"runs", listings_.all()}});
     if (parts[1] == "runs" && parts.size() <= 4) return run(parts[2], parts.size() == 4 ? parts[3] : "", query);
     if (parts[1] == "diff" && parts.size() == 2) return diff(query);
-    if (parts[1] == "live" || parts[1] == "sessions")
-      return api_error(501, fmt::format("/api/{} is not served by this version", parts[1]));
+    if (parts[1] == "sessions") return api_error(501, "live sessions are not served by this version");
   }
   return api_error(404, fmt::format("there is nothing at {}", path));
 }
 
-Result<Json> InspectorApi::listing(const RunFile& file) {
-  std::error_code problem;
-  const auto bytes = std::filesystem::file_size(file.path, problem);
-  const auto written = std::filesystem::last_write_time(file.path, problem);
-  {
-    const std::lock_guard lock(mutex_);
-    const auto known = listed_.find(file.path);
-    if (known != listed_.end() && known->second.bytes == bytes && known->second.written == written)
-      return known->second.listing;
-  }
-  const auto run = library_.open(file.id);
-  if (!run) return run.error();
-  if (!*run) return Error{file.path, "has gone"};
-  auto listed = run_listing(**run);
-  if (!listed) return listed;
-  const std::lock_guard lock(mutex_);
-  listed_.insert_or_assign(file.path, Listed{bytes, written, *listed});
-  return listed;
+void InspectorApi::start_preparing() {
+  listings_.start([this](const std::string& id) {
+    for (const char* view : {"", "graph", "columns"})
+      if (const auto opened = library_.open(id); opened && *opened) kept(*opened, id, view);
+  });
 }
 
-ApiResponse InspectorApi::runs() {
-  Json all = Json::array();
-  for (const auto& file : library_.runs()) {
-    Json line{{"id", file.id}, {"name", file.name}};
-    if (!file.what_if_of.empty()) line["what_if_of"] = file.what_if_of;
-    const auto listed = listing(file);
-    if (listed)
-      line.update(*listed);
-    else
-      line["error"] = Json{{"message", listed.error().text()}};
-    all.push_back(std::move(line));
-  }
-  return answer(Json{{"runs", std::move(all)}});
+ApiResponse InspectorApi::growth(const std::string& id) {
+  const auto opened = library_.open(id);
+  if (!opened) return api_error(422, opened.error().text());
+  if (!*opened) return api_error(404, fmt::format("there is no run '{}'", id));
+  const RunIndex& log = **opened;
+  return answer(
+      Json{{"records", log.size()}, {"t", log.entry(log.size() - 1).t.seconds()}, {"complete", log.complete()}});
 }
 
 ApiResponse InspectorApi::run(const std::string& id, const std::string& view, const Query& query) {
@@ -164,8 +198,23 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
   if (view == "stack" || view == "derivation") {
     const auto n = record_number(query, log);
     if (!n) return api_error(400, n.error().sentence);
-    return answer(view == "stack" ? run_stack(log, *n) : run_derivation(log, *n));
+    if (view == "derivation") return answer(run_derivation(log, *n));
+    if (!query.count("branch")) return answer(run_stack(log, *n));
+    const auto branch = number<std::int64_t>(query, "branch", 0);
+    if (!branch) return api_error(400, branch.error().sentence);
+    const auto stack = run_branch_stack(log, *n, *branch);
+    return stack ? answer(*stack) : api_error(404, stack.error().sentence);
   }
+  if (view == "explain") {
+    const auto n = record_number(query, log);
+    if (!n) return api_error(400, n.error().sentence);
+    const auto cell = query.find("cell");
+    if (cell == query.end()) return answer(explain(log, *n));
+    const auto told = explain_cell(log, *n, cell->second);
+    return told ? answer(*told) : api_error(404, told.error().sentence);
+  }
+  if (view == "labels") return labels(log, query);
+  if (view == "find") return find(log, query);
   if (view == "frame") return frame(*opened, query);
   if (view == "notes") return notes(log);
   if (view == "poses") return poses(*opened, query);
@@ -173,23 +222,33 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
     const auto scene = run_scene(log);
     return scene ? answer(*scene) : api_error(422, scene.error().text());
   }
-  if (view != "" && view != "graph" && view != "lanes") return api_error(404, fmt::format("a run has no '{}'", view));
+  if (view != "" && view != "graph" && view != "lanes" && view != "columns")
+    return api_error(404, fmt::format("a run has no '{}'", view));
 
-  // These depend on the log alone: worked out once.
-  const auto key = id + "/" + view;
+  return kept(*opened, id, view);
+}
+
+// What depends on the log alone: worked out once.
+ApiResponse InspectorApi::kept(const std::shared_ptr<const RunIndex>& run, const std::string& id,
+                               const std::string& view) {
+  const std::string type = view == "columns" ? bytes_type : json_type;
+  const auto key = std::pair(id, view);
   {
     const std::lock_guard lock(mutex_);
-    const auto known = kept_.find(key);
-    if (known != kept_.end() && known->second.run.lock() == *opened) return {200, json_type, known->second.body};
+    const auto known = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& one) { return one.key == key; });
+    if (known != kept_.end() && known->run.lock() == run) {
+      kept_.splice(kept_.begin(), kept_, known);
+      return {200, type, known->body};
+    }
   }
-  auto worked_out = view == "graph" ? run_graph(log) : view == "lanes" ? run_lanes(log) : run_summary(log);
-  if (!worked_out) return api_error(500, worked_out.error().text());
-  if (view == "") (*worked_out)["id"] = id;
-  const auto response = answer(*worked_out);
+  auto body = work_out(*run, id, view);
+  if (!body) return api_error(500, body.error().text());
   const std::lock_guard lock(mutex_);
-  std::erase_if(kept_, [](const auto& kept) { return kept.second.run.expired(); });
-  kept_.insert_or_assign(key, Kept{*opened, response.body});
-  return response;
+  std::erase_if(kept_, [&](const Kept& one) { return one.key == key || one.run.expired(); });
+  kept_.push_front({key, run, *body});
+  std::size_t columns = 0;
+  std::erase_if(kept_, [&](const Kept& one) { return one.key.second == "columns" && ++columns > most_columns; });
+  return {200, type, *std::move(body)};
 }
 
 ApiResponse InspectorApi::poses(const std::shared_ptr<const RunIndex>& run, const Query& query) {
@@ -239,7 +298,10 @@ ApiResponse InspectorApi::diff(const Query& query) {
   if (!(*tolerance >= 0)) return api_error(400, fmt::format("tolerance={}; expected metres from 0", *tolerance));
   const auto told = diff_runs(*sides[0], *sides[1], {*tolerance});
   if (!told) return api_error(422, told.error().text());
-  return answer(diff_json(*sides[0], *sides[1], *told));
+  auto body = diff_json(*sides[0], *sides[1], *told);
+  body["pairs"] = told->pairs;
+  body["markdown"] = diff_markdown(*sides[0], *sides[1], *told);
+  return answer(body);
 }
 
 ApiResponse InspectorApi::frame(const std::shared_ptr<const RunIndex>& run, const Query& query) {

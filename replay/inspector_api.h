@@ -13,6 +13,7 @@
 #include "replay/run_frames.h"
 #include "replay/run_index.h"
 #include "replay/run_library.h"
+#include "replay/run_listings.h"
 #include "replay/run_temporary.h"
 #include "replay/run_what_if.h"
 #include "replay/run_world.h"
@@ -43,14 +44,28 @@ class InspectorApi {
                         std::shared_ptr<RunWhatIf> what_if = nullptr)
       : library_(std::move(paths)), frames_(std::move(frames)), what_if_(std::move(what_if)) {}
 
+  /// From now on a thread reads all runs, the newest first, so that the first look at one finds it read. Until it has,
+  /// "/api/runs" tells of a run that it is `pending`.
+  void start_preparing();
+  /// Waits for the run that is being read. Implied by the end of this object.
+  void stop_preparing() { listings_.stop(); }
+
   /// `target` as it stands in the request line: "/api/runs/ID/stack?n=137". Errors are {"error": {"message": …}}.
   /// "/api/runs/ID/frame?t=SECONDS&size=WxH" is a PNG of the scene at that instant (size: 640x360 if not given); 400
   /// for a t outside the run or a bad size, 422 where the log has nothing that can be drawn, 501 where this machine
   /// cannot draw.
+  /// "/api/runs/ID/stack?n=N" is run_stack, with "&branch=ID" run_branch_stack (run_views.h).
   /// "/api/runs/ID/scene" is run_scene, "/api/runs/ID/poses?from=SECONDS&to=SECONDS" RunWorld::window (run_world.h).
-  /// "/api/diff?a=ID&b=ID&tolerance=METRES" is what diff_json (run_diff_text.h) tells of two runs.
   /// "/api/runs/ID/notes" is {"notes": [{"id", "n", "to", "text"}], "version"} (run_notes.h).
+  /// "/api/runs/ID/columns" (run_columns.h), "/labels?n=5,17" or "?from=N&limit=K" (run_labels.h) and
+  /// "/find?text=WORDS&kind=KIND" (run_find.h; the numbers as u32, little endian) are what a page draws all records
+  /// from.
+  /// "/api/diff?a=ID&b=ID&tolerance=METRES" is what diff_json (run_diff_text.h) tells of two runs,
+  /// as `markdown` what diff_markdown does, and `pairs`: [[n of a, n of b], …].
   ApiResponse get(std::string_view target);
+
+  /// How far a run that is being written has come: {records, t (seconds), complete}.
+  ApiResponse growth(const std::string& id);
 
   /// "/api/runs/ID/notes": keeps the notes beside the run, if nobody else has written them since `version`, else 409.
   ApiResponse put(std::string_view target, std::string_view content_type, std::string_view body);
@@ -64,13 +79,12 @@ class InspectorApi {
   void stop() { stopped_ = true; }
 
  private:
-  ApiResponse runs();
   ApiResponse run(const std::string& id, const std::string& view, const Query& query);
+  ApiResponse kept(const std::shared_ptr<const RunIndex>& run, const std::string& id, const std::string& view);
   ApiResponse diff(const Query& query);
   Result<std::shared_ptr<RunWorld>> world_of(const std::shared_ptr<const RunIndex>& run);
   ApiResponse poses(const std::shared_ptr<const RunIndex>& run, const Query& query);
   ApiResponse frame(const std::shared_ptr<const RunIndex>& run, const Query& query);
-  Result<Json> listing(const RunFile& file);
   // inspector_changes.cpp
   ApiResponse notes(const RunIndex& run);
   ApiResponse replay(const RunIndex& run, const WhatIfRequest& request, int number);
@@ -85,21 +99,17 @@ class InspectorApi {
   std::mutex mutex_;
   // What was worked out from an index stays true as long as that index lives.
   struct Kept {
+    std::pair<std::string, std::string> key;  // id, view
     std::weak_ptr<const RunIndex> run;
     std::string body;
   };
-  std::map<std::string, Kept> kept_;  // "ID/view" -> body
   struct KeptWorld {
     std::shared_ptr<const RunIndex> run;
     std::shared_ptr<RunWorld> world;
   };
-  std::list<KeptWorld> worlds_;  // the last used first
-  struct Listed {
-    std::uintmax_t bytes;
-    std::filesystem::file_time_type written;
-    Json listing;
-  };
-  std::map<std::string, Listed> listed_;  // path -> its line on the start page
+  std::list<KeptWorld> worlds_;     // the last used first
+  std::list<Kept> kept_;            // the last used first
+  RunListings listings_{library_};  // last: its thread uses all of the above
 };
 
 /// {"error": {"message": …}}

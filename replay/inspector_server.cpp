@@ -1,14 +1,16 @@
 #include "replay/inspector_server.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cctype>
+#include <chrono>
+#include <thread>
 
 #include <fmt/format.h>
 #include <httplib.h>
 
+#include "replay/gzip.h"
 #include "replay/inspector_api.h"
 #include "replay/pictures/frame_cache.h"
 #include "replay/what_if_session.h"
@@ -19,46 +21,14 @@ namespace {
 
 constexpr std::size_t largest_body = std::size_t{1} << 20;
 constexpr std::size_t smallest_packed = 1024;  // shorter answers are not worth compressing
+constexpr int most_streams = 16;               // each has a thread
+constexpr int other_threads = 16;
+constexpr std::chrono::milliseconds look_every{200};  // at a run that is being written
 
 // Nothing but what this server gives out may be loaded, run, framed or sent to.
 constexpr auto policy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-
-// zlib with a gzip header: 15 bits of window and 16 to ask for it.
-constexpr int gzip_window = 15 + 16;
-
-std::string packed(const std::string& text) {
-  z_stream stream{};
-  if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, gzip_window, 8, Z_DEFAULT_STRATEGY) != Z_OK) return {};
-  std::string out(deflateBound(&stream, text.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  const bool done = deflate(&stream, Z_FINISH) == Z_STREAM_END;
-  out.resize(done ? stream.total_out : 0);
-  deflateEnd(&stream);
-  return out;
-}
-
-std::string unpacked(std::string_view gzip) {
-  z_stream stream{};
-  if (inflateInit2(&stream, gzip_window) != Z_OK) return {};
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(gzip.data()));
-  stream.avail_in = static_cast<uInt>(gzip.size());
-  std::string out;
-  std::array<char, 1 << 14> block;
-  int state = Z_OK;
-  while (state == Z_OK) {
-    stream.next_out = reinterpret_cast<Bytef*>(block.data());
-    stream.avail_out = static_cast<uInt>(block.size());
-    state = inflate(&stream, Z_NO_FLUSH);
-    out.append(block.data(), block.size() - stream.avail_out);
-  }
-  inflateEnd(&stream);
-  return out;
-}
 
 bool takes_gzip(const httplib::Request& request) {
   return request.get_header_value("Accept-Encoding").find("gzip") != std::string::npos;
@@ -73,14 +43,20 @@ void send(httplib::Response& response, std::shared_ptr<const std::string> body, 
                                 });
 }
 
+bool is_here(const httplib::Request& request) {
+  return request.remote_addr == "127.0.0.1" || request.remote_addr == "::1";
+}
+
 void send_answer(const httplib::Request& request, httplib::Response& response, ApiResponse answer) {
   response.status = answer.status;
   response.set_header("Cache-Control", "no-store");
   response.set_header("Vary", "Accept-Encoding");
-  const bool packs = answer.content_type != "image/png";  // is packed already
+  // Pictures are packed already; columns go faster as they are to where no wire is.
+  const bool packs =
+      answer.content_type != "image/png" && !(answer.content_type == "application/octet-stream" && is_here(request));
   if (packs && answer.body.size() >= smallest_packed && takes_gzip(request)) {
     response.set_header("Content-Encoding", "gzip");
-    answer.body = packed(answer.body);
+    answer.body = gzipped(answer.body);
   }
   send(response, std::make_shared<const std::string>(std::move(answer.body)), answer.content_type);
 }
@@ -95,7 +71,7 @@ void send_asset(const httplib::Request& request, httplib::Response& response, co
   }
   const bool gzip = takes_gzip(request);
   if (gzip) response.set_header("Content-Encoding", "gzip");
-  send(response, std::make_shared<const std::string>(gzip ? std::string(asset.gzip) : unpacked(asset.gzip)),
+  send(response, std::make_shared<const std::string>(gzip ? std::string(asset.gzip) : gunzipped(asset.gzip)),
        std::string(asset.mime));
 }
 
@@ -136,6 +112,10 @@ class InspectorServer::Impl {
       if (refused.empty()) return httplib::Server::HandlerResponse::Unhandled;
       send_answer(request, response, api_error(403, refused));
       return httplib::Server::HandlerResponse::Handled;
+    });
+    server_.new_task_queue = [] { return new httplib::ThreadPool(most_streams + other_threads); };
+    server_.Get("/api/live", [this](const httplib::Request& request, httplib::Response& response) {
+      send_growth(request, response);
     });
     server_.Get("/api/.*", [this](const httplib::Request& request, httplib::Response& response) {
       send_answer(request, response, api_.get(request.target));
@@ -180,13 +160,45 @@ class InspectorServer::Impl {
     return bound;
   }
 
-  void run() { server_.listen_after_bind(); }
+  void run() {
+    api_.start_preparing();
+    server_.listen_after_bind();
+    api_.stop_preparing();
+  }
   void stop() {
     api_.stop();
+    stopping_ = true;
     server_.stop();
   }
 
  private:
+  // Tells how far a run has come whenever it has come further, until it is complete or nobody listens.
+  void send_growth(const httplib::Request& request, httplib::Response& response) {
+    const auto id = request.get_param_value("run");
+    if (const auto first = api_.growth(id); first.status != 200) return send_answer(request, response, first);
+    if (streams_.fetch_add(1) >= most_streams) {
+      --streams_;
+      return send_answer(request, response,
+                         api_error(503, fmt::format("{} runs are being followed already", most_streams)));
+    }
+    response.set_header("Cache-Control", "no-store");
+    response.set_chunked_content_provider(
+        "text/event-stream",
+        [this, id, told = std::string()](std::size_t, httplib::DataSink& sink) mutable {
+          const auto growth = api_.growth(id);
+          if (growth.status != 200) return sink.done(), true;
+          if (growth.body != told) {
+            told = growth.body;
+            const auto event = fmt::format("event: grown\ndata: {}\n\n", told);
+            if (!sink.write(event.data(), event.size())) return false;
+          }
+          if (growth.body.find("\"complete\":true") != std::string::npos) return sink.done(), true;
+          std::this_thread::sleep_for(look_every);
+          return !stopping_ && sink.is_writable();
+        },
+        [this](bool) { --streams_; });
+  }
+
   // Why a request is not answered; empty when it is. A page elsewhere may reach this port through its visitor's
   // browser: by its own name made to point here (the host is then that name), or openly (the origin is then its own).
   std::string refusal(const httplib::Request& request) const {
@@ -205,6 +217,8 @@ class InspectorServer::Impl {
   InspectorApi api_;
   httplib::Server server_;
   std::string address_;
+  std::atomic<int> streams_ = 0;
+  std::atomic<bool> stopping_ = false;
 };
 
 InspectorServer::InspectorServer(std::vector<std::string> paths) : impl_(std::make_unique<Impl>(std::move(paths))) {}

@@ -105,6 +105,15 @@ bool scan_members(std::string_view line, Member member) {
   return walk.done();
 }
 
+/// The value of a member of the object in `text` as written, the last one of that name; empty where there is none.
+inline std::string_view member_in(std::string_view text, std::string_view name) {
+  std::string_view found;
+  scan_members(text, [&](std::string_view key, std::string_view value) {
+    if (key == name) found = value;
+  });
+  return found;
+}
+
 /// Calls `element(value)` for each element of the array in `text`. False when it is not one whole JSON array.
 template <class Element>
 bool scan_elements(std::string_view text, Element element) {

@@ -1,8 +1,6 @@
 #include "replay/run_brief.h"
 
-#include <array>
-#include <functional>
-#include <string_view>
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -80,59 +78,101 @@ std::string reading_text(const Json& record) {
 
 struct Teller {
   const char* kind;
+  std::vector<std::string_view> members;  // that it reads
+  std::string_view adds;                  // all that it puts between what these say
   std::string (*tell)(const Json&);
 };
 
-const std::array tellers{
+const std::vector<Teller> tellers{
     Teller{"run",
+           {"trace", "machine"},
+           "on",
            [](const Json& r) {
              return joined({text_of(member_of(r, "trace"), "name"), "on", text_of(member_of(r, "machine"), "name")});
            }},
-    Teller{"input", input_text},
-    Teller{"percept", percept_text},
-    Teller{"reading", reading_text},
+    Teller{"input", {"event"}, "“” pointing observed", input_text},
+    Teller{"percept", {"bound", "waited_s"}, ": pointed at, nothing is pointed at, after s", percept_text},
+    Teller{"reading", {"move", "words", "meaning", "referents"}, "not understood: nothing or", reading_text},
     Teller{"observed",
+           {"channel", "content"},
+           "",
            [](const Json& r) {
              return joined({text_of(r, "channel"), text_of(r, "content")});
            }},
     Teller{"belief",
+           {"concept", "value", "was"},
+           "(was )",
            [](const Json& r) {
              return fmt::format("{} {} (was {})", text_of(r, "concept"), text_of(r, "value"), text_of(r, "was"));
            }},
     Teller{"memory",
+           {"register", "value"},
+           ":=",
            [](const Json& r) { return fmt::format("{} := {}", text_of(r, "register"), text_of(r, "value")); }},
-    Teller{"transition", [](const Json& r) { return fmt::format("{} → {}", text_of(r, "from"), text_of(r, "to")); }},
+    Teller{"transition",
+           {"from", "to"},
+           "→",
+           [](const Json& r) { return fmt::format("{} → {}", text_of(r, "from"), text_of(r, "to")); }},
     Teller{"symbol",
+           {"id", "slots"},
+           "# ,",
            [](const Json& r) {
              return joined({fmt::format("#{}", text_of(r, "id")), slots_text(member_of(r, "slots"))});
            }},
     Teller{"rewrite",
+           {"state", "operation"},
+           "",
            [](const Json& r) {
              return joined({text_of(r, "state"), operation_text(member_of(r, "operation"))});
            }},
     Teller{"application",
+           {"function", "argument", "result"},
+           "@ =",
            [](const Json& r) {
              return fmt::format("{} @ {} = {}", text_of(r, "function"), text_of(r, "argument"), text_of(r, "result"));
            }},
-    Teller{"utterance", [](const Json& r) { return fmt::format("“{}”", text_of(r, "text")); }},
-    Teller{"gesture", [](const Json& r) { return text_of(r, "gesture"); }},
+    Teller{"utterance", {"text"}, "“”", [](const Json& r) { return fmt::format("“{}”", text_of(r, "text")); }},
+    Teller{"gesture", {"gesture"}, "", [](const Json& r) { return text_of(r, "gesture"); }},
     Teller{"act",
+           {"status", "program"},
+           "",
            [](const Json& r) {
              return joined({text_of(r, "status"), text_of(r, "program")});
            }},
-    Teller{"pose", [](const Json& r) { return fmt::format("{} bodies", member_of(r, "bodies").size()); }},
-    Teller{"rest", [](const Json& r) { return fmt::format("{} – {} s", text_of(r, "from"), text_of(r, "to")); }},
+    Teller{"pose",
+           {"bodies"},
+           "bodies",
+           [](const Json& r) { return fmt::format("{} bodies", member_of(r, "bodies").size()); }},
+    Teller{"rest",
+           {"from", "to"},
+           "– s",
+           [](const Json& r) { return fmt::format("{} – {} s", text_of(r, "from"), text_of(r, "to")); }},
     Teller{"refusal",
+           {"input", "state", "reason"},
+           "in :",
            [](const Json& r) {
              return joined({text_of(r, "input"), "in", text_of(r, "state") + ":", text_of(r, "reason")});
            }},
     Teller{"problem",
+           {"line", "message"},
+           "line :",
            [](const Json& r) { return fmt::format("line {}: {}", text_of(r, "line"), text_of(r, "message")); }},
-    Teller{"expect", expect_text},
-    Teller{"end", [](const Json&) { return std::string("end of the log"); }},
+    Teller{"expect", {"met", "expected", "found"}, "met: not met: expected ; found ,", expect_text},
+    Teller{"end", {}, "end of the log", [](const Json&) { return std::string("end of the log"); }},
 };
 
+const Teller* teller_of(std::string_view kind) {
+  const auto found = std::find_if(tellers.begin(), tellers.end(), [&](const Teller& one) { return one.kind == kind; });
+  return found == tellers.end() ? nullptr : &*found;
+}
+
 }  // namespace
+
+std::optional<BriefParts> brief_parts(std::string_view kind) {
+  const auto* teller = teller_of(kind);
+  if (!teller) return std::nullopt;
+  return BriefParts{teller->members, teller->adds};
+}
 
 const Json& member_of(const Json& object, const char* key) {
   static const Json nothing;
@@ -149,8 +189,7 @@ std::string text_of(const Json& object, const char* key) {
 
 std::string brief(const Json& record) {
   const auto kind = text_of(record, "kind");
-  for (const auto& teller : tellers)
-    if (kind == teller.kind) return teller.tell(record);
+  if (const auto* teller = teller_of(kind)) return teller->tell(record);
   Json rest = record;
   for (const char* key : {"kind", "n", "t", "cause"}) rest.erase(key);
   return compact(rest);

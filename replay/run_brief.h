@@ -1,7 +1,10 @@
 // A record in a few words, for lists and labels. Reads the log's own fields only.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "core/located_json.h"
 
@@ -15,5 +18,15 @@ std::string text_of(const Json& object, const char* key);
 
 /// What the record says, without its kind, number and time. Kinds it does not know give their fields as JSON.
 std::string brief(const Json& record);
+
+/// What brief() makes of records of a kind: it puts what their members say one after another, with something of `adds`
+/// between any two.
+struct BriefParts {
+  std::span<const std::string_view> members;  ///< that it reads, besides `kind`
+  std::string_view adds;
+};
+
+/// Nothing for kinds that brief() does not know: it gives all of their members.
+std::optional<BriefParts> brief_parts(std::string_view kind);
 
 }  // namespace continua

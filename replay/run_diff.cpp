@@ -79,6 +79,7 @@ class Comparison {
     for (std::size_t i = 0; i < of_event.size(); ++i)
       if (of_event[i] != none) followed({i + 1, of_event[i] + 1});
     if (!std::is_sorted(pairs_.begin(), pairs_.end())) std::sort(pairs_.begin(), pairs_.end());
+    diff.pairs = some_pairs(aligned);
     outcomes();
     std::stable_sort(differences_.begin(), differences_.end(),
                      [](const RunDifference& x, const RunDifference& y) { return key(x) < key(y); });
@@ -96,6 +97,19 @@ class Comparison {
 
  private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  std::vector<std::pair<std::size_t, std::size_t>> some_pairs(const EventAlignment& aligned) const {
+    std::vector<std::pair<std::size_t, std::size_t>> some, growing;
+    const auto apart = [](std::size_t count) { return count / most_pairs + 1; };
+    for (std::size_t i = 0; i < aligned.pairs.size(); i += apart(aligned.pairs.size()))
+      some.emplace_back(shape_a_.events[aligned.pairs[i].first], shape_b_.events[aligned.pairs[i].second]);
+    for (std::size_t i = 0; i < pairs_.size(); i += apart(pairs_.size())) some.push_back(pairs_[i]);
+    std::sort(some.begin(), some.end());
+    for (const auto& pair : some)
+      if (growing.empty() || (pair.first > growing.back().first && pair.second > growing.back().second))
+        growing.push_back(pair);
+    return growing;
+  }
 
   // At one instant inputs come first.
   static std::tuple<SimTime, int, std::size_t> key(const RunDifference& difference) {

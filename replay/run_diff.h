@@ -66,6 +66,9 @@ struct RunDiff {
   std::vector<std::size_t> led_a, led_b;   ///< causes of its first record in each run, the earliest first
   /// Records of both in which they are in the same state with the same stack again, after the first difference.
   std::optional<std::pair<std::size_t, std::size_t>> meet;
+  /// Records of both that say the same, or are what became of the same input: growing in both. Of very many some, at
+  /// even distances, at most about twice `most_pairs`.
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
   std::size_t inputs_a = 0, inputs_b = 0, inputs_common = 0;
   std::string farthest;           ///< the body that is farthest from where it is in the other run
   double largest_distance_m = 0;  ///< of a body in one run from where it is in the other; with the same decisions only
@@ -81,7 +84,7 @@ struct DiffOptions {
   double tolerance_m = 1e-3;  ///< bodies that are nearer than this to where they are in the other run are there too
 };
 
-inline constexpr std::size_t most_differences = 1000;
+inline constexpr std::size_t most_differences = 1000, most_pairs = 4000;
 
 /// The error is of a record that cannot be read.
 Result<RunDiff> diff_runs(const RunIndex& a, const RunIndex& b, const DiffOptions& options = {});

@@ -21,10 +21,10 @@ constexpr std::uint64_t shortest_kept = std::uint64_t{8} << 20;
 
 // What a file of another version, or of a machine that lays numbers out otherwise, does not begin with.
 struct Begin {
-  std::array<char, 24> name{"continua run index 1"};
+  std::array<char, 24> name{"continua run index 2"};
   std::uint64_t order = 0x0102030405060708ULL;
-  std::uint64_t sizes =
-      (sizeof(RecordEntry) << 24) + (sizeof(StackMark) << 16) + (sizeof(SymbolPlace) << 8) + sizeof(ActMark);
+  std::uint64_t sizes = (sizeof(RecordEntry) << 32) + (sizeof(StackMark) << 24) + (sizeof(SymbolPlace) << 16) +
+                        (sizeof(ActMark) << 8) + sizeof(StepMark);
   bool operator==(const Begin&) const = default;
 };
 
@@ -49,6 +49,10 @@ class Writer {
     static_assert(std::is_trivially_copyable_v<typename T::value_type>);
     put(static_cast<std::uint64_t>(values.size()));
     put_bytes(values.data(), values.size() * sizeof(typename T::value_type));
+  }
+  void put_texts(const std::vector<std::string>& texts) {
+    put(static_cast<std::uint64_t>(texts.size()));
+    for (const auto& text : texts) put_all(text);
   }
   void finish() { file_ << digest_.text(); }
 
@@ -78,6 +82,13 @@ class Reader {
     if (!get(count) || count > left_ / sizeof(typename T::value_type)) return false;
     values.resize(count);
     return get_bytes(values.data(), count * sizeof(typename T::value_type));
+  }
+  bool get_texts(std::vector<std::string>& texts) {
+    std::uint64_t count = 0;
+    if (!get(count)) return false;
+    for (std::string text; texts.size() < count; texts.push_back(text))
+      if (!get_all(text)) return false;
+    return true;
   }
   /// Whether nothing is left but the digest of all that was read.
   bool finished() {
@@ -126,14 +137,12 @@ std::optional<RunIndex> RunIndex::kept(const std::string& path, const Print& pri
   RunIndex index;
   Begin begin;
   Print of_log;
-  std::uint64_t kinds = 0;
   std::vector<Symbol> symbols;
-  if (!reader.get(begin) || begin != Begin() || !reader.get(of_log) || of_log != print || !reader.get(kinds))
-    return std::nullopt;
-  for (std::string kind; index.kinds_.size() < kinds; index.kinds_.push_back(kind))
-    if (!reader.get_all(kind)) return std::nullopt;
-  if (!reader.get_all(index.entries_) || !reader.get_all(index.marks_) || !reader.get_all(symbols) ||
-      !reader.get_all(index.acts_) || !reader.get_all(index.trouble_) || !reader.finished())
+  if (!reader.get(begin) || begin != Begin() || !reader.get(of_log) || of_log != print ||
+      !reader.get_texts(index.kinds_) || !reader.get_texts(index.names_) || !reader.get_all(index.entries_) ||
+      !reader.get_all(index.marks_) || !reader.get_all(symbols) || !reader.get_all(index.acts_) ||
+      !reader.get_all(index.steps_) || !reader.get_all(index.trouble_) || !reader.get(index.last_line_) ||
+      !reader.finished())
     return std::nullopt;
   index.symbols_.reserve(symbols.size());
   for (const auto& [id, place] : symbols) index.symbols_.emplace(id, place);
@@ -151,6 +160,8 @@ bool RunIndex::consistent() const {
     return known(mark.n);
   }) && std::all_of(acts_.begin(), acts_.end(), [&](const ActMark& mark) {
     return known(mark.n);
+  }) && std::all_of(steps_.begin(), steps_.end(), [&](const StepMark& step) {
+    return known(step.n) && std::max({step.id, step.from, step.to}) < names_.size();
   }) && std::all_of(symbols_.begin(), symbols_.end(), [&](const auto& symbol) {
     const auto below = symbols_.find(symbol.second.below);
     return known(symbol.second.n) && (below == symbols_.end() || below->second.n < symbol.second.n);
@@ -167,13 +178,15 @@ void RunIndex::keep(const Print& print) const {
   Writer writer(file);
   writer.put(Begin());
   writer.put(print);
-  writer.put(static_cast<std::uint64_t>(kinds_.size()));
-  for (const auto& kind : kinds_) writer.put_all(kind);
+  writer.put_texts(kinds_);
+  writer.put_texts(names_);
   writer.put_all(entries_);
   writer.put_all(marks_);
   writer.put_all(symbols);
   writer.put_all(acts_);
+  writer.put_all(steps_);
   writer.put_all(trouble_);
+  writer.put(last_line_);
   writer.finish();
   file.close();
   std::error_code problem;

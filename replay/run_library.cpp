@@ -11,7 +11,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view suffix = ".run.jsonl";
-constexpr std::size_t most_held = 8;  // indexes kept open
+constexpr std::size_t most_held = 8;                // indexes kept open
+constexpr std::size_t most_held_records = 3000000;  // of all but the one used last, at some 60 bytes each
 
 bool is_letter_or_digit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -42,7 +43,15 @@ std::vector<fs::path> logs_below(const fs::path& folder) {
 
 }  // namespace
 
-std::vector<RunFile> RunLibrary::runs() const {
+FileState file_state(const std::string& path) {
+  std::error_code problem;
+  FileState state{fs::file_size(path, problem), {}};
+  if (problem) return {};
+  state.written = fs::last_write_time(path, problem);
+  return state;
+}
+
+std::vector<RunFile> RunLibrary::runs() {
   std::vector<RunFile> found;
   std::set<std::string> paths, ids;
   std::vector<RunFile> added;
@@ -68,13 +77,16 @@ std::vector<RunFile> RunLibrary::runs() const {
       add(path, fs::path(path).filename().string());
   }
   found.insert(found.end(), added.begin(), added.end());
+  const std::lock_guard lock(mutex_);
+  known_.clear();
+  for (const auto& file : found) known_.emplace(file.id, file.path);
   return found;
 }
 
 std::string RunLibrary::add(const std::string& name, const std::string& path, const std::string& what_if_of) {
-  const auto known = runs();
+  const auto all = runs();
   const auto is_known = [&](const std::string& id) {
-    return std::any_of(known.begin(), known.end(), [&](const RunFile& run) { return run.id == id; });
+    return std::any_of(all.begin(), all.end(), [&](const RunFile& run) { return run.id == id; });
   };
   auto id = name;
   for (int copy = 2; is_known(id); ++copy) id = fmt::format("{}-{}", name, copy);
@@ -83,28 +95,63 @@ std::string RunLibrary::add(const std::string& name, const std::string& path, co
   return id;
 }
 
-Result<std::shared_ptr<const RunIndex>> RunLibrary::open(const std::string& id) {
-  const auto all = runs();
-  const auto file = std::find_if(all.begin(), all.end(), [&](const RunFile& run) { return run.id == id; });
-  if (file == all.end()) return std::shared_ptr<const RunIndex>();
-  std::error_code problem;
-  const auto bytes = fs::file_size(file->path, problem);
-  const auto written = fs::last_write_time(file->path, problem);
-
-  const std::lock_guard lock(mutex_);
-  const auto held = std::find_if(held_.begin(), held_.end(), [&](const Held& one) { return one.path == file->path; });
-  if (held != held_.end()) {
-    if (held->bytes == bytes && held->written == written) {
-      held_.splice(held_.begin(), held_, held);
-      return held_.front().run;
-    }
-    held_.erase(held);
+// Empty: no run has this id.
+std::string RunLibrary::path_of(const std::string& id) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = known_.find(id);
+    std::error_code problem;
+    if (known != known_.end() && fs::exists(known->second, problem)) return known->second;
   }
-  auto run = RunIndex::open(file->path);
+  for (const auto& file : runs())
+    if (file.id == id) return file.path;
+  return {};
+}
+
+// Moved to the front. Null if it is not held and none is to be made.
+std::shared_ptr<RunLibrary::Held> RunLibrary::held(const std::string& path, bool make) {
+  const std::lock_guard lock(mutex_);
+  const auto known = std::find_if(held_.begin(), held_.end(), [&](const auto& one) { return one->path == path; });
+  if (known == held_.end() && !make) return nullptr;
+  if (known == held_.end())
+    held_.push_front(std::make_shared<Held>(path));
+  else
+    held_.splice(held_.begin(), held_, known);
+  std::size_t count = 0, records = 0;
+  std::erase_if(held_, [&](const auto& one) {
+    if (count > 0) records += one->records;
+    return ++count > most_held || records > most_held_records;
+  });
+  return held_.front();
+}
+
+Result<std::shared_ptr<const RunIndex>> RunLibrary::read(Held& held) {
+  const std::lock_guard lock(held.reading);
+  const auto state = file_state(held.path);
+  if (held.run && held.state == state) return held.run;
+  const bool grown = held.run && state.bytes > held.state.bytes;
+  auto run = grown ? RunIndex::grown(*held.run) : RunIndex::open(held.path);
+  if (!run) {
+    held.run = nullptr;
+    return run.error();
+  }
+  held.state = state;
+  held.records = run->size();
+  held.run = std::make_shared<const RunIndex>(*std::move(run));
+  return held.run;
+}
+
+Result<std::shared_ptr<const RunIndex>> RunLibrary::open(const std::string& id) {
+  const auto path = path_of(id);
+  if (path.empty()) return std::shared_ptr<const RunIndex>();
+  return read(*held(path, true));
+}
+
+Result<std::shared_ptr<const RunIndex>> RunLibrary::look_into(const RunFile& file) {
+  if (const auto known = held(file.path, false)) return read(*known);
+  auto run = RunIndex::open(file.path);
   if (!run) return run.error();
-  held_.push_front({file->path, bytes, written, std::make_shared<const RunIndex>(*std::move(run))});
-  if (held_.size() > most_held) held_.pop_back();
-  return held_.front().run;
+  return std::make_shared<const RunIndex>(*std::move(run));
 }
 
 }  // namespace continua

@@ -10,102 +10,11 @@
 namespace continua {
 namespace {
 
-std::string name_of(const Json& header, const char* part) {
-  const auto found = header.find(part);
-  if (found == header.end()) return {};
-  return found->is_string() ? found->get<std::string>() : text_of(*found, "name");
-}
-
-// The distinct act numbers: an act has a record for each of its states.
-std::size_t count_acts(const RunIndex& run) {
-  std::set<std::string> acts;
-  for (const auto n : run.of_kind("act"))
-    if (const auto act = run.record(n)) acts.insert(text_of(*act, "act"));
-  return acts.size();
-}
-
-std::optional<std::size_t> first_record(const RunIndex& run, std::string_view kind, auto holds) {
-  for (const auto n : run.of_kind(kind)) {
-    const auto record = run.record(n);
-    if (record && holds(*record)) return n;
-  }
-  return std::nullopt;
-}
-
-bool is_unmet(const Json& expect) { return expect.contains("met") && expect["met"] == false; }
-bool is_question(const Json& utterance) {
-  const auto text = text_of(utterance, "text");
-  return !text.empty() && text.back() == '?';
-}
-
 Json brief_json(const RunIndex& run, std::size_t n, const Json& record) {
   return Json{{"n", n}, {"t", run.entry(n).t.seconds()}, {"kind", run.kind(n)}, {"brief", brief(record)}};
 }
 
 }  // namespace
-
-bool is_pointing_sample(const RunIndex& run, std::size_t n) {
-  if (run.kind(n) != "input") return false;
-  const auto record = run.record(n);
-  return record && text_of(record->value("event", Json::object()), "kind") == "pointing";
-}
-
-std::size_t record_of_interest(const RunIndex& run) {
-  if (const auto n = first_record(run, "expect", is_unmet)) return *n;
-  if (const auto n = first_record(run, "utterance", is_question)) return *n;
-  const auto acts = run.of_kind("act");
-  for (auto at = acts.rbegin(); at != acts.rend(); ++at)
-    if (const auto act = run.record(*at); act && text_of(*act, "status") == "asked") return *at;
-  for (const char* kind : {"utterance", "act", "refusal", "transition"})
-    if (const auto all = run.of_kind(kind); !all.empty()) return all.front();
-  return std::min<std::size_t>(1, run.size() - 1);
-}
-
-Result<Json> run_listing(const RunIndex& run) {
-  const auto header = run.record(0);
-  if (!header) return header.error();
-  std::size_t met = 0;
-  const auto expects = run.of_kind("expect");
-  for (const auto n : expects)
-    if (const auto record = run.record(n); record && !is_unmet(*record)) ++met;
-  std::size_t refused_samples = 0;
-  const auto refusals = run.of_kind("refusal");
-  for (const auto n : refusals)
-    if (const auto cause = run.cause(n); cause && is_pointing_sample(run, *cause)) ++refused_samples;
-  Json counts = Json::object();
-  for (const auto& kind : run.kinds()) counts[kind] = run.of_kind(kind).size();
-  return Json{{"trace", name_of(*header, "trace")},
-              {"duration", run.entry(run.size() - 1).t.seconds()},
-              {"records", run.size()},
-              {"utterances", run.of_kind("utterance").size()},
-              {"acts", count_acts(run)},
-              {"refusals", refusals.size()},
-              {"refused_samples", refused_samples},
-              {"problems", run.of_kind("problem").size()},
-              {"expected", expects.size()},
-              {"met", met},
-              {"counts", std::move(counts)},
-              {"machine", name_of(*header, "machine")},
-              {"scene", name_of(*header, "scene")},
-              {"bytes", run.bytes()},
-              {"complete", run.complete()},
-              {"trouble", run.trouble()}};
-}
-
-Result<Json> run_summary(const RunIndex& run) {
-  auto header = run.record(0);
-  if (!header) return header.error();
-  auto summary = run_listing(run);
-  if (!summary) return summary.error();
-  // The texts that the page does not need at once: the scene's XML, the machine's file, and the graph, which has
-  // its own address.
-  for (const auto& [part, key] : {std::pair{"scene", "mjcf"}, {"machine", "document"}})
-    if (header->contains(part) && (*header)[part].is_object()) (*header)[part].erase(key);
-  header->erase("graph");
-  (*summary)["first"] = record_of_interest(run);
-  (*summary)["header"] = *std::move(header);
-  return summary;
-}
 
 Result<Json> run_records(const RunIndex& run, const RecordFilter& filter) {
   Json records = Json::array();
@@ -132,13 +41,14 @@ Result<Json> run_graph(const RunIndex& run) {
   if (!header) return header.error();
   Json graph = header->value("graph", Json::object());
   if (!graph.is_object()) graph = Json::object();
+  std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::size_t> steps;
+  for (const auto& step : run.step_marks()) ++steps[{step.id, step.from, step.to}];
   std::map<std::tuple<std::string, std::string, std::string>, std::size_t> taken;
   std::map<std::string, std::size_t> entered;
-  for (const auto n : run.of_kind("transition")) {
-    const auto record = run.record(n);
-    if (!record) return record.error();
-    ++taken[{text_of(*record, "id"), text_of(*record, "from"), text_of(*record, "to")}];
-    ++entered[text_of(*record, "to")];
+  for (const auto& [step, visits] : steps) {
+    const auto& [id, from, to] = step;
+    taken[{run.names()[id], run.names()[from], run.names()[to]}] += visits;
+    entered[run.names()[to]] += visits;
   }
   for (const char* part : {"states", "edges"})
     if (!graph.contains(part) || !graph[part].is_array()) graph[part] = Json::array();
@@ -239,6 +149,59 @@ Result<Json> run_stack(const RunIndex& run, std::size_t n) {
       stack_change(run, mark && *mark > 0 ? marks[*mark - 1].top : no_symbol, mark ? marks[*mark].top : no_symbol);
   if (!change) return change;
   Json told{{"n", n}, {"at", mark ? Json(marks[*mark].n) : Json()}};
+  told.update(*change);
+  return told;
+}
+
+namespace {
+
+// A branch of this id in a `branches` record, or null.
+Json branch_in(const Json& record, std::int64_t id) {
+  const auto& branches = member_of(record, "branches");
+  if (branches.is_array())
+    for (const auto& one : branches)
+      if (const auto& number = member_of(one, "id"); number.is_number_integer() && number.get<std::int64_t>() == id)
+        return one;
+  return nullptr;
+}
+
+std::int64_t integer_of(const Json& object, const char* key, std::int64_t otherwise) {
+  const auto& value = member_of(object, key);
+  return value.is_number_integer() ? value.get<std::int64_t>() : otherwise;
+}
+
+// The top of the branch's stack in the last of these records that has it, or no symbol.
+Result<std::int64_t> last_top(const RunIndex& run, const std::vector<std::size_t>& records, std::size_t count,
+                              std::int64_t branch) {
+  for (auto i = count; i > 0; --i) {
+    const auto record = run.record(records[i - 1]);
+    if (!record) return record.error();
+    if (const auto found = branch_in(*record, branch); !found.is_null()) return integer_of(found, "stack", no_symbol);
+  }
+  return no_symbol;
+}
+
+}  // namespace
+
+Result<Json> run_branch_stack(const RunIndex& run, std::size_t n, std::int64_t branch) {
+  const auto records = run.of_kind("branches");
+  const auto count = static_cast<std::size_t>(std::upper_bound(records.begin(), records.end(), n) - records.begin());
+  if (count == 0) return Error{run.where(n), "here the automaton is in one configuration: there are no branches"};
+  const auto record = run.record(records[count - 1]);
+  if (!record) return record.error();
+  const auto found = branch_in(*record, branch);
+  if (found.is_null()) {
+    std::string known;
+    const auto& branches = member_of(*record, "branches");
+    if (branches.is_array())
+      for (const auto& one : branches) known += (known.empty() ? "" : ", ") + text_of(one, "id");
+    return Error{run.where(n), "there is no branch " + std::to_string(branch) + "; there are " + known};
+  }
+  const auto before = last_top(run, records, count - 1, integer_of(found, "parent", branch));
+  if (!before) return before.error();
+  auto change = stack_change(run, *before, integer_of(found, "stack", no_symbol));
+  if (!change) return change;
+  Json told{{"n", n}, {"at", records[count - 1]}, {"branch", found}};
   told.update(*change);
   return told;
 }

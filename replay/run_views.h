@@ -20,20 +20,6 @@ struct RecordFilter {
   std::size_t limit = 500;
 };
 
-/// A line of the start page: {duration, records, utterances, acts, refusals, machine, scene, complete, …}.
-/// `refused_samples` are the refusals of pointing samples, which come by the hundred while nobody waits for them.
-Result<Json> run_listing(const RunIndex& run);
-
-/// The record that a reader wants to see first: an expectation that was not met, else where the avatar first had to
-/// ask, else the act that was asked for last, else what was said, refused or decided first.
-std::size_t record_of_interest(const RunIndex& run);
-
-/// Whether record n is a sample of where a hand points: these come by the hundred while nobody waits for an answer.
-bool is_pointing_sample(const RunIndex& run, std::size_t n);
-
-/// The header without its long texts, the listing's numbers, and `first`: the record to open the page at.
-Result<Json> run_summary(const RunIndex& run);
-
 /// {records: […], next: n to go on `after`, or null}.
 Result<Json> run_records(const RunIndex& run, const RecordFilter& filter);
 
@@ -45,6 +31,11 @@ Result<Json> run_graph(const RunIndex& run);
 /// `changed` (it took a removed one's place on the same tail) or `same`; `slots_changed` gives {slot: {was, now}};
 /// `depth` and `depth_before` count symbols.
 Result<Json> run_stack(const RunIndex& run, std::size_t n);
+
+/// Under `explore`: the stack of one of the configurations that the automaton may be in at record n, as the last
+/// `branches` record tells, and how it differs from that of the branch it comes from; with `branch`, what that record
+/// says of it. The error says which branches there are. REQUIRES n < run.size().
+Result<Json> run_branch_stack(const RunIndex& run, std::size_t n, std::int64_t branch);
 
 /// The same between the stacks as they stood at two records, without `n` and `at`. REQUIRES before, n < run.size().
 Result<Json> run_stack_since(const RunIndex& run, std::size_t before, std::size_t n);

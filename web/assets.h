@@ -6,7 +6,8 @@
 
 namespace continua {
 
-/// A file of the page. Only its compressed bytes are held; `etag` is of what they hold, with its quotes.
+/// A file of the page. Only its compressed bytes are held; `etag` is the SHA-256 of what they hold in hexadecimal, in
+/// quotes.
 struct WebAsset {
   std::string_view path;  ///< "/panels/graph.js"
   std::string_view mime;

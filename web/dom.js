@@ -19,6 +19,9 @@ export const h = (tag, props, ...children) => fill(document.createElement(tag), 
 /** An SVG element. */
 export const s = (tag, props, ...children) => fill(document.createElementNS(SVG, tag), props, children);
 
+/** The address of the page's icon, which an exported file brings along. */
+export const icon = () => globalThis.continua_recorded?.icon ?? '/icon.svg';
+
 /** A term as people read it: λ for the backslash of the files. */
 export const shown = (term) => String(term ?? '').replaceAll('\\', 'λ');
 
@@ -43,8 +46,41 @@ export const grouped = (number) => number.toLocaleString('en');
 /** "1 act", "13 acts" */
 export const counted = (number, one, many = `${one}s`) => `${grouped(number)} ${number === 1 ? one : many}`;
 
-/** The frame of a panel: heading, controls beside it, and a body. */
+/** The frame of a panel: heading, controls beside it, a button that lets it fill the page, and a body. */
 export function panel(name, title, controls, body) {
-  return h('section', {class: `panel ${name}`, 'aria-label': title, 'data-testid': `panel-${name}`},
-    h('header', {}, h('h2', {}, title), h('div', {class: 'controls'}, controls)), body);
+  const larger = h('button', {type: 'button', class: 'larger', title: 'Larger or smaller (Enter on the heading)', 'aria-label': `Enlarge ${title}`, 'aria-pressed': 'false',
+    onclick: (event) => event.target.dispatchEvent(new CustomEvent('enlarge', {bubbles: true, detail: event.target.closest('.panel').dataset.panel}))}, '⤢');
+  return h('section', {class: `panel ${name}`, 'aria-label': title, 'data-testid': `panel-${name}`, 'data-panel': name},
+    h('header', {}, h('h2', {}, title), h('div', {class: 'controls'}, controls, larger)), body);
+}
+
+/** Panels in one place, one of them in sight: {element, has(name), show(name)}. `chosen(name)` is called when a tab is chosen. */
+export function tabs(name, panels, chosen) {
+  const tab = (one, i) => h('button', {type: 'button', role: 'tab', id: `tab-${one.dataset.panel}`, 'aria-controls': `body-${one.dataset.panel}`, 'data-testid': `tab-${one.dataset.panel}`,
+    onclick: () => chosen(one.dataset.panel),
+    onkeydown: (event) => {
+      const by = {ArrowRight: 1, ArrowLeft: -1}[event.key];
+      if (!by) return;
+      event.preventDefault();
+      event.stopPropagation();
+      const next = (i + by + panels.length) % panels.length;
+      chosen(panels[next].dataset.panel);
+      buttons[next].focus();
+    }}, one.getAttribute('aria-label'));
+  const buttons = panels.map(tab);
+  panels.forEach((one) => { one.id = `body-${one.dataset.panel}`; one.setAttribute('role', 'tabpanel'); });
+  const element = h('div', {class: `tabs ${name}`}, h('div', {role: 'tablist', 'aria-label': 'More about the record'}, buttons), panels);
+  return {
+    element,
+    has: (wanted) => panels.some((one) => one.dataset.panel === wanted),
+    show(wanted) {
+      const shown = panels.some((one) => one.dataset.panel === wanted) ? wanted : panels[0].dataset.panel;
+      panels.forEach((one, i) => {
+        const on = one.dataset.panel === shown;
+        one.hidden = !on;
+        buttons[i].setAttribute('aria-selected', String(on));
+        buttons[i].tabIndex = on ? 0 : -1;
+      });
+    },
+  };
 }

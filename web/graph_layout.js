@@ -20,29 +20,36 @@ export function labelLines(id) {
  * @typedef {{from: string, to: string, visits: number, rows: object[], points: {x: number, y: number}[]}} Edge
  */
 
-/** Nodes and merged edges of what is to be shown, not yet placed. `taken_only` leaves out what the run never used. */
-export function mergedGraph(graph, taken_only) {
+/**
+ * Nodes and merged edges of what is to be shown, not yet placed. `taken_only` leaves out what the run never used.
+ * `other`: the graph of a run it is compared with, whose visits count in `visits_b`, and what only it has is there too.
+ */
+export function mergedGraph(graph, taken_only, other = null) {
+  const rows = withOther(graph, other), used_by = (row) => row.visits + (row.visits_b ?? 0);
   const edges = new Map();
   // A transition that leaves most states would bury the rest: it is told by a mark on its target, drawn where taken.
   const sources = new Map();
-  for (const row of graph.edges) sources.set(row.id, (sources.get(row.id) ?? 0) + 1);
+  for (const row of rows) sources.set(row.id, (sources.get(row.id) ?? 0) + 1);
   const from_anywhere = (row) => graph.states.length > 4 && sources.get(row.id) > graph.states.length / 2;
   const entered_from_anywhere = new Map();
-  for (const row of graph.edges) {
-    if (!row.visits && from_anywhere(row)) entered_from_anywhere.set(row.to, row);
-    if (!row.visits && (taken_only || from_anywhere(row))) continue;
+  for (const row of rows) {
+    if (!used_by(row) && from_anywhere(row)) entered_from_anywhere.set(row.to, row);
+    if (!used_by(row) && (taken_only || from_anywhere(row))) continue;
     const key = JSON.stringify([row.from, row.to]);
-    if (!edges.has(key)) edges.set(key, {from: row.from, to: row.to, visits: 0, rows: [], points: []});
+    if (!edges.has(key)) edges.set(key, {from: row.from, to: row.to, visits: 0, visits_b: 0, rows: [], points: []});
     const edge = edges.get(key);
     edge.visits += row.visits;
+    edge.visits_b += row.visits_b ?? 0;
     edge.rows.push(row);
   }
   const used = new Set([graph.start]);
   for (const edge of edges.values()) used.add(edge.from).add(edge.to);
-  const nodes = graph.states.filter((state) => !taken_only || used.has(state.id)).map((state) => {
+  const all = other ? graph.states.concat(other.states.filter(({id}) => !graph.states.some((one) => one.id === id)).map((one) => ({...one, visits: 0}))) : graph.states;
+  const visits_b = new Map(other?.states.map(({id, visits}) => [id, visits]));
+  const nodes = all.filter((state) => !taken_only || used.has(state.id)).map((state) => {
     const lines = labelLines(state.id);
     return {
-      id: state.id, lines, visits: state.visits, accepting: state.accepting, x: 0, y: 0,
+      id: state.id, lines, visits: state.visits, visits_b: visits_b.get(state.id) ?? 0, accepting: state.accepting, x: 0, y: 0,
       anywhere: taken_only ? null : entered_from_anywhere.get(state.id) ?? null,
       w: Math.max(44, Math.max(...lines.map((line) => line.length)) * letter_px + 10),
       h: lines.length * line_px + 11,
@@ -50,6 +57,18 @@ export function mergedGraph(graph, taken_only) {
   });
   const known = new Set(nodes.map((node) => node.id));
   return {nodes, edges: [...edges.values()].filter((edge) => known.has(edge.from) && known.has(edge.to))};
+}
+
+// The transitions of both graphs, each with the visits of both.
+function withOther(graph, other) {
+  if (!other) return graph.edges;
+  const key = (row) => JSON.stringify([row.id, row.from, row.to]);
+  const rows = new Map(graph.edges.map((row) => [key(row), {...row, visits_b: 0}]));
+  for (const row of other.edges) {
+    const own = rows.get(key(row));
+    if (own) own.visits_b += row.visits; else rows.set(key(row), {...row, visits: 0, visits_b: row.visits});
+  }
+  return [...rows.values()];
 }
 
 /** Places nodes and edges for a panel of this shape. @returns {{nodes: Node[], edges: Edge[], width, height}} */
@@ -79,7 +98,7 @@ function placeByDagre(nodes, edges, direction) {
   graph.setGraph({rankdir: direction, nodesep: 14, ranksep: direction === 'LR' ? 24 : 20, edgesep: 8});
   graph.setDefaultEdgeLabel(() => ({}));
   for (const node of nodes) graph.setNode(node.id, {width: node.w, height: node.h});
-  for (const edge of edges) graph.setEdge(edge.from, edge.to, {weight: 1 + Math.round(Math.log2(1 + edge.visits))});
+  for (const edge of edges) graph.setEdge(edge.from, edge.to, {});
   dagre.layout(graph);
   for (const node of nodes) ({x: node.x, y: node.y} = graph.node(node.id));
   for (const edge of edges) edge.points = graph.edge(edge.from, edge.to).points.map(({x, y}) => ({x, y}));

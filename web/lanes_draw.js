@@ -5,33 +5,41 @@ import {lastAtMost} from './run_data.js';
 export const gutter_px = 92, axis_px = 17, overview_px = 22, row_px = 15;
 
 /**
- * The lanes from top to bottom. @returns {{name, colour, items: {from, to, n, text}[], starts: number[]}[]}
+ * The lanes of a run from top to bottom: {name, colour, kind, lane: {n, from, to}, text(i), reach}. `reach[i]` is the
+ * latest end among the first items up to i, so that those in sight can be searched for.
  */
 export function laneRows(data) {
   const {lanes} = data;
-  const row = (name, colour, items, kind = 'bar') => {
-    items.sort((a, b) => a.from - b.from);
-    // One that goes on while others come and go is drawn as a thin line below them.
-    items.forEach((item, i) => { item.under = kind === 'bar' && i + 1 < items.length && items[i + 1].to < item.to && items[i + 1].from > item.from; });
-    return {name, colour, kind, items, starts: items.map((item) => item.from), under: items.filter((item) => item.under)};
-  };
-  const spans = (list) => list.map(([from, to, n, text]) => ({from, to, n, text: brief(text)}));
-  const instants = (list) => list.map(([t, n, text]) => ({from: t, to: t, n, text: brief(text)}));
-  const acts = lanes.act.map(([from, to, n, program, status]) => ({from, to, n, text: `${brief(program)} ${status}`, bad: status !== 'done'}));
-  const depth = lanes.depth.map(([t, n, value], i) =>
-    ({from: t, to: i + 1 < lanes.depth.length ? lanes.depth[i + 1][0] : data.duration, n, text: `${value}`, value}));
-  return [
-    row('human says', 'human', spans(lanes.speech)),
-    row('shows', 'human', spans(lanes.gesture)),
-    row('points', 'human', lanes.pointing.map(([from, to, n, count]) => ({from, to, n, text: `${count} samples`, plain: true}))),
-    row('state', 'state', data.segments.map(({state, from, to, n}) => ({from, to, n, text: state})), 'state'),
-    row('stack depth', 'depth', depth, 'depth'),
-    row('avatar says', 'avatar', instants(lanes.utterance)),
-    row('shows', 'avatar', instants(lanes.move)),
-    row('acts', 'act', acts),
-    ...(lanes.observed?.length ? [row('as recorded', 'depth', instants(lanes.observed))] : []),
+  const row = (name, colour, lane, text, more = {}) => ({name, colour, kind: 'bar', lane, text, reach: reachOf(lane), ...more});
+  const words = (lane) => (i) => brief(data.text(lane.n[i]));
+  const all = [
+    row('human says', 'human', lanes.speech, words(lanes.speech)),
+    row('shows', 'human', lanes.gesture, words(lanes.gesture)),
+    row('points', 'human', lanes.pointing, (i) => `${lanes.pointing.count?.[i] ?? ''} samples`, {plain: true}),
+    row('confidence', 'human', lanes.confidence, (i) => lanes.confidence.value[i].toFixed(2), {kind: 'level', value: (i) => lanes.confidence.value[i], most: 1, optional: true}),
+    row('state', 'state', lanes.state, (i) => stateName(data, i), {kind: 'state'}),
+    row('stack depth', 'depth', lanes.depth, (i) => `${lanes.depth.value[i]}`, {kind: 'level', value: (i) => lanes.depth.value[i], most: most(lanes.depth.value)}),
+    row('branches', 'depth', lanes.branches, (i) => `${lanes.branches.count[i]} branches`, {kind: 'level', value: (i) => lanes.branches.count[i], most: most(lanes.branches.count), optional: true}),
+    row('avatar says', 'avatar', lanes.utterance, words(lanes.utterance)),
+    row('shows', 'avatar', lanes.move, words(lanes.move)),
+    row('acts', 'act', lanes.act, (i) => `${brief(data.text(lanes.act.n[i]))} ${statusOf(data, i)}`, {bad: (i) => statusOf(data, i) !== 'done'}),
+    row('as recorded', 'depth', lanes.observed, words(lanes.observed), {optional: true}),
   ];
+  return all.filter((one) => !one.optional || one.lane.n.length);
 }
+
+const stateName = (data, i) => (data.lanes.state.name[i] < 0 ? data.graph.start : data.names[data.lanes.state.name[i]]);
+const statusOf = (data, i) => data.names[data.lanes.act.status?.[i]] ?? '';
+const most = (values) => (values ? values.reduce((a, b) => Math.max(a, b), 1) : 1);
+
+export function reachOf({to}) {
+  const reach = Float64Array.from(to);
+  for (let i = 1; i < reach.length; ++i) reach[i] = Math.max(reach[i], reach[i - 1]);
+  return reach;
+}
+
+/** The first item that may end at t or later. */
+export const firstReaching = (row, t) => lastAtMost(row.reach, t - 1e-9) + 1;
 
 // Eight hues apart from each other; a state keeps its hue in every run.
 const hues = [210, 28, 150, 265, 95, 330, 185, 50];
@@ -47,8 +55,20 @@ function tickStep(span, width, least) {
   return [1, 2, 5, 10].find((factor) => factor * power >= rough) * power;
 }
 
-export function drawLanes(pen, {data, rows, zoom: [from, to], width, colour}) {
-  const x = (t) => gutter_px + (t - from) / (to - from) * (width - gutter_px);
+/** What is in sight of the time axis, in pixels. `zoom` in seconds; `axis` a TimeAxis. */
+export class Sight {
+  constructor(axis, [from, to], width) {
+    Object.assign(this, {axis, from, to, width});
+    this.start = axis.of(from);
+    this.scale = (width - gutter_px) / Math.max(1e-9, axis.of(to) - this.start);
+  }
+  x(t) { return gutter_px + (this.axis.of(t) - this.start) * this.scale; }
+  t(x) { return this.axis.back(this.start + (x - gutter_px) / this.scale); }
+}
+
+/** `marked(side, n)`: whether the record differs from the other run's; `flags`: {n, from}. */
+export function drawLanes(pen, {rows, sight, flags, rest, colour, marked}) {
+  const {from, to, width} = sight, x = (t) => sight.x(t);
   const bottom = axis_px + rows.length * row_px;
   pen.font = '10.5px system-ui, sans-serif';
   pen.textBaseline = 'middle';
@@ -71,107 +91,180 @@ export function drawLanes(pen, {data, rows, zoom: [from, to], width, colour}) {
 
   // Stretches in which physics rested.
   pen.fillStyle = colour('rest');
-  for (const [a, b] of data.lanes.rest) if (b > from && a < to) pen.fillRect(x(a), axis_px, x(b) - x(a), bottom - axis_px);
+  for (let i = firstReaching(rest, from); i < rest.lane.n.length && rest.lane.from[i] <= to; ++i)
+    pen.fillRect(x(rest.lane.from[i]), axis_px, x(rest.lane.to[i]) - x(rest.lane.from[i]), bottom - axis_px);
 
-  // Ticks.
-  const step = tickStep(to - from, width - gutter_px, 70);
-  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  pen.textAlign = 'left';
-  for (let k = Math.ceil(from / step); k * step <= to; ++k) {
-    pen.fillStyle = colour('line');
-    pen.fillRect(Math.round(x(k * step)), 0, 1, bottom);
-    pen.fillStyle = colour('muted');
-    pen.fillText(`${(k * step).toFixed(digits)} s`, x(k * step) + 4, axis_px / 2);
-  }
-
+  drawTicks(pen, sight, bottom, colour);
   rows.forEach((row, i) => {
     const top = axis_px + i * row_px;
-    if (row.kind === 'depth') drawDepth(pen, row, {from, to, x, top, colour});
-    else drawItems(pen, row, {from, to, x, top, colour, width});
+    if (row.kind === 'level') drawLevel(pen, row, {sight, top, colour});
+    else drawItems(pen, row, {sight, top, colour, marked});
   });
 
   // What went wrong, across all lanes.
-  for (const [t] of data.lanes.flags) {
-    if (t < from || t > to) continue;
+  for (let i = firstReaching(flags, from); i < flags.lane.n.length && flags.lane.from[i] <= to; ++i) {
+    const at = x(flags.lane.from[i]);
     pen.fillStyle = colour('bad');
     pen.globalAlpha = 0.35;
-    pen.fillRect(x(t) - 0.5, axis_px, 1, bottom - axis_px);
+    pen.fillRect(at - 0.5, axis_px, 1, bottom - axis_px);
     pen.globalAlpha = 1;
-    pen.beginPath();
-    pen.moveTo(x(t) - 4, axis_px - 6);
-    pen.lineTo(x(t) + 4, axis_px - 6);
-    pen.lineTo(x(t), axis_px);
-    pen.fill();
+    triangle(pen, at, axis_px, 4);
   }
   pen.restore();
 }
 
-function drawItems(pen, row, {from, to, x, top, colour, width}) {
-  pen.fillStyle = colour(row.colour);
-  for (const item of row.under)
-    if (item.from <= to && item.to >= from) pen.fillRect(x(item.from), top + row_px - 3, x(item.to) - x(item.from), 2);
-  // Other items overlap little, so few before the window can reach into it.
-  const first = Math.max(0, lastAtMost(row.starts, from) - 8);
-  let painted = -Infinity;
-  for (let i = first; i < row.items.length && row.items[i].from <= to; ++i) {
-    const item = row.items[i];
-    if (item.under ? item.from < from : item.to < from) continue;
-    const left = x(item.from), right = item.under ? left + 2 : Math.max(left + 2, x(item.to));
-    if (right < painted + 0.5) continue;  // hidden under the last one
+const triangle = (pen, x, tip, half) => {
+  pen.beginPath();
+  pen.moveTo(x - half, tip - half * 1.5);
+  pen.lineTo(x + half, tip - half * 1.5);
+  pen.lineTo(x, tip);
+  pen.fill();
+};
+
+function drawTicks(pen, sight, bottom, colour) {
+  const {axis, from, to, width} = sight;
+  const shown = axis.of(to) - axis.of(from), step = tickStep(shown, width - gutter_px, 70);
+  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const gaps = axis.gaps.filter(([a, b]) => b > from && a < to);
+  pen.textAlign = 'left';
+  let last = -Infinity;
+  // Ticks stand at round times, between the gaps.
+  let stretch_from = from;
+  for (const [a, b] of [...gaps, [to, to]]) {
+    for (let k = Math.ceil(stretch_from / step); k * step <= Math.min(a, to); ++k) {
+      const at = sight.x(k * step);
+      pen.fillStyle = colour('line');
+      pen.fillRect(Math.round(at), 0, 1, bottom);
+      if (at - last < 60) continue;
+      pen.fillStyle = colour('muted');
+      pen.fillText(`${(k * step).toFixed(digits)} s`, at + 4, axis_px / 2);
+      last = at;
+    }
+    if (b > a) drawGap(pen, sight.x(Math.max(a, from)), sight.x(Math.min(b, to)), bottom, colour);
+    stretch_from = b;
+  }
+}
+
+// A zigzag where idle time was left out.
+function drawGap(pen, left, right, bottom, colour) {
+  pen.fillStyle = colour('veil');
+  pen.fillRect(left, axis_px, right - left, bottom - axis_px);
+  if (right - left < 3) return;
+  pen.strokeStyle = colour('depth');
+  pen.beginPath();
+  const middle = (left + right) / 2, half = Math.min(3, (right - left) / 2 - 1);
+  for (let y = axis_px, side = -1; y <= bottom; y += 4, side = -side) pen.lineTo(middle + side * half, y);
+  pen.stroke();
+}
+
+function drawItems(pen, row, {sight, top, colour, marked}) {
+  const {from, to, width} = sight, {lane} = row, x = (t) => sight.x(t);
+  const state = row.kind === 'state', fill = colour(row.colour), bad = colour('bad'), text_colour = colour('text'), on_bar = colour('on-bar');
+  const saturation = colour('state-saturation'), lightness = colour('state-lightness'), difference = colour('warn');
+  let painted = -Infinity, paints = 0;
+  for (let i = firstReaching(row, from); i < lane.n.length && lane.from[i] <= to; ++i) {
+    if (lane.to[i] < from) continue;
+    const left = x(lane.from[i]), end = x(lane.to[i]);
+    // One that goes on while the next begins leaves it room: it is drawn on as a thin line below.
+    const next = i + 1 < lane.n.length ? x(lane.from[i + 1]) : width;
+    const under = !state && end > next + 1;
+    const right = Math.max(left + 2, under ? Math.min(end, Math.max(next - 1, left + 2)) : end);
+    if (under) {
+      pen.fillStyle = fill;
+      pen.fillRect(left, top + row_px - 3, end - left, 2);
+    }
+    if (right < painted + 0.5) {
+      // Hidden under the last one: on to the first that is not.
+      i = Math.max(i, lastAtMost(lane.from, sight.t(painted)) - 1);
+      continue;
+    }
     painted = right;
-    const state = row.kind === 'state';
-    pen.fillStyle = state ? `hsl(${hueOf(item.text)} ${colour('state-saturation')} ${colour('state-lightness')})` : colour(item.bad ? 'bad' : row.colour);
+    ++paints;
+    pen.fillStyle = state ? `hsl(${hueOf(row.text(i))} ${saturation} ${lightness})` : row.bad?.(i) ? bad : fill;
     const gap = state && right - left > 4 ? 1 : 0;
     pen.fillRect(left, top + 2, right - left - gap, row_px - 4);
+    if (marked?.(row.side, lane.n[i])) hatch(pen, left, top + 1, Math.max(5, right - left - gap), row_px - 2, difference);
     // The text goes inside, or behind an instant as far as the next one leaves room.
-    const next = i + 1 < row.items.length ? x(row.items[i + 1].from) : width;
-    const inside = item.to > item.from && !item.under && right - left > 24;
+    const inside = lane.to[i] > lane.from[i] && right - left > 24;
     const room = inside ? Math.min(right, width) - Math.max(left, gutter_px) - 6 : next - right - 6;
-    if (room < 18 || item.plain) continue;
-    const text = cut(pen, item.text, room);
+    if (room < 18 || row.plain || paints > 400) continue;
+    const text = cut(pen, row.text(i), room);
     if (!text) continue;
-    pen.fillStyle = inside ? colour(state ? 'text' : 'on-bar') : colour('text');
+    pen.fillStyle = inside ? (state ? text_colour : on_bar) : text_colour;
     pen.fillText(text, (inside ? Math.max(left, gutter_px) : right) + 3, top + row_px / 2 + 0.5);
   }
 }
 
-// As much of the text as fits, with a mark where it was cut; nothing when too little would be left.
-function cut(pen, text, room) {
-  if (pen.measureText(text).width <= room) return text;
-  const letters = Math.floor(room / 5.6) - 1;
-  return letters >= 4 ? `${text.slice(0, letters)}…` : '';
+// A frame with strokes across: what differs is not told by colour alone.
+function hatch(pen, left, top, width, height, colour) {
+  pen.strokeStyle = colour;
+  pen.lineWidth = 1.5;
+  pen.strokeRect(left, top, width, height);
+  pen.beginPath();
+  for (let x = left + 3; x < left + width; x += 5) {
+    pen.moveTo(x, top + height);
+    pen.lineTo(Math.min(x + 4, left + width), top);
+  }
+  pen.globalAlpha = 0.55;
+  pen.stroke();
+  pen.globalAlpha = 1;
+  pen.lineWidth = 1;
 }
 
-function drawDepth(pen, row, {from, to, x, top, colour}) {
-  const most = Math.max(1, ...row.items.map((item) => item.value));
-  pen.fillStyle = colour('depth');
-  for (let i = Math.max(0, lastAtMost(row.starts, from)); i < row.items.length && row.items[i].from <= to; ++i) {
-    const {from: a, to: b, value} = row.items[i];
-    const high = value / most * (row_px - 3);
-    pen.fillRect(x(a), top + row_px - 1 - high, Math.max(1, x(b) - x(a)), high);
+// As much of the text as fits, with a mark where it was cut; nothing when too little would be left.
+function cut(pen, text, room) {
+  if (text.length > room || pen.measureText(text).width > room) {
+    const letters = Math.floor(room / 5.6) - 1;
+    return letters >= 4 ? `${text.slice(0, letters)}…` : '';
+  }
+  return text;
+}
+
+function drawLevel(pen, row, {sight, top, colour}) {
+  const {from, to} = sight, {lane} = row;
+  pen.fillStyle = colour(row.colour);
+  let painted = -Infinity;
+  for (let i = Math.max(0, firstReaching(row, from) - 1); i < lane.n.length && lane.from[i] <= to; ++i) {
+    const left = sight.x(lane.from[i]), right = Math.max(left + 1.5, sight.x(lane.to[i]));
+    if (right < painted + 0.5) {
+      i = Math.max(i, lastAtMost(lane.from, sight.t(painted)) - 1);
+      continue;
+    }
+    painted = right;
+    const high = row.value(i) / row.most * (row_px - 3);
+    pen.fillRect(left, top + row_px - 1 - high, right - left, high);
   }
 }
 
+/** How much happens when, for the overview: stops a bin, over the whole axis. */
+export function busyBins(data, axis, bins) {
+  const counts = new Float64Array(Math.max(1, bins)), scale = counts.length / Math.max(1e-9, axis.of(data.duration));
+  // Of very many a sample tells as much.
+  const stride = Math.max(1, Math.floor(data.stops.length / 50000));
+  for (let i = 0; i < data.stops.length; i += stride) counts[Math.min(counts.length - 1, Math.floor(axis.of(data.t[data.stops[i]]) * scale))] += 1;
+  return counts;
+}
+
 /** The whole run in small: how much happened when, and the window that is shown above. */
-export function drawOverview(pen, {data, zoom, width, top, colour}) {
-  const across = width - gutter_px, x = (t) => gutter_px + t / (data.duration || 1) * across;
-  const bins = new Float64Array(Math.max(1, Math.ceil(across / 2)));
-  for (const n of data.lanes.interest) bins[Math.min(bins.length - 1, Math.floor(data.t[n] / (data.duration || 1) * bins.length))] += 1;
-  const most = Math.max(1, ...bins);
+export function drawOverview(pen, {data, sight, whole, bins, top, colour}) {
+  const {width} = sight, across = width - gutter_px;
+  const most_busy = bins.reduce((a, b) => Math.max(a, b), 1);
   pen.fillStyle = colour('stripe');
   pen.fillRect(gutter_px, top + 3, across, overview_px - 3);
   pen.fillStyle = colour('depth');
   bins.forEach((count, i) => {
-    const high = Math.sqrt(count / most) * (overview_px - 6);
+    const high = Math.sqrt(count / most_busy) * (overview_px - 6);
     pen.fillRect(gutter_px + i * 2, top + overview_px - 1 - high, 2, high);
   });
   pen.fillStyle = colour('bad');
-  for (const [t] of data.lanes.flags) pen.fillRect(x(t), top + 3, 1, 4);
+  const flags = data.lanes.flag.from, stride = Math.max(1, Math.floor(flags.length / 2000));
+  for (let i = 0; i < flags.length; i += stride) pen.fillRect(whole.x(flags[i]), top + 3, 1, 4);
+  const left = whole.x(sight.from), right = whole.x(sight.to);
   pen.fillStyle = colour('veil');
-  pen.fillRect(gutter_px, top + 3, x(zoom[0]) - gutter_px, overview_px - 3);
-  pen.fillRect(x(zoom[1]), top + 3, gutter_px + across - x(zoom[1]), overview_px - 3);
+  pen.fillRect(gutter_px, top + 3, left - gutter_px, overview_px - 3);
+  pen.fillRect(right, top + 3, gutter_px + across - right, overview_px - 3);
   pen.strokeStyle = colour('muted');
-  pen.strokeRect(x(zoom[0]) + 0.5, top + 3.5, Math.max(2, x(zoom[1]) - x(zoom[0]) - 1), overview_px - 4);
+  pen.strokeRect(left + 0.5, top + 3.5, Math.max(2, right - left - 1), overview_px - 4);
   pen.fillStyle = colour('muted');
   pen.textAlign = 'right';
   pen.fillText('whole run', gutter_px - 8, top + 3 + (overview_px - 3) / 2);

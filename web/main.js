@@ -1,17 +1,14 @@
-// The page: reads the address, fetches the run, sets up the panels and keeps them in step with the selection.
+// The page: reads the address, fetches what it names, sets up the panels and keeps them in step with the selection.
 import {h} from './dom.js';
-import {Model} from './model.js';
+import {fresh, Model} from './model.js';
+import {readColumns} from './columns.js';
 import {RunData} from './run_data.js';
-import {fetchRun, fetchRuns, RecordClient} from './run_client.js';
-import {helpDialog, onKey} from './keys.js';
-import {renderStart} from './panels/start.js';
-import {mountHeader} from './panels/header.js';
-import {mountDialogue} from './panels/dialogue.js';
-import {mountGraph} from './panels/graph.js';
-import {mountStack} from './panels/stack.js';
-import {mountLanes} from './panels/lanes.js';
-import {mountRecords} from './panels/records.js';
-import {mountDetails} from './panels/details.js';
+import {Labels} from './labels.js';
+import {Comparison} from './comparison.js';
+import {fetchDiff, fetchRun, listenTo, RecordClient, served} from './run_client.js';
+import {onKey} from './keys.js';
+import {buildRunPage} from './run_page.js';
+import {StartPage} from './panels/start.js';
 
 const page = document.getElementById('page');
 const sentence = document.getElementById('sentence');
@@ -24,50 +21,88 @@ class App {
     this.panels = [];
     this.data = null;
     this.model = new Model((before) => this.changed(before));
-    document.addEventListener('keydown', (event) => { if (this.data) onKey(this, event); });
+    document.addEventListener('keydown', (event) => onKey(this, event));
+    page.addEventListener('enlarge', (event) => this.enlarge(event.detail));
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.render());
     this.open();
   }
 
-  /** Fetches what the address names and builds the page for it. */
+  /** Fetches what the address names and builds the page for it; the body says when all of it is there. */
   async open() {
-    const id = this.model.selection.run;
-    this.stop();
-    this.data = null;
+    delete document.body.dataset.ready;
+    await this.show();
+    await this.settled();
+    document.body.dataset.ready = '';
+  }
+
+  async show() {
+    const {run, other} = this.model.selection;
+    const stale = () => this.model.selection.run !== run || this.model.selection.other !== other;
+    this.close();
     page.replaceChildren(h('p', {class: 'loading'}, 'Loading…'));
     try {
-      if (id === null) {
-        const runs = await fetchRuns();
-        if (this.model.selection.run === null) renderStart(page, runs, (run) => this.openRun(run));
+      if (run === null) {
+        this.start = new StartPage(page, this);
+        await this.start.load();
         return;
       }
-      const run = new RunData(await fetchRun(id));
-      if (this.model.selection.run === id) this.build(id, run);
+      const [own, compared, told] = await Promise.all([this.load(run), other === null ? null : this.load(other, true), other === null ? null : fetchDiff(run, other)]);
+      if (stale()) return;
+      Object.assign(this, own);
+      this.comparison = compared && new Comparison(own.data, compared, told);
+      this.build();
     } catch (problem) {
-      page.replaceChildren(h('main', {class: 'start'}, h('h1', {}, 'This run cannot be shown'),
+      if (stale()) return;
+      page.replaceChildren(h('main', {class: 'start'}, h('h1', {}, other === null ? 'This run cannot be shown' : 'These runs cannot be compared'),
         h('p', {class: 'trouble', 'data-testid': 'problem'}, problem.message), h('p', {}, h('a', {href: '/'}, 'All runs'))));
     }
   }
 
-  build(id, data) {
-    this.data = data;
-    this.client = new RecordClient(id);
-    this.title = (data.summary.trace || id).replace(/(\.trace)?\.jsonl$/, '');
-    document.title = `${this.title} – Continua`;
-    const {n, zoom} = this.model.selection;
-    const start = data.clamp(n ?? data.summary.first);
-    this.model.settle({n: start, zoom: zoom ?? this.windowAround(start)});
+  /** {data, client, labels} of a run. */
+  async load(id) {
+    const fetched = await fetchRun(id);
+    const client = new RecordClient(id), labels = new Labels(client, () => this.labelsArrived());
+    return {id, client, labels, data: new RunData({...fetched, columns: readColumns(fetched.columns), labels})};
+  }
 
-    const header = h('header', {class: 'top'});
-    this.graph = mountGraph(this);
-    this.lanes = mountLanes(this);
-    this.records = mountRecords(this);
-    const dialogue = mountDialogue(this), stack = mountStack(this), details = mountDetails(this);
-    this.dialog = helpDialog();
-    page.replaceChildren(header, h('main', {class: 'run'}, dialogue.element, this.graph.element, stack.element, this.lanes.element,
-      this.records.element, details.element), this.dialog);
-    this.panels = [mountHeader(header, this), dialogue, this.graph, stack, this.lanes, this.records, details];
+  close() {
+    this.stop();
+    for (const one of this.panels) one.close?.();
+    this.start?.close();
+    this.stream?.close();
+    Object.assign(this, {panels: [], start: null, stream: null, data: null, client: null, labels: null, comparison: null});
+  }
+
+  build() {
+    const {data, model} = this, {n, zoom} = model.selection;
+    this.title = (data.summary.trace || this.id).replace(/(\.trace)?\.jsonl$/, '');
+    document.title = `${this.title}${this.comparison ? ' compared' : ''} – Continua`;
+    const start = data.clamp(n ?? this.comparison?.start ?? data.summary.first);
+    model.settle({n: start, hunk: model.selection.hunk ?? (n === null ? this.comparison?.first ?? null : null), zoom: zoom ?? this.windowAround(start)});
+    Object.assign(this, buildRunPage(page, this));
     this.render();
+    if (served && data.summary.live && !this.comparison) this.follow_log = listenTo(this.id, (grown) => this.grown(grown));
+    this.stream = this.follow_log ?? null;
+  }
+
+  /** A run that is being written has more records: they are shown, and the cursor goes along if it stood at the end. */
+  async grown({records, complete}) {
+    if (!this.data || records <= this.data.size || this.growing) return;
+    this.growing = true;
+    const {id, model} = this, at_end = model.selection.n >= this.data.stops.at(-1);
+    try {
+      const own = await this.load(id);
+      if (model.selection.run !== id || model.selection.other !== null) return;
+      const {panels} = this;
+      Object.assign(this, own);
+      for (const one of panels) one.close?.();
+      if (at_end) model.settle({n: own.data.stops.at(-1) ?? own.data.size - 1, zoom: this.windowAround(own.data.size - 1)});
+      Object.assign(this, buildRunPage(page, this));
+      this.render();
+    } finally {
+      this.growing = false;
+      if (complete) this.stream?.close();
+    }
   }
 
   windowAround(n) {
@@ -77,38 +112,62 @@ class App {
   }
 
   changed(before) {
-    if (before.run !== this.model.selection.run) { this.open(); return; }
+    const {selection} = this.model;
+    if (before.run !== selection.run || before.other !== selection.other) { this.open(); return; }
+    if (this.start) { this.start.render(selection); return; }
     if (!this.data) return;
-    if (this.model.selection.n === null) this.model.settle({n: this.data.clamp(this.data.summary.first)});
+    if (selection.n === null) this.model.settle({n: this.data.clamp(this.data.summary.first)});
     this.render();
   }
 
   render() {
     if (!this.data) return;
-    const selection = this.model.selection;
-    const n = this.data.clamp(selection.n);
+    const selection = this.model.selection, n = this.data.clamp(selection.n);
     for (const one of this.panels) one.render({...selection, n});
     if (!this.playing) sentence.textContent = this.data.sentence(n);
   }
+  labelsArrived() {
+    if (!this.data) return;
+    for (const one of this.panels) one.labelsArrived?.();
+    if (!this.playing) sentence.textContent = this.data.sentence(this.data.clamp(this.model.selection.n));
+  }
+
+  /** Resolves when nothing that was asked for is still to come. */
+  async settled() {
+    for (let quiet = 0; quiet < 2;) {
+      await Promise.all([this.client?.idle(), this.comparison?.side.client.idle()]);
+      await new Promise((done) => setTimeout(done, 20));
+      quiet = (this.labels?.idle ?? true) && (this.comparison?.side.labels.idle ?? true) ? quiet + 1 : 0;
+    }
+  }
 
   /** Moves the cursor; the timeline comes along when it would leave it. */
-  select(n, how) {
+  select(n, how, more = {}) {
     n = this.data.clamp(n);
     const {zoom} = this.model.selection, t = this.data.t[n];
-    const change = {n};
+    const change = {n, ...more};
+    if (!this.playing) this.time = null;
     if (zoom && (t < zoom[0] || t > zoom[1])) {
       const width = zoom[1] - zoom[0], from = Math.max(0, Math.min(this.data.duration - width, t - width / 3));
       change.zoom = [from, from + width];
     }
     this.model.go(change, how);
   }
-  jump(n) { this.select(n, 'jump'); }
-  stepBy(by) { this.stop(); this.select(this.data.stop(this.data.lanes.interest, this.model.selection.n, by), 'step'); }
+  jump(n, more) { this.select(n, 'jump', more); }
+  /** To where record n of the other run has its counterpart. */
+  jumpOther(n) { this.jump(this.comparison.toOwn(n)); }
+  stepBy(by) { this.stop(); this.select(this.data.stop(this.data.stops, this.model.selection.n, by), 'step'); }
   transitionBy(by) { this.stop(); this.select(this.data.stop(this.data.steps.n, this.model.selection.n, by), 'step'); }
   follow(back) {
     const {n} = this.model.selection;
     const to = back ? this.data.cause(n) : this.data.effects(n)[0] ?? -1;
     if (to >= 0) this.jump(to);
+  }
+  /** To the next (previous) difference; where one run is shown, to the next thing that went wrong. */
+  next(by) {
+    this.stop();
+    if (this.comparison) this.differences.go(by);
+    else this.select(this.data.stop(this.data.lanes.flag.n, this.model.selection.n, by), 'jump');
   }
 
   play() {
@@ -116,42 +175,54 @@ class App {
     const {data} = this;
     if (this.model.selection.n >= data.size - 1) this.jump(0);
     this.playing = true;
-    let n = this.model.selection.n, t = data.t[n], last = performance.now();
+    let n = this.model.selection.n, last = performance.now();
+    this.time = data.t[n];
     const tick = (now) => {
       if (!this.playing || this.data !== data) return;
-      if (this.model.selection.n !== n) t = data.t[data.clamp(this.model.selection.n)];  // the reader went elsewhere
-      t += (now - last) / 1000 * this.speed;
+      if (this.model.selection.n !== n) this.time = data.t[data.clamp(this.model.selection.n)];  // the reader went elsewhere
+      this.time += (now - last) / 1000 * this.speed;
       last = now;
-      n = Math.max(data.at(t), this.model.selection.n);
-      this.select(n, 'slide');
-      if (t >= data.duration) this.stop(); else requestAnimationFrame(tick);
+      n = Math.max(data.at(this.time), this.model.selection.n);
+      if (n === this.model.selection.n) this.render(); else this.select(n, 'slide');
+      if (this.time >= data.duration) this.stop(); else requestAnimationFrame(tick);
     };
     requestAnimationFrame(tick);
     this.render();
   }
   stop() {
+    this.time = null;
     if (!this.playing) return;
     this.playing = false;
     this.render();
   }
 
-  async copyLink() {
+  async copy(text, done) {
     try {
-      await navigator.clipboard.writeText(location.href);
-      sentence.textContent = 'The link was copied.';
+      await navigator.clipboard.writeText(text);
+      sentence.textContent = done;
       return true;
     } catch {
       return false;
     }
   }
+  copyLink() { return this.copy(location.href, 'The link was copied.'); }
 
+  /** Brings the panel to the front of its tabs. */
+  showTab(tab) { this.model.go({tab, panel: ''}, 'slide'); }
+  /** Focuses the panel in this place; lets it fill the page when it has the focus already. */
+  focusPanel(place) {
+    const [name, part] = Object.entries(this.parts)[place] ?? [];
+    if (!part) return;
+    if (part.element.contains(document.activeElement)) { this.enlarge(name); return; }
+    if (part.element.hidden) this.showTab(name);
+    part.element.querySelector('[tabindex="0"], button:not(.larger)')?.focus();
+  }
+  enlarge(name) { this.model.go({panel: this.model.selection.panel === name ? '' : name}); }
   toggleTheme() {
     setTheme(shownTheme() === 'dark' ? 'light' : 'dark');
-    this.render();
+    if (this.data) this.render();
   }
-
-  help() { this.dialog.showModal(); }
-  openRun(run) { this.model.go({run, n: null, zoom: null, filter: '', kind: ''}); }
+  openRun(run, other = null) { this.model.go(fresh(run, other)); }
 }
 
 const shownTheme = () => document.documentElement.dataset.theme ?? (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');

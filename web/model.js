@@ -1,38 +1,68 @@
-// What is looked at: the run, the record, the stretch of time, the filter. The address is this state, written out;
-// a link restores everything.
+// What is looked at: the run (and the one it is compared with), the record, the branch, the cell, the term, the stretch
+// of time, the filter, the panel. The address is this state, written out; a link restores everything.
 
 /**
- * @typedef {{run: string|null, n: number|null, zoom: [number, number]|null, filter: string, kind: string}} Selection
+ * @typedef {{run: string|null, other: string|null, n: number|null, branch: number|null, cell: string, term: string,
+ *            zoom: [number, number]|null, gaps: boolean, filter: string, kind: string, panel: string, tab: string, hunk: number|null,
+ *            search: string}} Selection
+ * `run` null: the start page; `other`: the run B of a comparison; `gaps`: idle time is drawn at its full length;
+ * `panel`: the one that fills the page; `tab`: the one in front where several share a place; `hunk`: the difference that is shown; `search`: of the start page.
  */
+
+const whole = (text) => (/^\d+$/.test(text ?? '') ? Number(text) : null);
 
 /** @returns {Selection} */
 export function parseAddress(address) {
-  const url = new URL(address, 'http://localhost');
-  const path = /^\/r\/([^/]+)\/?$/.exec(url.pathname);
-  const n = /^\d+$/.test(url.searchParams.get('n') ?? '') ? Number(url.searchParams.get('n')) : null;
-  const zoom = /^(-?\d+(?:\.\d+)?)\.\.(-?\d+(?:\.\d+)?)$/.exec(url.searchParams.get('z') ?? '');
+  const url = new URL(address, 'http://localhost'), query = url.searchParams;
+  const path = /^\/(?:r\/([^/]+)|diff\/([^/]+)\/([^/]+))\/?$/.exec(url.pathname);
+  const part = (i) => (path?.[i] ? decoded(path[i]) : null);
+  const zoom = /^(-?\d+(?:\.\d+)?)\.\.(-?\d+(?:\.\d+)?)$/.exec(query.get('z') ?? '');
   return {
-    run: path ? decodeURIComponent(path[1]) : null,
-    n,
-    zoom: zoom && Number(zoom[1]) < Number(zoom[2]) ? [Number(zoom[1]), Number(zoom[2])] : null,
-    filter: url.searchParams.get('filter') ?? '',
-    kind: url.searchParams.get('kind') ?? '',
+    run: part(1) ?? part(2), other: part(3),
+    n: whole(query.get('n')), branch: whole(query.get('b')), cell: query.get('cell') ?? '', term: query.get('term') ?? '',
+    zoom: zoom && Number(zoom[1]) < Number(zoom[2]) ? [Number(zoom[1]), Number(zoom[2])] : null, gaps: query.get('gaps') === 'full',
+    filter: query.get('filter') ?? '', kind: query.get('kind') ?? '', panel: query.get('panel') ?? '', tab: query.get('tab') ?? '', hunk: whole(query.get('h')),
+    search: query.get('q') ?? '',
   };
 }
 
-/** @param {Selection} selection */
-export function formatAddress({run, n, zoom, filter, kind}) {
-  if (run === null) return '/';
-  const parts = [];
-  if (n !== null) parts.push(`n=${n}`);
-  if (zoom) parts.push(`z=${+zoom[0].toFixed(3)}..${+zoom[1].toFixed(3)}`);
-  if (kind) parts.push(`kind=${encodeURIComponent(kind)}`);
-  if (filter) parts.push(`filter=${encodeURIComponent(filter)}`);
-  return `/r/${encodeURIComponent(run)}${parts.length ? `?${parts.join('&')}` : ''}`;
+function decoded(text) {
+  try { return decodeURIComponent(text); } catch { return text; }
 }
+
+/** @param {Selection} selection */
+export function formatAddress({run, other, n, branch, cell, term, zoom, gaps, filter, kind, panel, tab, hunk, search}) {
+  const parts = [];
+  const add = (name, value) => { if (value !== null && value !== '' && value !== undefined) parts.push(`${name}=${encodeURIComponent(value).replaceAll('%2C', ',')}`); };
+  const path = run === null ? '/' : other === null ? `/r/${encodeURIComponent(run)}` : `/diff/${encodeURIComponent(run)}/${encodeURIComponent(other)}`;
+  if (run === null) add('q', search);
+  else {
+    add('h', hunk);
+    add('n', n);
+    add('b', branch);
+    add('cell', cell);
+    add('term', term);
+    if (zoom) add('z', `${+zoom[0].toFixed(3)}..${+zoom[1].toFixed(3)}`);
+    if (gaps) add('gaps', 'full');
+    add('kind', kind);
+    add('filter', filter);
+    add('panel', panel);
+    add('tab', tab);
+  }
+  return path + (parts.length ? `?${parts.join('&')}` : '');
+}
+
+/** What a page that has just been opened shows of a run, or of two. @returns {Partial<Selection>} */
+export const fresh = (run, other = null) =>
+  ({run, other, n: null, branch: null, cell: '', term: '', zoom: null, filter: '', kind: '', panel: '', tab: '', hunk: null});
 
 const quiet_ms = 1500;   // steps closer together than this are one entry of the history
 const write_ms = 250;    // the address is rewritten at most this often
+
+// An exported page is opened from a file, whose address has no place for all this but behind its '#'.
+const from_file = globalThis.location?.protocol === 'file:';
+const here = () => (from_file ? location.hash.slice(1) || globalThis.continua_recorded.start : location.href);
+const there = (address) => (from_file ? `#${address}` : address);
 
 export class Model {
   #listener;
@@ -41,12 +71,12 @@ export class Model {
 
   constructor(listener) {
     this.#listener = listener;
-    this.selection = parseAddress(location.href);
+    this.selection = parseAddress(here());
     addEventListener('popstate', () => {
       clearTimeout(this.#timer);
       this.#timer = 0;
       const before = this.selection;
-      this.selection = parseAddress(location.href);
+      this.selection = parseAddress(here());
       this.#listener(before);
     });
   }
@@ -63,7 +93,7 @@ export class Model {
     const now = performance.now();
     if (how === 'jump' || (how === 'step' && now - this.#last_step > quiet_ms)) {
       this.#flush(formatAddress(before));
-      history.pushState(null, '', address);
+      history.pushState(null, '', there(address));
     } else if (!this.#timer) {
       this.#timer = setTimeout(() => this.#flush(formatAddress(this.selection)), write_ms);
     }
@@ -74,12 +104,12 @@ export class Model {
   /** Fills in what the address left open, without a trace in the history. */
   settle(change) {
     this.selection = {...this.selection, ...change};
-    history.replaceState(null, '', formatAddress(this.selection));
+    history.replaceState(null, '', there(formatAddress(this.selection)));
   }
 
   #flush(address) {
     clearTimeout(this.#timer);
-    if (this.#timer) history.replaceState(null, '', address);
+    if (this.#timer) history.replaceState(null, '', there(address));
     this.#timer = 0;
   }
 }

@@ -1,40 +1,80 @@
-// The server's addresses. Every answer is JSON; an error carries a sentence for the reader.
+// The server's addresses. An answer is JSON or bytes; an error carries a sentence for the reader. An exported page has
+// no server: it brings the answers along.
 
-async function get(path, signal) {
-  const response = await fetch(path, {signal, headers: {Accept: 'application/json'}});
+import {Recorded} from './recorded.js';
+
+const recorded = globalThis.continua_recorded ? new Recorded(globalThis.continua_recorded) : null;
+
+/** @returns {Promise<Response>} of the server, or what was recorded of it. */
+async function ask(path, options = {}) {
+  const response = await (recorded ? recorded.answer(path) : fetch(path, options));
+  if (response.ok) return response;
   const body = await response.json().catch(() => null);
-  if (!response.ok) throw new Error(body?.error?.message ?? `${path}: ${response.status}`);
-  return body;
+  throw Object.assign(new Error(body?.error?.message ?? `${path}: ${response.status}`), {status: response.status});
 }
+const get = (path) => ask(path, {headers: {Accept: 'application/json'}}).then((response) => response.json());
+const bytes = (path) => ask(path).then((response) => response.arrayBuffer());
+const send = (method, path, body) =>
+  ask(path, {method, headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)}).then((response) => response.json());
 
 const run = (id) => `/api/runs/${encodeURIComponent(id)}`;
 
+/** Whether there is a server that can replay, save notes, and tell of runs that grow. */
+export const served = recorded === null;
+
 export const fetchRuns = () => get('/api/runs').then((answer) => answer.runs);
+export const fetchDiff = (a, b) => get(`/api/diff?a=${encodeURIComponent(a)}&b=${encodeURIComponent(b)}`);
+export const askWhatIf = (question) => send('POST', '/api/what-if', question);
+export const pictureOf = (id, t, size) => `${run(id)}/frame?t=${t}&size=${size}`;
 
 /** Everything the page needs at once. */
 export async function fetchRun(id) {
-  const [summary, graph, lanes] = await Promise.all([get(run(id)), get(`${run(id)}/graph`), get(`${run(id)}/lanes`)]);
-  return {summary, graph, lanes};
+  const [summary, graph, columns] = await Promise.all([get(run(id)), get(`${run(id)}/graph`), bytes(`${run(id)}/columns`)]);
+  return {summary, graph, columns};
 }
 
-/** Answers about single records, the latest few hundred kept: a log does not change under its index. */
+/** Calls `grown({records, t, complete})` whenever the run's log has grown. @returns what to close when enough is heard. */
+export function listenTo(id, grown) {
+  const stream = new EventSource(`/api/live?run=${encodeURIComponent(id)}`);
+  stream.addEventListener('grown', (event) => grown(JSON.parse(event.data)));
+  return stream;
+}
+
+const most_kept = 400;
+
+/** Answers about a run, the latest few hundred kept: a log does not change under its index. */
 export class RecordClient {
-  #id;
   #kept = new Map();
 
-  constructor(id) { this.#id = id; }
+  constructor(id) { this.id = id; }
 
-  record(n) {
-    return this.#keep(`record ${n}`, () => get(`${run(this.#id)}/records?after=${n}&limit=1`).then((a) => a.records[0]));
+  record(n) { return this.#keep(`records?after=${n}&limit=1`).then((answer) => answer.records[0]); }
+  /** Records of a kind from n on, up to `limit`. */
+  records(kind, after, limit) { return this.#keep(`records?kind=${encodeURIComponent(kind)}&after=${after}&limit=${limit}`).then((answer) => answer.records); }
+  /** `branch`: of that of several configurations; null: of the leading one. */
+  stack(n, branch = null) { return this.#keep(`stack?n=${n}${branch === null ? '' : `&branch=${branch}`}`); }
+  /** Why record n; given a cell of the stack, how the value that record n gave it came about. */
+  explain(n, cell = '') { return this.#keep(`explain?n=${n}${cell ? `&cell=${encodeURIComponent(cell)}` : ''}`); }
+  derivation(n) { return this.#keep(`derivation?n=${n}`); }
+  labels(numbers) { return get(`${run(this.id)}/labels?n=${numbers.join(',')}`).then((answer) => answer.labels); }
+  /** Running numbers of the records that match, in order. */
+  find(text, kind) {
+    return bytes(`${run(this.id)}/find?text=${encodeURIComponent(text)}&kind=${encodeURIComponent(kind)}`).then((answer) => new Uint32Array(answer));
   }
-  stack(n) { return this.#keep(`stack ${n}`, () => get(`${run(this.#id)}/stack?n=${n}`)); }
-  derivation(n) { return this.#keep(`derivation ${n}`, () => get(`${run(this.#id)}/derivation?n=${n}`)); }
+  scene() { return this.#keep('scene'); }
+  /** What moved, pointed and was done in a window of seconds. Not kept here: Motion keeps what it needs. */
+  poses(from, to) { return get(`${run(this.id)}/poses?from=${from.toFixed(3)}&to=${to.toFixed(3)}`); }
+  notes() { return get(`${run(this.id)}/notes`); }
+  saveNotes(notes) { return send('PUT', `${run(this.id)}/notes`, notes); }
 
-  #keep(key, fetched) {
-    if (!this.#kept.has(key)) {
-      if (this.#kept.size >= 400) this.#kept.delete(this.#kept.keys().next().value);
-      this.#kept.set(key, fetched().catch((problem) => { this.#kept.delete(key); throw problem; }));
+  #keep(path) {
+    if (!this.#kept.has(path)) {
+      if (this.#kept.size >= most_kept) this.#kept.delete(this.#kept.keys().next().value);
+      this.#kept.set(path, get(`${run(this.id)}/${path}`).catch((problem) => { this.#kept.delete(path); throw problem; }));
     }
-    return this.#kept.get(key);
+    return this.#kept.get(path);
   }
+
+  /** Resolves when all that was asked for has come. */
+  idle() { return Promise.allSettled(this.#kept.values()); }
 }

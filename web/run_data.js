@@ -1,4 +1,5 @@
-// A run as the panels ask about it: where, when and what, from the lanes' columns. Pure; knows no page.
+// A run as the panels ask about it: where, when and what, from its columns. Pure; knows no page.
+import {laneOf} from './columns.js';
 
 /** Place of the last element of sorted `numbers` that is at most `value`, or -1. */
 export function lastAtMost(numbers, value) {
@@ -10,26 +11,39 @@ export function lastAtMost(numbers, value) {
   return low - 1;
 }
 
+const most_effects = 50;
+
 export class RunData {
-  constructor({summary, graph, lanes}) {
+  /** `columns` as readColumns gives them; `labels` has label(n) and text(n), '' while they are not known. */
+  constructor({summary, graph, columns: {columns, kinds, names, records, duration, complete}, labels}) {
     this.summary = summary;
     this.graph = graph;
-    this.lanes = lanes;
-    this.size = lanes.t.length;
-    this.t = Float64Array.from(lanes.t);
+    this.kinds = kinds;
+    this.names = names;
+    this.size = records;
+    this.duration = duration;
+    this.complete = complete;
+    this.labels = labels;
+    this.t = columns.t;
+    this.kind_of = columns.kind;
+    this.cause_of = columns.cause;
+    this.stops = columns.stop;
+    this.confidence = columns.confidence;
     // Some records are written a little after the instant they speak of; searching needs times in order.
-    this.reached = this.t.slice();
-    for (let n = 1; n < this.size; ++n) this.reached[n] = Math.max(this.reached[n], this.reached[n - 1]);
-    this.kinds = lanes.kinds;
-    this.duration = this.size ? this.reached[this.size - 1] : 0;
-    this.steps = lanes.transitions;
-    this.segments = stateSegments(this.steps, this.reached, graph.start, this.duration);
+    this.reached = inOrder(this.t);
+    this.steps = laneOf(columns, 'step');
+    this.lanes = {};
+    for (const name of ['speech', 'gesture', 'pointing', 'utterance', 'move', 'act', 'observed', 'rest', 'flag', 'branches', 'confidence', 'depth'])
+      this.lanes[name] = laneOf(columns, name);
+    this.lanes.state = stateLane(this.steps, this.reached, names, graph.start, duration);
   }
 
-  kind(n) { return this.kinds[this.lanes.kind[n]]; }
-  label(n) { return this.lanes.label[n] || (this.kind(n) === 'input' ? 'pointing' : ''); }
-  cause(n) { return this.lanes.cause[n]; }
+  kind(n) { return this.kinds[this.kind_of[n]]; }
+  label(n) { return this.labels.label(n); }
+  text(n) { return this.labels.text(n); }
+  cause(n) { return this.cause_of[n]; }
   clamp(n) { return Math.max(0, Math.min(this.size - 1, n)); }
+  count(kind) { return this.summary.counts?.[kind] ?? 0; }
 
   /** The last record at time t. */
   at(t) { return Math.max(0, lastAtMost(this.reached, t)); }
@@ -38,11 +52,16 @@ export class RunData {
   step(n) { return lastAtMost(this.steps.n, n); }
   state(n) {
     const step = this.step(n);
-    return step < 0 ? this.graph.start : this.steps.to[step];
+    return step < 0 ? this.graph.start : this.names[this.steps.to[step]];
   }
   depth(n) {
     const step = this.step(n);
     return step < 0 ? 0 : this.steps.depth[step];
+  }
+  /** {id, from, to} of the step at this place. */
+  stepAt(place) {
+    const {id, from, to, n} = this.steps;
+    return {n: n[place], id: this.names[id[place]], from: this.names[from[place]], to: this.names[to[place]]};
   }
 
   /** The stop `by` places after (before, when negative) record n among the sorted `stops`. */
@@ -57,7 +76,7 @@ export class RunData {
   /** Running numbers of the records that `n` brought about. */
   effects(n) {
     const found = [];
-    for (let i = n + 1; i < this.size && found.length < 50; ++i) if (this.lanes.cause[i] === n) found.push(i);
+    for (let i = n + 1; i < this.size && found.length < most_effects; ++i) if (this.cause_of[i] === n) found.push(i);
     return found;
   }
 
@@ -67,15 +86,30 @@ export class RunData {
   }
 }
 
-/** [{state, from, to, n}]: what the automaton was in, stretches of no length left out, equal neighbours joined. */
-function stateSegments(steps, t, start, duration) {
-  const segments = [];
-  const add = (state, from, to, n) => {
-    const last = segments.at(-1);
-    if (last && last.state === state) last.to = to;
-    else if (to > from) segments.push({state, from, to, n});
+// The same times, each at least the one before; the array itself where they are in order already.
+function inOrder(t) {
+  let sorted = t;
+  for (let n = 1; n < t.length; ++n) {
+    if (sorted[n] >= sorted[n - 1]) continue;
+    if (sorted === t) sorted = t.slice();
+    sorted[n] = sorted[n - 1];
+  }
+  return sorted;
+}
+
+/** {n, from, to, state}: what the automaton was in, stretches of no length left out, equal neighbours joined. */
+function stateLane(steps, t, names, start, duration) {
+  const most = steps.n.length + 1, lane = {n: new Uint32Array(most), from: new Float64Array(most), to: new Float64Array(most), name: new Int32Array(most)};
+  let count = 0;
+  const add = (name, from, to, n) => {
+    if (count && lane.name[count - 1] === name) lane.to[count - 1] = to;
+    else if (to > from) {
+      [lane.n[count], lane.from[count], lane.to[count], lane.name[count]] = [n, from, to, name];
+      ++count;
+    }
   };
-  if (start) add(start, 0, steps.n.length ? t[steps.n[0]] : duration, 0);
-  steps.n.forEach((n, i) => add(steps.to[i], t[n], i + 1 < steps.n.length ? t[steps.n[i + 1]] : duration, n));
-  return segments;
+  if (start) add(names.indexOf(start), 0, steps.n.length ? t[steps.n[0]] : duration, 0);
+  for (let i = 0; i < steps.n.length; ++i) add(steps.to[i], t[steps.n[i]], i + 1 < steps.n.length ? t[steps.n[i + 1]] : duration, steps.n[i]);
+  return {n: lane.n.subarray(0, count), from: lane.from.subarray(0, count), to: lane.to.subarray(0, count), name: lane.name.subarray(0, count),
+          start};
 }

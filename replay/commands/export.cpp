@@ -8,6 +8,7 @@
 #include "replay/exporters/graph_dot.h"
 #include "replay/exporters/graph_svg.h"
 #include "replay/exporters/json.h"
+#include "replay/page_file.h"
 
 namespace continua {
 namespace {
@@ -28,6 +29,8 @@ Outcome export_svg(const RunIndex& run, std::ostream& out) {
   return std::nullopt;
 }
 
+Outcome export_html(const RunIndex& run, std::ostream& out) { return write_page(run.path(), out); }
+
 // An exporter is a function and a row.
 struct Exporter {
   const char* format;
@@ -39,6 +42,7 @@ constexpr std::array exporters = {
              [](const RunIndex& run, std::ostream& out) { return export_json(run, out); }},
     Exporter{"dot", "the state graph with what the run visited, for Graphviz", export_dot},
     Exporter{"svg", "the same as a picture", export_svg},
+    Exporter{"html", "the inspector's page with this run in it, one file that opens offline", export_html},
 };
 
 }  // namespace
@@ -75,7 +79,8 @@ void add_export_command(CLI::App& program, Run& run) {
   command->add_option("-o,--output", options->output, "a file, or '-'");
   command->footer(
       "Examples: continua export talk.run.jsonl --to json -o talk.json\n"
-      "          continua export talk.run.jsonl --to svg -o talk.svg");
+      "          continua export talk.run.jsonl --to svg -o talk.svg\n"
+      "          continua export talk.run.jsonl --to html -o talk.html");
   command->callback([options, &run] { run = [options] { return run_export(*options); }; });
 }
 

@@ -63,6 +63,8 @@ TEST_CASE("a run is the same as itself, and as what was written of it in another
     CHECK(diff.sameness == RunDiff::Sameness::same);
     CHECK(diff.cause.kind == "none");
     CHECK(diff.inputs_common == diff.inputs_a);
+    CHECK(diff.pairs.size() >= std::min(diff.inputs_a, most_pairs));
+    for (const auto& [n, m] : diff.pairs) CHECK(n == m);
   }
   CHECK(runs >= 30);
 }
@@ -78,6 +80,11 @@ TEST_CASE("any two runs can be held against each other, and differ both ways rou
     CHECK(!is_same(back));
     CHECK(diff.sentence.find('\n') == std::string::npos);
     CHECK(diff_json(runs[i], runs[i + 1], diff)["count"] == diff.count);
+    for (std::size_t k = 0; k < diff.pairs.size(); ++k) {
+      CHECK((diff.pairs[k].first < runs[i].size() && diff.pairs[k].second < runs[i + 1].size()));
+      if (k > 0)
+        CHECK((diff.pairs[k - 1].first < diff.pairs[k].first && diff.pairs[k - 1].second < diff.pairs[k].second));
+    }
   }
 }
 

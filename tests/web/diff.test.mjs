@@ -1,0 +1,116 @@
+// From the start page to why two runs part, in a real browser.
+import assert from 'node:assert/strict';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {root, serve, Visitor} from './support.mjs';
+
+const paper = join(root, 'traces/paper');
+let server, visitor;
+before(async () => {
+  server = await serve(paper);
+  visitor = await Visitor.start(server.address);
+});
+after(async () => {
+  await visitor?.close();
+  server?.stop();
+});
+const at = (id) => visitor.at(id);
+const both = '/diff/disambiguation/disambiguation_exhausted';
+
+test('three clicks from the start page to the cause', async () => {
+  await visitor.visit('/');
+  await visitor.page.getByLabel('Choose disambiguation to compare').check();
+  assert.equal(await at('compare-chosen').innerText(), 'Choose one more');
+  await visitor.page.getByLabel('Choose disambiguation_exhausted to compare').check();
+  await at('compare-chosen').click();
+  await visitor.page.waitForURL(/\/diff\//);
+  await at('verdict').waitFor();
+  assert.match(await at('verdict').innerText(), /^≠ They part at 5 s \(B #\d+\): “No\.” \(speech at 5 s\) is only in B/);
+  assert.deepEqual(visitor.complaints, []);
+});
+
+test('a comparison opens at the first difference; n and p go on and back, and the address holds it', async () => {
+  await visitor.visit(both);
+  const told = await visitor.page.evaluate(() => ({first: window.continua.comparison.first, count: window.continua.comparison.hunks.length}));
+  assert.ok(told.count > 2);
+  await visitor.addressSays('h', told.first);
+  assert.equal(await visitor.page.locator('.hunk.current').count(), 1);
+  await visitor.page.keyboard.press('n');
+  await visitor.addressSays('h', told.first + 1);
+  await visitor.page.keyboard.press('p');
+  await visitor.addressSays('h', told.first);
+  await visitor.page.goBack();
+  await visitor.addressSays('h', told.first + 1);
+  await visitor.visit(`${both}?h=1&n=22`);
+  assert.equal(await visitor.page.locator('.hunk.current').count(), 1);
+  assert.equal(await visitor.n(), 22);
+});
+
+test('differences are told with what each run has, and why', async () => {
+  await visitor.visit(both);
+  const text = await at('panel-differences').innerText();
+  assert.match(text, /\d+ differences/);
+  assert.match(text, /another input/);
+  assert.match(text, /−\s*in A\s*#\d+ input/);
+  assert.match(text, /\+\s*in B\s*#\d+ input/);
+});
+
+test('lanes are doubled, and the graph tells whose way was whose', async () => {
+  await visitor.visit(both);
+  const rows = await visitor.page.evaluate(() => window.continua.lanes.rows.map(({name, side}) => `${side} ${name}`));
+  assert.equal(rows.filter((name) => name.startsWith('b')).length, rows.length / 2);
+  assert.ok(await visitor.page.locator('.edge.only-a').count() > 0);
+  assert.ok(await visitor.page.locator('.edge.only-b').count() > 0);
+  assert.match(await visitor.page.locator('.edge.only-b .count').first().textContent(), /A 0 B 1/);
+});
+
+test('the stacks of both stand side by side, and what differs is marked', async () => {
+  await visitor.visit(`${both}?n=33`);
+  assert.ok(await at('panel-stack').isVisible());
+  assert.ok(await at('panel-stack_b').isVisible());
+  assert.ok(await visitor.page.locator('.cell.differs').count() > 0);
+});
+
+test('the comparison can be copied as Markdown', async () => {
+  await visitor.visit(both);
+  await visitor.context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await at('markdown').click();
+  await visitor.page.waitForFunction(() => /Copied/.test(document.querySelector('[data-testid=markdown]').textContent));
+  assert.match(await visitor.page.evaluate(() => navigator.clipboard.readText()), /^\*\*They part at 5 s/);
+});
+
+test('the same run twice is the same', async () => {
+  await visitor.visit('/diff/correction/correction');
+  assert.match(await at('verdict').innerText(), /^= /);
+  assert.match(await at('panel-differences').innerText(), /Nothing that happened differs/);
+  await visitor.page.keyboard.press('n');
+  assert.deepEqual(visitor.complaints, []);
+});
+
+test('physics beside the kinematic world', async () => {
+  await visitor.visit('/diff/correction/correction.physics');
+  assert.match(await at('verdict').innerText(), /world/);
+  await visitor.page.keyboard.press('n');
+  await visitor.page.keyboard.press('n');
+  assert.deepEqual(visitor.complaints, []);
+});
+
+test('a run is compared with another from its own page', async () => {
+  await visitor.visit('/r/disambiguation');
+  await visitor.page.keyboard.press('c');
+  await at('compare-dialog').waitFor();
+  await visitor.page.keyboard.type('exhausted');
+  await visitor.page.locator('[data-testid=compare-with]', {hasText: 'disambiguation_exhausted'}).first().click();
+  await visitor.page.waitForURL(/\/diff\/disambiguation\/disambiguation_exhausted/);
+});
+
+test('what cannot be compared says so', async () => {
+  await visitor.visit('/diff/correction/none');
+  assert.match(await at('problem').innerText(), /no run 'none'/);
+});
+
+for (const colorScheme of ['light', 'dark'])
+  test(`nothing stands in the way of access to a comparison, ${colorScheme}`, async () => {
+    await visitor.visit(both, {colorScheme, bypassCSP: true});
+    assert.deepEqual(await visitor.violations(), []);
+  });

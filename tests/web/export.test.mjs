@@ -1,0 +1,58 @@
+// A run as one file, opened from the disk.
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {readFileSync, statSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {pathToFileURL} from 'node:url';
+import {program, root, temporaryFolder, Visitor} from './support.mjs';
+
+const folder = temporaryFolder(), file = join(folder, 'correction.html');
+let visitor;
+before(async () => {
+  execFileSync(program, ['export', join(root, 'traces/paper/correction.physics.run.jsonl'), '--to', 'html', '-o', file]);
+  visitor = await Visitor.start(pathToFileURL(folder).href, {webgl: true});
+});
+after(() => visitor?.close());
+const at = (id) => visitor.at(id);
+
+test('it shows every panel, offline, and complains of nothing', async () => {
+  await visitor.visit('/correction.html', {offline: true});
+  for (const name of ['dialogue', 'graph', 'scene', 'lanes', 'stack', 'derivation', 'why']) assert.ok(await at(`panel-${name}`).isVisible(), name);
+  assert.match(await at('verdict').innerText(), /2 utterances/);
+  assert.match(await at('panel-dialogue').innerText(), /Put the white cup there/);
+  assert.match(await at('panel-why').innerText(), /Why|because|put/);
+  assert.ok(await visitor.page.locator('.scene canvas').isVisible());
+  for (const name of ['records', 'notes']) {
+    await at(`tab-${name}`).click();
+    assert.ok(await at(`panel-${name}`).isVisible(), name);
+  }
+  assert.deepEqual(visitor.complaints, []);
+});
+
+test('keys, filters and links work as on the served page', async () => {
+  await visitor.visit('/correction.html');
+  const first = await visitor.n();
+  await visitor.page.keyboard.press('ArrowRight');
+  const second = await visitor.n();
+  assert.ok(second > first);
+  await visitor.page.waitForFunction((n) => location.hash.includes(`n=${n}`), second);
+  await visitor.page.keyboard.press('/');
+  await visitor.page.keyboard.type('okay');
+  await visitor.page.waitForFunction(() => document.querySelectorAll('.row').length === 2);
+  await visitor.visit('/correction.html#/r/correction.physics?n=5&panel=stack');
+  assert.equal(await visitor.n(), 5);
+  assert.ok(await visitor.page.locator('.panel.stack.enlarged').isVisible());
+});
+
+test('it asks for nothing elsewhere, and holds no more than it must', () => {
+  const text = readFileSync(file, 'utf8').replace(/>[A-Za-z0-9+/=\n]{200,}</g, '><');
+  assert.deepEqual(text.match(/(?:src|href)=["'](?!data:)[^"']*/g), null);
+  assert.match(text, /default-src 'none'/);
+  assert.ok(statSync(file).size < 3e6, `${statSync(file).size} bytes`);
+});
+
+test('nothing stands in the way of access', async () => {
+  await visitor.visit('/correction.html', {bypassCSP: true});
+  assert.deepEqual(await visitor.violations(), []);
+});

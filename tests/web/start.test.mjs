@@ -1,0 +1,149 @@
+// The start page, notes, what if, and a run that is still being written, in a real browser.
+import assert from 'node:assert/strict';
+import {appendFileSync, copyFileSync, existsSync, mkdirSync, readFileSync, utimesSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {root, serve, temporaryFolder, Visitor} from './support.mjs';
+
+const folder = temporaryFolder(), paper = join(root, 'traces/paper');
+const lines = readFileSync(join(paper, 'disambiguation.run.jsonl'), 'utf8').split('\n').filter(Boolean);
+let server, visitor;
+before(async () => {
+  mkdirSync(join(folder, 'older'));
+  for (const name of ['correction', 'disambiguation']) copyFileSync(join(paper, `${name}.run.jsonl`), join(folder, `${name}.run.jsonl`));
+  copyFileSync(join(paper, 'one_breath.run.jsonl'), join(folder, 'older/one_breath.run.jsonl'));
+  utimesSync(join(folder, 'older/one_breath.run.jsonl'), 1e9, 1e9);
+  writeFileSync(join(folder, 'cut.run.jsonl'), `${lines.slice(0, 20).join('\n')}\n`);
+  utimesSync(join(folder, 'cut.run.jsonl'), 1.1e9, 1.1e9);
+  writeFileSync(join(folder, 'garbage.run.jsonl'), 'hello\n');
+  server = await serve(folder);
+  visitor = await Visitor.start(server.address);
+});
+after(async () => {
+  await visitor?.close();
+  server?.stop();
+});
+const at = (id) => visitor.at(id);
+const names = () => visitor.page.locator('.start .name').allInnerTexts();
+const listed = () => visitor.page.waitForFunction(() => document.querySelectorAll('[data-testid=run]').length && !/being read/.test(document.body.innerText));
+
+test('all runs, the newest first, with verdict, length, machine, scene and picture', async () => {
+  await visitor.visit('/');
+  await listed();
+  const found = await names();
+  assert.equal(found.length, 5);
+  assert.ok(found.indexOf('older/one_breath') === 4 && found.indexOf('cut') === 3, found.join());
+  const row = (name) => visitor.page.locator('[data-testid=run]', {has: visitor.page.locator(`text="${name}"`)});
+  assert.match(await row('correction').innerText(), /✔ as expected[\s\S]*0:40[\s\S]*interaction[\s\S]*today/);
+  assert.match(await row('cut').innerText(), /! cut short[\s\S]*2004/);
+  assert.match(await row('garbage').innerText(), /not a run log/);
+});
+
+test('search narrows the list and is part of the address', async () => {
+  await visitor.visit('/');
+  await listed();
+  await visitor.page.keyboard.press('/');
+  await visitor.page.keyboard.type('one_breath');
+  await visitor.page.waitForFunction(() => document.querySelectorAll('[data-testid=run]').length === 1);
+  await visitor.addressSays('q', 'one_breath');
+  await visitor.visit('/?q=cut');
+  await listed();
+  assert.deepEqual(await names(), ['cut']);
+  await visitor.page.click('text=cut');
+  await at('trouble').waitFor();
+  await visitor.page.goBack();
+  await at('runs').waitFor();
+  assert.equal(await at('search').inputValue(), 'cut');
+});
+
+test('no runs: it says how to make one', async () => {
+  const empty = temporaryFolder(), other = await serve(empty), guest = await Visitor.start(other.address);
+  await guest.visit('/');
+  assert.match(await guest.page.locator('.lead').innerText(), /continua replay TRACE/);
+  await guest.close();
+  other.stop();
+});
+
+test('a note is kept beside the run, shown again, and taken away', async () => {
+  await visitor.visit('/r/correction?n=45');
+  await visitor.page.keyboard.press('m');
+  await visitor.page.keyboard.type('Here <b>it</b> takes the blue cup.');
+  await visitor.page.keyboard.press('Control+Enter');
+  await at('note').waitFor();
+  const kept = JSON.parse(readFileSync(join(folder, 'correction.notes.json'), 'utf8'));
+  assert.deepEqual(kept.notes.map(({n, to, text}) => ({n, to, text})), [{n: 45, to: null, text: 'Here <b>it</b> takes the blue cup.'}]);
+  await visitor.visit('/r/correction?n=0&tab=notes');
+  assert.match(await at('note').innerText(), /#45[\s\S]*Here <b>it<\/b> takes/);
+  await at('note').locator('button.link').click();
+  assert.equal(await visitor.n(), 45);
+  await at('note-from').click();
+  await visitor.page.keyboard.press('End');
+  await at('note-text').fill('all of the end');
+  await at('note-add').click();
+  await visitor.page.waitForFunction(() => document.querySelectorAll('[data-testid=note]').length === 2);
+  assert.match(await at('note').nth(1).innerText(), /#45 – #\d+/);
+  await at('note').first().locator('.remove').click();
+  await visitor.page.waitForFunction(() => document.querySelectorAll('[data-testid=note]').length === 1);
+  assert.deepEqual(visitor.complaints, []);
+});
+
+test('what if an input had not come: the new run is compared with this one', async () => {
+  await visitor.visit('/r/disambiguation');
+  const said = await visitor.page.evaluate(() => window.continua.data.lanes.speech.n[1]);
+  await visitor.visit(`/r/disambiguation?n=${said}`);
+  await visitor.page.keyboard.press('x');
+  await at('what-if-out').check();
+  await at('what-if-run').click();
+  await visitor.page.waitForURL(/\/diff\/disambiguation\/what-if/);
+  await at('verdict').waitFor();
+  assert.match(await at('verdict').innerText(), /only in A/);
+  await visitor.visit('/');
+  await listed();
+  assert.match(await at('runs').innerText(), /what if of disambiguation/);
+});
+
+test('what if it had been said otherwise', async () => {
+  await visitor.visit('/r/disambiguation');
+  const said = await visitor.page.evaluate(() => window.continua.data.lanes.speech.n[0]);
+  await visitor.visit(`/r/disambiguation?n=${said}`);
+  await at('what-if-open').click();
+  const text = await at('what-if-event').inputValue();
+  await at('what-if-event').fill('{"kind": "speech"');
+  await at('what-if-run').click();
+  assert.match(await visitor.page.locator('.what-if .trouble').innerText(), /no JSON/);
+  await at('what-if-event').fill(text.replace(/"text": "[^"]*"/, '"text": "Take the knife."'));
+  await at('what-if-run').click();
+  await visitor.page.waitForURL(/\/diff\//);
+  await at('verdict').waitFor();
+  assert.match(await at('verdict').innerText(), /Take the knife/);
+});
+
+test('a run that is being written is live: it grows, and the cursor goes along at its end', async () => {
+  const path = join(folder, 'growing.run.jsonl');
+  writeFileSync(path, `${lines.slice(0, 20).join('\n')}\n`);
+  await visitor.visit('/r/growing');
+  assert.ok(await at('live').isVisible());
+  await visitor.page.keyboard.press('End');
+  await visitor.page.evaluate(() => window.continua.jump(window.continua.data.stops.at(-1)));
+  const before_n = await visitor.n();
+  appendFileSync(path, `${lines.slice(20, 40).join('\n')}\n`);
+  await visitor.page.waitForFunction((n) => window.continua.model.selection.n > n, before_n);
+  appendFileSync(path, `${lines.slice(40).join('\n')}\n`);
+  await visitor.page.waitForFunction((size) => window.continua.data.size === size, lines.length);
+  await visitor.page.waitForFunction(() => !document.querySelector('[data-testid=live]'));
+  assert.deepEqual(visitor.complaints, []);
+});
+
+for (const colorScheme of ['light', 'dark'])
+  test(`nothing stands in the way of access to the start page, ${colorScheme}`, async () => {
+    await visitor.visit('/', {colorScheme, bypassCSP: true});
+    await listed();
+    assert.deepEqual(await visitor.violations(), []);
+  });
+
+test('on a phone the start page and a run can be read', async () => {
+  for (const path of ['/', '/r/correction', '/diff/correction/disambiguation']) {
+    await visitor.visit(path, {viewport: {width: 390, height: 780}});
+    assert.ok(await visitor.page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${path} is too wide`);
+  }
+});

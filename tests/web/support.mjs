@@ -1,0 +1,101 @@
+// The program serving runs and a real browser looking at them, for the tests of the page. Where that cannot be had the
+// test ends with status 77: skipped.
+import {spawn} from 'node:child_process';
+import {existsSync, mkdtempSync, readFileSync, rmSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {tmpdir} from 'node:os';
+import {dirname, extname, join} from 'node:path';
+import {fileURLToPath} from 'node:url';
+
+export const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
+export const program = process.env.CONTINUA ?? join(root, 'build/continua');
+const chromium_path = process.env.CHROMIUM || '/usr/bin/chromium';
+export const packages = process.env.CONTINUA_NODE_MODULES ?? join(root, 'build/tests/web/npm/node_modules');
+
+function skip(why) {
+  console.log(`skipped: ${why}`);
+  process.exit(77);
+}
+if (!existsSync(program)) skip(`${program} is not built`);
+if (!existsSync(chromium_path)) skip(`there is no browser at ${chromium_path}`);
+if (!existsSync(join(packages, 'playwright-core'))) skip(`playwright-core is not in ${packages}`);
+const require = createRequire(join(packages, 'x.js'));
+const {chromium} = require('playwright-core');
+const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+
+/** A new folder, gone at the end of the process. */
+export function temporaryFolder() {
+  const folder = mkdtempSync(join(tmpdir(), 'continua-page-'));
+  process.on('exit', () => rmSync(folder, {recursive: true, force: true}));
+  return folder;
+}
+
+/** `continua serve` of these paths. @returns {Promise<{address: string, pid: number, stop(): void}>} */
+export async function serve(...paths) {
+  const server = spawn(program, ['serve', ...paths, '--port', '0'], {stdio: ['ignore', 'pipe', 'inherit']});
+  const address = await new Promise((resolve, reject) => {
+    let said = '';
+    server.stdout.on('data', (part) => {
+      said += part;
+      const found = /http:\/\/[\d.]+:\d+/.exec(said);
+      if (found) resolve(found[0]);
+    });
+    server.on('exit', () => reject(new Error(`the server ended: ${said}`)));
+  });
+  return {address, pid: server.pid, stop: () => server.kill()};
+}
+
+// While the page is being worked on, CONTINUA_WEB names the folder its files are taken from instead of the program.
+const from_disk = process.env.CONTINUA_WEB;
+const media = {'.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml'};
+async function serveFromDisk(route, address) {
+  const {pathname} = new URL(route.request().url());
+  const file = join(from_disk, /^\/(r\/|diff\/|$)/.test(pathname) ? 'index.html' : pathname);
+  if (!route.request().url().startsWith(address) || pathname.startsWith('/api/') || !existsSync(file)) return route.fallback();
+  return route.fulfill({body: readFileSync(file), contentType: media[extname(file)]});
+}
+
+/** A browser that visits one server, and what its page complains of. */
+export class Visitor {
+  /** `webgl`: with WebGL, drawn without a graphics card. */
+  static async start(address, {webgl = false} = {}) {
+    const visitor = new Visitor();
+    visitor.address = address;
+    visitor.browser = await chromium.launch({executablePath: chromium_path, args: ['--no-sandbox', '--disable-background-networking', '--no-first-run',
+      '--disable-component-update', '--disable-sync', ...webgl ? ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'] : ['--disable-gpu', '--disable-3d-apis']]});
+    return visitor;
+  }
+
+  /** A fresh page at this address once `ready` is there. `complaints` gathers all that a good page does not do. */
+  async visit(path, {ready = '[data-ready]', ...options} = {}) {
+    await this.page?.context().close();
+    const context = await this.browser.newContext({viewport: {width: 1280, height: 720}, ...options});
+    this.context = context;
+    this.page = await context.newPage();
+    this.complaints = [];
+    const {page, complaints} = this;
+    page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) complaints.push(message.text()); });
+    page.on('pageerror', (problem) => complaints.push(problem.stack));
+    page.on('request', (request) => { if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(this.address)) complaints.push(`asked ${request.url()}`); });
+    if (from_disk) await page.route('**/*', (route) => serveFromDisk(route, this.address));
+    await this.shim?.(page);
+    await page.goto(this.address + path);
+    if (ready) await page.waitForSelector(ready, {state: 'attached'});
+    return page;
+  }
+
+  at(id) { return this.page.locator(`[data-testid=${id}]`); }
+  n() { return this.page.evaluate(() => window.continua.model.selection.n); }
+  async query(name) { return new URL(await this.page.evaluate(() => location.href)).searchParams.get(name); }
+  /** Waits until the address says so: it is written a little after the fact. */
+  addressSays(name, value) {
+    return this.page.waitForFunction(([key, wanted]) => new URL(location.href).searchParams.get(key) === wanted, [name, String(value)]);
+  }
+  /** What axe finds wrong with the page as it is, in short. REQUIRES a visit with bypassCSP. */
+  async violations() {
+    await this.page.evaluate(axe);
+    const {violations} = await this.page.evaluate(() => window.axe.run());
+    return violations.map(({id, nodes}) => `${id}: ${nodes.map((node) => node.html).slice(0, 3)}`);
+  }
+  async close() { await this.browser?.close(); }
+}
