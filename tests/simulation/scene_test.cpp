@@ -99,6 +99,7 @@ TEST_CASE("the description has what meshes consist of, where that is not too muc
   CHECK_FALSE(geoms[0].contains("mesh"));
   const auto& geom = geoms[1];
   CHECK(geom["type"] == "mesh");
+  REQUIRE(geom.contains("mesh"));
   const auto &vertices = geom["mesh"]["vertices"], &faces = geom["mesh"]["faces"];
   CHECK(vertices.size() == 18);
   CHECK(faces.size() == 24);
