@@ -8,8 +8,8 @@ import {placeText, readMjcf, sceneSentence} from '../scene3d/scene_text.js';
 import {Stage} from '../scene3d/stage.js';
 
 const words_every_ms = 250;
-const camera_names = {default: 'Overview', human: 'Human', avatar: 'Avatar', above: 'Above'};
-const camera_titles = {default: 'all there is, from the human’s side', human: 'as the human sees it', avatar: 'as the avatar sees it', above: 'from above'};
+const camera_names = {default: 'All', human: 'Human', avatar: 'Avatar', above: 'Above'};
+const camera_titles = {default: 'the whole scene, or in a low picture the table, from the human’s side', human: 'as the human sees it', avatar: 'as the avatar sees it', above: 'from above'};
 
 /**
  * `other`: another run to be drawn as a ghost: {client, timeOf(n)}, where timeOf gives the instant of the other run that
