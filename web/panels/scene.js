@@ -1,6 +1,6 @@
 // The scene at the cursor: bodies where the log has them, who points where, where the avatar means to take things.
 import {h, panel} from '../dom.js';
-import {pictureOf} from '../run_client.js';
+import {pictureOf, served} from '../run_client.js';
 import {three} from '../vendor.js';
 import {Motion} from '../scene3d/motion.js';
 import {humanHand} from '../scene3d/overlays.js';
@@ -24,7 +24,7 @@ export function mountScene(app, {other = null} = {}) {
   const caption = h('p', {class: 'caption', 'data-testid': 'scene-caption'});
   const places = h('ul', {class: 'places', 'data-testid': 'scene-places'});
   const list = h('details', {ontoggle: () => say()}, h('summary', {}, 'What is where'), places);
-  const stage = new Stage({three, address: (at, width, height) => pictureOf(client.id, Math.max(0, Math.min(at, app.data.duration)).toFixed(3), `${width}x${height}`),
+  const stage = new Stage({three, address: served ? (at, width, height) => pictureOf(client.id, Math.max(0, Math.min(at, app.data.duration)).toFixed(3), `${width}x${height}`) : null,
     before, after: tag, resized: () => { if (camera) stage.view = stage.drawing.cameras(bodies.objects)[camera]; }, changed: () => press(null), click: select});
   const motion = new Motion({fetch: (from, to) => client.poses(from, to), duration: () => app.data.duration, arrived: () => stage.wake()});
 
