@@ -1,6 +1,6 @@
 // The scene at the cursor: bodies where the log has them, who points where, where the avatar means to take things.
 import {h, panel} from '../dom.js';
-import {pictureOf} from '../run_client.js';
+import {pictureOf, served} from '../run_client.js';
 import {three} from '../vendor.js';
 import {Motion} from '../scene3d/motion.js';
 import {humanHand} from '../scene3d/overlays.js';
@@ -8,8 +8,8 @@ import {placeText, readMjcf, sceneSentence} from '../scene3d/scene_text.js';
 import {Stage} from '../scene3d/stage.js';
 
 const words_every_ms = 250;
-const camera_names = {default: 'Overview', human: 'Human', avatar: 'Avatar', above: 'Above'};
-const camera_titles = {default: 'all there is, from the human’s side', human: 'as the human sees it', avatar: 'as the avatar sees it', above: 'from above'};
+const camera_names = {default: 'All', human: 'Human', avatar: 'Avatar', above: 'Above'};
+const camera_titles = {default: 'the whole scene, or in a low picture the table, from the human’s side', human: 'as the human sees it', avatar: 'as the avatar sees it', above: 'from above'};
 
 /**
  * `other`: another run to be drawn as a ghost: {client, timeOf(n)}, where timeOf gives the instant of the other run that
@@ -24,7 +24,7 @@ export function mountScene(app, {other = null} = {}) {
   const caption = h('p', {class: 'caption', 'data-testid': 'scene-caption'});
   const places = h('ul', {class: 'places', 'data-testid': 'scene-places'});
   const list = h('details', {ontoggle: () => say()}, h('summary', {}, 'What is where'), places);
-  const stage = new Stage({three, address: (at, width, height) => pictureOf(client.id, Math.max(0, Math.min(at, app.data.duration)).toFixed(3), `${width}x${height}`),
+  const stage = new Stage({three, address: served ? (at, width, height) => pictureOf(client.id, Math.max(0, Math.min(at, app.data.duration)).toFixed(3), `${width}x${height}`) : null,
     before, after: tag, resized: () => { if (camera) stage.view = stage.drawing.cameras(bodies.objects)[camera]; }, changed: () => press(null), click: select});
   const motion = new Motion({fetch: (from, to) => client.poses(from, to), duration: () => app.data.duration, arrived: () => stage.wake()});
 

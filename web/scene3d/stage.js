@@ -27,10 +27,9 @@ export class Stage {
   #theme = '';
   #view = null;
   #pictures = null;
-  #scene = null;
 
   /**
-   * `three`: loads three.js, or null; `address(t, width, height)`: of the server's picture; `before(view)`: called before
+   * `three`: loads three.js, or null; `address(t, width, height)`: of the server's picture, or null; `before(view)`: called before
    * a frame is drawn, gives whether there is something new to draw; `after(view)`: it was drawn; `resized(view)`;
    * `changed()`: the view was turned by hand; `click(body)`: a body was clicked, or null.
    */
@@ -70,7 +69,6 @@ export class Stage {
 
   /** Begins with this scene: loads what is needed to draw it. */
   async open(scene) {
-    this.#scene = scene;
     const context = this.#three && this.#context();
     if (!context) { this.#toPictures(); return; }
     try {
@@ -100,7 +98,12 @@ export class Stage {
       this.#element.querySelector('.picture')?.remove();
       this.#element.append(h('div', {class: 'picture'}, ...children));
     };
+    const failed = (sentence) => show(h('p', {class: 'empty', 'data-testid': 'scene-no-picture'}, `The scene cannot be drawn here. ${sentence}`));
     this.canvas.hidden = true;
+    if (!this.#address) {
+      failed('There is no server that could.');
+      return;
+    }
     this.#pictures = new Pictures({
       address: (t) => {
         const box = this.#element.getBoundingClientRect(), scale = Math.min(devicePixelRatio || 1, largest_picture / Math.max(box.width, box.height, 1));
@@ -112,7 +115,7 @@ export class Stage {
         image.dataset.testid = 'scene-picture';
         show(image);
       },
-      failed: (sentence) => show(h('p', {class: 'empty', 'data-testid': 'scene-no-picture'}, `The scene cannot be drawn here. ${sentence}`)),
+      failed,
     });
     this.touch();
   }

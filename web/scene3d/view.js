@@ -7,6 +7,8 @@ import {Overlays} from './overlays.js';
 
 const degree = Math.PI / 180;
 const most_pixels_ratio = 2;
+const low_picture = 1.8;      // width to height
+const room_above_m = 0.12;    // the objects, in a low picture
 // As MuJoCo lights a scene: three divides what is diffuse by π.
 const ambient = 0.45 * Math.PI, headlight = 0.35 * Math.PI, lamp = 0.5 * Math.PI;
 
@@ -120,16 +122,19 @@ export class SceneView {
   /** Views by name; `objects` are what there is to look at. */
   cameras(objects) {
     const all = this.corners(), aspect = this.camera.aspect;
-    const there = this.corners(objects), looked = there.length ? there : all;
+    const there = this.corners(objects);
     // The avatar looks from just before what reaches highest.
     const top = all.reduce((best, corner) => Math.max(best, corner[2]), 0.3);
     const head = all.filter((corner) => corner[2] > top - 0.03);
     const eye = head.length ? [head.reduce((sum, corner) => sum + corner[0], 0) / head.length, Math.min(...head.map((corner) => corner[1])) - 0.03, top - 0.07] : [0, 0.4, top];
+    const stood_on = there.length ? [...there, ...this.#table(there)] : all;
+    // In a low picture the avatar's height would make all the rest small.
+    const low = there.length && aspect > low_picture ? [...stood_on, ...there.map(([x, y, z]) => [x, y, z + room_above_m])] : all;
     return {
-      default: fit(sides.front, all, aspect),
+      default: fit(sides.front, low, aspect),
       human: viewFrom([0, -0.95, 0.62], [0, 0.1, 0.15], 52 * degree),
       avatar: viewFrom(eye, [0, -0.1, 0], 75 * degree),
-      above: fit(sides.above, looked.length === all.length ? all : [...looked, ...this.#table(looked)], aspect),
+      above: fit(sides.above, stood_on, aspect),
     };
   }
   /** Corners of what the objects stand on: all that lies under them and is flat. */
