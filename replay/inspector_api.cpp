@@ -198,7 +198,12 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
   if (view == "stack" || view == "derivation") {
     const auto n = record_number(query, log);
     if (!n) return api_error(400, n.error().sentence);
-    return answer(view == "stack" ? run_stack(log, *n) : run_derivation(log, *n));
+    if (view == "derivation") return answer(run_derivation(log, *n));
+    if (!query.count("branch")) return answer(run_stack(log, *n));
+    const auto branch = number<std::int64_t>(query, "branch", 0);
+    if (!branch) return api_error(400, branch.error().sentence);
+    const auto stack = run_branch_stack(log, *n, *branch);
+    return stack ? answer(*stack) : api_error(404, stack.error().sentence);
   }
   if (view == "explain") {
     const auto n = record_number(query, log);

@@ -54,6 +54,7 @@ class InspectorApi {
   /// "/api/runs/ID/frame?t=SECONDS&size=WxH" is a PNG of the scene at that instant (size: 640x360 if not given); 400
   /// for a t outside the run or a bad size, 422 where the log has nothing that can be drawn, 501 where this machine
   /// cannot draw.
+  /// "/api/runs/ID/stack?n=N" is run_stack, with "&branch=ID" run_branch_stack (run_views.h).
   /// "/api/runs/ID/scene" is run_scene, "/api/runs/ID/poses?from=SECONDS&to=SECONDS" RunWorld::window (run_world.h).
   /// "/api/runs/ID/notes" is {"notes": [{"id", "n", "to", "text"}], "version"} (run_notes.h).
   /// "/api/runs/ID/columns" (run_columns.h), "/labels?n=5,17" or "?from=N&limit=K" (run_labels.h) and

@@ -10,6 +10,7 @@
 #include "core/located_json.h"
 #include "replay/gzip.h"
 #include "replay/inspector_api.h"
+#include "replay/run_brief.h"
 #include "replay/run_html.h"
 #include "replay/run_index.h"
 #include "web/assets.h"
@@ -135,6 +136,14 @@ Outcome collect(Answers& answers, const RunIndex& run, const std::function<void(
   if (run.stack_marks().empty()) answers.view("stack 0", "stack?n=0");
   for (const auto& mark : run.stack_marks())
     answers.view(fmt::format("stack {}", mark.n), fmt::format("stack?n={}", mark.n));
+  for (const auto n : run.of_kind("branches")) {
+    const auto record = run.record(n);
+    if (!record) return record.error();
+    for (const auto& one : member_of(*record, "branches"))
+      if (const auto& id = member_of(one, "id"); id.is_number_integer())
+        answers.view(fmt::format("branch {} {}", n, id.get<std::int64_t>()),
+                     fmt::format("stack?n={}&branch={}", n, id.get<std::int64_t>()));
+  }
   for (std::size_t n = 0; n < run.size(); ++n) {
     const auto line = run.line(n);
     if (!line) return line.error();

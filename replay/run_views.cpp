@@ -153,6 +153,59 @@ Result<Json> run_stack(const RunIndex& run, std::size_t n) {
   return told;
 }
 
+namespace {
+
+// A branch of this id in a `branches` record, or null.
+Json branch_in(const Json& record, std::int64_t id) {
+  const auto& branches = member_of(record, "branches");
+  if (branches.is_array())
+    for (const auto& one : branches)
+      if (const auto& number = member_of(one, "id"); number.is_number_integer() && number.get<std::int64_t>() == id)
+        return one;
+  return nullptr;
+}
+
+std::int64_t integer_of(const Json& object, const char* key, std::int64_t otherwise) {
+  const auto& value = member_of(object, key);
+  return value.is_number_integer() ? value.get<std::int64_t>() : otherwise;
+}
+
+// The top of the branch's stack in the last of these records that has it, or no symbol.
+Result<std::int64_t> last_top(const RunIndex& run, const std::vector<std::size_t>& records, std::size_t count,
+                              std::int64_t branch) {
+  for (auto i = count; i > 0; --i) {
+    const auto record = run.record(records[i - 1]);
+    if (!record) return record.error();
+    if (const auto found = branch_in(*record, branch); !found.is_null()) return integer_of(found, "stack", no_symbol);
+  }
+  return no_symbol;
+}
+
+}  // namespace
+
+Result<Json> run_branch_stack(const RunIndex& run, std::size_t n, std::int64_t branch) {
+  const auto records = run.of_kind("branches");
+  const auto count = static_cast<std::size_t>(std::upper_bound(records.begin(), records.end(), n) - records.begin());
+  if (count == 0) return Error{run.where(n), "here the automaton is in one configuration: there are no branches"};
+  const auto record = run.record(records[count - 1]);
+  if (!record) return record.error();
+  const auto found = branch_in(*record, branch);
+  if (found.is_null()) {
+    std::string known;
+    const auto& branches = member_of(*record, "branches");
+    if (branches.is_array())
+      for (const auto& one : branches) known += (known.empty() ? "" : ", ") + text_of(one, "id");
+    return Error{run.where(n), "there is no branch " + std::to_string(branch) + "; there are " + known};
+  }
+  const auto before = last_top(run, records, count - 1, integer_of(found, "parent", branch));
+  if (!before) return before.error();
+  auto change = stack_change(run, *before, integer_of(found, "stack", no_symbol));
+  if (!change) return change;
+  Json told{{"n", n}, {"at", records[count - 1]}, {"branch", found}};
+  told.update(*change);
+  return told;
+}
+
 Result<Json> run_stack_since(const RunIndex& run, std::size_t before, std::size_t n) {
   return stack_change(run, top_at(run, before), top_at(run, n));
 }

@@ -32,6 +32,11 @@ Result<Json> run_graph(const RunIndex& run);
 /// `depth` and `depth_before` count symbols.
 Result<Json> run_stack(const RunIndex& run, std::size_t n);
 
+/// Under `explore`: the stack of one of the configurations that the automaton may be in at record n, as the last
+/// `branches` record tells, and how it differs from that of the branch it comes from; with `branch`, what that record
+/// says of it. The error says which branches there are. REQUIRES n < run.size().
+Result<Json> run_branch_stack(const RunIndex& run, std::size_t n, std::int64_t branch);
+
 /// The same between the stacks as they stood at two records, without `n` and `at`. REQUIRES before, n < run.size().
 Result<Json> run_stack_since(const RunIndex& run, std::size_t before, std::size_t n);
 

@@ -17,6 +17,7 @@ export const keys = [
   [['f'], 'F', 'fit the state graph', (app) => app.graph.fit()],
   [['1', '2', '3', '4', '5', '6', '7', '8', '9'], '1 – 9', 'to a panel; again: let it fill the page', (app, {key}) => app.focusPanel(Number(key) - 1)],
   [['Escape'], 'Esc', 'all panels again', (app) => app.model.go({panel: ''})],
+  [['b'], 'B', 'the next of several configurations (Shift: the one before)', (app, {shiftKey}) => { app.showTab('branches'); app.branches?.cycle(shiftKey ? -1 : 1); }],
   [['/'], '/', 'filter the records', (app) => { app.showTab('records'); app.records.focusFilter(); }],
   [['#'], '#', 'go to a record, an instant or a state', (app) => app.dialogs.go_to.open()],
   [['c'], 'C', 'compare with another run', (app) => app.dialogs.compare.open()],

@@ -11,7 +11,9 @@ export class Recorded {
   /** `answers`: what was asked -> the answer as JSON text. */
   constructor({answers}) {
     this.#answers = answers;
-    this.marks = [...answers.keys()].filter((key) => key.startsWith('stack ')).map((key) => Number(key.slice(6))).sort((a, b) => a - b);
+    const numbers = (kind) => [...new Set([...answers.keys()].filter((key) => key.startsWith(`${kind} `)).map((key) => Number(key.split(' ')[1])))].sort((a, b) => a - b);
+    this.marks = numbers('stack');
+    this.branchings = numbers('branch');
   }
 
   /** As fetch() would answer a request for this path. */
@@ -21,7 +23,7 @@ export class Recorded {
     const n = Number(query.get('n'));
     const own = {
       columns: () => this.#columns(), labels: () => ({labels: this.#labels(query)}), find: () => this.#find(query), records: () => ({records: this.#records(query), next: null}),
-      stack: () => this.#get(`stack ${this.marks[Math.max(0, lastAtMost(this.marks, n))]}`),
+      stack: () => (query.has('branch') ? this.#get(`branch ${this.branchings[lastAtMost(this.branchings, n)]} ${query.get('branch')}`) : this.#get(`stack ${this.marks[Math.max(0, lastAtMost(this.marks, n))]}`)),
       explain: () => (query.has('cell') ? undefined : this.#get(`explain ${n}`)), derivation: () => this.#get(`derivation ${n}`),
     }[view];
     const body = own ? own() : this.#get(view);

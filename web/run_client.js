@@ -51,7 +51,8 @@ export class RecordClient {
   record(n) { return this.#keep(`records?after=${n}&limit=1`).then((answer) => answer.records[0]); }
   /** Records of a kind from n on, up to `limit`. */
   records(kind, after, limit) { return this.#keep(`records?kind=${encodeURIComponent(kind)}&after=${after}&limit=${limit}`).then((answer) => answer.records); }
-  stack(n) { return this.#keep(`stack?n=${n}`); }
+  /** `branch`: of that of several configurations; null: of the leading one. */
+  stack(n, branch = null) { return this.#keep(`stack?n=${n}${branch === null ? '' : `&branch=${branch}`}`); }
   /** Why record n; given a cell of the stack, how the value that record n gave it came about. */
   explain(n, cell = '') { return this.#keep(`explain?n=${n}${cell ? `&cell=${encodeURIComponent(cell)}` : ''}`); }
   derivation(n) { return this.#keep(`derivation?n=${n}`); }

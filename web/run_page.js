@@ -13,6 +13,7 @@ import {mountDerivation} from './panels/derivation.js';
 import {mountLanes} from './panels/lanes.js';
 import {mountRecords} from './panels/records.js';
 import {mountWhy} from './panels/why.js';
+import {hasBranches, mountBranches} from './panels/branches.js';
 import {mountNotes} from './panels/notes.js';
 import {mountDifferences} from './panels/differences.js';
 import {keepMarked, otherSide} from './panels/side_by_side.js';
@@ -24,13 +25,14 @@ export function buildRunPage(host, app) {
   const parts = {
     dialogue: mountDialogue(app), graph: mountGraph(app), scene: mountScene(app, {other: comparison && otherRun(comparison, app)}), lanes: mountLanes(app, comparison),
     stack: mountStack(app), derivation: mountDerivation(app), why: mountWhy(app), records: mountRecords(app), notes: mountNotes(app),
+    ...hasBranches(app.data) && {branches: mountBranches(app)},
     ...comparison && {differences: mountDifferences(app), ...otherSide(app)},
   };
   if (comparison) keepMarked(parts.stack.element, parts.stack_b.element, '.cell');
   if (comparison) keepMarked(parts.derivation.element, parts.derivation_b.element, '.node-line');
   const dialogs = {help: helpDialog(), compare: compareDialog(app), go_to: goToDialog(app), what_if: whatIfDialog(app)};
   const element = (name) => parts[name].element;
-  const shared = comparison ? ['differences', 'derivation', 'derivation_b', 'why', 'records', 'notes'] : ['why', 'records', 'notes'];
+  const shared = [...comparison ? ['differences', 'derivation', 'derivation_b'] : [], 'why', 'records', 'notes', ...parts.branches ? ['branches'] : []];
   const more = tabs('more', shared.map(element), (panel) => app.model.go({tab: panel}));
   const main = h('main', {class: comparison ? 'run compared' : 'run'},
     h('div', {class: 'upper'}, element('dialogue'), element('graph'), element('scene')),

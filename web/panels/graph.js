@@ -147,6 +147,7 @@ export function mountGraph(app) {
 
   const light = (n) => {
     shown_n = n;
+    for (const one of nodes.values()) one.classList.remove('branch');
     for (const group of lit) group.classList.remove('current', 'last', 'current-b');
     lit = [];
     const step = data.step(n);
@@ -158,8 +159,18 @@ export function mountGraph(app) {
       const other = nodes.get(comparison.side.data.state(comparison.otherOf(app.model.selection)));
       if (other && other !== node) { other.classList.add('current-b'); lit.push(other); }
     }
+    lightBranch(n);
     if (!fitted) follow(data.state(n));
     tellRefused(n, step);
+  };
+
+  // Where the chosen one of several configurations is.
+  const lightBranch = async (n) => {
+    const {branch} = app.model.selection;
+    if (branch === null || !data.count('branches')) return;
+    const stack = await client.stack(n, branch).catch(() => null);
+    if (!stack?.branch || shown_n !== n || app.model.selection.branch !== branch) return;
+    for (const one of nodes.values()) one.classList.toggle('branch', one.dataset.state === stack.branch.state);
   };
 
   // What could have been taken where the automaton stood, and the values that kept it from that.

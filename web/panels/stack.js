@@ -66,7 +66,7 @@ export function mountStack(app) {
 
   const draw = () => {
     const {stack, record} = told, focus = document.activeElement?.dataset?.cell, held = body.contains(document.activeElement);
-    depth.textContent = stack.at === null ? '' : `${stack.depth_before === stack.depth ? '' : `${stack.depth_before} → `}${counted(stack.depth, 'symbol')}`;
+    depth.textContent = stack.at === null ? '' : (stack.branch ? `branch ${stack.branch.id}, ` : '') + `${stack.depth_before === stack.depth ? '' : `${stack.depth_before} → `}${counted(stack.depth, 'symbol')}`;
     if (stack.at === null) {
       body.replaceChildren(h('p', {class: 'empty'}, 'The automaton has not moved yet.'));
       return;
@@ -107,8 +107,11 @@ export function mountStack(app) {
   };
 
   const latest = new Latest(
-    async (n) => {
-      const [stack, explained] = await Promise.all([app.client.stack(n), app.client.explain(n).catch(() => null)]);
+    async (wanted) => {
+      const [n, branch] = wanted.split(' ').map(Number);
+      // A branch that has ended has no stack here: the leading one's is shown.
+      const stack_asked = branch === undefined ? app.client.stack(n) : app.client.stack(n, branch).catch(() => app.client.stack(n));
+      const [stack, explained] = await Promise.all([stack_asked, app.client.explain(n).catch(() => null)]);
       return {n, stack, explained, record: stack.at === null ? null : await app.client.record(stack.at).catch(() => null)};
     },
     (answer) => {
@@ -120,8 +123,8 @@ export function mountStack(app) {
 
   return {
     element: panel('stack', 'Stack', depth, [body, line]),
-    render({n}) {
-      latest.want(n);
+    render({n, branch}) {
+      latest.want(branch === null ? `${n}` : `${n} ${branch}`);
       if (told) mark();
     },
     labelsArrived() { if (told) draw(); },

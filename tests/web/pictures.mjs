@@ -1,0 +1,28 @@
+#!/usr/bin/env node
+// Makes the pictures of the page that the documents show: CONTINUA=build/continua node tests/web/pictures.mjs web/pictures
+import {execFileSync} from 'node:child_process';
+import {copyFileSync, mkdirSync} from 'node:fs';
+import {join} from 'node:path';
+import {program, root, serve, temporaryFolder, Visitor} from './support.mjs';
+
+const out = process.argv[2] ?? join(root, 'web/pictures'), runs = temporaryFolder();
+mkdirSync(out, {recursive: true});
+for (const name of ['correction.physics', 'disambiguation', 'disambiguation_exhausted', 'one_breath', 'special_npda'])
+  copyFileSync(join(root, `traces/paper/${name}.run.jsonl`), join(runs, `${name}.run.jsonl`));
+execFileSync(program, ['replay', join(root, 'traces/building_blocks.trace.jsonl'), '-o', join(runs, 'blocks.run.jsonl')]);
+const server = await serve(runs), visitor = await Visitor.start(server.address, {webgl: true});
+
+async function picture(name, path, options = {}, prepare = async () => {}) {
+  const page = await visitor.visit(path, options);
+  await prepare(page);
+  await page.waitForTimeout(4000);  // pictures and the scene are drawn without a graphics card
+  await page.screenshot({path: join(out, `${name}.png`)});
+  console.log(join(out, `${name}.png`));
+}
+const large = {viewport: {width: 1440, height: 900}};
+await picture('start', '/', {viewport: {width: 1280, height: 720}}, (page) => page.waitForTimeout(6000));
+await picture('run', '/r/correction.physics', large);
+await picture('diff', '/diff/disambiguation/disambiguation_exhausted', {...large, colorScheme: 'dark'});
+await picture('phone', '/r/blocks', {viewport: {width: 390, height: 844}, deviceScaleFactor: 2, isMobile: true});
+await visitor.close();
+server.stop();
