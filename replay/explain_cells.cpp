@@ -184,6 +184,17 @@ bool tells_nothing(const Json& origin, const ExplainScope& turn) {
   return kind == "machine" || (here && (kind == "slot" || kind == "memory"));
 }
 
+// The origin of what the machine itself came up with: the input that it answered, or null.
+Json made_of_input(ExplainScope& turn) {
+  const auto input = turn.input_of(turn.n());
+  if (!input) return nullptr;
+  return {{"kind", "machine"},
+          {"text", "what the machine made of " + told_input(turn, *input)},
+          {"n", turn.n()},
+          {"input", *input},
+          {"t", turn.run().entry(*input).t.seconds()}};
+}
+
 }  // namespace
 
 Json explained_cells(ExplainScope& scope) {
@@ -195,7 +206,7 @@ Json explained_cells(ExplainScope& scope) {
     if (scopes.count(cell.set) != 0 || scopes.size() < most_scopes) {
       auto& turn = scopes.try_emplace(cell.set, scope.run(), cell.set).first->second;
       origin = origin_of(turn, value_of(cell.value), cell.set);
-      if (tells_nothing(origin, turn)) origin = nullptr;
+      if (tells_nothing(origin, turn)) origin = made_of_input(turn);
     }
     told.push_back({{"symbol", cell.symbol},
                     {"slot", cell.slot},

@@ -11,9 +11,9 @@ namespace continua {
 /// value, or of the symbol that the log begins with, "t": its seconds, "expression": what the machine file has for the
 /// slot there, or null, "changes": n of those that gave it its values before, the latest first, "read": n of the last
 /// transition or rewrite until now that fired with the slot in its condition, operation or gates while the symbol was
-/// on top, or null where there is none nearby, "origin": where the value is from (origin_of), or null where nobody
-/// but the machine can be named}. Of a deep stack the cells near the top alone; histories are followed for some
-/// hundred changes.
+/// on top, or null where there is none nearby, "origin": where the value is from (origin_of); of what the machine
+/// came up with by itself the input that it answered, or null}. Of a deep stack the cells near the top alone; histories
+/// are followed for some hundred changes.
 Json explained_cells(ExplainScope& scope);
 
 /// The value of the slot of the symbol as text, empty where there is none. `cell` is "SYMBOL.SLOT".

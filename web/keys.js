@@ -8,6 +8,8 @@ export const keys = [
   [['n', 'p'], 'N P', 'next, previous difference, refusal or unmet expectation', (app, {key}) => app.next(key === 'n' ? 1 : -1)],
   [['Home', 'End'], 'Home End', 'first, last record', (app, {key}) => app.jump(key === 'Home' ? 0 : app.data.size - 1)],
   [['[', ']'], '[ ]', 'back to the cause, on to the first effect', (app, {key}) => app.follow(key === '[')],
+  [[], 'Alt+↑ Alt+↓', 'the derivation in words, as λ-terms, as continuations', () => {}],
+  [[], 'Alt+← Alt+→', 'work its term out, step by step', () => {}],
   [['y'], 'Y', 'why: the record in full', (app) => app.showTab('why')],
   [[' ', 'k'], 'Space', 'play, pause', (app) => app.play()],
   [['w', 's'], 'W S', 'zoom the timeline in, out', (app, {key}) => app.lanes.zoomBy(key === 'w' ? 0.6 : 1 / 0.6)],

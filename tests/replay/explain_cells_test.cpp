@@ -76,6 +76,9 @@ TEST_CASE("a cell tells since when it has its value, from what, and who read it"
   CHECK(kept["symbols"] == Json{2, 1, 0});
   CHECK(cell_at(*run, 7, 2, "mood")["set"] == 7);
 
+  CHECK(cell_at(*run, 7, 2, "mood")["origin"]["input"] == 2);
+  CHECK(cell_at(*run, 7, 2, "mood")["origin"]["text"] == "what the machine made of “Red blocks.” (1.0 s)");
+
   // What is pushed inherits what the operation does not set.
   CHECK(cell_at(*run, 9, 3, "things")["set"] == 5);
   CHECK(cell_at(*run, 9, 3, "mood")["set"] == 9);

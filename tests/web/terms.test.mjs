@@ -94,6 +94,14 @@ test('a derivation is told in the words and gestures it came from', () => {
   assert.match(described(put.children[1]), /type loc; “there” in/);
 });
 
+test('what a slot kept goes back to the word or gesture since which it has it', () => {
+  const slot = leaf('cup', 'e', {kind: 'slot', text: 'slot options since gesture right point start (3.0 s)  #9', n: 9, input: 8, t: 3});
+  const memory = leaf('f', 'e -> t', {kind: 'memory', text: 'register last since “Yes (it is)” (2.0 s)  #7', n: 7, input: 6, t: 2});
+  const kept = {term: 'f(cup)', type: 't', how: 'application', n: 11, rule: null, children: [memory, slot]};
+  assert.deepEqual(sources(kept).map(({n, text, kind}) => [n, text, kind]), [[6, '“Yes (it is)”', 'words'], [8, 'gesture right point start', 'gesture']]);
+  assert.equal(told(slot.origin), 'from gesture right point start, in slot options at #8');
+});
+
 test('the λ-terms are worked out from what each word brings', () => {
   const all = stepsAt(put, 'λ').map(({term}) => print(term, {sign: 'λ'}));
   assert.deepEqual(all, ['(λx v. put(x, v))(cup, <1, 2, 0>)', '(λv. put(cup, v))(<1, 2, 0>)', 'put(cup, <1, 2, 0>)']);

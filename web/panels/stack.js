@@ -71,13 +71,15 @@ export function mountStack(app) {
       body.replaceChildren(h('p', {class: 'empty'}, 'The automaton has not moved yet.'));
       return;
     }
-    const {rows, folded} = stackRows(stack), shown = folded && !unfolded ? rows.slice(0, rows.length - folded) : rows;
+    const {rows, folded} = stackRows(stack), chosen = tracker.find(cells, app.model.selection.cell);
+    const open = unfolded || rows.slice(rows.length - folded).some((row) => chosen && row.after?.id === chosen.symbol);
+    const shown = folded && !open ? rows.slice(0, rows.length - folded) : rows;
     body.replaceChildren(
       h('p', {class: 'note', 'data-testid': 'operation'}, jump(stack.at, `#${stack.at} ${app.data.label(stack.at)}`), happened(record)),
       h('div', {class: 'heads', 'aria-hidden': 'true'}, h('span', {}, 'before'), h('span', {}, 'after')),
       h('ol', {class: 'stack-rows'}, shown.map((row) => h('li', {class: 'row-pair'}, before(row), after(row)))),
-      ...[folded > 0 && h('button', {type: 'button', class: 'link fold', 'data-testid': 'fold', 'aria-expanded': String(unfolded), onclick: () => { unfolded = !unfolded; draw(); body.querySelector('.fold')?.focus(); }},
-        unfolded ? `▾ ${folded} unchanged below` : `▸ ${folded} unchanged below`),
+      ...[folded > 0 && h('button', {type: 'button', class: 'link fold', 'data-testid': 'fold', 'aria-expanded': String(open), onclick: () => { unfolded = !open; draw(); body.querySelector('.fold')?.focus(); }},
+        open ? `▾ ${folded} unchanged below` : `▸ ${folded} unchanged below`),
       !stack.symbols.length && h('p', {class: 'empty'}, 'The stack is empty.')].filter(Boolean));
     if (held) ((focus && [...body.querySelectorAll('[data-cell]')].find((one) => slotOf(one.dataset.cell) === slotOf(focus))) || body).focus();
     mark();

@@ -30,13 +30,17 @@ function links(origin) {
 }
 
 const quoted = (words) => `“${words}”`;
-const short_kinds = {pointing: 'pointing', gesture: 'gesture', taught: 'what was taught', memory: 'what was remembered', machine: 'the machine', choice: 'one of several'};
+const short_kinds = {pointing: 'pointing', gesture: 'gesture', taught: 'what was taught', machine: 'the machine', choice: 'one of several'};
+
+// A slot or register has its value since an input: "slot options since “Yes” (2.0 s)  #7".
+const since = (link) => textOf(link.text).match(/ since (.*?) \(\d/)?.[1] ?? '';
+const kept = (link) => textOf(link.text).match(/^(?:slot|register) \S+/)?.[0] ?? 'what was remembered';
 
 /** The short name of one origin: “there”, pointing, gesture. */
 function linkText(link) {
   if (link.words) return quoted(link.words);
   if (link.kind === 'words') return textOf(link.text).match(/“[^”]*”/)?.[0] ?? 'words';
-  if (link.kind === 'slot') return textOf(link.text).match(/^slot \S+/)?.[0] ?? 'a slot';
+  if (link.kind === 'slot' || link.kind === 'memory') return [since(link), kept(link)].filter(Boolean).join(', in ');
   return short_kinds[link.kind] ?? textOf(link.kind);
 }
 
@@ -67,8 +71,9 @@ export function sources(root) {
     for (const link of links(node.origin)) {
       const n = numberOf(link);
       if (n === null || link.kind === 'machine') continue;
-      const kind = ['words', 'choice', 'open'].includes(link.kind) ? 'words' : link.kind;
-      const text = link.kind === 'open' || link.kind === 'choice' ? textOf(link.text).match(/“[^”]*”(?= \()/)?.[0] ?? 'left open' : linkText(link);
+      const held = since(link);
+      const kind = held ? (held.startsWith('“') ? 'words' : 'gesture') : ['words', 'choice', 'open'].includes(link.kind) ? 'words' : link.kind;
+      const text = link.kind === 'open' || link.kind === 'choice' ? textOf(link.text).match(/“[^”]*”(?= \()/)?.[0] ?? 'left open' : held || linkText(link);
       const key = `${n} ${kind} ${text}`;
       if (!found.has(key)) found.set(key, {key, n, kind, text, paths: []});
       if (!found.get(key).paths.includes(path)) found.get(key).paths.push(path);
