@@ -180,8 +180,11 @@ ApiResponse InspectorApi::growth(const std::string& id) {
   if (!opened) return api_error(422, opened.error().text());
   if (!*opened) return api_error(404, fmt::format("there is no run '{}'", id));
   const RunIndex& log = **opened;
-  return answer(
-      Json{{"records", log.size()}, {"t", log.entry(log.size() - 1).t.seconds()}, {"complete", log.complete()}});
+  const bool complete = log.complete();
+  return answer(Json{{"records", log.size()},
+                     {"t", log.entry(log.size() - 1).t.seconds()},
+                     {"complete", complete},
+                     {"live", !complete && is_being_written(file_state(log.path()))}});
 }
 
 ApiResponse InspectorApi::run(const std::string& id, const std::string& view, const Query& query) {

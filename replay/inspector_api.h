@@ -64,7 +64,7 @@ class InspectorApi {
   /// as `markdown` what diff_markdown does, and `pairs`: [[n of a, n of b], …].
   ApiResponse get(std::string_view target);
 
-  /// How far a run that is being written has come: {records, t (seconds), complete}.
+  /// How far a run that is being written has come: {records, t (seconds), complete, live: whether it still is}.
   ApiResponse growth(const std::string& id);
 
   /// "/api/runs/ID/notes": keeps the notes beside the run, if nobody else has written them since `version`, else 409.

@@ -22,6 +22,8 @@ double now_s() { return std::chrono::duration<double>(std::chrono::system_clock:
 
 }  // namespace
 
+bool is_being_written(const FileState& log) { return now_s() - seconds_since_1970(log.written) < live_s; }
+
 void RunListings::start(std::function<void(const std::string& id)> prepare) {
   prepare_ = std::move(prepare);
   wanted_ = true;
@@ -122,7 +124,7 @@ Json RunListings::all() {
     if (known != known_.end()) line.update(known->second.line);
     if (!is_known(one)) line["pending"] = true;
     line["bytes"] = one.state.bytes;
-    line["live"] = !line.contains("error") && !line.value("complete", false) && now_s() - changed < live_s;
+    line["live"] = !line.contains("error") && !line.value("complete", false) && is_being_written(one.state);
     lines.push_back(std::move(line));
   }
   return lines;

@@ -14,6 +14,9 @@
 
 namespace continua {
 
+/// Whether a log that has no end yet is being written: it was, in the last seconds.
+bool is_being_written(const FileState& log);
+
 /// Safe to use from several threads.
 class RunListings {
  public:

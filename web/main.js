@@ -70,7 +70,7 @@ class App {
     for (const one of this.panels) one.close?.();
     this.start?.close();
     this.stream?.close();
-    Object.assign(this, {panels: [], start: null, stream: null, data: null, client: null, labels: null, comparison: null});
+    Object.assign(this, {panels: [], start: null, stream: null, data: null, client: null, labels: null, comparison: null, live: false});
   }
 
   build() {
@@ -81,13 +81,14 @@ class App {
     model.settle({n: start, hunk: model.selection.hunk ?? (n === null ? this.comparison?.first ?? null : null), zoom: zoom ?? this.windowAround(start)});
     Object.assign(this, buildRunPage(page, this));
     this.render();
-    if (served && data.summary.live && !this.comparison) this.follow_log = listenTo(this.id, (grown) => this.grown(grown));
-    this.stream = this.follow_log ?? null;
+    if (served && !data.complete && !this.comparison) this.stream = listenTo(this.id, (grown) => this.grown(grown));
   }
 
   /** A run that is being written has more records: they are shown, and the cursor goes along if it stood at the end. */
-  async grown({records, complete}) {
-    if (!this.data || records <= this.data.size || this.growing) return;
+  async grown({records, complete, live}) {
+    if (!this.data) return;
+    this.live = live;
+    if (records <= this.data.size || this.growing) { this.render(); return; }
     this.growing = true;
     const {id, model} = this, at_end = model.selection.n >= this.data.stops.at(-1);
     try {

@@ -33,7 +33,7 @@ export async function fetchRun(id) {
   return {summary, graph, columns};
 }
 
-/** Calls `grown({records, t, complete})` whenever the run's log has grown. @returns what to close when enough is heard. */
+/** Calls `grown({records, t, complete, live})` whenever the run's log has grown. @returns what to close when enough is heard. */
 export function listenTo(id, grown) {
   const stream = new EventSource(`/api/live?run=${encodeURIComponent(id)}`);
   stream.addEventListener('grown', (event) => grown(JSON.parse(event.data)));

@@ -22,7 +22,8 @@ test('it shows every panel, offline, and complains of nothing', async () => {
   assert.match(await at('verdict').innerText(), /2 utterances/);
   assert.match(await at('panel-dialogue').innerText(), /Put the white cup there/);
   assert.match(await at('panel-why').innerText(), /Why|because|put/);
-  assert.ok(await visitor.page.locator('.scene canvas').isVisible());
+  await visitor.page.waitForFunction(() => /cup/.test(document.querySelector('.stage').getAttribute('aria-label') ?? document.querySelector('.stage [role=img]')?.getAttribute('aria-label') ?? ''));
+  assert.ok(await visitor.page.evaluate(() => window.continua.scene.stage.drawing !== null));
   for (const name of ['records', 'notes']) {
     await at(`tab-${name}`).click();
     assert.ok(await at(`panel-${name}`).isVisible(), name);
@@ -39,7 +40,10 @@ test('keys, filters and links work as on the served page', async () => {
   await visitor.page.waitForFunction((n) => location.hash.includes(`n=${n}`), second);
   await visitor.page.keyboard.press('/');
   await visitor.page.keyboard.type('okay');
-  await visitor.page.waitForFunction(() => document.querySelectorAll('.row').length === 2);
+  await visitor.page.waitForFunction(() => {
+    const rows = [...document.querySelectorAll('.row')];
+    return rows.length && rows.every((row) => /okay/i.test(row.textContent));
+  });
   await visitor.visit('/correction.html#/r/correction.physics?n=5&panel=stack');
   assert.equal(await visitor.n(), 5);
   assert.ok(await visitor.page.locator('.panel.stack.enlarged').isVisible());

@@ -37,11 +37,11 @@ test('the start page lists the runs and opens one', async () => {
 
 test('all panels are there, filled, without scrolling the page', async () => {
   await visit('/r/rounds');
-  for (const panel of ['dialogue', 'graph', 'stack', 'lanes', 'records', 'details']) assert.ok(await at(`panel-${panel}`).isVisible(), panel);
+  for (const panel of ['dialogue', 'graph', 'scene', 'stack', 'derivation', 'lanes', 'why']) assert.ok(await at(`panel-${panel}`).isVisible(), panel);
   assert.match(await at('verdict').innerText(), /3 utterances, 3 acts, 1 refusal, 61 s/);
   assert.ok(await visitor.page.evaluate(() => document.documentElement.scrollHeight <= innerHeight));
   // It opens where the avatar first had to ask.
-  assert.match(await at('panel-details').innerText(), /Which block\?/);
+  assert.match(await at('panel-why').innerText(), /Which block\?/);
   assert.match(await at('panel-dialogue').innerText(), /Put it there, 0\./);
   assert.deepEqual(visitor.complaints, []);
 });
@@ -62,8 +62,8 @@ test('the stack shows symbols, slots and changes, with λ', async () => {
   assert.equal(await at('symbol').count(), 2);
   assert.match(await at('symbol').first().innerText(), /\+[\s\S]*action[\s\S]*λb\. put\(b, on\(block1\)\)/);
   await at('graph').locator('[data-state=Act]').click();
-  await visitor.page.waitForSelector('.symbol.changed');
-  assert.match(await visitor.page.locator('.symbol.changed').innerText(), /~[\s\S]*put\(block2, on\(block1\)\)/);
+  await visitor.page.waitForSelector('.symbol.changed:not(.was)');
+  assert.match(await visitor.page.locator('.symbol.changed:not(.was)').innerText(), /~[\s\S]*put\(block2, on\(block1\)\)/);
 });
 
 test('arrow keys step, and the address follows', async () => {
@@ -120,13 +120,13 @@ test('clicking along the timeline scrubs, the wheel zooms', async () => {
 
 test('why: an act leads back to what was said, with the applications between', async () => {
   await visit('/r/rounds');
-  const act = await visitor.page.evaluate(() => window.continua.data.lanes.act[0][2]);
+  const act = await visitor.page.evaluate(() => window.continua.data.lanes.act.n[0]);
   await visit(`/r/rounds?n=${act}`);
   await at('why').waitFor();
   assert.match(await at('why').innerText(), /transition[\s\S]*AskWhichObject → Act[\s\S]*input/);
   await visitor.page.keyboard.press('[');
   await at('refused').waitFor();
-  assert.match(await at('panel-details').innerText(), /agree, the only one applicable/);
+  assert.match(await at('panel-why').innerText(), /agree, the only one applicable/);
   await at('refused').locator('summary').click();
   assert.match(await at('refused').innerText(), /the input is not x/);
 });

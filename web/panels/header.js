@@ -53,6 +53,10 @@ export function mountHeader(host, app) {
       button('Keys (?)', '?', () => app.dialogs.help.open(), {'data-testid': 'help'})));
   return {
     render({n}) {
+      for (const [id, shown] of [['live', app.live], ['trouble', !app.live]]) {
+        const badge = host.querySelector(`[data-testid=${id}]`);
+        if (badge) badge.hidden = !shown;
+      }
       position.replaceChildren(h('b', {}, seconds(app.time ?? data.t[n])), ` #${grouped(n)} of ${grouped(data.size - 1)}`,
         h('span', {class: 'state'}, data.state(n) ?? ''));
       play.replaceChildren(sign(app.playing ? 'pause' : 'play'));
@@ -66,8 +70,8 @@ function runLine(app) {
   return h('div', {class: 'what'},
     h('h1', {title: app.id}, app.title, h('span', {class: 'with'}, `${summary.machine} · ${summary.scene}`)),
     h('p', {class: bad ? 'verdict bad' : 'verdict', 'data-testid': 'verdict'}, `${bad ? '✘' : '✔'} ${verdict(summary)}`,
-      summary.live ? h('span', {class: 'badge live', 'data-testid': 'live'}, 'live')
-                   : summary.trouble && h('span', {class: 'badge warn', title: summary.trouble, 'data-testid': 'trouble'}, 'cut short')));
+      h('span', {class: 'badge live', 'data-testid': 'live', hidden: true}, '● live'),
+      summary.trouble && h('span', {class: 'badge warn', title: summary.trouble, 'data-testid': 'trouble'}, 'cut short')));
 }
 
 // What makes the difference, in one sentence.

@@ -19,7 +19,7 @@ export class StartPage {
     this.hint = h('span', {class: 'muted', role: 'status'});
     this.body = h('tbody', {});
     this.table = h('div', {class: 'table', role: 'region', 'aria-label': 'Runs', tabindex: 0, hidden: true},
-      h('table', {'data-testid': 'runs'}, h('thead', {}, h('tr', {}, ['Choose', 'Scene', 'Run', 'Verdict', 'Length', 'Said', 'Acts', 'Refused', 'Machine', 'Changed'].map((title, i) =>
+      h('table', {'data-testid': 'runs'}, h('thead', {}, h('tr', {}, ['Choose', 'Scene', 'Run', 'Verdict', 'Length', 'Said', 'Acts', 'Refused', 'Machine, scene', 'Changed'].map((title, i) =>
         h('th', {scope: 'col', class: i >= 4 && i <= 7 ? 'number' : null}, i < 2 ? h('span', {class: 'unseen'}, title) : title)))), this.body));
     host.replaceChildren(h('main', {class: 'start'},
       h('h1', {}, h('img', {src: icon(), alt: '', width: 28, height: 28}), 'Continua'), this.lead,
@@ -73,7 +73,7 @@ export class StartPage {
       run.error ? h('td', {colspan: 7, class: 'trouble'}, run.error.message)
         : [h('td', {}, h('span', {class: `badge ${verdict.kind}`, title: run.trouble || null}, verdict.text)),
            [clock(run.duration ?? 0), grouped(run.utterances ?? 0), grouped(run.acts ?? 0), grouped((run.refusals ?? 0) - (run.refused_samples ?? 0))].map((value) => h('td', {class: 'number'}, run.pending ? '' : value)),
-           h('td', {}, run.machine ?? ''), h('td', {class: 'when'}, run.changed ? h('time', {datetime: new Date(run.changed * 1000).toISOString()}, when(run.changed)) : '')]);
+           h('td', {}, run.machine ?? '', h('span', {class: 'scene-name'}, run.scene ?? '')), h('td', {class: 'when'}, run.changed ? h('time', {datetime: new Date(run.changed * 1000).toISOString()}, when(run.changed)) : '')]);
   }
 
   tellChosen() {
