@@ -53,7 +53,7 @@ export function mountStack(app) {
   const before = ({change, before: symbol, after: next}) => {
     if (!symbol) return h('div', {class: 'absent', 'aria-hidden': 'true'});
     const now = slotsOf(next);
-    return h('div', {class: `symbol was ${change}`}, h('div', {class: 'title'}, h('b', {}, change === 'changed' ? 'before' : `symbol ${symbol.id}`), change === 'removed' && h('span', {class: 'gone'}, '− removed')),
+    return h('div', {class: `symbol was was-${change}`}, h('div', {class: 'title'}, h('b', {}, change === 'changed' ? 'before' : `symbol ${symbol.id}`), change === 'removed' && h('span', {class: 'gone'}, '− removed')),
       h('ul', {}, Object.entries(slotsOf(symbol)).map(([slot, value]) =>
         h('li', {class: `cell ${change === 'changed' && changeOf(value, now[slot]) !== 'same' ? 'left' : 'same'}`}, h('div', {class: 'pair'}, h('span', {class: 'name'}, slot), h('span', {class: 'value'}, valueText(value)))))));
   };
