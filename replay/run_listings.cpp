@@ -70,6 +70,7 @@ void RunListings::work() {
     {
       std::unique_lock lock(mutex_);
       wanted_changed_.wait(lock, [this] { return wanted_ || stopping_; });
+      if (stopping_) return;
       wanted_ = false;
     }
     std::size_t prepared = 0;

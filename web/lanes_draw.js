@@ -3,6 +3,7 @@ import {brief} from './dom.js';
 import {lastAtMost} from './run_data.js';
 
 export const gutter_px = 92, axis_px = 17, overview_px = 22, row_px = 15;
+const most_texts = 200;  // of a lane, at a time
 
 /**
  * The lanes of a run from top to bottom: {name, colour, kind, lane: {n, from, to}, text(i), reach}. `reach[i]` is the
@@ -43,10 +44,14 @@ export const firstReaching = (row, t) => lastAtMost(row.reach, t - 1e-9) + 1;
 
 // Eight hues apart from each other; a state keeps its hue in every run.
 const hues = [210, 28, 150, 265, 95, 330, 185, 50];
+const known_hues = new Map();
 const hueOf = (name) => {
-  let sum = 0;
-  for (let i = 0; i < name.length; ++i) sum = (sum * 31 + name.charCodeAt(i)) >>> 0;
-  return hues[sum % hues.length];
+  if (!known_hues.has(name)) {
+    let sum = 0;
+    for (let i = 0; i < name.length; ++i) sum = (sum * 31 + name.charCodeAt(i)) >>> 0;
+    known_hues.set(name, hues[sum % hues.length]);
+  }
+  return known_hues.get(name);
 };
 
 /** A step of 1, 2 or 5 times a power of ten that leaves ticks at least `least` pixels apart. */
@@ -101,10 +106,13 @@ export function drawLanes(pen, {rows, sight, flags, rest, colour, marked}) {
     else drawItems(pen, row, {sight, top, colour, marked});
   });
 
-  // What went wrong, across all lanes.
+  // What went wrong, across all lanes; of several in one place one.
+  pen.fillStyle = colour('bad');
+  let told = -Infinity;
   for (let i = firstReaching(flags, from); i < flags.lane.n.length && flags.lane.from[i] <= to; ++i) {
     const at = x(flags.lane.from[i]);
-    pen.fillStyle = colour('bad');
+    if (at < told + 3) continue;
+    told = at;
     pen.globalAlpha = 0.35;
     pen.fillRect(at - 0.5, axis_px, 1, bottom - axis_px);
     pen.globalAlpha = 1;
@@ -161,7 +169,15 @@ function drawItems(pen, row, {sight, top, colour, marked}) {
   const {from, to, width} = sight, {lane} = row, x = (t) => sight.x(t);
   const state = row.kind === 'state', fill = colour(row.colour), bad = colour('bad'), text_colour = colour('text'), on_bar = colour('on-bar');
   const saturation = colour('state-saturation'), lightness = colour('state-lightness'), difference = colour('warn');
-  let painted = -Infinity, paints = 0;
+  // Bars that touch are one, as long as their colour is the same.
+  let bar_left = 0, bar_right = -Infinity, bar_colour = '';
+  const flush = () => {
+    if (bar_right <= bar_left) return;
+    pen.fillStyle = bar_colour;
+    pen.fillRect(bar_left, top + 2, bar_right - bar_left, row_px - 4);
+    bar_right = -Infinity;
+  };
+  let painted = -Infinity, texts = 0;
   for (let i = firstReaching(row, from); i < lane.n.length && lane.from[i] <= to; ++i) {
     if (lane.to[i] < from) continue;
     const left = x(lane.from[i]), end = x(lane.to[i]);
@@ -173,26 +189,33 @@ function drawItems(pen, row, {sight, top, colour, marked}) {
       pen.fillStyle = fill;
       pen.fillRect(left, top + row_px - 3, end - left, 2);
     }
-    if (right < painted + 0.5) {
+    if (right < painted + 1) {
       // Hidden under the last one: on to the first that is not.
       i = Math.max(i, lastAtMost(lane.from, sight.t(painted)) - 1);
       continue;
     }
     painted = right;
-    ++paints;
-    pen.fillStyle = state ? `hsl(${hueOf(row.text(i))} ${saturation} ${lightness})` : row.bad?.(i) ? bad : fill;
-    const gap = state && right - left > 4 ? 1 : 0;
-    pen.fillRect(left, top + 2, right - left - gap, row_px - 4);
-    if (marked?.(row.side, lane.n[i])) hatch(pen, left, top + 1, Math.max(5, right - left - gap), row_px - 2, difference);
+    const differs = marked?.(row.side, lane.n[i]), gap = state && right - left > 4 ? 1 : 0;
+    const bar = state ? `hsl(${hueOf(row.text(i))} ${saturation} ${lightness})` : row.bad?.(i) ? bad : fill;
+    if (bar !== bar_colour || left > bar_right + 0.5 || gap || differs) flush();
+    if (bar_right < bar_left) [bar_left, bar_colour] = [left, bar];
+    bar_right = right - gap;
+    if (differs) {
+      flush();
+      hatch(pen, left, top + 1, Math.max(5, right - left - gap), row_px - 2, difference);
+    }
     // The text goes inside, or behind an instant as far as the next one leaves room.
     const inside = lane.to[i] > lane.from[i] && right - left > 24;
     const room = inside ? Math.min(right, width) - Math.max(left, gutter_px) - 6 : next - right - 6;
-    if (room < 18 || row.plain || paints > 400) continue;
+    if (room < 18 || row.plain || texts > most_texts) continue;
     const text = cut(pen, row.text(i), room);
     if (!text) continue;
+    ++texts;
+    flush();
     pen.fillStyle = inside ? (state ? text_colour : on_bar) : text_colour;
     pen.fillText(text, (inside ? Math.max(left, gutter_px) : right) + 3, top + row_px / 2 + 0.5);
   }
+  flush();
 }
 
 // A frame with strokes across: what differs is not told by colour alone.

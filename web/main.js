@@ -32,6 +32,7 @@ class App {
     delete document.body.dataset.ready;
     await this.show();
     await this.settled();
+    performance.mark('settled');
     document.body.dataset.ready = '';
   }
 
@@ -81,6 +82,7 @@ class App {
     model.settle({n: start, hunk: model.selection.hunk ?? (n === null ? this.comparison?.first ?? null : null), zoom: zoom ?? this.windowAround(start)});
     Object.assign(this, buildRunPage(page, this));
     this.render();
+    performance.mark('built');
     if (served && !data.complete && !this.comparison) this.stream = listenTo(this.id, (grown) => this.grown(grown));
   }
 

@@ -5,9 +5,17 @@ import {Recorded} from './recorded.js';
 
 const recorded = globalThis.continua_recorded ? new Recorded(globalThis.continua_recorded) : null;
 
+// What was asked for before this module was there, each to be taken once.
+const early = globalThis.continua_early ?? new Map();
+function taken(path) {
+  const answer = early.get(path);
+  early.delete(path);
+  return answer;
+}
+
 /** @returns {Promise<Response>} of the server, or what was recorded of it. */
 async function ask(path, options = {}) {
-  const response = await (recorded ? recorded.answer(path) : fetch(path, options));
+  const response = await (recorded ? recorded.answer(path) : taken(path) ?? fetch(path, options));
   if (response.ok) return response;
   const body = await response.json().catch(() => null);
   throw Object.assign(new Error(body?.error?.message ?? `${path}: ${response.status}`), {status: response.status});

@@ -93,6 +93,15 @@ TEST_CASE("a run that is being written is told of as it grows, until it is compl
   CHECK(stream.reads("\r\n0\r\n"));
 }
 
+TEST_CASE("a server of a folder without runs ends when it is told to") {
+  const ScratchFolder folder;
+  InspectorServer server{{folder.path()}};
+  REQUIRE(server.listen().ok());
+  std::thread thread([&server] { server.run(); });
+  server.stop();
+  thread.join();
+}
+
 TEST_CASE("what cannot be followed is said") {
   const Growing run;
   Stream none(run.port, "none"), strange(run.port, "growing", "Origin: http://elsewhere.example\r\n");

@@ -1,8 +1,10 @@
 // What the two said and did, as a conversation; words and gestures that belong together are one move.
 import {h, panel, brief, clock} from '../dom.js';
+import {calmly} from '../calmly.js';
 import {lastAtMost} from '../run_data.js';
 
-const at_once = 80;  // moves that are in the page
+const at_once = 60;    // moves that are in the page
+const calm_ms = 200;   // between drawings of moves that are far from those before
 
 /** All moves in order: {n, how}: where each is told of, and which lane it is of. */
 function movesOf({lanes, size}) {
@@ -79,6 +81,7 @@ export function mountDialogue(app) {
     light();
     bind();
   };
+  const reachCalmly = calmly(() => reach(Math.max(0, lastAtMost(numbers, selected))), calm_ms);
   // Which of them belong together comes from the log's percepts.
   const bind = async () => {
     if (!all.length || asked_at === first || !data.count('percept')) return;
@@ -110,12 +113,17 @@ export function mountDialogue(app) {
   };
   return {
     element,
-    labelsArrived() { const top = list.scrollTop; draw(); light(); list.scrollTop = top; },
+    labelsArrived: calmly(() => {
+      const top = list.scrollTop;
+      draw();
+      light();
+      list.scrollTop = top;
+    }, calm_ms),
     render({n}) {
       if (selected === n) return;
       selected = n;
       const place = lastAtMost(numbers, n);
-      if (rows.has(place)) light(); else if (all.length) reach(Math.max(0, place));
+      if (rows.has(place)) light(); else if (all.length) reachCalmly();
     },
   };
 }

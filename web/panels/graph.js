@@ -1,8 +1,9 @@
 // The automaton: its states and transitions, how often each was used, and where it stands.
 import {h, s, panel, shown, brief, counted} from '../dom.js';
+import {calmly} from '../calmly.js';
 import {mergedGraph, layOut} from '../graph_layout.js';
 
-const head_px = 6, most_refused = 6;
+const head_px = 6, most_refused = 6, calm_ms = 150;
 
 const path = (points) => {
   if (points.length < 3) return `M${points.map(({x, y}) => `${x} ${y}`).join('L')}`;
@@ -174,14 +175,19 @@ export function mountGraph(app) {
   };
 
   // What could have been taken where the automaton stood, and the values that kept it from that.
-  const tellRefused = async (n, step) => {
+  const tellRefused = (n, step) => {
     const at = data.kind(n) === 'refusal' ? n : step < 0 ? -1 : data.steps.n[step];
     if (at === refused_at && placed === refused_on) return;
     refused_at = at;
     refused_on = placed;
-    refused_layer.replaceChildren();
-    refused_list.hidden = true;
-    if (at < 0 || app.playing) return;
+    if (!refused_list.hidden) {
+      refused_layer.replaceChildren();
+      refused_list.hidden = true;
+    }
+    if (at >= 0 && !app.playing) askRefused(at);
+  };
+  const askRefused = calmly(async (at) => {
+    if (at !== refused_at) return;
     const record = await client.record(at).catch(() => null);
     if (!record || at !== refused_at) return;
     const refused = (record.refused ?? []).filter((one) => one?.id);
@@ -196,7 +202,7 @@ export function mountGraph(app) {
     refused_list.hidden = !refused.length;
     refused_list.replaceChildren(h('summary', {}, `${counted(refused.length, 'candidate')} refused`),
       h('ul', {}, refused.map((one) => h('li', {}, h('b', {}, one.id), ` ${shown(one.reason)}`))));
-  };
+  }, calm_ms);
   const drawRefused = (from, to, ones, i) => {
     const a = placed.nodes.find((one) => one.id === from), b = placed.nodes.find((one) => one.id === to);
     if (!a || !b) return [];

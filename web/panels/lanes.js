@@ -1,9 +1,11 @@
 // The run over time: who did what when, the automaton's states, the stack's depth. Canvas, because there is much of it.
 import {h, panel, counted} from '../dom.js';
+import {calmly} from '../calmly.js';
 import {laneRows, reachOf, firstReaching, Sight, busyBins, drawLanes, drawOverview, drawCursor, gutter_px, axis_px, overview_px, row_px} from '../lanes_draw.js';
 import {TimeAxis, idleGaps} from '../time_axis.js';
 
 const least_s = 0.05;  // as far as one can zoom in
+const calm_ms = 250;   // between drawings for labels that have come
 
 /** The time axes of a run: with idle stretches drawn short, and as long as they were. */
 export function axesOf(data) {
@@ -171,7 +173,7 @@ export function mountLanes(app, comparison = null) {
 
   return {
     element, rows, zoomBy, panBy, all,
-    labelsArrived: () => paint(true),
+    labelsArrived: calmly(() => paint(true), calm_ms),
     render(next) {
       selection = next;
       gaps.checked = !next.gaps;

@@ -1,0 +1,13 @@
+// Asks for what the address names while the page's modules are still on their way; run_client.js takes the answers.
+const asked = globalThis.continua_early = new Map();
+const ask = (path) => asked.set(path, fetch(path));
+const of_run = (id) => {
+  for (const view of ['', '/graph', '/columns']) ask(`/api/runs/${id}${view}`);
+};
+const [, kind, a, b] = /^\/(r|diff)\/([^/]+)(?:\/([^/]+))?\/?$/.exec(location.pathname) ?? [];
+if (kind === 'r') of_run(a);
+else if (kind === 'diff' && b) {
+  of_run(a);
+  of_run(b);
+  ask(`/api/diff?a=${a}&b=${b}`);
+} else ask('/api/runs');
