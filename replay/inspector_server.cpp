@@ -122,7 +122,7 @@ class InspectorServer::Impl {
     });
     server_.Get("/.*", [](const httplib::Request& request, httplib::Response& response) {
       // The page shows every run; which one is its own affair.
-      const bool page = request.path == "/" || request.path.starts_with("/r/");
+      const bool page = request.path == "/" || request.path.starts_with("/r/") || request.path.starts_with("/diff/");
       if (const auto* asset = find_asset(page ? "/index.html" : request.path))
         send_asset(request, response, *asset);
       else

@@ -75,6 +75,9 @@ Result<Json> run_listing(const RunIndex& run) {
   const auto count = [&](const char* kind) { return counts.value(kind, std::size_t{0}); };
   std::set<std::int64_t> acts;  // an act has a record for each of its states
   for (const auto& act : run.act_marks()) acts.insert(act.act);
+  const auto first = record_of_interest(run);
+  const auto& scene = member_of(*header, "scene");
+  const bool drawable = member_of(scene, "mjcf").is_string() && member_of(scene, "bodies").is_object();
   return Json{{"trace", name_of(*header, "trace")},
               {"duration", run.entry(run.size() - 1).t.seconds()},
               {"records", run.size()},
@@ -91,7 +94,9 @@ Result<Json> run_listing(const RunIndex& run) {
               {"bytes", run.bytes()},
               {"complete", run.complete()},
               {"trouble", run.trouble()},
-              {"first", record_of_interest(run)}};
+              {"first", first},
+              {"first_t", run.entry(first).t.seconds()},
+              {"drawable", drawable}};
 }
 
 Result<Json> run_summary(const RunIndex& run) {

@@ -11,7 +11,7 @@ namespace continua {
 
 /// A line of the start page: {duration, records, utterances, acts, refusals, machine, scene, complete, first, …}.
 /// `refused_samples` are the refusals of pointing samples, which come by the hundred while nobody waits for them;
-/// `first` is the record of interest.
+/// `first` is the record of interest, at `first_t` (seconds); `drawable`: the log has what pictures are drawn from.
 Result<Json> run_listing(const RunIndex& run);
 
 /// The record that a reader wants to see first: an expectation that was not met, else where the avatar first had to

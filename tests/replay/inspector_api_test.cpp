@@ -288,3 +288,34 @@ TEST_CASE("a target is split and decoded") {
   CHECK(query.at("text") == "x y");
   CHECK(query.at("flag").empty());
 }
+
+TEST_CASE("of several configurations each has its stack") {
+  LogBuilder log;
+  log.add("run", 0, {{"version", 1}, {"machine", "m"}, {"scene", "s"}});
+  log.add("symbol", 0, {{"id", 1}, {"below", nullptr}, {"slots", {{"x", "a"}}}}, 0);
+  log.add("branches", 0,
+          {{"branches",
+            {{{"id", 0}, {"parent", 0}, {"state", "A"}, {"stack", 1}, {"depth", 1}},
+             {{"id", 1}, {"parent", 0}, {"state", "B"}, {"stack", nullptr}, {"depth", 0}}}}});
+  log.add("symbol", 1, {{"id", 2}, {"below", 1}, {"slots", {{"x", "b"}}}}, 0);
+  log.add("branches", 1, {{"branches", {{{"id", 2}, {"parent", 0}, {"state", "C"}, {"stack", 2}, {"depth", 2}}}}});
+  log.add("branches", 2, {{"branches", "none"}});
+  const ScratchFolder folder;
+  folder.write("many.run.jsonl", log.text());
+  InspectorApi api({folder.path()});
+
+  const auto stack = [&](const std::string& query) { return api.get("/api/runs/many/stack?" + query); };
+  const auto leading = Json::parse(stack("n=2&branch=0").body);
+  CHECK(leading["branch"]["state"] == "A");
+  CHECK(leading["depth"] == 1);
+  CHECK(leading["depth_before"] == 0);
+  const auto grown = Json::parse(stack("n=4&branch=2").body);
+  CHECK(grown["at"] == 4);
+  CHECK(grown["depth_before"] == 1);
+  CHECK(grown["symbols"][0]["change"] == "added");
+  CHECK(Json::parse(stack("n=3&branch=1").body)["symbols"].empty());
+  for (const auto& [query, status] :
+       {std::pair{"n=4&branch=0", 404}, {"n=1&branch=0", 404}, {"n=5&branch=2", 404}, {"n=4&branch=x", 400}})
+    CHECK(stack(query).status == status);
+  CHECK(stack("n=4&branch=0").body.find("there are 2") != std::string::npos);
+}

@@ -72,6 +72,7 @@ TEST_CASE("the page and the API are served") {
   CHECK_THAT(page, Contains("<!doctype html>"));
   CHECK_THAT(header_of(page, "Content-Security-Policy"), Contains("default-src 'none'"));
   CHECK(server.get("/r/small?n=3").substr(0, 12) == "HTTP/1.1 200");
+  CHECK(server.get("/diff/small/other?h=1").substr(0, 12) == "HTTP/1.1 200");
   CHECK_THAT(header_of(server.get("/main.js"), "Content-Type"), StartsWith("text/javascript"));
   CHECK_THAT(server.get("/api/runs/small"), Contains("\"utterances\":1"));
   CHECK_THAT(server.get("/../../etc/passwd"), StartsWith("HTTP/1.1 4"));

@@ -65,7 +65,7 @@ export class StartPage {
     const box = readable && h('input', {type: 'checkbox', 'aria-label': `Choose ${run.name} to compare`, 'data-testid': 'choose', checked: this.chosen.includes(run.id),
       onchange: () => { this.chosen = this.chosen.filter((id) => id !== run.id).concat(box.checked ? [run.id] : []).slice(-2); this.tellChosen(); }});
     if (box) box.run = run.id;
-    const picture = readable && this.pictures.picture(pictureOf(run.id, pictureTime(run), '192x108'));
+    const picture = readable && run.drawable && this.pictures.picture(pictureOf(run.id, pictureTime(run), '192x108'));
     const verdict = verdictOf(run);
     return h('tr', {'data-testid': 'run'}, h('td', {}, box || null), h('td', {class: 'pictured'}, picture || null),
       h('td', {}, readable ? h('a', {class: 'name', href: `/r/${encodeURIComponent(run.id)}`, onclick: open}, run.name) : h('span', {class: 'name'}, run.name),
