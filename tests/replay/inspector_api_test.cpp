@@ -100,13 +100,17 @@ TEST_CASE("what a page draws from comes as bytes") {
   const auto found = served.api.get("/api/runs/small/find?text=which+BLOCK&kind=*");
   CHECK(found.content_type == "application/octet-stream");
   REQUIRE(found.body.size() % 4 == 0);
-  CHECK(found.body.substr(0, 4) == std::string("\6\0\0\0", 4));
+  CHECK(found.body.substr(0, 4) == std::string("\5\0\0\0", 4));
 }
 
 TEST_CASE("how far a run has come") {
   Served served;
-  CHECK(Json::parse(served.api.growth("small").body) == Json{{"records", 22}, {"t", 10.0}, {"complete", true}});
+  CHECK(Json::parse(served.api.growth("small").body) ==
+        Json{{"records", 22}, {"t", 10.0}, {"complete", true}, {"live", false}});
   CHECK(Json::parse(served.api.growth("below.cut_one").body)["complete"] == false);
+  CHECK(Json::parse(served.api.growth("below.cut_one").body)["live"] == true);
+  served.write("below/cut one.run.jsonl", small_log().text().substr(0, 1200), 60);
+  CHECK(Json::parse(served.api.growth("below.cut_one").body)["live"] == false);
   CHECK(served.api.growth("none").status == 404);
   CHECK(served.api.growth("garbage").status == 422);
 }

@@ -87,17 +87,19 @@ TEST_CASE("a run that is being written is told of as it grows, until it is compl
   CHECK_THAT(stream.came(), !Contains("\"records\":22"));
   const auto last = run.text.find('\n', run.half) + 1;
   run.write(run.half, last);
-  REQUIRE(stream.reads("\"complete\":false}\n\n\r\n"));
+  REQUIRE(stream.reads("\"complete\":false,\"live\":true}\n\n\r\n"));
   run.write(last, run.text.size());
-  REQUIRE(stream.reads("{\"records\":22,\"t\":10.0,\"complete\":true}"));
+  REQUIRE(stream.reads("{\"records\":22,\"t\":10.0,\"complete\":true,\"live\":false}"));
   CHECK(stream.reads("\r\n0\r\n"));
 }
 
 TEST_CASE("a server of a folder without runs ends when it is told to") {
   const ScratchFolder folder;
   InspectorServer server{{folder.path()}};
-  REQUIRE(server.listen().ok());
+  const auto port = server.listen();
+  REQUIRE(port.ok());
   std::thread thread([&server] { server.run(); });
+  REQUIRE(Stream(*port, "none").reads("\r\n\r\n"));
   server.stop();
   thread.join();
 }
