@@ -6,12 +6,14 @@ import {RunData} from './run_data.js';
 import {Labels} from './labels.js';
 import {Comparison} from './comparison.js';
 import {fetchDiff, fetchRun, listenTo, RecordClient, served} from './run_client.js';
+import {calmly} from './calmly.js';
 import {onKey} from './keys.js';
 import {buildRunPage} from './run_page.js';
 import {StartPage} from './panels/start.js';
 
 const page = document.getElementById('page');
 const sentence = document.getElementById('sentence');
+const grow_ms = 700;        // between readings of a run that grows
 const first_window_s = 40;  // what the timeline shows at first of a run longer than that
 
 class App {
@@ -90,23 +92,22 @@ class App {
   async grown({records, complete, live}) {
     if (!this.data) return;
     this.live = live;
-    if (records <= this.data.size || this.growing) { this.render(); return; }
-    this.growing = true;
-    const {id, model} = this, at_end = model.selection.n >= this.data.stops.at(-1);
-    try {
-      const own = await this.load(id);
-      if (model.selection.run !== id || model.selection.other !== null) return;
-      const {panels} = this;
-      Object.assign(this, own);
-      for (const one of panels) one.close?.();
-      if (at_end) model.settle({n: own.data.stops.at(-1) ?? own.data.size - 1, zoom: this.windowAround(own.data.size - 1)});
-      Object.assign(this, buildRunPage(page, this));
-      this.render();
-    } finally {
-      this.growing = false;
-      if (complete) this.stream?.close();
-    }
+    this.render();
+    if (complete) this.stream?.close();
+    if (records > this.data.size) this.readOn();
   }
+  readOn = calmly(async () => {
+    // Not while the reader writes: the page is built anew around that.
+    if (document.querySelector('dialog[open]') || document.activeElement?.matches('input, textarea')) { setTimeout(this.readOn, grow_ms); return; }
+    const {id, model, client, labels} = this, at_end = model.selection.n >= (this.data?.stops.at(-1) ?? 0);
+    const fetched = await fetchRun(id).catch(() => null);
+    if (!fetched || this.client !== client) return;
+    client.forget();
+    this.data = new RunData({...fetched, columns: readColumns(fetched.columns), labels});
+    if (at_end) model.settle({n: this.data.stops.at(-1) ?? this.data.size - 1, zoom: this.windowAround(this.data.size - 1)});
+    Object.assign(this, buildRunPage(page, this, this));
+    this.render();
+  }, grow_ms);
 
   windowAround(n) {
     const {t, duration} = this.data, width = Math.min(first_window_s, duration || 1);

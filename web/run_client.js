@@ -83,6 +83,9 @@ export class RecordClient {
     return this.#kept.get(path);
   }
 
+  /** What is known may no longer be all there is: the log has grown. */
+  forget() { this.#kept.clear(); }
+
   /** Resolves when all that was asked for has come. */
   idle() { return Promise.allSettled(this.#kept.values()); }
 }

@@ -18,19 +18,25 @@ import {mountNotes} from './panels/notes.js';
 import {mountDifferences} from './panels/differences.js';
 import {keepMarked, otherSide} from './panels/side_by_side.js';
 
-/** Puts the page into `host`. @returns what the app keeps of it */
-export function buildRunPage(host, app) {
+// What a page that is built anew, for a run that has grown, takes over: a scene is dear, a note may be half written.
+const lasting = ['scene', 'notes'];
+
+/** Puts the page into `host`. @returns what the app keeps of it. `before`: what it kept of the page that this replaces. */
+export function buildRunPage(host, app, before = null) {
+  const focused = document.activeElement?.closest?.('.panel')?.dataset.panel;
+  for (const [name, one] of Object.entries(before?.parts ?? {})) if (!lasting.includes(name)) one.close?.();
   const {comparison} = app;
   const header = h('header', {class: 'top'});
   const parts = {
-    dialogue: mountDialogue(app), graph: mountGraph(app), scene: mountScene(app, {other: comparison && otherRun(comparison, app)}), lanes: mountLanes(app, comparison),
-    stack: mountStack(app), derivation: mountDerivation(app), why: mountWhy(app), records: mountRecords(app), notes: mountNotes(app),
+    dialogue: mountDialogue(app), graph: mountGraph(app), scene: before?.parts.scene ?? mountScene(app, {other: comparison && otherRun(comparison, app)}), lanes: mountLanes(app, comparison),
+    stack: mountStack(app), derivation: mountDerivation(app), why: mountWhy(app), records: mountRecords(app), notes: before?.parts.notes ?? mountNotes(app),
     ...hasBranches(app.data) && {branches: mountBranches(app)},
     ...comparison && {differences: mountDifferences(app), ...otherSide(app)},
   };
+  if (comparison) for (const name of ['stack', 'derivation']) parts[name].element.querySelector('h2').textContent += ' A';
   if (comparison) keepMarked(parts.stack.element, parts.stack_b.element, '.cell');
   if (comparison) keepMarked(parts.derivation.element, parts.derivation_b.element, '.node-line');
-  const dialogs = {help: helpDialog(), compare: compareDialog(app), go_to: goToDialog(app), what_if: whatIfDialog(app)};
+  const dialogs = before?.dialogs ?? {help: helpDialog(), compare: compareDialog(app), go_to: goToDialog(app), what_if: whatIfDialog(app)};
   const element = (name) => parts[name].element;
   const shared = [...comparison ? ['differences', 'derivation', 'derivation_b'] : [], 'why', 'records', 'notes', ...parts.branches ? ['branches'] : []];
   const more = tabs('more', shared.map(element), (panel) => app.model.go({tab: panel}));
@@ -39,6 +45,8 @@ export function buildRunPage(host, app) {
     element('lanes'),
     h('div', {class: 'lower'}, element('stack'), element(comparison ? 'stack_b' : 'derivation'), more.element));
   host.replaceChildren(header, main, ...Object.values(dialogs).map((one) => one.element));
+
+  if (before && focused && !host.contains(document.activeElement)) parts[focused]?.element.querySelector('[tabindex="0"]')?.focus();
 
   // One panel may fill the page; the others then wait out of sight.
   const frame = {

@@ -126,10 +126,12 @@ test('a run that is being written is live: it grows, and the cursor goes along a
   await visitor.page.keyboard.press('End');
   await visitor.page.evaluate(() => window.continua.jump(window.continua.data.stops.at(-1)));
   const before_n = await visitor.n();
+  await visitor.page.evaluate(() => { window.first_scene = window.continua.scene; });
   appendFileSync(path, `${lines.slice(20, 40).join('\n')}\n`);
   await visitor.page.waitForFunction((n) => window.continua.model.selection.n > n, before_n);
   appendFileSync(path, `${lines.slice(40).join('\n')}\n`);
   await visitor.page.waitForFunction((size) => window.continua.data.size === size, lines.length);
+  assert.ok(await visitor.page.evaluate(() => window.first_scene === window.continua.scene && document.contains(window.first_scene.element)), 'the scene stays');
   await visitor.page.waitForFunction(() => document.querySelector('[data-testid=live]').hidden);
   assert.deepEqual(visitor.complaints, []);
 });

@@ -20,8 +20,7 @@ export function axesOf(data) {
 export function mountLanes(app, comparison = null) {
   const {data} = app;
   const own = laneRows(data);
-  const rows = comparison ? own.concat(comparison.rows.filter(({name, colour}) => !own.some((row) => row.name === name && row.colour === colour)).map((row) => ({...row, lane: none, reach: none.to})))
-    .flatMap((row) => [{...row, name: `A ${row.name}`, side: 'a'}, {...twinOf(row, comparison.rows), name: 'B', side: 'b'}]) : own;
+  const rows = comparison ? doubled(own, comparison.rows) : own;
   const flags = {lane: data.lanes.flag, reach: reachOf(data.lanes.flag)}, rest = {lane: data.lanes.rest, reach: reachOf(data.lanes.rest)};
   const axes = axesOf(data);
   const lanes_px = axis_px + rows.length * row_px;
@@ -185,4 +184,10 @@ export function mountLanes(app, comparison = null) {
 }
 
 const none = {n: new Uint32Array(), from: new Float64Array(), to: new Float64Array()};
+// Each lane of A with that of B below it, as far as either has anything.
+function doubled(own, others) {
+  const missing = others.filter(({name, colour}) => !own.some((row) => row.name === name && row.colour === colour)).map((row) => ({...row, lane: none, reach: none.to}));
+  return [...own, ...missing].map((row) => [{...row, name: `A ${row.name}`, side: 'a'}, {...twinOf(row, others), name: 'B', side: 'b'}])
+    .filter(([a, b]) => a.lane.n.length || b.lane.n.length).flat();
+}
 const twinOf = (row, others) => others.find(({name, colour}) => name === row.name && colour === row.colour) ?? {...row, lane: none, reach: none.to};

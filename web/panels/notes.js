@@ -5,7 +5,7 @@ import {served} from '../run_client.js';
 let fresh_number = 0;
 
 export function mountNotes(app) {
-  const {data, client} = app;
+  const {client} = app;
   const list = h('ol', {class: 'notes-list'});
   const words = h('textarea', {rows: 2, 'aria-label': 'The note', 'data-testid': 'note-text', placeholder: 'What you noticed here',
     onkeydown: (event) => { if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) { event.preventDefault(); add(); } }});
@@ -18,13 +18,13 @@ export function mountNotes(app) {
   let notes = [], version = '', from = null, at = 0;
 
   const say = (problem) => { trouble.hidden = !problem; trouble.textContent = problem ?? ''; };
-  const span = (note) => (note.to === null ? `#${note.n}, ${clock(data.t[data.clamp(note.n)])}` : `#${note.n} – #${note.to}, ${clock(data.t[data.clamp(note.n)])} – ${clock(data.t[data.clamp(note.to)])}`);
+  const at_time = (n) => clock(app.data.t[app.data.clamp(n)]);
+  const span = (note) => (note.to === null ? `#${note.n}, ${at_time(note.n)}` : `#${note.n} – #${note.to}, ${at_time(note.n)} – ${at_time(note.to)}`);
   const draw = () => {
     list.replaceChildren(...notes.map((note) => h('li', {'data-testid': 'note'},
       h('button', {type: 'button', class: 'link', onclick: () => app.jump(note.n)}, span(note)), h('p', {}, note.text),
       served && h('button', {type: 'button', class: 'remove', 'aria-label': `Remove the note at #${note.n}`, title: 'Remove', onclick: () => save(notes.filter((one) => one !== note))}, '✕'))));
     if (!notes.length) list.append(h('li', {class: 'empty'}, 'No notes yet.'));
-    app.noted = notes;
   };
   const read = async () => {
     try {

@@ -2,7 +2,7 @@
 import {mountStack} from './stack.js';
 import {mountDerivation} from './derivation.js';
 
-/** {stack_b, derivation_b}: what panels of B show where a record of A is selected. Those of A are then called A. */
+/** {stack_b, derivation_b}: what panels of B show where a record of A is selected. */
 export function otherSide(app) {
   const {data, client} = app.comparison.side;
   const other = Object.create(app, {data: {value: data}, client: {value: client}, comparison: {value: null}, jump: {value: (n) => app.jumpOther(n)}});
