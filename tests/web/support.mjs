@@ -55,6 +55,8 @@ async function serveFromDisk(route, address) {
   return route.fulfill({body: readFileSync(file), contentType: media[extname(file)]});
 }
 
+const patience_ms = 60000;  // machines that do much else at the time are slow
+
 /** A browser that visits one server, and what its page complains of. */
 export class Visitor {
   /** `webgl`: with WebGL, drawn without a graphics card. */
@@ -72,13 +74,13 @@ export class Visitor {
     const context = await this.browser.newContext({viewport: {width: 1280, height: 720}, ...options});
     this.context = context;
     this.page = await context.newPage();
+    this.page.setDefaultTimeout(patience_ms);
     this.complaints = [];
     const {page, complaints} = this;
     page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) complaints.push(message.text()); });
     page.on('pageerror', (problem) => complaints.push(problem.stack));
     page.on('request', (request) => { if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(this.address)) complaints.push(`asked ${request.url()}`); });
     if (from_disk) await page.route('**/*', (route) => serveFromDisk(route, this.address));
-    await this.shim?.(page);
     await page.goto(this.address + path);
     if (ready) await page.waitForSelector(ready, {state: 'attached'});
     return page;
