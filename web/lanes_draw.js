@@ -121,6 +121,19 @@ export function drawLanes(pen, {rows, sight, flags, rest, colour, marked}) {
   pen.restore();
 }
 
+/** Marks on the axis where there are notes: {from, to} in seconds, equal for an instant. */
+export function drawNotes(pen, {notes, sight, colour}) {
+  pen.fillStyle = colour('accent');
+  for (const {from, to} of notes) {
+    if (to < sight.from || from > sight.to) continue;
+    const left = Math.max(gutter_px, sight.x(from)), right = Math.min(sight.width, sight.x(to));
+    if (right > left) pen.fillRect(left, axis_px - 3, right - left, 2);
+    pen.beginPath();
+    pen.arc(left, axis_px - 4, 3.5, 0, 2 * Math.PI);
+    pen.fill();
+  }
+}
+
 const triangle = (pen, x, tip, half) => {
   pen.beginPath();
   pen.moveTo(x - half, tip - half * 1.5);

@@ -57,6 +57,15 @@ test('the graph shows the states, the current one lit, the others on demand', as
   assert.equal(await at('graph').locator('.node.current').getAttribute('data-state'), 'Act');
 });
 
+test('an arrow tells its transitions, by mouse and by key', async () => {
+  await visit('/r/rounds');
+  await at('graph').locator('.edge.taken').first().focus();
+  await visitor.page.keyboard.press('Enter');
+  assert.match(await at('edge-card').innerText(), /→[\s\S]*time/);
+  await visitor.page.keyboard.press('Enter');
+  assert.ok(await at('edge-card').isHidden());
+});
+
 test('the stack shows symbols, slots and changes, with λ', async () => {
   await visit('/r/rounds');
   assert.equal(await at('symbol').count(), 2);

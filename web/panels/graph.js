@@ -2,41 +2,9 @@
 import {h, s, panel, shown, brief, counted} from '../dom.js';
 import {calmly} from '../calmly.js';
 import {mergedGraph, layOut} from '../graph_layout.js';
+import {along, arrowHead, bent, loopPath, path} from '../graph_paths.js';
 
-const head_px = 6, most_refused = 6, calm_ms = 150;
-
-const path = (points) => {
-  if (points.length < 3) return `M${points.map(({x, y}) => `${x} ${y}`).join('L')}`;
-  // Through the middles of the inner stretches, bending at the points between.
-  let d = `M${points[0].x} ${points[0].y}`;
-  for (let i = 1; i < points.length - 1; ++i) {
-    const last = i === points.length - 2;
-    const end = last ? points[i + 1] : {x: (points[i].x + points[i + 1].x) / 2, y: (points[i].y + points[i + 1].y) / 2};
-    d += `Q${points[i].x} ${points[i].y} ${end.x} ${end.y}`;
-  }
-  return d;
-};
-
-const loopPath = ([a, b, c, d]) => `M${a.x} ${a.y}C${b.x} ${b.y} ${c.x} ${c.y} ${d.x} ${d.y}`;
-
-/** The place at this part of the way along. Less than half, so that the counts of an edge and its reverse keep apart. */
-function along(points, part) {
-  const lengths = points.slice(1).map((point, i) => Math.hypot(point.x - points[i].x, point.y - points[i].y));
-  let left = lengths.reduce((sum, length) => sum + length, 0) * part;
-  for (let i = 0; i < lengths.length; left -= lengths[i++]) {
-    if (left > lengths[i]) continue;
-    const share = lengths[i] ? left / lengths[i] : 0;
-    return {x: points[i].x + (points[i + 1].x - points[i].x) * share, y: points[i].y + (points[i + 1].y - points[i].y) * share};
-  }
-  return points.at(-1);
-}
-
-function arrowHead(points) {
-  const end = points.at(-1), before = points.at(-2);
-  const angle = Math.atan2(end.y - before.y, end.x - before.x);
-  const at = (turn) => `${end.x - head_px * Math.cos(angle + turn)} ${end.y - head_px * Math.sin(angle + turn)}`;
-  return `M${end.x} ${end.y}L${at(0.42)}L${at(-0.42)}Z`;
-}
+const most_refused = 6, calm_ms = 150;
 
 /** The value in "|options| > 1: |options| is 1"; all of a reason that has none. */
 const valueOf = (reason) => {
@@ -44,16 +12,6 @@ const valueOf = (reason) => {
   const value = at < 0 ? text : text.slice(at + 2);
   return value.length > 26 ? `${value.slice(0, 25)}…` : value;
 };
-
-// From the rim of one node to that of another, beside the straight way.
-function bent(a, b, share) {
-  const bend = {x: (a.x + b.x) / 2 + (b.y - a.y) * share, y: (a.y + b.y) / 2 - (b.x - a.x) * share};
-  const rim = (node) => {
-    const dx = bend.x - node.x, dy = bend.y - node.y, k = Math.min(node.w / 2 / Math.max(1e-6, Math.abs(dx)), node.h / 2 / Math.max(1e-6, Math.abs(dy)));
-    return {x: node.x + dx * Math.min(1, k), y: node.y + dy * Math.min(1, k)};
-  };
-  return [rim(a), bend, rim(b)];
-}
 
 const rowText = (row) => `${row.id}: ${row.input ?? 'ε'}${row.condition ? `, ${shown(row.condition)}` : ''} / ${shown(row.operation)}` +
   (row.diverted ? ', turned away by a gate' : '') + (row.visits ? `, ${counted(row.visits, 'time')}` : ', never taken');
@@ -64,11 +22,12 @@ export function mountGraph(app) {
   const svg = s('svg', {role: 'group', 'aria-label': 'State graph', 'data-testid': 'graph'}, view);
   const refused_layer = s('g', {class: 'refused-layer'});
   const refused_list = h('details', {class: 'refused-list', hidden: true, 'data-testid': 'graph-refused'});
+  const edge_card = h('div', {class: 'edge-card', role: 'status', hidden: true, 'data-testid': 'edge-card'});
   const only = h('input', {type: 'checkbox', checked: true, 'data-testid': 'taken-only', onchange: () => build()});
   const element = panel('graph', 'State graph', [
     h('span', {class: 'muted', 'data-testid': 'graph-count'}),
     h('label', {}, only, 'taken only'),
-    h('button', {type: 'button', title: 'Fit into the panel (F)', onclick: () => fit()}, 'Fit')], h('div', {class: 'canvas'}, svg, refused_list));
+    h('button', {type: 'button', title: 'Fit into the panel (F)', onclick: () => fit()}, 'Fit')], h('div', {class: 'canvas'}, svg, refused_list, edge_card));
   const host = element.querySelector('.canvas');
   let refused_at = -1, refused_on = null;
   let placed = null, nodes = new Map(), edges = new Map(), lit = [], shown_n = 0;
@@ -104,14 +63,24 @@ export function mountGraph(app) {
     const middle = loop ? {x: points[2].x + 4, y: points[1].y + 6} : along(points, 0.4);
     const used = edge.visits + edge.visits_b;
     const width = used ? 1.2 + Math.min(3, Math.log10(used) * 1.1) : 0.8;
-    const group = s('g', {class: `edge ${used ? 'taken' : 'never'}${whose(edge)}${edge.rows.every((row) => row.diverted) ? ' diverted' : ''}`, role: 'img',
-        'aria-label': `${edge.from} to ${edge.to}, ${counted(edge.visits, 'time')}`},
+    const tell = () => tellEdge(edge);
+    const group = s('g', {class: `edge ${used ? 'taken' : 'never'}${whose(edge)}${edge.rows.every((row) => row.diverted) ? ' diverted' : ''}`, role: 'button', tabindex: used ? 0 : -1, onclick: tell,
+        onkeydown: (event) => { if (event.key === 'Enter' || event.key === ' ') { event.preventDefault(); event.stopPropagation(); tell(); } },
+        'aria-label': `${edge.from} to ${edge.to}, ${counted(edge.visits, 'time')}; its transitions`},
       s('title', {}, `${edge.from} → ${edge.to}\n${edge.rows.map(rowText).join('\n')}`),
       s('path', {class: 'hit', d: loop ? loopPath(points) : path(points)}),
       s('path', {class: 'stroke', d: loop ? loopPath(points) : path(points), 'stroke-width': width}),
       s('path', {class: 'head', d: arrowHead(points)}),
       used > 0 && s('text', {class: 'count', x: middle.x, y: middle.y + 3, 'text-anchor': loop ? 'start' : 'middle'}, visitsText(edge)));
     return group;
+  };
+
+  // The transitions of an arrow, in words, until it is chosen again.
+  let told_edge = null;
+  const tellEdge = (edge) => {
+    told_edge = told_edge === edge ? null : edge;
+    edge_card.hidden = !told_edge;
+    if (told_edge) edge_card.replaceChildren(h('b', {}, `${edge.from} → ${edge.to}`), h('ul', {}, edge.rows.map((row) => h('li', {}, rowText(row)))));
   };
 
   const drawNode = (node) => {

@@ -71,7 +71,7 @@ function runLine(app) {
     h('h1', {title: app.id}, app.title, h('span', {class: 'with'}, `${summary.machine} · ${summary.scene}`)),
     h('p', {class: bad ? 'verdict bad' : 'verdict', 'data-testid': 'verdict'}, `${bad ? '✘' : '✔'} ${verdict(summary)}`,
       h('span', {class: 'badge live', 'data-testid': 'live', hidden: true}, '● live'),
-      summary.trouble && h('span', {class: 'badge warn', title: summary.trouble, 'data-testid': 'trouble'}, 'cut short')));
+      summary.trouble && h('span', {'data-testid': 'trouble'}, h('span', {class: 'badge warn'}, 'cut short'), h('span', {class: 'why-cut'}, summary.trouble))));
 }
 
 // What makes the difference, in one sentence.

@@ -1,7 +1,7 @@
 // The run over time: who did what when, the automaton's states, the stack's depth. Canvas, because there is much of it.
 import {h, panel, counted} from '../dom.js';
 import {calmly} from '../calmly.js';
-import {laneRows, reachOf, firstReaching, Sight, busyBins, drawLanes, drawOverview, drawCursor, gutter_px, axis_px, overview_px, row_px} from '../lanes_draw.js';
+import {laneRows, reachOf, firstReaching, Sight, busyBins, drawLanes, drawOverview, drawNotes, drawCursor, gutter_px, axis_px, overview_px, row_px} from '../lanes_draw.js';
 import {TimeAxis, idleGaps} from '../time_axis.js';
 
 const least_s = 0.05;  // as far as one can zoom in
@@ -32,7 +32,7 @@ export function mountLanes(app, comparison = null) {
   const span = h('span', {class: 'muted', 'data-testid': 'span'});
   const gaps = h('input', {type: 'checkbox', 'data-testid': 'gaps', onchange: () => app.model.go({gaps: !gaps.checked})});
 
-  let width = 0, selection = app.model.selection, drawn = '', bins = null, bins_of = null;
+  let notes = [], width = 0, selection = app.model.selection, drawn = '', bins = null, bins_of = null;
   const axis = () => (selection.gaps ? axes.full : axes.short);
   const zoom = () => selection.zoom ?? [0, data.duration || 1];
   const sight = () => new Sight(axis(), zoom(), width);
@@ -97,6 +97,7 @@ export function mountLanes(app, comparison = null) {
       }
       const pen = context(base);
       drawLanes(pen, {rows, sight: seen, flags, rest, colour, marked: comparison?.marked});
+      drawNotes(pen, {notes, sight: seen, colour});
       drawOverview(pen, {data, sight: seen, whole: entire, bins, top: lanes_px, colour});
       span.textContent = `${zoom()[0].toFixed(1)} – ${zoom()[1].toFixed(1)} s of ${data.duration.toFixed(1)} s`;
     }
@@ -171,7 +172,10 @@ export function mountLanes(app, comparison = null) {
   slider.style.setProperty('height', `${lanes_px + overview_px}px`);
 
   return {
-    element, rows, zoomBy, panBy, all,
+    element, rows,
+    /** Where notes stand: {from, to} in seconds. */
+    showNotes(where) { notes = where; paint(true); },
+    zoomBy, panBy, all,
     labelsArrived: calmly(() => paint(true), calm_ms),
     render(next) {
       selection = next;

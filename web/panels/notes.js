@@ -25,6 +25,8 @@ export function mountNotes(app) {
       h('button', {type: 'button', class: 'link', onclick: () => app.jump(note.n)}, span(note)), h('p', {}, note.text),
       served && h('button', {type: 'button', class: 'remove', 'aria-label': `Remove the note at #${note.n}`, title: 'Remove', onclick: () => save(notes.filter((one) => one !== note))}, '✕'))));
     if (!notes.length) list.append(h('li', {class: 'empty'}, 'No notes yet.'));
+    const t = (n) => app.data.t[app.data.clamp(n)];
+    app.lanes?.showNotes(notes.map(({n, to}) => ({from: t(n), to: t(to ?? n)})));
   };
   const read = async () => {
     try {
