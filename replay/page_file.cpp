@@ -13,6 +13,7 @@
 #include "replay/run_brief.h"
 #include "replay/run_html.h"
 #include "replay/run_index.h"
+#include "replay/run_stops.h"
 #include "web/assets.h"
 
 namespace continua {
@@ -148,10 +149,11 @@ Outcome collect(Answers& answers, const RunIndex& run, const std::function<void(
     const auto line = run.line(n);
     if (!line) return line.error();
     answers.add(fmt::format("record {}", n), *line);
-    if (run.kind(n) == "pose") continue;
-    answers.view(fmt::format("explain {}", n), fmt::format("explain?n={}", n));
-    answers.view(fmt::format("derivation {}", n), fmt::format("derivation?n={}", n));
-    if (progress && n % 64 == 0) progress(static_cast<double>(n) / static_cast<double>(run.size()));
+  }
+  const auto stops = records_worth_stopping_at(run);
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    if (progress) progress(static_cast<double>(i) / static_cast<double>(stops.size()));
+    answers.view(fmt::format("explain {}", stops[i]), fmt::format("explain?n={}", stops[i]));
   }
   return std::nullopt;
 }

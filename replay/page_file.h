@@ -14,8 +14,9 @@ namespace continua {
 inline constexpr std::size_t most_page_log = std::size_t{64} << 20;
 
 /// Writes the page as HTML: its modules, its style, and the inspector's answers (inspector_api.h) about the run, all
-/// compressed. Its policy lets it load and send nothing. `progress` is called with the part that is done.
-/// Errors: the log cannot be read, or is too long for one file.
+/// compressed; why something is so is told of the records worth stopping at (run_stops.h). Its policy lets it load and
+/// send nothing. `progress` is called with the part that is done. Errors: the log cannot be read, or is too long for
+/// one file.
 Outcome write_page(const std::string& run_path, std::ostream& out,
                    const std::function<void(double done)>& progress = {});
 

@@ -76,6 +76,15 @@ std::string reading_text(const Json& record) {
   return joined({move, text_of(record, "meaning")});
 }
 
+// "second half or first half"
+std::string branches_text(const Json& record) {
+  std::string states;
+  const auto& branches = member_of(record, "branches");
+  if (branches.is_array())
+    for (const auto& one : branches) states += (states.empty() ? "" : " or ") + text_of(one, "state");
+  return states;
+}
+
 struct Teller {
   const char* kind;
   std::vector<std::string_view> members;  // that it reads
@@ -119,6 +128,7 @@ const std::vector<Teller> tellers{
            [](const Json& r) {
              return joined({fmt::format("#{}", text_of(r, "id")), slots_text(member_of(r, "slots"))});
            }},
+    Teller{"branches", {"branches"}, "or", branches_text},
     Teller{"rewrite",
            {"state", "operation"},
            "",

@@ -5,12 +5,13 @@ const letter_px = 6.5, line_px = 13;
 
 /** "ComposeObjectAndAction" in lines of at most about ten letters. */
 export function labelLines(id) {
-  const words = id.split(/(?<=[a-z0-9])(?=[A-Z])|[\s_-]+/);
   const lines = [];
-  for (const word of words) {
-    if (lines.length && (lines.at(-1) + word).length <= 10) lines[lines.length - 1] += word;
-    else lines.push(word);
-  }
+  for (const word of id.split(/[\s_-]+/))
+    word.split(/(?<=[a-z0-9])(?=[A-Z])/).forEach((part, i) => {
+      const joint = i === 0 ? ' ' : '';
+      if (lines.length && (lines.at(-1) + joint + part).length <= 10) lines[lines.length - 1] += joint + part;
+      else lines.push(part);
+    });
   return lines;
 }
 

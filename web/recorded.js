@@ -24,10 +24,10 @@ export class Recorded {
     const own = {
       columns: () => this.#columns(), labels: () => ({labels: this.#labels(query)}), find: () => this.#find(query), records: () => ({records: this.#records(query), next: null}),
       stack: () => (query.has('branch') ? this.#get(`branch ${this.branchings[lastAtMost(this.branchings, n)]} ${query.get('branch')}`) : this.#get(`stack ${this.marks[Math.max(0, lastAtMost(this.marks, n))]}`)),
-      explain: () => (query.has('cell') ? undefined : this.#get(`explain ${n}`)), derivation: () => this.#get(`derivation ${n}`),
+      explain: () => (query.has('cell') ? undefined : this.#get(`explain ${n}`)),
     }[view];
     const body = own ? own() : this.#get(view);
-    if (body === undefined) return {ok: false, status: 404, json: async () => ({error: {message: 'This is not in the exported file; the served run has it.'}})};
+    if (body === undefined) return {ok: false, status: 404, json: async () => ({error: {message: 'An exported page tells this of the records that the arrow keys stop at; a served one of all.'}})};
     return {ok: true, status: 200, json: async () => body, arrayBuffer: async () => body};
   }
 

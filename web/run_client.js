@@ -63,7 +63,6 @@ export class RecordClient {
   stack(n, branch = null) { return this.#keep(`stack?n=${n}${branch === null ? '' : `&branch=${branch}`}`); }
   /** Why record n; given a cell of the stack, how the value that record n gave it came about. */
   explain(n, cell = '') { return this.#keep(`explain?n=${n}${cell ? `&cell=${encodeURIComponent(cell)}` : ''}`); }
-  derivation(n) { return this.#keep(`derivation?n=${n}`); }
   labels(numbers) { return get(`${run(this.id)}/labels?n=${numbers.join(',')}`).then((answer) => answer.labels); }
   /** Running numbers of the records that match, in order. */
   find(text, kind) {

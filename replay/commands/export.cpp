@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "replay/commands/progress.h"
 #include "replay/exporters/graph_dot.h"
 #include "replay/exporters/graph_svg.h"
 #include "replay/exporters/json.h"
@@ -29,7 +30,12 @@ Outcome export_svg(const RunIndex& run, std::ostream& out) {
   return std::nullopt;
 }
 
-Outcome export_html(const RunIndex& run, std::ostream& out) { return write_page(run.path(), out); }
+Outcome export_html(const RunIndex& run, std::ostream& out) {
+  Progress progress(1);
+  const auto problem = write_page(run.path(), out, [&](double done) { progress.show(0, done); });
+  progress.clear();
+  return problem;
+}
 
 // An exporter is a function and a row.
 struct Exporter {

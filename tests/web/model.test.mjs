@@ -191,4 +191,5 @@ test('an empty graph is laid out too', () => {
 test('labels break between words', () => {
   assert.deepEqual(labelLines('ComposeObjectAndAction'), ['Compose', 'ObjectAnd', 'Action']);
   assert.deepEqual(labelLines('Wait'), ['Wait']);
+  assert.deepEqual(labelLines('first half of_it'), ['first half', 'of it']);
 });
