@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
@@ -12,6 +13,7 @@
 #include "replay/page_file.h"
 
 namespace continua {
+namespace fs = std::filesystem;
 namespace {
 
 Outcome export_dot(const RunIndex& run, std::ostream& out) {
@@ -51,6 +53,24 @@ constexpr std::array exporters = {
     Exporter{"html", "the inspector's page with this run in it, one file that opens offline", export_html},
 };
 
+// What is there already is replaced only by a whole one.
+Outcome written(const Exporter& exporter, const RunIndex& run, const std::string& path) {
+  std::error_code unknown;
+  const bool aside = !fs::exists(path, unknown) || fs::is_regular_file(path, unknown);
+  const auto target = aside ? path + ".part" : path;
+  std::ofstream file(target, std::ios::binary);
+  if (!file) return Error{path, "cannot be written; expected a writable file"};
+  auto problem = exporter.write(run, file);
+  file.close();
+  if (!problem && !file) problem = Error{path, "could not be written to its end"};
+  if (!aside) return problem;
+  std::error_code failed;
+  if (!problem) fs::rename(target, path, failed);
+  if (!problem && failed) problem = Error{path, "cannot be replaced: " + failed.message()};
+  if (problem) fs::remove(target, unknown);
+  return problem;
+}
+
 }  // namespace
 
 int run_export(const ExportOptions& options) {
@@ -58,15 +78,8 @@ int run_export(const ExportOptions& options) {
       std::find_if(exporters.begin(), exporters.end(), [&](const auto& one) { return one.format == options.format; });
   const auto run = RunIndex::open(options.run);
   if (!run) return report(run.error()), exit_impossible;
-  Outcome problem;
-  if (options.output == "-") {
-    problem = exporter->write(*run, std::cout);
-  } else {
-    std::ofstream file(options.output, std::ios::binary);
-    problem = file ? exporter->write(*run, file) : Error{options.output, "cannot be written; expected a writable file"};
-    file.close();
-    if (!problem && !file) problem = Error{options.output, "could not be written to its end"};
-  }
+  const auto problem =
+      options.output == "-" ? exporter->write(*run, std::cout) : written(*exporter, *run, options.output);
   if (problem) return report(*problem), exit_impossible;
   return exit_done;
 }

@@ -186,6 +186,15 @@ TEST_CASE("machine describes a machine, or draws it") {
   CHECK(run_machine({folder.file("bad.json", "{}"), "", false, true, "-"}) == exit_impossible);
 }
 
+TEST_CASE("an export that fails leaves what was there") {
+  const TemporaryFolder folder;
+  const auto broken = folder.file("none.run.jsonl", "{\"kind\":\"run\",\"n\":0,\"t\":0,\"version\":1}\n");
+  const auto old = folder.file("old.svg", "a picture");
+  CHECK(run_export({broken, "svg", old}) == exit_impossible);
+  CHECK(std::filesystem::file_size(old) == 9);
+  CHECK(!std::filesystem::exists(old + ".part"));
+}
+
 TEST_CASE("export draws what a run visited") {
   const TemporaryFolder folder;
   const auto run = folder.file("small.run.jsonl", small_log().text());
