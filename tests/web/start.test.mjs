@@ -118,6 +118,20 @@ test('what if it had been said otherwise', async () => {
   assert.match(await at('verdict').innerText(), /Take the knife/);
 });
 
+test('what if another transition had been taken', async () => {
+  await visitor.visit('/r/correction?n=13');
+  await at('what-if-open').click();
+  await at('what-if-run').click();
+  assert.match(await visitor.page.locator('.what-if .trouble').innerText(), /Change something first/);
+  const others = at('what-if').locator('input[type=radio]:not([value=""])');
+  assert.ok(await others.count() > 0);
+  await others.first().check();
+  await at('what-if-run').click();
+  await visitor.page.waitForURL(/\/diff\/correction\/what-if/);
+  await at('verdict').waitFor();
+  assert.match(await at('verdict').innerText(), /^≠ /);
+});
+
 test('a run that is being written is live: it grows, and the cursor goes along at its end', async () => {
   const path = join(folder, 'growing.run.jsonl');
   writeFileSync(path, `${lines.slice(0, 20).join('\n')}\n`);
@@ -147,5 +161,6 @@ test('on a phone the start page and a run can be read', async () => {
   for (const path of ['/', '/r/correction', '/diff/correction/disambiguation']) {
     await visitor.visit(path, {viewport: {width: 390, height: 780}});
     assert.ok(await visitor.page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${path} is too wide`);
+    assert.equal(await visitor.page.evaluate(() => scrollY), 0, `${path} begins at its top`);
   }
 });

@@ -54,7 +54,9 @@ export function mountDifferences(app) {
       if (!row) return;
       row.classList.add('current');
       row.firstChild.setAttribute('aria-current', 'true');
-      row.scrollIntoView({block: 'nearest'});
+      // Within the panel: the page itself stays where it is.
+      const body = element.querySelector('.body'), top = row.offsetTop - body.offsetTop;
+      if (top < body.scrollTop || top + row.offsetHeight > body.scrollTop + body.clientHeight) body.scrollTop = top - 8;
     },
   };
 }

@@ -59,7 +59,7 @@ export function mountLanes(app, comparison = null) {
     zoomTo([from + by, to + by]);
   };
   const all = () => app.model.go({zoom: [0, data.duration || 1]}, 'slide');
-  const element = panel('lanes', 'Timeline', [span,
+  const element = panel('lanes', 'Timeline', [h('span', {class: 'muted coach'}, '← → step · Space play · ? all keys'), span,
     axes.short.gaps.length > 0 && h('label', {title: 'Draw idle time short (G)'}, gaps, `${counted(axes.short.gaps.length, 'pause')} short`),
     h('button', {type: 'button', title: 'Zoom in (W)', 'aria-label': 'Zoom in', onclick: () => zoomBy(0.6)}, '+'),
     h('button', {type: 'button', title: 'Zoom out (S)', 'aria-label': 'Zoom out', onclick: () => zoomBy(1 / 0.6)}, '−'),
