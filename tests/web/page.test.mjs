@@ -98,6 +98,50 @@ test('arrow keys step, and the address follows', async () => {
   assert.deepEqual(visitor.complaints, []);
 });
 
+test('by keyboard alone: panels, tabs, places, pauses', async () => {
+  await visit('/r/rounds');
+  const {keyboard} = visitor.page, selected = () => visitor.page.evaluate(() => window.continua.model.selection);
+  await keyboard.press('2');
+  assert.ok(await visitor.page.evaluate(() => document.activeElement.closest('.panel.graph') !== null));
+  await keyboard.press('2');
+  assert.ok(await visitor.page.locator('.panel.graph.enlarged').isVisible());
+  await visitor.addressSays('panel', 'graph');
+  await keyboard.press('Escape');
+  assert.equal((await selected()).panel, '');
+  await keyboard.press('#');
+  await keyboard.type('0:30');
+  await keyboard.press('Enter');
+  assert.ok(Math.abs(await visitor.page.evaluate(() => window.continua.data.t[window.continua.model.selection.n]) - 30) < 5);
+  await keyboard.press('#');
+  await keyboard.type('nowhere at all');
+  await keyboard.press('Enter');
+  assert.ok(await visitor.page.locator('dialog[open] .trouble').isVisible());
+  await keyboard.press('Escape');
+  await keyboard.press('g');
+  assert.ok((await selected()).gaps);
+  for (const [key, tab] of [['/', 'records'], ['m', 'notes'], ['y', 'why']]) {
+    await keyboard.press(key);
+    assert.ok(await at(`panel-${tab}`).isVisible(), tab);
+    await visitor.page.evaluate(() => document.activeElement.blur());
+  }
+  await at('tab-why').focus();
+  await keyboard.press('ArrowRight');
+  assert.ok(await at('panel-records').isVisible());
+  await keyboard.press('Tab');
+  await keyboard.press('Tab');
+  assert.deepEqual(visitor.complaints, []);
+});
+
+test('a rest between two inputs is drawn short, and at full length when that is wanted', async () => {
+  await visit('/r/rounds?z=0..61');
+  assert.ok(await at('gaps').isChecked());
+  const place = () => visitor.page.evaluate(() => window.continua.lanes.placeOf(45));
+  const short = await place();
+  await at('gaps').uncheck();
+  assert.ok(await place() > short + 50);
+  await visitor.addressSays('gaps', 'full');
+});
+
 test('a link restores instant, stretch of time and filter', async () => {
   await visit('/r/rounds?n=317&z=20..30&kind=act&filter=done');
   assert.equal(await n(), 317);

@@ -173,6 +173,8 @@ export function mountLanes(app, comparison = null) {
 
   return {
     element, rows,
+    /** Where an instant is drawn, in pixels from the left. */
+    placeOf: (t) => sight().x(t),
     /** Where notes stand: {from, to} in seconds. */
     showNotes(where) { notes = where; paint(true); },
     zoomBy, panBy, all,

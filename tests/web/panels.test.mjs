@@ -1,0 +1,70 @@
+// Every panel, on a worked example and on a longer session, in a real browser.
+import assert from 'node:assert/strict';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {root, serve, Visitor} from './support.mjs';
+
+let server, visitor;
+before(async () => {
+  server = await serve(join(root, 'traces/paper/correction.physics.run.jsonl'), join(root, 'traces/building_blocks.run.jsonl'), join(root, 'traces/paper/special_npda.run.jsonl'));
+  visitor = await Visitor.start(server.address);
+});
+after(async () => {
+  await visitor?.close();
+  server?.stop();
+});
+const at = (id) => visitor.at(id);
+const says = async (id, wanted) => assert.match(await at(`panel-${id}`).innerText(), wanted, id);
+
+const runs = [
+  {id: 'correction.physics', verdict: /2 utterances, 4 acts/, dialogue: /Put the white cup there[\s\S]*Okay/, states: 4, stack: /symbol \d+/, derivation: /“that one”/, why: /because the human said “No, that one\.”/, at: 'n=101'},
+  {id: 'building_blocks', verdict: /22 utterances, 4 acts, 5 refusals/, dialogue: /engage[\s\S]*Hello/, states: 10, stack: /symbol \d+/, derivation: /./, why: /the avatar/, at: ''},
+];
+for (const run of runs)
+  test(`all panels of ${run.id}`, async () => {
+    await visitor.visit(`/r/${run.id}?${run.at}`);
+    assert.match(await at('verdict').innerText(), run.verdict);
+    await says('dialogue', run.dialogue);
+    assert.ok(await at('graph').locator('.node').count() >= run.states);
+    assert.equal(await at('graph').locator('.node.current').count(), 1);
+    assert.match(await at('span').innerText(), /of \d+\.\d s/);
+    assert.ok(await visitor.page.evaluate(() => window.continua.lanes.rows.filter(({lane}) => lane.n.length).length >= 5));
+    await says('stack', run.stack);
+    await says('derivation', run.derivation);
+    await says('why', run.why);
+    // Without WebGL the scene is a picture of the server's, or a sentence where that has none.
+    await visitor.page.waitForFunction(() => document.querySelector('.scene img') ?? /picture|draw/i.test(document.querySelector('.scene').innerText));
+    await at('tab-records').click();
+    assert.ok(await visitor.page.locator('.row').count() > 3);
+    await at('tab-notes').click();
+    await says('notes', /No notes yet/);
+    assert.deepEqual(visitor.complaints.filter((one) => !/501/.test(one)), []);
+  });
+
+test('words and gestures that were taken as one stand together', async () => {
+  await visitor.visit('/r/correction.physics');
+  const ensemble = visitor.page.locator('.moves li.ensemble').first();
+  assert.match(await ensemble.innerText(), /Put the white cup there[\s\S]*point/);
+  assert.equal(await visitor.page.locator('.moves li.ensemble').count(), 2);
+});
+
+test('what was refused is drawn with the value that refused it', async () => {
+  await visitor.visit('/r/correction.physics?n=101');
+  await visitor.page.waitForSelector('.edge.refused', {state: 'attached'});
+  assert.match(await visitor.page.locator('.edge.refused .count').first().textContent(), / is /);
+  assert.match(await at('graph-refused').innerText(), /\d+ candidates refused/);
+});
+
+test('several configurations: how they branched, and the stack of each', async () => {
+  await visitor.visit('/r/special_npda?n=18&tab=branches&b=4');
+  assert.equal(await at('branches').locator('tbody tr').count(), 2);
+  assert.equal(await visitor.page.locator('.branch-table .chosen [data-testid=branch]').innerText(), '4');
+  assert.match(await at('depth').innerText(), /^branch 4/);
+  assert.equal(await visitor.page.locator('.node.branch').getAttribute('data-state'), 'first half');
+  await visitor.page.keyboard.press('b');
+  await visitor.addressSays('b', 3);
+  await visitor.page.waitForFunction(() => document.querySelector('.node.branch')?.dataset.state === 'second half');
+  await visitor.page.locator('.branch-tree .dot').first().click();
+  await visitor.addressSays('n', 6);
+  assert.deepEqual(visitor.complaints.filter((one) => !/501/.test(one)), []);
+});
