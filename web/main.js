@@ -1,11 +1,11 @@
 // The page: reads the address, fetches what it names, sets up the panels and keeps them in step with the selection.
 import {h} from './dom.js';
 import {fresh, Model} from './model.js';
-import {readColumns} from './columns.js';
-import {RunData} from './run_data.js';
-import {Labels} from './labels.js';
-import {Comparison} from './comparison.js';
-import {fetchDiff, fetchRun, listenTo, RecordClient, served} from './run_client.js';
+import {readColumns} from './run/columns.js';
+import {RunData} from './run/run_data.js';
+import {Labels} from './run/labels.js';
+import {Comparison} from './run/comparison.js';
+import {fetchDiff, fetchRun, listenTo, RecordClient, served} from './run/run_client.js';
 import {calmly} from './calmly.js';
 import {onKey} from './keys.js';
 import {buildRunPage} from './run_page.js';

@@ -14,11 +14,11 @@ writeFileSync(join(folder, 'vendor.js'), 'export const dagre = null;\nexport con
 writeFileSync(join(folder, 'package.json'), '{"type": "module"}');
 const load = (name) => import(pathToFileURL(join(folder, name)));
 const {parseAddress, formatAddress, fresh} = await load('model.js');
-const {RunData, lastAtMost} = await load('run_data.js');
-const {readColumns} = await load('columns.js');
-const {TimeAxis, idleGaps} = await load('time_axis.js');
-const {Comparison} = await load('comparison.js');
-const {mergedGraph, layOut, labelLines} = await load('graph_layout.js');
+const {RunData, lastAtMost} = await load('run/run_data.js');
+const {readColumns} = await load('run/columns.js');
+const {TimeAxis, idleGaps} = await load('timeline/time_axis.js');
+const {Comparison} = await load('run/comparison.js');
+const {mergedGraph, layOut, labelLines} = await load('graph/graph_layout.js');
 const {placeOf} = await load('panels/go_to.js');
 
 const nothing = parseAddress('/');

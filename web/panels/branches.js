@@ -1,6 +1,6 @@
 // What the automaton may be in, where it is in several configurations at once: how they branched, and each of them.
 import {h, s, panel, counted} from '../dom.js';
-import {lastAtMost} from '../run_data.js';
+import {lastAtMost} from '../run/run_data.js';
 
 const steps_shown = 12, step_px = 46, row_px = 20, dot_px = 5;
 

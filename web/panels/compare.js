@@ -1,6 +1,6 @@
 // Asks which run to compare the shown one with: those of the same trace first.
 import {h, clock} from '../dom.js';
-import {fetchRuns, served} from '../run_client.js';
+import {fetchRuns, served} from '../run/run_client.js';
 
 export function compareDialog(app) {
   const list = h('ul', {class: 'choices'});

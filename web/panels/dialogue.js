@@ -1,7 +1,7 @@
 // What the two said and did, as a conversation; words and gestures that belong together are one move.
 import {h, panel, brief, clock} from '../dom.js';
 import {calmly} from '../calmly.js';
-import {lastAtMost} from '../run_data.js';
+import {lastAtMost} from '../run/run_data.js';
 
 const at_once = 60;    // moves that are in the page
 const calm_ms = 200;   // between drawings of moves that are far from those before

@@ -1,8 +1,8 @@
 // The automaton: its states and transitions, how often each was used, and where it stands.
 import {h, s, panel, shown, brief, counted} from '../dom.js';
 import {calmly} from '../calmly.js';
-import {mergedGraph, layOut} from '../graph_layout.js';
-import {along, arrowHead, bent, loopPath, path} from '../graph_paths.js';
+import {mergedGraph, layOut} from '../graph/graph_layout.js';
+import {along, arrowHead, bent, loopPath, path} from '../graph/graph_paths.js';
 
 const most_refused = 6, calm_ms = 150;
 

@@ -1,6 +1,6 @@
 // The top line: what run this is, how it went, where the cursor stands, and the buttons.
 import {h, s, brief, icon, counted, grouped, seconds} from '../dom.js';
-import {served} from '../run_client.js';
+import {served} from '../run/run_client.js';
 
 const icons = {
   first: 'M3 3h2v10H3zM13 3v10L6 8z', back: 'M11 3v10L4 8z', play: 'M4 2.5v11l9-5.5z', pause: 'M4 3h3v10H4zM9 3h3v10H9z',

@@ -1,8 +1,9 @@
 // The run over time: who did what when, the automaton's states, the stack's depth. Canvas, because there is much of it.
 import {h, panel, counted} from '../dom.js';
 import {calmly} from '../calmly.js';
-import {laneRows, reachOf, firstReaching, Sight, busyBins, drawLanes, drawOverview, drawNotes, drawCursor, gutter_px, axis_px, overview_px, row_px} from '../lanes_draw.js';
-import {TimeAxis, idleGaps} from '../time_axis.js';
+import {firstReaching, laneRows, reachOf} from '../timeline/lane_rows.js';
+import {Sight, busyBins, drawLanes, drawOverview, drawNotes, drawCursor, gutter_px, axis_px, overview_px, row_px} from '../timeline/lanes_draw.js';
+import {TimeAxis, idleGaps} from '../timeline/time_axis.js';
 
 const least_s = 0.05;  // as far as one can zoom in
 const calm_ms = 250;   // between drawings for labels that have come

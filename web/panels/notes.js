@@ -1,6 +1,6 @@
 // Notes on instants and stretches of the run, kept in a file beside it.
 import {h, panel, clock} from '../dom.js';
-import {served} from '../run_client.js';
+import {served} from '../run/run_client.js';
 
 let fresh_number = 0;
 

@@ -1,6 +1,6 @@
 // All records as a table that holds only the rows in sight.
 import {h, panel, brief, grouped} from '../dom.js';
-import {lastAtMost} from '../run_data.js';
+import {lastAtMost} from '../run/run_data.js';
 
 const row_px = 22, wait_ms = 120;
 

@@ -1,6 +1,6 @@
 // The scene at the cursor: bodies where the log has them, who points where, where the avatar means to take things.
 import {h, panel} from '../dom.js';
-import {pictureOf, served} from '../run_client.js';
+import {pictureOf, served} from '../run/run_client.js';
 import {three} from '../vendor.js';
 import {Motion} from '../scene3d/motion.js';
 import {humanHand} from '../scene3d/overlays.js';

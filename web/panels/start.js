@@ -1,6 +1,6 @@
 // The start page: all runs, the newest first; search; two of them held against each other.
 import {h, clock, icon, counted, grouped} from '../dom.js';
-import {fetchRuns, pictureOf} from '../run_client.js';
+import {fetchRuns, pictureOf} from '../run/run_client.js';
 
 const again_ms = 1500;   // while runs are being read, or written
 const at_most = 200;     // lines in the page; the rest is found by searching

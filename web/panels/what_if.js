@@ -1,6 +1,6 @@
 // What if: another choice at a step, or an input as it was not; the run that follows is compared with this one.
 import {h, shown} from '../dom.js';
-import {askWhatIf, served} from '../run_client.js';
+import {askWhatIf, served} from '../run/run_client.js';
 
 export function whatIfDialog(app) {
   const body = h('div', {class: 'what-if-body'});

@@ -1,6 +1,6 @@
 // Where every body was at any instant, from windows of `poses` that are fetched as they are needed and a little ahead,
 // and kept within bounds. Pure: knows neither page nor three. Metres, seconds, frame W; a pose is [x, y, z, qw, qx, qy, qz].
-import {lastAtMost} from '../run_data.js';
+import {lastAtMost} from '../run/run_data.js';
 
 // A log has at most 30 poses a second: across a wider gap a body stood still and moved in the end.
 export const longest_step_s = 0.05;

@@ -1,5 +1,5 @@
 // Places the state graph: parallel edges merged, layers by dagre where it was built in, else by a simple one of ours.
-import {dagre} from './vendor.js';
+import {dagre} from '../vendor.js';
 
 const letter_px = 6.5, line_px = 13;
 

@@ -1,5 +1,5 @@
 // Two runs, A and B, held against each other: what of one is what of the other, and what differs. Pure; knows no page.
-import {laneRows, reachOf} from './lanes_draw.js';
+import {laneRows, reachOf} from '../timeline/lane_rows.js';
 import {lastAtMost} from './run_data.js';
 
 export class Comparison {
