@@ -68,7 +68,7 @@ test('the stacks of both stand side by side, and what differs is marked', async 
   await visitor.visit(`${both}?n=33`);
   assert.ok(await at('panel-stack').isVisible());
   assert.ok(await at('panel-stack_b').isVisible());
-  assert.ok(await visitor.page.locator('.cell.differs').count() > 0);
+  for (const panel of ['stack', 'stack_b']) assert.ok(await at(`panel-${panel}`).locator('.cell.differs').count() > 0, panel);
 });
 
 test('the comparison can be copied as Markdown', async () => {

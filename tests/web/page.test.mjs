@@ -61,6 +61,7 @@ test('an arrow tells its transitions, by mouse and by key', async () => {
   await visit('/r/rounds');
   await at('graph').locator('.edge.taken').first().focus();
   await visitor.page.keyboard.press('Enter');
+  assert.ok(await at('edge-card').isVisible());
   assert.match(await at('edge-card').innerText(), /→[\s\S]*time/);
   await visitor.page.keyboard.press('Enter');
   assert.ok(await at('edge-card').isHidden());
@@ -127,8 +128,8 @@ test('by keyboard alone: panels, tabs, places, pauses', async () => {
   await at('tab-why').focus();
   await keyboard.press('ArrowRight');
   assert.ok(await at('panel-records').isVisible());
-  await keyboard.press('Tab');
-  await keyboard.press('Tab');
+  await keyboard.press('ArrowRight');
+  assert.ok(await at('panel-notes').isVisible(), 'the focus goes along');
   assert.deepEqual(visitor.complaints, []);
 });
 

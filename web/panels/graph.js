@@ -66,7 +66,7 @@ export function mountGraph(app) {
     const tell = () => tellEdge(edge);
     const group = s('g', {class: `edge ${used ? 'taken' : 'never'}${whose(edge)}${edge.rows.every((row) => row.diverted) ? ' diverted' : ''}`, role: 'button', tabindex: used ? 0 : -1, onclick: tell,
         onkeydown: (event) => { if (event.key === 'Enter' || event.key === ' ') { event.preventDefault(); event.stopPropagation(); tell(); } },
-        'aria-label': `${edge.from} to ${edge.to}, ${counted(edge.visits, 'time')}; its transitions`},
+        'aria-label': `${edge.from} to ${edge.to}, taken ${visitsText(edge)} times; its transitions`},
       s('title', {}, `${edge.from} → ${edge.to}\n${edge.rows.map(rowText).join('\n')}`),
       s('path', {class: 'hit', d: loop ? loopPath(points) : path(points)}),
       s('path', {class: 'stroke', d: loop ? loopPath(points) : path(points), 'stroke-width': width}),
