@@ -88,7 +88,7 @@ TEST_CASE("a run that was edited is served, and its log is as a replay of the ed
   CHECK(taken_out["same"] == false);
   CHECK_FALSE(taken_out["sentence"].get<std::string>().empty());
   CHECK(asked.whole("what-if-1", "input").size() < inputs.size());
-  const auto listed = asked.runs().back();
+  const auto listed = asked.runs().front();
   CHECK(listed["id"] == "what-if-1");
   CHECK(listed["what_if_of"] == "dialogue_language");
   CHECK(asked.get("/api/diff?a=dialogue_language&b=what-if-1")["same"] == false);
