@@ -46,7 +46,7 @@ export function mountHeader(host, app) {
       button('Last (End)', sign('last'), () => app.jump(data.size - 1), {class: 'wide-only'}),
       speed),
     h('div', {class: 'transport'},
-      served && button(comparison ? 'Compare with another run (C)' : 'Compare with another run (C)', 'Compare', () => app.dialogs.compare.open(), {'data-testid': 'compare'}),
+      served && button('Compare with another run (C)', 'Compare', () => app.dialogs.compare.open(), {'data-testid': 'compare'}),
       served && !comparison && button('What if? (X)', 'What if', () => app.dialogs.what_if.open(), {'data-testid': 'what-if-open'}),
       linked,
       button('Light or dark (T)', sign('theme'), () => app.toggleTheme(), {'data-testid': 'theme'}),
