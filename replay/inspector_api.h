@@ -64,6 +64,9 @@ class InspectorApi {
   /// as `markdown` what diff_markdown does, and `pairs`: [[n of a, n of b], …].
   ApiResponse get(std::string_view target);
 
+  /// One more run, by its log; gives its id.
+  std::string add(const std::string& name, const std::string& log_path) { return library_.add(name, log_path); }
+
   /// How far a run that is being written has come: {records, t (seconds), complete, live: whether it still is}.
   ApiResponse growth(const std::string& id);
 

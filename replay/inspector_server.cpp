@@ -8,20 +8,22 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <httplib.h>
 
 #include "replay/gzip.h"
+#include "replay/http_answer.h"
 #include "replay/inspector_api.h"
+#include "replay/live/live_routes.h"
 #include "replay/pictures/frame_cache.h"
 #include "replay/what_if_session.h"
 #include "web/assets.h"
+
+// After Eigen, whose names are macros of a header of the library's.
+#include <httplib.h>
 
 namespace continua {
 namespace {
 
 constexpr std::size_t largest_body = std::size_t{1} << 20;
-constexpr std::size_t smallest_packed = 1024;  // shorter answers are not worth compressing
-constexpr int most_streams = 16;               // each has a thread
 constexpr int other_threads = 16;
 constexpr std::chrono::milliseconds look_every{200};  // at a run that is being written
 
@@ -29,37 +31,6 @@ constexpr std::chrono::milliseconds look_every{200};  // at a run that is being 
 constexpr auto policy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-
-bool takes_gzip(const httplib::Request& request) {
-  return request.get_header_value("Accept-Encoding").find("gzip") != std::string::npos;
-}
-
-// Through a content provider, because the library would compress a plain body once more.
-void send(httplib::Response& response, std::shared_ptr<const std::string> body, const std::string& type) {
-  if (body->empty()) return response.set_content("", type);
-  response.set_content_provider(body->size(), type,
-                                [body](std::size_t from, std::size_t size, httplib::DataSink& sink) {
-                                  return sink.write(body->data() + from, std::min(size, body->size() - from)), true;
-                                });
-}
-
-bool is_here(const httplib::Request& request) {
-  return request.remote_addr == "127.0.0.1" || request.remote_addr == "::1";
-}
-
-void send_answer(const httplib::Request& request, httplib::Response& response, ApiResponse answer) {
-  response.status = answer.status;
-  response.set_header("Cache-Control", "no-store");
-  response.set_header("Vary", "Accept-Encoding");
-  // Pictures are packed already; columns go faster as they are to where no wire is.
-  const bool packs =
-      answer.content_type != "image/png" && !(answer.content_type == "application/octet-stream" && is_here(request));
-  if (packs && answer.body.size() >= smallest_packed && takes_gzip(request)) {
-    response.set_header("Content-Encoding", "gzip");
-    answer.body = gzipped(answer.body);
-  }
-  send(response, std::make_shared<const std::string>(std::move(answer.body)), answer.content_type);
-}
 
 void send_asset(const httplib::Request& request, httplib::Response& response, const WebAsset& asset) {
   response.set_header("ETag", std::string(asset.etag));
@@ -99,8 +70,10 @@ bool is_number_address(const std::string& host) {
 
 class InspectorServer::Impl {
  public:
-  explicit Impl(std::vector<std::string> paths) : api_(std::move(paths), drawn_frames(), replayed_what_if()) {
+  Impl(std::vector<std::string> paths, std::shared_ptr<LiveSessions> sessions)
+      : api_(std::move(paths), drawn_frames(), replayed_what_if()), sessions_(std::move(sessions)) {
     server_.set_payload_max_length(largest_body);
+    server_.set_tcp_nodelay(true);
     server_.set_keep_alive_timeout(2);
     server_.set_default_headers({{"Content-Security-Policy", policy},
                                  {"X-Content-Type-Options", "nosniff"},
@@ -113,16 +86,25 @@ class InspectorServer::Impl {
       send_answer(request, response, api_error(403, refused));
       return httplib::Server::HandlerResponse::Handled;
     });
-    server_.new_task_queue = [] { return new httplib::ThreadPool(most_streams + other_threads); };
+    server_.new_task_queue = [] { return new httplib::ThreadPool(StreamSeats::most + other_threads); };
     server_.Get("/api/live", [this](const httplib::Request& request, httplib::Response& response) {
-      send_growth(request, response);
+      if (live_ && !request.has_param("run"))
+        send_records(request, response, *live_, seats_, stopping_);
+      else
+        send_growth(request, response);
     });
+    if (sessions_) {
+      sessions_->publish_by([this](const std::string& name, const std::string& log) { return api_.add(name, log); });
+      live_ = std::make_unique<LiveApi>(sessions_);
+      add_live_routes(server_, *live_);
+    }
     server_.Get("/api/.*", [this](const httplib::Request& request, httplib::Response& response) {
       send_answer(request, response, api_.get(request.target));
     });
     server_.Get("/.*", [](const httplib::Request& request, httplib::Response& response) {
       // The page shows every run; which one is its own affair.
-      const bool page = request.path == "/" || request.path.starts_with("/r/") || request.path.starts_with("/diff/");
+      const bool page = request.path == "/" || request.path == "/live" || request.path.starts_with("/live/") ||
+                        request.path.starts_with("/r/") || request.path.starts_with("/diff/");
       if (const auto* asset = find_asset(page ? "/index.html" : request.path))
         send_asset(request, response, *asset);
       else
@@ -137,10 +119,7 @@ class InspectorServer::Impl {
                   send_answer(request, response, api_.put(request.target, content_type(request), request.body));
                 });
     const auto nothing_to_write = [](const httplib::Request& request, httplib::Response& response) {
-      const bool live = request.path.starts_with("/api/sessions");
-      send_answer(request, response,
-                  live ? api_error(501, "live sessions are not served by this version")
-                       : api_error(405, "this address can only be read"));
+      send_answer(request, response, api_error(405, "this address can only be read"));
     };
     server_.Post(".*", nothing_to_write);
     server_.Put(".*", nothing_to_write);
@@ -168,6 +147,7 @@ class InspectorServer::Impl {
   void stop() {
     api_.stop();
     stopping_ = true;
+    if (sessions_) sessions_->end();
     server_.stop();
   }
 
@@ -176,15 +156,13 @@ class InspectorServer::Impl {
   void send_growth(const httplib::Request& request, httplib::Response& response) {
     const auto id = request.get_param_value("run");
     if (const auto first = api_.growth(id); first.status != 200) return send_answer(request, response, first);
-    if (streams_.fetch_add(1) >= most_streams) {
-      --streams_;
+    const auto seat = seats_.take();
+    if (!seat)
       return send_answer(request, response,
-                         api_error(503, fmt::format("{} runs are being followed already", most_streams)));
-    }
+                         api_error(503, fmt::format("{} runs are being followed already", StreamSeats::most)));
     response.set_header("Cache-Control", "no-store");
     response.set_chunked_content_provider(
-        "text/event-stream",
-        [this, id, told = std::string()](std::size_t, httplib::DataSink& sink) mutable {
+        "text/event-stream", [this, id, seat, told = std::string()](std::size_t, httplib::DataSink& sink) mutable {
           const auto growth = api_.growth(id);
           if (growth.status != 200) return sink.done(), true;
           if (growth.body != told) {
@@ -195,8 +173,7 @@ class InspectorServer::Impl {
           if (growth.body.find("\"complete\":true") != std::string::npos) return sink.done(), true;
           std::this_thread::sleep_for(look_every);
           return !stopping_ && sink.is_writable();
-        },
-        [this](bool) { --streams_; });
+        });
   }
 
   // Why a request is not answered; empty when it is. A page elsewhere may reach this port through its visitor's
@@ -215,13 +192,16 @@ class InspectorServer::Impl {
   }
 
   InspectorApi api_;
+  const std::shared_ptr<LiveSessions> sessions_;  // null: there are none
+  std::unique_ptr<LiveApi> live_;                 // of these
   httplib::Server server_;
   std::string address_;
-  std::atomic<int> streams_ = 0;
+  StreamSeats seats_;
   std::atomic<bool> stopping_ = false;
 };
 
-InspectorServer::InspectorServer(std::vector<std::string> paths) : impl_(std::make_unique<Impl>(std::move(paths))) {}
+InspectorServer::InspectorServer(std::vector<std::string> paths, std::shared_ptr<LiveSessions> sessions)
+    : impl_(std::make_unique<Impl>(std::move(paths), std::move(sessions))) {}
 InspectorServer::~InspectorServer() = default;
 Result<int> InspectorServer::listen(const std::string& address, int port) { return impl_->listen(address, port); }
 void InspectorServer::run() { impl_->run(); }

@@ -9,10 +9,13 @@
 
 namespace continua {
 
+class LiveSessions;
+
 class InspectorServer {
  public:
-  /// Serves these run files and the *.run.jsonl below these folders.
-  explicit InspectorServer(std::vector<std::string> paths);
+  /// Serves these run files and the *.run.jsonl below these folders, and live sessions if `sessions` is not null; it
+  /// ends them when it stops.
+  explicit InspectorServer(std::vector<std::string> paths, std::shared_ptr<LiveSessions> sessions = nullptr);
   ~InspectorServer();
 
   /// Binds to `address` and `port`; 0 takes a free one. Gives the port. From then on connections queue until run().

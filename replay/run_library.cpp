@@ -85,6 +85,9 @@ std::vector<RunFile> RunLibrary::runs() {
 
 std::string RunLibrary::add(const std::string& name, const std::string& path, const std::string& what_if_of) {
   const auto all = runs();
+  std::error_code problem;
+  for (const auto& run : all)
+    if (fs::equivalent(run.path, path, problem)) return run.id;
   const auto is_known = [&](const std::string& id) {
     return std::any_of(all.begin(), all.end(), [&](const RunFile& run) { return run.id == id; });
   };

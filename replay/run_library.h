@@ -42,8 +42,9 @@ class RunLibrary {
   /// All runs there are now, in order of their paths; then those that were added.
   std::vector<RunFile> runs();
 
-  /// One more run, made from another; gives its id, `name` where that is free.
-  std::string add(const std::string& name, const std::string& path, const std::string& what_if_of);
+  /// One more run, perhaps made from another; gives its id, `name` where that is free. One that is among those of the
+  /// paths already is not added.
+  std::string add(const std::string& name, const std::string& path, const std::string& what_if_of = "");
 
   /// The index of a run, read again when the file has changed; of a log that has grown, only what was added. Null
   /// index: no run has this id. The indexes used last stay in memory.

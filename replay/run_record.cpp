@@ -11,7 +11,8 @@ Json run_fields(const RunHeader& header) {
   return Json{
       {"version", 1},
       {"continua", header.continua_version},
-      {"trace", {{"name", header.trace_name}, {"digest", header.trace_digest}}},
+      {"trace",
+       {{"name", header.trace_name}, {"digest", header.trace_digest.empty() ? Json() : Json(header.trace_digest)}}},
       {"seed", header.seed},
       {"choice", header.choice},
       {"forced", std::move(forced)},

@@ -11,7 +11,7 @@ namespace continua {
 /// What the header of a run log says. Digests are of the files' bytes.
 struct RunHeader {
   std::string continua_version;
-  std::string trace_name, trace_digest;
+  std::string trace_name, trace_digest;  ///< no digest: the trace was written along with the run
   std::uint64_t seed = 0;
   std::string choice, world, perspective;
   std::map<int, std::string> forced;  ///< step → id of the transition that was forced there

@@ -13,6 +13,7 @@
 #include "replay/language_loading.h"
 #include "replay/learned_file.h"
 #include "replay/scene_voxemes.h"
+#include "replay/session_loop.h"
 #include "replay/session_parts.h"
 #include "simulation/physics_body.h"
 
@@ -230,6 +231,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 const std::optional<Error>& Session::warning() const { return loaded_->warning; }
 const Trace& Session::trace() const { return loaded_->trace; }
 const ReplayOptions& Session::options() const { return loaded_->options; }
+const GestureCatalogue* Session::gestures() const { return loaded_->parts.language->gestures.get(); }
 const Machine& Session::machine() const { return *loaded_->parts.machine; }
 
 ReplaySummary Session::run(std::ostream& log) {
@@ -246,9 +248,28 @@ Result<ReplaySummary> Session::run(const Trace& trace, const Watch& watch, std::
     loaded_->trace.header.objects = trace.header.objects;
     loaded_->header = header_of(*loaded_);
   }
-  const auto body = body_of(loaded_->scene, loaded_->options.physics);
+  auto loop = begin(watch, log, trace.notes);
+  if (!loop) return loop.error();
+  const auto& progress = loaded_->options.progress;
+  for (std::size_t i = 0; i < trace.events.size() && !(*loop)->is_over(); ++i) {
+    (*loop)->wait_until(trace.events[i].t);
+    (*loop)->take(trace.events[i]);
+    if (progress && i % 64 == 0) progress(static_cast<double>(i) / static_cast<double>(trace.events.size()));
+  }
+  return end(**loop);
+}
+
+Result<std::unique_ptr<SessionLoop>> Session::begin(const Watch& watch, std::ostream& log,
+                                                    const std::vector<Note>& notes) {
+  auto body = body_of(loaded_->scene, loaded_->options.physics);
   if (!body) return body.error();
-  auto [summary, learned] = replay_events(*loaded_, trace, **body, watch, log);
+  auto loop = std::make_unique<SessionLoop>(*loaded_, std::move(*body), watch, log);
+  loop->begin(notes);
+  return loop;
+}
+
+ReplaySummary Session::end(SessionLoop& loop) {
+  auto [summary, learned] = loop.finish();
   loaded_->learned_at_end = std::move(learned);
   return summary;
 }

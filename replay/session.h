@@ -1,4 +1,4 @@
-// A replay of a trace: what is loaded once, and the runs of it. Its only loop is session_loop.cpp.
+// A trace with all that it needs, loaded once, and the runs of it.
 #pragma once
 
 #include <functional>
@@ -7,6 +7,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "automaton/machine.h"
 #include "core/result.h"
@@ -29,6 +30,7 @@ struct ReplayOptions {
   std::map<int, std::string> forced;          ///< step → id of the transition to take there
   std::size_t most_branches = 0;              ///< under `explore`; 0: the engine's own bound
   bool physics = true;                        ///< else the kinematic world
+  bool live = false;                          ///< the trace is still being written: its digest is not known
   std::function<void(double done)> progress;  ///< called now and then with the part of the trace that is done
 };
 
@@ -45,9 +47,12 @@ struct ReplaySummary {
   std::optional<Error> stopped = {};      ///< why what is changed then cannot go on with the run; the log ends there
 };
 
+struct GestureCatalogue;
 struct LoadedSession;
+struct Note;
 struct Situation;
 struct Trace;
+class SessionLoop;
 
 /// Looks on: called after all that the engine did at an instant, with what it left. Where it returns true the replay
 /// ends, and its log with it.
@@ -68,6 +73,8 @@ class Session {
   /// The trace; where ReplayOptions::with is given, with its events from then on.
   const Trace& trace() const;
   const Machine& machine() const;
+  /// Those that the machine knows by what they say; null: it knows gestures by their names.
+  const GestureCatalogue* gestures() const;
   const ReplayOptions& options() const;
 
   /// Replays the trace and writes its run log. Every run begins anew.
@@ -76,6 +83,13 @@ class Session {
   /// The same of another trace, over what is loaded: its events and notes count, and the `objects` of its header; of
   /// what else its header says nothing does. Errors: the scene cannot be set out like that.
   Result<ReplaySummary> run(const Trace& trace, const Watch& watch, std::ostream& log);
+
+  /// A run whose events are not known beforehand: see session_loop.h. All must outlive it. Errors: the scene's avatar
+  /// is incomplete.
+  Result<std::unique_ptr<SessionLoop>> begin(const Watch& watch, std::ostream& log,
+                                             const std::vector<Note>& notes = {});
+  /// Nothing more happens in that run.
+  ReplaySummary end(SessionLoop& loop);
 
   /// Writes ReplayOptions::learned, if the run taught or forgot something; what if does not count. REQUIRES that it has
   /// run.

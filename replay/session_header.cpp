@@ -21,7 +21,7 @@ Json fields_of(const LoadedSession& loaded, const EngineParts& parts) {
   RunHeader header;
   header.continua_version = program_version();
   header.trace_name = std::filesystem::path(loaded.trace.name).filename().string();
-  header.trace_digest = loaded.trace.digest;
+  if (!loaded.options.live) header.trace_digest = loaded.trace.digest;
   header.seed = parts.seed;
   header.choice = text(parts.choice);
   for (const auto& [step, transition] : parts.forced) header.forced[step] = machine.transitions[transition].id;

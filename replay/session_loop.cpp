@@ -1,11 +1,10 @@
+#include "replay/session_loop.h"
+
 #include <algorithm>
-#include <deque>
 
 #include <fmt/format.h>
 
 #include "replay/expectation.h"
-#include "replay/recorder.h"
-#include "replay/session_parts.h"
 
 namespace continua {
 namespace {
@@ -15,212 +14,180 @@ constexpr double longest_tail_s = 120;
 // An act may be answered with another one that is done at once, and so on: so often before time goes on.
 constexpr int most_rounds = 1000;
 
-// The loop over a trace's events, with all that it carries along.
-class Loop {
- public:
-  Loop(const LoadedSession& loaded, const Trace& trace, Body& body, const Watch& watch, std::ostream& out)
-      : loaded_(loaded), trace_(trace), watch_(watch), log_(out), recorder_(log_, *loaded.parts.machine), body_(body) {
-    use(loaded.parts);
-  }
+}  // namespace
 
-  Replayed run() {
-    log_.write("run", SimTime{}, loaded_.header);
-    take(pipeline_->begin(chooser(), body_.snapshot(), loaded_.learned), SimTime{});
-    const auto& events = trace_.events;
-    for (const auto& note : trace_.notes) recorder_.problem(note.line, note.sentence, SimTime{});
-    look_on();
-    for (std::size_t i = 0; i < events.size() && !over_; ++i) {
-      wait_until(std::max(now_, events[i].t));
-      if (!over_) std::visit([&](const auto& what) { take(events[i], what); }, events[i].what);
-      if (loaded_.options.progress && i % 64 == 0)
-        loaded_.options.progress(static_cast<double>(i) / static_cast<double>(events.size()));
-    }
-    settle();
-    if (!over_) finish();
-    return {summary_, state_->learned};
-  }
+SessionLoop::SessionLoop(const LoadedSession& loaded, std::unique_ptr<Body> body, const Watch& watch, std::ostream& log)
+    : loaded_(loaded), watch_(watch), log_(log), recorder_(log_, *loaded.parts.machine), body_(std::move(body)) {
+  use(loaded.parts);
+}
 
- private:
-  void use(const EngineParts& parts) {
-    parts_ = &parts;
-    pipeline_ = std::make_unique<Pipeline>(parts.machine, parts.language, parts.perspective, loaded_.most_branches());
-  }
+void SessionLoop::begin(const std::vector<Note>& notes) {
+  log_.write("run", SimTime{}, loaded_.header);
+  take(pipeline_->begin(chooser(), body_->snapshot(), loaded_.learned), SimTime{});
+  for (const auto& note : notes) recorder_.problem(note.line, note.sentence, SimTime{});
+  look_on();
+}
 
-  Chooser chooser() const { return {parts_->choice, Random(parts_->seed), parts_->forced, 0}; }
+void SessionLoop::take(const TraceEvent& event) {
+  if (!over_) std::visit([&](const auto& what) { take(event, what); }, event.what);
+}
 
-  // Whether the engine is ready for what happens at `t`. From the instant of a what-if on, what is changed counts.
-  bool ready(SimTime t) {
-    if (!loaded_.what_if || summary_.changed || t < loaded_.what_if->from) return true;
-    const EngineParts& was = *parts_;
-    use(loaded_.what_if->parts);
-    EngineState state = *state_;
-    state.chooser.policy = parts_->choice;
-    state.chooser.forced = parts_->forced;
-    if (parts_->seed != was.seed) state.chooser.random = Random(parts_->seed);
-    auto taken_over = pipeline_->take_over(std::move(state), *was.machine, body_.snapshot());
-    if (!taken_over) {
-      const auto& [machine, sentence] = taken_over.error();
-      summary_.stopped = Error{fmt::format("--from {}: {}", loaded_.what_if->from.seconds(), machine), sentence};
-      over_ = true;
-      return false;
-    }
-    state_ = std::move(*taken_over);
-    recorder_.go_on_with(*parts_->machine);
-    for (const auto& note : loaded_.what_if->notes) recorder_.problem(note.line, note.sentence, now_);
-    summary_.changed = true;
-    return true;
-  }
+Replayed SessionLoop::finish() {
+  settle();
+  if (!over_) write_end();
+  over_ = true;
+  return {summary_, state_->learned};
+}
 
-  void look_on() {
-    if (watch_ && !over_ && watch_(situation())) over_ = true;
-  }
+void SessionLoop::use(const EngineParts& parts) {
+  parts_ = &parts;
+  pipeline_ = std::make_unique<Pipeline>(parts.machine, parts.language, parts.perspective, loaded_.most_branches());
+}
 
-  Situation situation() const {
-    return {pipeline_->machine(), state_->configuration, body_.snapshot(),
-            said_since_input_,    recorder_.last_act(),  recorder_.last_referents()};
+// Whether the engine is ready for what happens at `t`. From the instant of a what-if on, what is changed counts.
+bool SessionLoop::ready(SimTime t) {
+  if (!loaded_.what_if || summary_.changed || t < loaded_.what_if->from) return true;
+  const EngineParts& was = *parts_;
+  use(loaded_.what_if->parts);
+  EngineState state = *state_;
+  state.chooser.policy = parts_->choice;
+  state.chooser.forced = parts_->forced;
+  if (parts_->seed != was.seed) state.chooser.random = Random(parts_->seed);
+  auto taken_over = pipeline_->take_over(std::move(state), *was.machine, body_->snapshot());
+  if (!taken_over) {
+    const auto& [machine, sentence] = taken_over.error();
+    summary_.stopped = Error{fmt::format("--from {}: {}", loaded_.what_if->from.seconds(), machine), sentence};
+    over_ = true;
+    return false;
   }
+  state_ = std::move(*taken_over);
+  recorder_.go_on_with(*parts_->machine);
+  for (const auto& note : loaded_.what_if->notes) recorder_.problem(note.line, note.sentence, now_);
+  summary_.changed = true;
+  return true;
+}
 
-  void take(const TraceEvent& event, const InputEvent& input) {
-    if (!ready(now_)) return;
-    ++summary_.inputs;
-    recorder_.input(event, symbol_of(input));
-    take(pipeline_->receive(*state_, input, body_.snapshot()), now_);
-    attend();
-  }
-  void take(const TraceEvent& event, const Observed& observed) { recorder_.observed(event, observed); }
-  // What is expected is checked once all that happened before has been attended to.
-  void take(const TraceEvent& event, const Expectation& expectation) {
-    expected_.push_back({&event, &expectation, state_->inputs});
-    check_expectations();
-  }
-  void take(const TraceEvent&, const End&) {}
-  void take(const TraceEvent&, const UnknownKind&) {}
+void SessionLoop::look_on() {
+  if (watch_ && !over_ && watch_(situation())) over_ = true;
+}
 
-  void check_expectations() {
-    for (; !expected_.empty() && !state_->waits(expected_.front().inputs); expected_.pop_front())
-      check_expectation(*expected_.front().event, *expected_.front().what);
-  }
-  void check_expectation(const TraceEvent& event, const Expectation& expectation) {
-    const auto checked = check(expectation, situation());
+Situation SessionLoop::situation() const {
+  return {pipeline_->machine(), state_->configuration, body_->snapshot(),
+          said_since_input_,    recorder_.last_act(),  recorder_.last_referents()};
+}
+
+void SessionLoop::take(const TraceEvent& event, const InputEvent& input) {
+  if (!ready(now_)) return;
+  ++summary_.inputs;
+  recorder_.input(event, symbol_of(input));
+  take(pipeline_->receive(*state_, input, body_->snapshot()), now_);
+  attend();
+}
+
+void SessionLoop::take(const TraceEvent& event, const Observed& observed) { recorder_.observed(event, observed); }
+
+// What is expected is checked once all that happened before has been attended to.
+void SessionLoop::take(const TraceEvent& event, const Expectation&) {
+  expected_.push_back({event, state_->inputs});
+  check_expectations();
+}
+
+void SessionLoop::check_expectations() {
+  for (; !expected_.empty() && !state_->waits(expected_.front().inputs); expected_.pop_front()) {
+    const auto& event = expected_.front().event;
+    const auto checked = check(std::get<Expectation>(event.what), situation());
     recorder_.expectation(event, checked.met, checked.found);
     ++summary_.expectations;
     summary_.expectations_met += checked.met;
   }
+}
 
-  void take(Tick tick, SimTime t) {
-    obey(std::move(tick), t);
-    go_on(t);  // what is done at once is done before the next event
+void SessionLoop::take(Tick tick, SimTime t) {
+  obey(std::move(tick), t);
+  go_on(t);  // what is done at once is done before the next event
+}
+
+void SessionLoop::obey(Tick tick, SimTime t) {
+  recorder_.engine(tick.events, t);
+  for (const auto& event : tick.events) {
+    if (const auto* gesture = std::get_if<GestureCommand>(&event)) body_->command(gesture->command);
+    if (const auto* act = std::get_if<ActStep>(&event); act && act->command) body_->command(*act->command);
+    if (const auto* explored = std::get_if<Explored>(&event)) summary_.pruned += explored->pruned;
+    if (const auto* step = std::get_if<StepEvent>(&event))
+      if (const auto* said = std::get_if<Said>(step)) said_since_input_.push_back(said->text);
   }
+  state_ = std::move(tick.after);
+}
 
-  void obey(Tick tick, SimTime t) {
-    recorder_.engine(tick.events, t);
-    for (const auto& event : tick.events) {
-      if (const auto* gesture = std::get_if<GestureCommand>(&event)) body_.command(gesture->command);
-      if (const auto* act = std::get_if<ActStep>(&event); act && act->command) body_.command(*act->command);
-      if (const auto* explored = std::get_if<Explored>(&event)) summary_.pruned += explored->pruned;
-      if (const auto* step = std::get_if<StepEvent>(&event))
-        if (const auto* said = std::get_if<Said>(step)) said_since_input_.push_back(said->text);
-    }
-    state_ = std::move(tick.after);
+void SessionLoop::tell(const std::vector<ActReport>& acts) {
+  if (!ready(now_)) return;
+  obey(pipeline_->reported(*state_, acts, body_->snapshot()), now_);
+  look_on();
+}
+
+// Lets the world go on until then. What ends on the way is told to the engine at its time, and what follows from it
+// begins at once.
+void SessionLoop::go_on(SimTime t) {
+  for (int rounds = 0; rounds < most_rounds; ++rounds) {
+    const auto report = body_->advance(t);
+    recorder_.world(report);
+    if (report.until > now_) rounds = 0;
+    now_ = report.until;
+    const bool ended = std::any_of(report.acts.begin(), report.acts.end(),
+                                   [](const ActReport& act) { return act.status != ActReport::Status::started; });
+    if (ended) tell(report.acts);
+    if (over_) return;
+    if (!ended && now_ >= t) return;
   }
+}
 
-  void tell(const std::vector<ActReport>& acts) {
-    if (!ready(now_)) return;
-    obey(pipeline_->reported(*state_, acts, body_.snapshot()), now_);
+// Attends to what is complete, one after the other.
+void SessionLoop::attend() {
+  while (!over_ && !state_->complete.empty()) {
+    said_since_input_.clear();
+    take(pipeline_->attend(*state_, body_->snapshot()), now_);
     look_on();
+    check_expectations();
   }
+}
 
-  // Lets the world go on until then. What ends on the way is told to the engine at its time, and what follows from it
-  // begins at once.
-  void go_on(SimTime t) {
-    for (int rounds = 0; rounds < most_rounds; ++rounds) {
-      const auto report = body_.advance(t);
-      recorder_.world(report);
-      if (report.until > now_) rounds = 0;
-      now_ = report.until;
-      const bool ended = std::any_of(report.acts.begin(), report.acts.end(),
-                                     [](const ActReport& act) { return act.status != ActReport::Status::started; });
-      if (ended) tell(report.acts);
-      if (over_) return;
-      if (!ended && now_ >= t) return;
-    }
+// Time goes on; what has waited long enough on the way is attended to.
+void SessionLoop::wait_until(SimTime t) {
+  t = std::max(t, now_);
+  for (auto due = pipeline_->due(*state_); !over_ && due && *due <= t; due = pipeline_->due(*state_)) {
+    go_on(std::max(now_, *due));
+    if (over_ || !ready(now_)) return;
+    take(pipeline_->wake(*state_, now_), now_);
+    attend();
   }
+  if (!over_) go_on(t);
+}
 
-  // Attends to what is complete, one after the other.
-  void attend() {
-    while (!over_ && !state_->complete.empty()) {
-      said_since_input_.clear();
-      take(pipeline_->attend(*state_, body_.snapshot()), now_);
-      look_on();
-      check_expectations();
-    }
+// Acts that are under way when the trace ends are still finished.
+void SessionLoop::settle() {
+  for (auto due = pipeline_->due(*state_); !over_ && due; due = pipeline_->due(*state_)) wait_until(*due);
+  const SimTime last = now_ + SimTime::from_seconds(longest_tail_s);
+  while (!over_ && !body_->at_rest() && now_ < last) go_on(now_ + SimTime::from_seconds(0.1));
+}
+
+void SessionLoop::write_end() {
+  recorder_.finish();
+  const auto& counts = log_.counts();
+  summary_.fragile = static_cast<int>(log_.fragile());
+  const auto count = [&](const char* kind) { return counts.contains(kind) ? counts.at(kind) : 0; };
+  summary_.utterances = count("utterance");
+  summary_.refusals = count("refusal");
+  summary_.problems = count("problem");
+  for (const auto& [number, act] : recorder_.acts()) {
+    ++summary_.acts;
+    summary_.acts_done += act.status == ActReport::Status::done;
   }
-
-  // Time goes on; what has waited long enough on the way is attended to.
-  void wait_until(SimTime t) {
-    for (auto due = pipeline_->due(*state_); !over_ && due && *due <= t; due = pipeline_->due(*state_)) {
-      go_on(std::max(now_, *due));
-      if (over_ || !ready(now_)) return;
-      take(pipeline_->wake(*state_, now_), now_);
-      attend();
-    }
-    if (!over_) go_on(t);
-  }
-
-  // Acts that are under way when the trace ends are still finished.
-  void settle() {
-    for (auto due = pipeline_->due(*state_); !over_ && due; due = pipeline_->due(*state_))
-      wait_until(std::max(now_, *due));
-    const SimTime last = now_ + SimTime::from_seconds(longest_tail_s);
-    while (!over_ && !body_.at_rest() && now_ < last) go_on(now_ + SimTime::from_seconds(0.1));
-  }
-
-  void finish() {
-    recorder_.finish();
-    const auto& counts = log_.counts();
-    summary_.fragile = static_cast<int>(log_.fragile());
-    const auto count = [&](const char* kind) { return counts.contains(kind) ? counts.at(kind) : 0; };
-    summary_.utterances = count("utterance");
-    summary_.refusals = count("refusal");
-    summary_.problems = count("problem");
-    for (const auto& [number, act] : recorder_.acts()) {
-      ++summary_.acts;
-      summary_.acts_done += act.status == ActReport::Status::done;
-    }
-    const bool never = loaded_.what_if && !summary_.changed;
-    const EngineParts& forcing = never ? loaded_.what_if->parts : *parts_;
-    for (const auto& [step, transition] : never ? forcing.forced : state_->chooser.forced)
-      summary_.not_forced[step] = forcing.machine->transitions[transition].id;
-    summary_.end = now_;
-    log_.finish(now_);
-  }
-
-  const LoadedSession& loaded_;
-  const Trace& trace_;
-  const Watch& watch_;
-  RunLog log_;
-  Recorder recorder_;
-  const EngineParts* parts_ = nullptr;  // those that answer now
-  std::unique_ptr<Pipeline> pipeline_;  // of these
-  std::optional<EngineState> state_;    // once the run has begun
-  Body& body_;
-  SimTime now_;
-  bool over_ = false;  // nothing more is to happen
-  std::vector<std::string> said_since_input_;
-  struct Expected {
-    const TraceEvent* event;
-    const Expectation* what;
-    int inputs;  ///< that it comes after
-  };
-  std::deque<Expected> expected_;
-  ReplaySummary summary_;
-};
-
-}  // namespace
-
-Replayed replay_events(const LoadedSession& loaded, const Trace& trace, Body& body, const Watch& watch,
-                       std::ostream& log) {
-  return Loop(loaded, trace, body, watch, log).run();
+  const bool never = loaded_.what_if && !summary_.changed;
+  const EngineParts& forcing = never ? loaded_.what_if->parts : *parts_;
+  for (const auto& [step, transition] : never ? forcing.forced : state_->chooser.forced)
+    summary_.not_forced[step] = forcing.machine->transitions[transition].id;
+  summary_.end = now_;
+  log_.finish(now_);
 }
 
 }  // namespace continua

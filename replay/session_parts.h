@@ -54,14 +54,4 @@ Json header_of(const LoadedSession& loaded);
 /// A world as the scene has it at the beginning. Errors: the scene's avatar is incomplete.
 Result<std::unique_ptr<Body>> body_of(const Scene& scene, bool physics);
 
-struct Replayed {
-  ReplaySummary summary;
-  Learned learned;  ///< when the run has ended
-};
-
-/// The only loop there is: events go to the engine and time to the world; what both did goes to the log. The world is
-/// used up by it.
-Replayed replay_events(const LoadedSession& loaded, const Trace& trace, Body& body, const Watch& watch,
-                       std::ostream& log);
-
 }  // namespace continua

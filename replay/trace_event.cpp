@@ -11,10 +11,10 @@ namespace {
 
 const std::map<std::string, std::vector<std::string>>& field_table() {
   static const std::map<std::string, std::vector<std::string>> table = {
-      {"speech", {"t", "kind", "row", "text", "until", "confidence", "words", "alternatives"}},
+      {"speech", {"t", "kind", "row", "happened", "text", "until", "confidence", "words", "alternatives"}},
       {"gesture",
-       {"t", "kind", "row", "name", "hand", "direction", "phase", "target", "until", "confidence", "alternatives"}},
-      {"pointing", {"t", "kind", "row", "hand", "target", "ray", "until", "confidence"}},
+       {"t", "kind", "row", "happened", "name", "hand", "direction", "phase", "target", "until", "confidence", "alternatives"}},
+      {"pointing", {"t", "kind", "row", "happened", "hand", "target", "ray", "until", "confidence"}},
       {"observed", {"t", "kind", "row", "channel", "content"}},
       {"expect", {"t", "kind", "row", "state", "says", "indicated", "referents", "act", "holding", "stack_depth"}},
       {"end", {"t", "kind", "row"}},
@@ -23,9 +23,16 @@ const std::map<std::string, std::vector<std::string>>& field_table() {
 }
 
 void read_signal(const TraceFields& fields, InputEvent& event) {
+  if (const auto happened = fields.number("happened", 0, trace_time_limit_s)) {
+    const auto own = SimTime::from_seconds(*happened);
+    if (own > event.t) fields.wrong("happened", "a time that is not after 't', when it became known");
+    event.t = own;
+  }
   if (const auto until = fields.number("until", 0, trace_time_limit_s)) {
     event.until = SimTime::from_seconds(*until);
-    if (*event.until < event.t) fields.wrong("until", "a time that is not before 't'");
+    if (*event.until < event.t)
+      fields.wrong("until", fields.has("happened") ? "a time that is not before 'happened'"
+                                                   : "a time that is not before 't'");
   }
   const auto confidence = fields.number("confidence", 0, 1);
   event.confidence = confidence.value_or(1);

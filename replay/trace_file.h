@@ -59,7 +59,7 @@ struct UnknownKind {};
 
 struct TraceEvent {
   std::size_t line = 0;  ///< in the trace, counting from 1; 0 when it was not read from one
-  SimTime t;
+  SimTime t;  ///< when it became known; an InputEvent's own time may be earlier
   std::optional<std::size_t> row;  ///< line of the log that it was imported from
   std::variant<InputEvent, Observed, Expectation, End, UnknownKind> what;
   Json json;  ///< the line as read, or null

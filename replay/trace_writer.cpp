@@ -83,7 +83,10 @@ Json json_of(const TraceEvent& event) {
   const std::string kind = kind_of(event);
   json["kind"] = kind;
   if (event.row) json["row"] = *event.row;
-  if (const auto* input = std::get_if<InputEvent>(&event.what)) put_input(json, *input);
+  if (const auto* input = std::get_if<InputEvent>(&event.what)) {
+    if (input->t < event.t) json["happened"] = input->t.seconds();
+    put_input(json, *input);
+  }
   if (const auto* observed = std::get_if<Observed>(&event.what)) {
     json["channel"] = observed->channel;
     json["content"] = observed->content;

@@ -16,6 +16,7 @@
 #include "replay/run_points.h"
 #include "replay/session.h"
 #include "replay/trace_file.h"
+#include "replay/whole_file.h"
 #include "simulation/scene.h"
 
 namespace continua {
@@ -31,11 +32,7 @@ constexpr double same_place = 2e-5;  // logs round to 1e-5
 Outcome write_file(const fs::path& path, const std::string& text) {
   std::error_code problem;
   fs::create_directories(path.parent_path(), problem);
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) return Error{path.string(), "cannot be written"};
-  return std::nullopt;
+  return write_whole_file(path.string(), text);
 }
 
 // A name of the log as the name of a file.

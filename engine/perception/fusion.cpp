@@ -48,14 +48,18 @@ SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixi
 
 }  // namespace
 
+bool Fusion::is_too_late(SimTime t, SimTime now) const { return t + seconds(latest_s()) < now; }
+
 bool Fusion::receive(Percept percept, SimTime now) {
-  if (percept.event.t < now_ || percept.event.t + lateness() < now) return false;
+  if (is_too_late(percept.event.t, now)) return false;
   arrive(std::move(percept));
   return true;
 }
 
-void Fusion::sample(const InputEvent& event, int serial) {
-  if (event.t >= now_) arrive(Sample{event, serial});
+bool Fusion::sample(const InputEvent& event, int serial, SimTime now) {
+  if (is_too_late(event.t, now)) return false;
+  arrive(Sample{event, serial});
+  return true;
 }
 
 void Fusion::arrive(Arrival arrival) {
@@ -89,8 +93,9 @@ std::vector<Ensemble> Fusion::release(SimTime now) {
 
 // Everything of the earliest time.
 void Fusion::process_next() {
-  now_ = *next_arrival();
-  while (next_arrival() == now_) {
+  const SimTime t = *next_arrival();
+  now_ = std::max(now_, t);
+  while (next_arrival() == t) {
     Arrival arrival = std::move(arrived_.front());
     arrived_.erase(arrived_.begin());
     if (const auto* sample = std::get_if<Sample>(&arrival)) {

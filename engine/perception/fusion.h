@@ -1,7 +1,9 @@
 // Which pointing goes with which word (semantics §3, Ensembles). What comes out depends on when things happened, not on
-// the order in which they were told: arrivals that are out of order within `lateness` are put in order first.
+// the order in which they were told: arrivals that are out of order within `lateness` are put in order first. What is
+// later than that still goes by its own time with whatever waits, but what was complete before it came stays as it was.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <variant>
@@ -49,13 +51,15 @@ class Fusion {
   /// `area`: see PointingTrack.
   Fusion(FusionWindow window, Box area) : window_(window), track_(area) {}
 
-  /// A percept arrived at `now`. False, and nothing changes, if it is later than `lateness` allows: what comes after it
-  /// may have been released already. `now` never decreases. Whatever arrives at one time is received before `release`
-  /// of that time.
+  /// How long after its time an event may arrive and still count: as long as a pointing can precede its words.
+  double latest_s() const { return std::max(window_.before_s, window_.lateness_s); }
+
+  /// A percept arrived at `now`. False, and nothing changes, if that is more than latest_s() after its time. `now` never
+  /// decreases. Whatever arrives at one time is received before `release` of that time.
   bool receive(Percept percept, SimTime now);
 
-  /// A sample of where a hand points. It never waits. One that is later than `lateness` allows is left out.
-  void sample(const InputEvent& event, int serial);
+  /// A sample of where a hand points arrived at `now`. It never waits. False as of `receive`.
+  bool sample(const InputEvent& event, int serial, SimTime now);
 
   /// What is complete at `now`, in order.
   std::vector<Ensemble> release(SimTime now);
@@ -89,6 +93,7 @@ class Fusion {
   };
 
   SimTime lateness() const { return SimTime::from_seconds(window_.lateness_s); }
+  bool is_too_late(SimTime t, SimTime now) const;
   void arrive(Arrival arrival);
   void process_next();
   std::optional<SimTime> next_arrival() const;
@@ -102,8 +107,8 @@ class Fusion {
 
   FusionWindow window_;
   PointingTrack track_;
-  std::vector<Arrival> arrived_;  // not before now_: their turn is yet to come; in order of time
-  std::vector<Percept> waiting_;  // before now_, in order of time
+  std::vector<Arrival> arrived_;  // their turn is yet to come; in order of time
+  std::vector<Percept> waiting_;  // not after now_, in order of time
   std::vector<Deixis> released_;  // pointings of late that were released alone
   std::vector<Deixis> gestures_;  // of late, whatever became of them
   SimTime now_{std::numeric_limits<std::int64_t>::min()};  // up to here, in the time of events, everything was done

@@ -147,13 +147,13 @@ Tick Pipeline::receive(const EngineState& before, const InputEvent& event, const
                        machine_->minimum_confidence));
     return tick;
   }
-  if (event.modality == Modality::pointing) {
-    state.fusion.sample(event, serial);
-    if (understanding_) follow(state, event, serial, world, tick.events);
-  }
   if (!state.fusion.receive(percept_of(state, event, serial), now)) {
-    refuse(fmt::format("it came {} s late, when what was after it had been attended to", (now - event.t).seconds()));
+    refuse(fmt::format("it came {} s late; expected within {} s", (now - event.t).seconds(), state.fusion.latest_s()));
     return tick;
+  }
+  if (event.modality == Modality::pointing) {
+    state.fusion.sample(event, serial, now);
+    if (understanding_) follow(state, event, serial, world, tick.events);
   }
   // Where nothing is to be fused, nothing waits.
   if (!machine_->fusion) {

@@ -193,6 +193,7 @@ void Pipeline::follow(EngineState& state, const InputEvent& sample, int serial, 
                       std::vector<EngineEvent>& events) {
   const auto place_W = place_of(sample);
   if (!place_W || !is_on(world.table, *place_W)) return;
+  if (state.pointed && sample.t < state.pointed->t) return;
   const auto before = std::exchange(state.pointed, Pointed{*place_W, sample.t, ""});
   auto discourse = discourse_now(state, to_input(sample, serial), world);
   discourse.context.pointed_W = *place_W;

@@ -5,7 +5,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
+
+#include "replay/whole_file.h"
 
 namespace continua {
 
@@ -38,12 +39,7 @@ Outcome write_file(const std::string& path, const std::string& content) {
     if (written && std::fflush(stdout) == 0) return std::nullopt;
     return Error{"standard output", fmt::format("cannot be written: {}", std::strerror(errno))};
   }
-  std::ofstream file(path, std::ios::binary);
-  if (!file) return Error{path, fmt::format("cannot be written: {}", std::strerror(errno))};
-  file << content;
-  file.close();
-  if (!file) return Error{path, fmt::format("cannot be written: {}", std::strerror(errno))};
-  return std::nullopt;
+  return write_whole_file(path, content);
 }
 
 }  // namespace continua

@@ -1,14 +1,12 @@
 #include "replay/commands/serve.h"
 
-#include <pthread.h>
-
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <filesystem>
-#include <thread>
 
+#include "replay/commands/serving.h"
 #include "replay/inspector_server.h"
+#include "replay/live/live_sessions.h"
 
 namespace continua {
 
@@ -17,26 +15,23 @@ int run_serve(const ServeOptions& options) {
     if (!std::filesystem::exists(path))
       return report({path, "does not exist; expected a run log or a folder with run logs"}), exit_impossible;
 
-  // Signals are taken by one thread that waits for them, so that stopping needs nothing a signal handler may not do.
-  sigset_t stops;
-  sigemptyset(&stops);
-  sigaddset(&stops, SIGINT);
-  sigaddset(&stops, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &stops, nullptr);
+  const std::vector<std::string> paths = options.paths.empty() ? std::vector<std::string>{"."} : options.paths;
+  LiveDefaults live;
+  live.folder = std::filesystem::is_directory(paths.front())
+                    ? paths.front()
+                    : std::filesystem::path(paths.front()).parent_path().string();
+  live.tests = (std::filesystem::path(live.folder) / live.tests).string();
+  live.say = [](const std::string& sentence) { fmt::print("{}\n", sentence), std::fflush(stdout); };
+  const auto sessions = LiveSessions::create(live);
+  if (!sessions) report_warning(sessions.error());
 
-  InspectorServer server(options.paths.empty() ? std::vector<std::string>{"."} : options.paths);
+  InspectorServer server(paths, sessions ? *sessions : nullptr);
   const auto port = server.listen(options.address, options.port);
   if (!port) return report(port.error()), exit_impossible;
   fmt::print("The inspector is at http://{}:{}/ (Ctrl-C ends it)\n", options.address, *port);
   std::fflush(stdout);
-  std::thread waiting([&] {
-    int signal = 0;
-    sigwait(&stops, &signal);
-    server.stop();
-  });
+  const StopSignals stop_signals([&] { server.stop(); });
   server.run();
-  pthread_kill(waiting.native_handle(), SIGTERM);  // in case the server ended by itself
-  waiting.join();
   return exit_done;
 }
 

@@ -68,7 +68,7 @@ std::vector<Ensemble> told(const Happening& happening, const std::vector<int>& d
       if (i < percepts.size())
         RC_ASSERT(fusion.receive(percepts[i], now));
       else
-        fusion.sample(samples[i - percepts.size()], static_cast<int>(1000 + i));
+        RC_ASSERT(fusion.sample(samples[i - percepts.size()], static_cast<int>(1000 + i), now));
     }
     release(now);
   }

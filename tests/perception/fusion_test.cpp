@@ -40,7 +40,7 @@ std::string fused(const std::vector<Percept>& percepts, const std::vector<Sample
     if (arrival.percept)
       REQUIRE(fusion.receive(*arrival.percept, arrival.t));
     else
-      fusion.sample(arrival.sample, serial++);
+      REQUIRE(fusion.sample(arrival.sample, serial++, arrival.t));
     for (auto& each : fusion.release(arrival.t)) all.push_back(std::move(each));
   }
   while (const auto due = fusion.due())
@@ -156,17 +156,47 @@ TEST_CASE("samples of the hand that makes a stroke are no other pointing") {
         "3.20 put that there [2.00-3.20 left] [2]");
 }
 
-TEST_CASE("what arrives out of order within the lateness is put in order, later is refused") {
+TEST_CASE("what arrives out of order within the lateness is put in order") {
   Fusion fusion({2, 1, 0.5}, around_table);
   CHECK(fusion.receive(speech(1, 1, put_it_there(1)), at(1.4)));
   CHECK(fusion.due() == at(1.5));
   CHECK(fusion.release(at(1.5)).empty());
   CHECK(fusion.receive(gesture(3, 1.7, "posack"), at(1.8)));
   CHECK(fusion.receive(gesture(2, 1.6, "point"), at(2)));
-  CHECK_FALSE(fusion.receive(gesture(4, 1.4, "point"), at(2)));
   CHECK(fusion.release(at(2.1)).empty());
   CHECK(brief(fusion.release(at(2.2))) == "1.70 put it there [2]; 1.70 posack");
   CHECK_FALSE(fusion.due());
+}
+
+TEST_CASE("what arrives late goes by its own time with what waits then") {
+  Fusion fusion(window, around_table);
+  CHECK(fusion.receive(speech(1, 3, put_that_there(3)), at(3)));
+  CHECK(fusion.release(at(3)).empty());
+  CHECK(fusion.receive(gesture(2, 3.4, "point"), at(3.5)));
+  CHECK(fusion.release(at(3.9)).empty());
+
+  SECTION("a pointing of before the other") {
+    CHECK(fusion.receive(gesture(3, 3.3, "point", 3.35), at(4)));
+    CHECK(brief(fusion.release(at(4.2))) == "4.20 put that there [3] [2]");
+  }
+  SECTION("words to a pointing that was released alone") {
+    CHECK(brief(fusion.release(at(4.8))) == "4.20 put that there [2] [-]");
+    CHECK(fusion.receive(gesture(3, 4.4, "point"), at(5)));
+    CHECK(brief(fusion.release(at(5.5))) == "5.40 point");
+    CHECK(fusion.receive(speech(4, 4.5, {{"there", 4.5, 4.8}}), at(5.6)));
+    CHECK(brief(fusion.release(at(5.6))) == "5.50 there [3]");
+  }
+  SECTION("samples") {
+    for (int i = 0; i < 10; ++i) CHECK(fusion.sample(sample_at(3.8 + 0.04 * i, 0.2, 0), 10 + i, at(4.19)));
+    CHECK(brief(fusion.release(at(4.3))) == "4.20 put that there [2] [3.80-4.16 right]");
+  }
+  SECTION("but not later than the window") {
+    CHECK(fusion.release(at(6)).size() == 1);
+    CHECK_FALSE(fusion.receive(gesture(3, 3.9, "point"), at(6)));
+    CHECK_FALSE(fusion.sample(sample_at(3.9, 0.2, 0), 4, at(6)));
+    CHECK(fusion.receive(gesture(5, 4, "posack"), at(6)));
+    CHECK(brief(fusion.release(at(6))) == "6.00 posack");
+  }
 }
 
 TEST_CASE("a sample that is to be understood too releases nothing") {

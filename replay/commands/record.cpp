@@ -1,0 +1,128 @@
+#include "replay/commands/record.h"
+
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "replay/commands/event_pipe.h"
+#include "replay/commands/serving.h"
+#include "replay/commands/trace_name.h"
+#include "replay/inspector_server.h"
+
+namespace continua {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int usual_port = 8080;
+
+// Where the traces go. The first is called as `output` says, which must not be there yet.
+Outcome place(const std::string& output, LiveDefaults& live) {
+  if (output.empty()) return std::nullopt;
+  std::error_code problem;
+  if (fs::is_directory(output, problem)) {
+    live.folder = output;
+    return std::nullopt;
+  }
+  const auto folder = fs::path(output).parent_path().string(), file = fs::path(output).filename().string();
+  live.name = trace_name(output);
+  live.ending = file.substr(live.name.size());
+  live.folder = folder.empty() ? "." : folder;
+  for (const auto& path : {output, (fs::path(live.folder) / (live.name + ".run.jsonl")).string()})
+    if (fs::exists(path, problem)) return Error{path, "exists already; expected a new file"};
+  return std::nullopt;
+}
+
+int tell(const PipeSummary& told) {
+  if (!told.summary) return exit_done;
+  const auto& [summary, session] = std::tie(*told.summary, *told.session.session);
+  fmt::print(stderr, "{:.1f} s, {} and {}, {} of {} acts done; {} and {}\n", summary.end.seconds(),
+             counted(told.events, "event"), counted(static_cast<std::size_t>(summary.utterances), "utterance"),
+             summary.acts_done, summary.acts, session.options().trace_path, session.options().log_path);
+  if (summary.expectations_met < summary.expectations)
+    report({session.options().trace_path,
+            fmt::format("{} of {} expectations were not met", summary.expectations - summary.expectations_met,
+                        summary.expectations)});
+  return told.refused > 0 || summary.expectations_met < summary.expectations ? exit_no : exit_done;
+}
+
+}  // namespace
+
+int run_record(RecordOptions options) {
+  if (const auto problem = place(options.output, options.live)) return report(*problem), exit_impossible;
+  const bool piped = is_piped();
+  options.live.say = [piped](const std::string& sentence) {
+    fmt::print(piped ? stderr : stdout, "{}\n", sentence);
+    std::fflush(stdout);
+  };
+  const auto sessions = LiveSessions::create(options.live);
+  if (!sessions) return report(sessions.error()), exit_impossible;
+
+  InspectorServer server({}, *sessions);
+  const auto port = server.listen(options.address, options.port.value_or(usual_port));
+  if (!port && (!piped || options.port)) return report(port.error()), exit_impossible;
+  if (port)
+    options.live.say(fmt::format("Record at http://{}:{}/live ({})", options.address, *port,
+                                 piped ? "events of standard input are recorded" : "Ctrl-C ends it"));
+  std::atomic<bool> stopped = false;
+  const StopSignals stop_signals([&] {
+    stopped = true;
+    (*sessions)->end();
+    server.stop();
+  });
+  if (!piped) return server.run(), exit_done;
+
+  std::thread serving([&] {
+    if (port) server.run();
+  });
+  // Nobody piped anything where a server was asked for: whoever started it just has no terminal.
+  const auto told = pipe_events(**sessions, !options.port, stopped);
+  if (!told || told->summary || !options.port) server.stop();
+  serving.join();
+  return told ? tell(*told) : (report(told.error()), exit_impossible);
+}
+
+void add_record_command(CLI::App& program, Run& run) {
+  auto* command = program.add_subcommand("record", "Talk and point to the avatar, and keep the session");
+  auto options = std::make_shared<RecordOptions>();
+  auto& live = options->live;
+  command->add_option("-o,--output", options->output,
+                      "the trace, or a folder; otherwise session.trace.jsonl here. The run log is beside it");
+  command->add_option("--scene", live.scene, "a name or an MJCF file; otherwise that of knowledge/live.json");
+  command->add_option("--machine", live.machine, "a name or a machine file; otherwise that of knowledge/live.json");
+  command->add_option("--seed", live.replay.seed, "for draws");
+  command->add_option("--knowledge", live.replay.knowledge,
+                      "folder of machines, lexicon, voxemes; otherwise the program's");
+  command->add_option("--learned", live.replay.learned,
+                      "a file of what was taught: read if it exists, and written when a session has changed it");
+  command->add_flag_callback(
+      "--no-physics", [options] { options->live.replay.physics = false; },
+      "the kinematic world, in which acts succeed at once");
+  auto clock = std::make_shared<std::string>();
+  command
+      ->add_option("--clock", *clock,
+                   "what time goes by: the wall's clock, or the times that events tell; otherwise the latter if the "
+                   "first event tells one")
+      ->check(CLI::IsMember({"wall", "events"}));
+  command->add_option("--speed", live.speed, "seconds of the session in one of the wall's clock")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+  command->add_option("--tests", live.tests, "the folder in which sessions are saved as tests")->capture_default_str();
+  command->add_option("--port", options->port, "of the page; 8080, 0 takes a free one")->check(CLI::Range(0, 65535));
+  command->add_option("--bind", options->address, "address to listen on")->capture_default_str();
+  command->footer(
+      "Events may also come through a pipe, as JSON lines of the trace format; the avatar's moves then go to standard "
+      "output.\n"
+      "Examples: continua record -o talk.trace.jsonl\n"
+      "          echo '{\"kind\":\"speech\",\"text\":\"The plate.\"}' | continua record -o plate.trace.jsonl\n"
+      "          my_recognisers | continua record --scene workbench -o talk.trace.jsonl | my_synthesiser");
+  command->callback([options, clock, &run] {
+    if (!clock->empty()) options->live.timing = *clock == "wall" ? LiveTiming::wall : LiveTiming::events;
+    run = [options] { return run_record(*options); };
+  });
+}
+
+}  // namespace continua

@@ -1,0 +1,27 @@
+#include "replay/live/live_log.h"
+
+#include "replay/line_scan.h"
+
+namespace continua {
+
+bool is_avatars_move(std::string_view kind) { return kind == "utterance" || kind == "gesture" || kind == "act"; }
+
+std::streamsize LiveLog::xsputn(const char* line, std::streamsize size) {
+  file_.write(line, size);
+  bytes_ += static_cast<std::uint64_t>(size);
+  std::string_view text(line, static_cast<std::size_t>(size));
+  if (text.ends_with('\n')) text.remove_suffix(1);
+  // Poses are most of a log, and long.
+  constexpr std::string_view pose = R"({"kind":"pose")";
+  if (text.starts_with(pose)) return size;
+  auto kind = member_in(text, "kind");
+  if (kind.size() >= 2 && is_avatars_move(kind.substr(1, kind.size() - 2))) moves_.emplace_back(text);
+  return size;
+}
+
+int LiveLog::sync() {
+  file_.flush();
+  return file_.good() ? 0 : -1;
+}
+
+}  // namespace continua

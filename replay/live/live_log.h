@@ -1,0 +1,43 @@
+// The run log of a live session: a file that others read while it is written, line by line.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <ostream>
+#include <streambuf>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace continua {
+
+/// Whether a record of this kind tells what the avatar does: what it says, shows and sets about.
+bool is_avatars_move(std::string_view kind);
+
+class LiveLog : private std::streambuf {
+ public:
+  explicit LiveLog(const std::string& path) : file_(path, std::ios::binary | std::ios::trunc), stream_(this) {}
+
+  /// Where whole lines are written to; each is in the file when it has been written.
+  std::ostream& stream() { return stream_; }
+  /// All that was written is in the file.
+  bool sound() const { return file_.good(); }
+  void close() { file_.close(); }
+  /// Whole lines so far.
+  std::uint64_t bytes() const { return bytes_; }
+
+  /// The avatar's moves that were written since they were last taken, as lines without their newline.
+  std::vector<std::string> take_moves() { return std::exchange(moves_, {}); }
+
+ private:
+  std::streamsize xsputn(const char* line, std::streamsize size) override;
+  int sync() override;
+
+  std::ofstream file_;
+  std::ostream stream_;
+  std::uint64_t bytes_ = 0;
+  std::vector<std::string> moves_;
+};
+
+}  // namespace continua

@@ -1,0 +1,72 @@
+#include "replay/live/live_save.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "replay/check.h"
+#include "replay/trace_file.h"
+#include "replay/whole_file.h"
+
+namespace continua {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A scene or machine that is named by its path from the trace, as it is from another folder.
+std::string from_other_folder(const std::string& name, const fs::path& from, const fs::path& to) {
+  std::error_code problem;
+  if (!fs::is_regular_file(from / name, problem)) return name;
+  const auto path = fs::proximate(from / name, to, problem);
+  return problem ? name : path.string();
+}
+
+Result<Trace> read_so_far(const std::string& path) {
+  auto text = read_file(path);
+  if (!text) return text.error();
+  text->resize(text->rfind('\n') == std::string::npos ? 0 : text->rfind('\n') + 1);
+  return read_trace_text(*text, path);
+}
+
+// Approves what the trace does in this world, unless that is what is approved already.
+Outcome approve(const std::string& trace_path, bool physics, const std::string& knowledge,
+                std::vector<std::string>& runs) {
+  ReplayOptions options;
+  options.knowledge = knowledge;
+  options.physics = physics;
+  const auto checked = check_trace(trace_path, options);
+  if (!can_be_approved(checked.verdict))
+    return is_failure(checked.verdict) ? Outcome(Error{trace_path, checked.reason}) : std::nullopt;
+  const auto approval = approval_of(trace_path, checked.run, checked.approved);
+  runs.push_back(approval.path);
+  return write_whole_file(approval.path, approval.content);
+}
+
+}  // namespace
+
+Result<SavedTest> save_as_test(const std::string& trace_path, const std::string& folder, const std::string& name,
+                               const std::string& knowledge) {
+  auto trace = read_so_far(trace_path);
+  if (!trace) return trace.error();
+  const auto from = fs::path(trace_path).parent_path();
+  for (auto* file : {&trace->header.scene, &trace->header.machine}) *file = from_other_folder(*file, from, folder);
+
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  SavedTest saved;
+  saved.trace = (fs::path(folder) / (name + ".trace.jsonl")).string();
+  if (fs::exists(saved.trace, problem)) return Error{saved.trace, "exists already; expected another name"};
+  auto failed = write_whole_file(saved.trace, write_trace(*trace));
+  for (const bool physics : {false, true})
+    if (!failed) failed = approve(saved.trace, physics, knowledge, saved.runs);
+  if (failed) {
+    fs::remove(saved.trace, problem);
+    for (const auto& run : saved.runs) fs::remove(run, problem);
+    return *failed;
+  }
+  saved.check = fmt::format("continua check {}", saved.trace);
+  return saved;
+}
+
+}  // namespace continua

@@ -1,0 +1,224 @@
+#include "replay/live/live_session.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "replay/live/live_setup.h"
+#include "replay/session_loop.h"
+
+namespace continua {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto look_every = 8ms;                     // at a world that moves
+constexpr SimTime most_at_once{50'000};              // of engine time, while whoever sends events waits
+constexpr auto patience = std::chrono::minutes(10);  // with a session that nobody sends to or looks at
+
+const Watch nobody;
+
+}  // namespace
+
+Result<std::shared_ptr<LiveSession>> LiveSession::start(LiveOptions options) {
+  options.replay.live = true;
+  {
+    std::ofstream trace(options.trace_path, std::ios::binary | std::ios::trunc);
+    trace << write_header(options.header) << '\n' << std::flush;
+    if (!trace) return Error{options.trace_path, "cannot be written; expected a writable file"};
+  }
+  const auto given_up = [&](const Error& why) {
+    std::error_code ignored;
+    for (const auto* path : {&options.trace_path, &options.log_path}) std::filesystem::remove(*path, ignored);
+    return why;
+  };
+  auto session = Session::load(options.trace_path, options.replay);
+  if (!session) return given_up(session.error());
+  const std::shared_ptr<LiveSession> live(new LiveSession(options, std::move(session).value()));
+  if (const auto problem = live->open()) return given_up(*problem);
+  return live;
+}
+
+LiveSession::LiveSession(LiveOptions options, Session session)
+    : options_(std::move(options)),
+      scene_(std::filesystem::path(options_.header.scene).stem().string()),
+      machine_(session.machine().name),
+      palette_(gesture_palette(session.machine(), session.gestures())),
+      warning_(session.warning()),
+      session_(std::move(session)),
+      timing_(options_.timing),
+      clock_(options_.speed),
+      last_heard_(std::chrono::steady_clock::now()) {}
+
+Outcome LiveSession::open() {
+  trace_.open(options_.trace_path, std::ios::binary | std::ios::app);
+  log_ = std::make_unique<LiveLog>(options_.log_path);
+  if (!trace_ || !log_->sound())
+    return Error{trace_ ? options_.log_path : options_.trace_path, "cannot be written; expected a writable file"};
+  auto loop = session_->begin(nobody, log_->stream());
+  if (!loop) return loop.error();
+  loop_ = std::move(*loop);
+  if (timing_ == LiveTiming::wall) clock_.run(std::chrono::steady_clock::now());
+  tell();
+  thread_ = std::thread([this] { work(); });
+  return std::nullopt;
+}
+
+LiveSession::~LiveSession() { end(); }
+
+// What the clock shows, but never less than the engine has seen already.
+SimTime LiveSession::now() const { return std::max(loop_->now(), clock_.at(std::chrono::steady_clock::now())); }
+
+void LiveSession::work() {
+  std::unique_lock lock(mutex_);
+  while (loop_) {
+    if (clock_.runs()) {
+      const SimTime goal = now();
+      loop_->wait_until(std::min(goal, loop_->now() + most_at_once));
+      tell();
+      if (!log_->sound() || !trace_) {
+        broke_ = Error{options_.log_path, "could not be written any further"};
+        close(std::nullopt);
+        return;
+      }
+      if (loop_->now() < goal) {
+        lock.unlock();  // the world takes longer to work out than it takes
+        std::this_thread::yield();
+        lock.lock();
+        continue;
+      }
+    }
+    const auto wall = std::chrono::steady_clock::now();
+    if (is_attended()) last_heard_ = wall;
+    const auto given_up = last_heard_ + patience;
+    if (wall >= given_up) {
+      close(now());
+      return;
+    }
+    auto next = given_up;
+    if (clock_.runs() && !loop_->is_at_rest()) next = std::min(next, wall + look_every);
+    if (const auto due = loop_->due(); clock_.runs() && due) next = std::min(next, clock_.when(*due));
+    heard_.wait_until(lock, next);
+  }
+}
+
+Result<LiveSession::Reply> LiveSession::receive(const std::vector<Json>& events) {
+  const std::lock_guard lock(mutex_);
+  if (!loop_) return Error{"", "the session has ended"};
+  const auto timing = timing_.value_or(has_time(events.front()) ? LiveTiming::events : LiveTiming::wall);
+  const auto timed = timed_events(events, timing, now(), next_line_);
+  if (!timed) return timed.error();
+  last_heard_ = std::chrono::steady_clock::now();
+  if (!timing_ && timing == LiveTiming::wall) clock_.run(last_heard_);
+  timing_ = timing;
+  take(*timed);
+  Reply reply{events.size(), loop_ ? loop_->now() : told_.t, log_->take_moves()};
+  return reply;
+}
+
+void LiveSession::take(const std::vector<LiveEvent>& events) {
+  for (const auto& [t, event, line] : events) {
+    if (event && std::holds_alternative<End>(event->what)) return close(t);
+    if (event) {
+      // First, so that whatever happens the trace has all that the engine saw.
+      trace_ << line << '\n' << std::flush;
+      ++next_line_;
+    }
+    loop_->wait_until(t);
+    if (event) loop_->take(*event);
+    if (t > clock_.at(std::chrono::steady_clock::now())) clock_.set(t, std::chrono::steady_clock::now());
+    tell();
+  }
+  heard_.notify_all();
+}
+
+Outcome LiveSession::pause(bool paused) {
+  const std::lock_guard lock(mutex_);
+  if (!loop_) return Error{"", "the session has ended"};
+  if (timing_ == LiveTiming::events) return Error{"", "its time goes by events: it stands still between them"};
+  timing_ = LiveTiming::wall;
+  last_heard_ = std::chrono::steady_clock::now();
+  loop_->wait_until(now());
+  if (paused)
+    clock_.stop(last_heard_);
+  else
+    clock_.run(last_heard_);
+  tell();
+  heard_.notify_all();
+  return std::nullopt;
+}
+
+void LiveSession::end() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (loop_) close(now());
+  }
+  const std::lock_guard lock(joining_);
+  if (thread_.joinable()) thread_.join();
+}
+
+// `end`: when; none: nothing more can be written.
+void LiveSession::close(std::optional<SimTime> end) {
+  if (end) {
+    trace_ << write_event({next_line_, *end, {}, End{}, {}}) << '\n' << std::flush;
+    loop_->wait_until(*end);
+  }
+  summary_ = session_->end(*loop_);
+  if (const auto problem = session_->keep_learned()) broke_ = problem;
+  const auto wall = std::chrono::steady_clock::now();
+  clock_.stop(wall);
+  clock_.set(loop_->now(), wall);
+  tell();
+  loop_.reset();
+  session_.reset();
+  trace_.close();
+  log_->close();
+  tell();
+  heard_.notify_all();
+}
+
+void LiveSession::tell() {
+  const std::lock_guard lock(told_mutex_);
+  const bool changed = told_.clock.runs() != clock_.runs() || told_.live != (loop_ != nullptr);
+  told_.live = loop_ != nullptr;
+  told_.timing = timing_;
+  told_.clock = clock_;
+  told_.log_bytes = log_->bytes();
+  told_.broke = broke_;
+  if (loop_) {
+    told_.t = loop_->now();
+    told_.machine_state = loop_->state();
+  }
+  if (changed) ++told_.changes;
+  told_changed_.notify_all();
+}
+
+LiveState LiveSession::state() const {
+  const std::lock_guard lock(told_mutex_);
+  return told_;
+}
+
+LiveState LiveSession::wait(const LiveState& known, std::chrono::milliseconds patience) const {
+  std::unique_lock lock(told_mutex_);
+  told_changed_.wait_for(lock, patience,
+                         [&] { return told_.log_bytes != known.log_bytes || told_.changes != known.changes; });
+  return told_;
+}
+
+void LiveSession::attend(bool is_recorder, int more) {
+  const std::lock_guard lock(told_mutex_);
+  (is_recorder ? recorders_ : viewers_) += more;
+  ++told_.changes;
+  told_changed_.notify_all();
+}
+
+bool LiveSession::is_attended() const {
+  const std::lock_guard lock(told_mutex_);
+  return viewers_ + recorders_ > 0;
+}
+
+int LiveSession::viewers() const {
+  const std::lock_guard lock(told_mutex_);
+  return viewers_;
+}
+
+}  // namespace continua

@@ -1,0 +1,120 @@
+// A session that happens now: events come in as they happen, and a trace and a run log are written along. What was live
+// replays to the same decisions, since the trace says when the engine learned of each event.
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "replay/live/live_clock.h"
+#include "replay/live/live_events.h"
+#include "replay/live/live_log.h"
+#include "replay/session.h"
+
+namespace continua {
+
+struct LiveOptions {
+  std::string trace_path, log_path;  ///< written anew
+  TraceHeader header;                ///< scene and machine are needed
+  ReplayOptions replay;
+  std::optional<LiveTiming> timing;  ///< none: by events, if the first of them tells its time
+  double speed = 1;                  ///< of the wall's clock
+  std::string recorder;              ///< whoever sends events has to name it; empty: nobody has to
+};
+
+/// What is known of a session at a moment.
+struct LiveState {
+  bool live = true;
+  std::optional<LiveTiming> timing;
+  LiveClock clock;
+  SimTime t;                  ///< as far as the engine has come
+  std::string machine_state;  ///< what the machine is in
+  std::uint64_t log_bytes = 0;
+  int changes = 0;             ///< counts what a viewer is told of beside the log: pauses, viewers, the end
+  std::optional<Error> broke;  ///< why it ended, if not because it was told to
+};
+
+/// Safe to use from several threads. Time goes on by a thread of its own.
+class LiveSession {
+ public:
+  /// Errors: of what is loaded; a file that cannot be written.
+  static Result<std::shared_ptr<LiveSession>> start(LiveOptions options);
+  /// Ends it.
+  ~LiveSession();
+  LiveSession(const LiveSession&) = delete;
+  LiveSession& operator=(const LiveSession&) = delete;
+
+  struct Reply {
+    std::size_t accepted = 0;
+    SimTime t;                       ///< the engine's time
+    std::vector<std::string> moves;  ///< what the avatar set about since the last reply: records of the log
+  };
+  /// All of them or, if one cannot be used, none. Errors: why not, or that the session has ended.
+  Result<Reply> receive(const std::vector<Json>& events);
+
+  /// Engine time stands still, or goes on. Error: the session has ended, or its time goes by events.
+  Outcome pause(bool paused);
+
+  /// Nothing more happens: acts under way are finished, trace and log get their last lines. Ending again does nothing.
+  void end();
+
+  LiveState state() const;
+  /// What of the scene is not known; it can be used all the same.
+  const std::optional<Error>& warning() const { return warning_; }
+  /// After the end.
+  const ReplaySummary& summary() const { return summary_; }
+  const LiveOptions& options() const { return options_; }
+  /// The names by which the log has them.
+  const std::string& scene() const { return scene_; }
+  const std::string& machine() const { return machine_; }
+  /// The gestures that a human may make (live_setup.h, gesture_palette).
+  const Json& palette() const { return palette_; }
+
+  /// Waits until there is more to tell than in `known`, at most so long.
+  LiveState wait(const LiveState& known, std::chrono::milliseconds patience) const;
+  /// Whoever records it, or somebody else, listens from now on (`more` 1) or has gone (-1).
+  void attend(bool is_recorder, int more);
+  /// Those that listen, but for whoever records it.
+  int viewers() const;
+
+ private:
+  LiveSession(LiveOptions options, Session session);
+  Outcome open();
+  void work();
+  SimTime now() const;
+  bool is_attended() const;
+  void take(const std::vector<LiveEvent>& events);
+  void close(std::optional<SimTime> end);
+  void tell();
+
+  const LiveOptions options_;
+  const std::string scene_, machine_;
+  const Json palette_;
+  const std::optional<Error> warning_;
+
+  mutable std::mutex mutex_;  // guards what follows
+  std::condition_variable heard_;
+  std::optional<Session> session_;
+  std::ofstream trace_;
+  std::unique_ptr<LiveLog> log_;
+  std::unique_ptr<SessionLoop> loop_;  // none: it has ended, and so have the three above
+  std::optional<LiveTiming> timing_;
+  LiveClock clock_;
+  std::size_t next_line_ = 2;
+  WallTime last_heard_;
+  std::optional<Error> broke_;
+  ReplaySummary summary_;
+
+  mutable std::mutex told_mutex_;  // guards what follows; the engine need not be waited for
+  mutable std::condition_variable told_changed_;
+  LiveState told_;
+  int viewers_ = 0, recorders_ = 0;  // that listen
+
+  std::mutex joining_;
+  std::thread thread_;
+};
+
+}  // namespace continua

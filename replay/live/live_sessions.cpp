@@ -1,0 +1,181 @@
+#include "replay/live/live_sessions.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "replay/commands/trace_name.h"
+#include "replay/live/live_setup.h"
+
+namespace continua {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_live = 8, most_sessions = 1000;
+constexpr double least_speed = 0.01, most_speed = 100;
+constexpr std::size_t longest_name = 64;
+
+const std::vector<std::string> fields = {"scene",   "machine", "seed",  "perspective", "objects",
+                                         "physics", "clock",   "speed", "name",        "recorder"};
+
+LiveRefusal bad(const std::string& name, const Json& found, const std::string& expected) {
+  return {400, fmt::format("'{}' is {}; expected {}", name, in_quotes(compact(found)), expected)};
+}
+
+}  // namespace
+
+bool is_file_name(const std::string& name) {
+  return !name.empty() && name.size() <= longest_name &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
+}
+
+namespace {
+
+bool is_among(const Json& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+Result<std::shared_ptr<LiveSessions>> LiveSessions::create(LiveDefaults defaults) {
+  auto data = find_data_paths(defaults.replay.knowledge);
+  if (!data) return data.error();
+  auto setup = live_setup(*data);
+  if (!setup) return setup.error();
+  for (const auto& [field, own] : {std::pair("scene", &defaults.scene), std::pair("machine", &defaults.machine)}) {
+    if (own->empty()) continue;
+    (*setup)[field] = *own;
+    auto& names = (*setup)[std::string(field) + "s"];
+    if (!is_among(names, *own)) names.insert(names.begin(), *own);
+  }
+  return std::shared_ptr<LiveSessions>(new LiveSessions(std::move(defaults), *std::move(setup)));
+}
+
+LiveSessions::LiveSessions(LiveDefaults defaults, Json setup)
+    : defaults_(std::move(defaults)), setup_(std::move(setup)) {}
+
+std::variant<LiveOptions, LiveRefusal> LiveSessions::options_of(const Json& asked, bool any_file) const {
+  if (!asked.is_object()) return LiveRefusal{400, "expected an object: {\"scene\": …, \"machine\": …}"};
+  for (const auto& [key, value] : asked.items())
+    if (std::find(fields.begin(), fields.end(), key) == fields.end())
+      return LiveRefusal{400, fmt::format("unknown field {}{}; expected {}", in_quotes(key), did_you_mean(key, fields),
+                                          fmt::join(fields, ", "))};
+  LiveOptions options;
+  options.replay = defaults_.replay;
+  options.timing = defaults_.timing;
+  options.speed = defaults_.speed;
+
+  Json header{{"kind", "trace"}, {"version", 1}};
+  if (defaults_.replay.seed) header["seed"] = *defaults_.replay.seed;
+  for (const char* field : {"seed", "perspective", "objects"})
+    if (asked.contains(field)) header[field] = asked[field];
+  for (const std::string field : {"scene", "machine"}) {
+    const Json name = asked.contains(field) ? asked[field] : setup_[field];
+    const Json& names = setup_[field + "s"];
+    if (!name.is_string() || !(any_file || is_among(names, name)))
+      return bad(field, name, fmt::format("one of {}", fmt::join(names.get<std::vector<std::string>>(), ", ")));
+    header[field] = name;
+  }
+  auto read = read_trace_text(compact(header), "session");
+  if (!read) return LiveRefusal{400, read.error().sentence};
+  options.header = std::move(read->header);
+  options.header.json = nullptr;
+  options.replay.seed.reset();
+
+  if (const auto physics = asked.find("physics"); physics != asked.end()) {
+    if (!physics->is_boolean()) return bad("physics", *physics, "true or false");
+    options.replay.physics = *physics;
+  }
+  if (const auto clock = asked.find("clock"); clock != asked.end()) {
+    if (*clock != "wall" && *clock != "events") return bad("clock", *clock, "\"wall\" or \"events\"");
+    options.timing = *clock == "wall" ? LiveTiming::wall : LiveTiming::events;
+  }
+  if (const auto speed = asked.find("speed"); speed != asked.end()) {
+    if (!speed->is_number() || *speed < least_speed || *speed > most_speed)
+      return bad("speed", *speed, fmt::format("a number from {} to {}", least_speed, most_speed));
+    options.speed = *speed;
+  }
+  if (const auto recorder = asked.find("recorder"); recorder != asked.end()) {
+    if (!recorder->is_string()) return bad("recorder", *recorder, "a text");
+    options.recorder = *recorder;
+  }
+  return options;
+}
+
+// Of scene and machine, which may be paths, as the trace is to name them. Gives the session's id.
+std::optional<std::string> LiveSessions::take_place(LiveOptions& options, const std::string& name) {
+  for (auto* path : {&options.header.scene, &options.header.machine})
+    if (std::error_code problem; path->find('/') != std::string::npos || fs::is_regular_file(*path, problem)) {
+      const auto nearer = fs::proximate(*path, defaults_.folder, problem);
+      if (!problem) *path = nearer.string();
+    }
+  const std::lock_guard lock(mutex_);
+  const auto live = std::count_if(sessions_.begin(), sessions_.end(),
+                                  [](const ListedSession& one) { return one.session->state().live; });
+  if (taken_.size() - sessions_.size() + static_cast<std::size_t>(live) >= most_live || taken_.size() >= most_sessions)
+    return std::nullopt;
+  for (int number = 1;; ++number) {
+    const auto id = number == 1 ? name : fmt::format("{}-{}", name, number);
+    const auto path = fs::path(defaults_.folder) / id;
+    options.trace_path = path.string() + defaults_.ending;
+    options.log_path = path.string() + ".run.jsonl";
+    std::error_code problem;
+    if (taken_.contains(id) || fs::exists(options.trace_path, problem) || fs::exists(options.log_path, problem))
+      continue;
+    taken_.insert(id);
+    return id;
+  }
+}
+
+std::variant<ListedSession, LiveRefusal> LiveSessions::start(const Json& asked, bool any_file) {
+  auto found = options_of(asked, any_file);
+  if (auto* refusal = std::get_if<LiveRefusal>(&found)) return std::move(*refusal);
+  auto& options = std::get<LiveOptions>(found);
+  const Json name = asked.contains("name") ? asked["name"] : Json(defaults_.name);
+  if (!name.is_string() || (asked.contains("name") && !is_file_name(name)))
+    return bad("name", name, fmt::format("1 to {} letters, digits, _ or -", longest_name));
+  std::error_code problem;
+  fs::create_directories(defaults_.folder, problem);
+  const auto id = take_place(options, name);
+  if (!id) return LiveRefusal{503, fmt::format("there are {} live sessions; end one first", most_live)};
+  const auto log_path = options.log_path;
+  auto session = LiveSession::start(std::move(options));
+  if (!session) {
+    const std::lock_guard lock(mutex_);
+    taken_.erase(*id);
+    return LiveRefusal{422, session.error().text()};
+  }
+  const ListedSession listed{*id, publish_ ? publish_(*id, log_path) : "", *std::move(session)};
+  const std::lock_guard lock(mutex_);
+  sessions_.push_back(listed);
+  return listed;
+}
+
+std::optional<ListedSession> LiveSessions::find(const std::string& id) const {
+  const std::lock_guard lock(mutex_);
+  for (const auto& one : sessions_)
+    if (one.id == id) return one;
+  return std::nullopt;
+}
+
+std::optional<ListedSession> LiveSessions::newest() const {
+  const std::lock_guard lock(mutex_);
+  for (auto one = sessions_.rbegin(); one != sessions_.rend(); ++one)
+    if (one->session->state().live) return *one;
+  return std::nullopt;
+}
+
+std::vector<ListedSession> LiveSessions::all() const {
+  const std::lock_guard lock(mutex_);
+  return sessions_;
+}
+
+void LiveSessions::end() {
+  for (const auto& one : all()) one.session->end();
+}
+
+}  // namespace continua

@@ -1,0 +1,86 @@
+// The live sessions of a program: what is asked for becomes one, by its id.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "replay/live/live_session.h"
+
+namespace continua {
+
+/// What sessions have in common.
+struct LiveDefaults {
+  std::string folder = ".";             ///< of their traces and logs
+  std::string name = "session";         ///< of each; where it is taken a number goes after it
+  std::string ending = ".trace.jsonl";  ///< of a trace's file
+  std::string scene, machine;           ///< where none is asked for; empty: those of knowledge/live.json
+  ReplayOptions replay;                 ///< seed, choice, knowledge, learned, physics
+  std::optional<LiveTiming> timing;
+  double speed = 1;
+  std::string tests = "tests";                           ///< folder in which sessions are saved as tests
+  std::function<void(const std::string& sentence)> say;  ///< to whoever started the program; may be empty
+};
+
+/// Something asked for cannot be had; `status` is that of HTTP.
+struct LiveRefusal {
+  int status = 400;
+  std::string sentence;
+};
+
+/// Whether the name is fit for a file of any folder: 1 to 64 letters, digits, _ or -.
+bool is_file_name(const std::string& name);
+
+/// A session with what is told of it.
+struct ListedSession {
+  std::string id;
+  std::string run;  ///< by which its log is known to others; empty if it is to none
+  std::shared_ptr<LiveSession> session;
+};
+
+/// Safe to use from several threads.
+class LiveSessions {
+ public:
+  /// Makes a log known to others by the id that it gives; may be empty.
+  using Publish = std::function<std::string(const std::string& name, const std::string& log_path)>;
+
+  /// Errors: there is no knowledge.
+  static Result<std::shared_ptr<LiveSessions>> create(LiveDefaults defaults);
+  /// From now on. REQUIRES that none has been begun.
+  void publish_by(Publish publish) { publish_ = std::move(publish); }
+  /// Ends all of them.
+  ~LiveSessions() { end(); }
+
+  /// {"scene", "machine", "seed", "perspective", "objects", "physics", "clock", "speed", "name", "recorder"}, each of
+  /// which may be left out; the first five are as in a trace's header. Unless `any_file`, scene and machine are among
+  /// the names of setup().
+  std::variant<ListedSession, LiveRefusal> start(const Json& asked, bool any_file = false);
+
+  std::optional<ListedSession> find(const std::string& id) const;
+  /// The live one that was begun last.
+  std::optional<ListedSession> newest() const;
+  std::vector<ListedSession> all() const;
+  void end();
+
+  const LiveDefaults& defaults() const { return defaults_; }
+  const Json& setup() const { return setup_; }
+
+ private:
+  LiveSessions(LiveDefaults defaults, Json setup);
+  std::variant<LiveOptions, LiveRefusal> options_of(const Json& asked, bool any_file) const;
+  std::optional<std::string> take_place(LiveOptions& options, const std::string& name);
+
+  const LiveDefaults defaults_;
+  const Json setup_;
+  Publish publish_;
+  mutable std::mutex mutex_;  // guards what follows
+  std::vector<ListedSession> sessions_;
+  std::set<std::string> taken_;  // ids, some of which have yet to be begun
+};
+
+}  // namespace continua

@@ -1,0 +1,22 @@
+// What a live session can be set up with, and what a page offers the human to do: from data.
+#pragma once
+
+#include <string>
+
+#include "automaton/machine.h"
+#include "core/located_json.h"
+#include "core/result.h"
+#include "perception/gesture.h"
+#include "replay/data_paths.h"
+
+namespace continua {
+
+/// {"scenes": [names], "machines": [names], "scene", "machine": those that are meant where none is named, "buttons":
+/// [{"label", "key", "event"}]}, the last three from knowledge/live.json. Errors: that cannot be read.
+Result<Json> live_setup(const DataPaths& data);
+
+/// The gestures that a human may make, [{"label", "about", "event": of a trace, without `t`}]: those of the catalogue,
+/// in each direction that says something; of a machine without (null) those that its transitions know by name.
+Json gesture_palette(const Machine& machine, const GestureCatalogue* gestures);
+
+}  // namespace continua

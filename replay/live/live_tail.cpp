@@ -1,0 +1,31 @@
+#include "replay/live/live_tail.h"
+
+#include <algorithm>
+
+namespace continua {
+namespace {
+
+constexpr std::uint64_t most_at_once = 1 << 20;  // bytes
+
+}  // namespace
+
+LiveTail::LiveTail(std::shared_ptr<const LiveSession> session, std::uint64_t from)
+    : session_(std::move(session)), log_(session_->options().log_path, std::ios::binary), from_(from) {}
+
+std::vector<std::string> LiveTail::next(std::chrono::milliseconds patience) {
+  state_ = read_ < state_.log_bytes ? session_->state() : session_->wait(state_, patience);
+  std::vector<std::string> lines;
+  // What has been told of is whole lines.
+  for (const auto most = read_ + most_at_once; read_ < std::min(state_.log_bytes, most);) {
+    std::string line;
+    if (!std::getline(log_, line)) {
+      log_.clear();
+      break;
+    }
+    read_ += line.size() + 1;
+    if (next_++ >= from_) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace continua

@@ -1,0 +1,14 @@
+// Files written in one go.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace continua {
+
+/// Error: it cannot be written, and why.
+Outcome write_whole_file(const std::string& path, std::string_view content);
+
+}  // namespace continua
