@@ -51,7 +51,7 @@ mujoco/*       engine/simulation/*
 EGL/*          engine/simulation/*
 GL/*           engine/simulation/*
 png.h          engine/simulation/*
-httplib.h      replay/inspector_server.cpp
+httplib.h      replay/inspector_server.cpp replay/http_answer.cpp replay/live/live_routes.cpp
 zlib.h         replay/gzip.cpp
 cairo*         replay/pictures/canvas.cpp
 graphviz/*     replay/exporters/graph_layout.cpp

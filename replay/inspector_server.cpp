@@ -82,9 +82,9 @@ class InspectorServer::Impl {
                                  {"Cross-Origin-Resource-Policy", "same-origin"}});
     server_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
       const auto refused = refusal(request);
-      if (refused.empty()) return httplib::Server::HandlerResponse::Unhandled;
-      send_answer(request, response, api_error(403, refused));
-      return httplib::Server::HandlerResponse::Handled;
+      using enum httplib::Server::HandlerResponse;
+      if (!refused.empty()) return send_answer(request, response, api_error(403, refused)), Handled;
+      return live_ && answer_without_body(request, response, *live_) ? Handled : Unhandled;
     });
     server_.new_task_queue = [] { return new httplib::ThreadPool(StreamSeats::most + other_threads); };
     server_.Get("/api/live", [this](const httplib::Request& request, httplib::Response& response) {

@@ -13,7 +13,8 @@ const std::map<std::string, std::vector<std::string>>& field_table() {
   static const std::map<std::string, std::vector<std::string>> table = {
       {"speech", {"t", "kind", "row", "happened", "text", "until", "confidence", "words", "alternatives"}},
       {"gesture",
-       {"t", "kind", "row", "happened", "name", "hand", "direction", "phase", "target", "until", "confidence", "alternatives"}},
+       {"t", "kind", "row", "happened", "name", "hand", "direction", "phase", "target", "until", "confidence",
+        "alternatives"}},
       {"pointing", {"t", "kind", "row", "happened", "hand", "target", "ray", "until", "confidence"}},
       {"observed", {"t", "kind", "row", "channel", "content"}},
       {"expect", {"t", "kind", "row", "state", "says", "indicated", "referents", "act", "holding", "stack_depth"}},
@@ -31,8 +32,8 @@ void read_signal(const TraceFields& fields, InputEvent& event) {
   if (const auto until = fields.number("until", 0, trace_time_limit_s)) {
     event.until = SimTime::from_seconds(*until);
     if (*event.until < event.t)
-      fields.wrong("until", fields.has("happened") ? "a time that is not before 'happened'"
-                                                   : "a time that is not before 't'");
+      fields.wrong("until",
+                   fields.has("happened") ? "a time that is not before 'happened'" : "a time that is not before 't'");
   }
   const auto confidence = fields.number("confidence", 0, 1);
   event.confidence = confidence.value_or(1);

@@ -58,8 +58,8 @@ struct End {};
 struct UnknownKind {};
 
 struct TraceEvent {
-  std::size_t line = 0;  ///< in the trace, counting from 1; 0 when it was not read from one
-  SimTime t;  ///< when it became known; an InputEvent's own time may be earlier
+  std::size_t line = 0;            ///< in the trace, counting from 1; 0 when it was not read from one
+  SimTime t;                       ///< when it became known; an InputEvent's own time may be earlier
   std::optional<std::size_t> row;  ///< line of the log that it was imported from
   std::variant<InputEvent, Observed, Expectation, End, UnknownKind> what;
   Json json;  ///< the line as read, or null
@@ -92,8 +92,7 @@ TraceReading read_whole_trace(std::string_view text, const std::string& name);
 Result<Trace> read_trace_text(std::string_view text, const std::string& name);
 Result<Trace> read_trace(const std::string& path);
 
-/// One event that arrives on its own (a live session), as on line `line` of `name`. It has the checks of a trace
-/// but for its order.
+/// One event that stands on its own, as on line `line` of `name`. It has the checks of a trace but for its order.
 Result<TraceEvent> read_event(const Json& json, const std::string& name, std::size_t line);
 
 /// The lines of a trace file, without their newline. Fields that a kind does not have are taken from `json`, so that

@@ -14,7 +14,7 @@ namespace continua {
 struct FusionWindow {
   double before_s = 2;
   double after_s = 1;
-  double lateness_s = 0;  ///< how long after its event time an event may still arrive; 0: sources tell in order
+  double lateness_s = 0;  ///< how long events wait for earlier ones that come late; 0: sources tell in order
 };
 
 /// A part of an utterance that pointing can give content to: a demonstrative, or a noun phrase around one.

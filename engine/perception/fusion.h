@@ -54,8 +54,8 @@ class Fusion {
   /// How long after its time an event may arrive and still count: as long as a pointing can precede its words.
   double latest_s() const { return std::max(window_.before_s, window_.lateness_s); }
 
-  /// A percept arrived at `now`. False, and nothing changes, if that is more than latest_s() after its time. `now` never
-  /// decreases. Whatever arrives at one time is received before `release` of that time.
+  /// A percept arrived at `now`. False, and nothing changes, if that is more than latest_s() after its time. `now`
+  /// never decreases. Whatever arrives at one time is received before `release` of that time.
   bool receive(Percept percept, SimTime now);
 
   /// A sample of where a hand points arrived at `now`. It never waits. False as of `receive`.
@@ -107,10 +107,10 @@ class Fusion {
 
   FusionWindow window_;
   PointingTrack track_;
-  std::vector<Arrival> arrived_;  // their turn is yet to come; in order of time
-  std::vector<Percept> waiting_;  // not after now_, in order of time
-  std::vector<Deixis> released_;  // pointings of late that were released alone
-  std::vector<Deixis> gestures_;  // of late, whatever became of them
+  std::vector<Arrival> arrived_;                           // their turn is yet to come; in order of time
+  std::vector<Percept> waiting_;                           // not after now_, in order of time
+  std::vector<Deixis> released_;                           // pointings of late that were released alone
+  std::vector<Deixis> gestures_;                           // of late, whatever became of them
   SimTime now_{std::numeric_limits<std::int64_t>::min()};  // up to here, in the time of events, everything was done
 };
 

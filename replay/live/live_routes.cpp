@@ -15,6 +15,7 @@ namespace continua {
 namespace {
 
 constexpr std::chrono::milliseconds look_every{250};  // whether the listener is still there
+constexpr int most_silent = 40;                       // such times
 
 std::string event_text(std::string_view name, std::string_view data) {
   return fmt::format("event: {}\ndata: {}\n\n", name, data);
@@ -46,7 +47,9 @@ class RecordStream {
       done_ = true;
       text += event_text("ended", compact(session_json(listed_, sessions_)));
     }
-    return text.empty() ? ": nothing new\n\n" : text;
+    // Now and then, so that what stands between does not think that nobody is there any more.
+    silent_ = text.empty() ? silent_ + 1 : 0;
+    return silent_ % most_silent == most_silent - 1 ? ": nothing new\n\n" : text;
   }
 
  private:
@@ -64,6 +67,7 @@ class RecordStream {
   LiveTail tail_;
   const bool is_recorder_;
   bool first_ = true, done_ = false;
+  int silent_ = 0;  // times that there was nothing to tell
 };
 
 }  // namespace
@@ -74,6 +78,14 @@ std::shared_ptr<void> StreamSeats::take() {
     return nullptr;
   }
   return {this, [](StreamSeats* seats) { --seats->taken_; }};
+}
+
+bool answer_without_body(const httplib::Request& request, httplib::Response& response, LiveApi& api) {
+  if (request.method != "POST" || !request.path.starts_with("/api/sessions") || request.has_header("Content-Length") ||
+      request.has_header("Transfer-Encoding"))
+    return false;
+  send_answer(request, response, api.post(request.target, ""));
+  return true;
 }
 
 void add_live_routes(httplib::Server& server, LiveApi& api) {
@@ -112,8 +124,8 @@ void send_records(const httplib::Request& request, httplib::Response& response, 
           std::this_thread::sleep_for(look_every);
           if (auto begun = api.sessions().newest()) stream = open(*std::move(begun));
         }
-        const auto text = stream ? stream->next() : std::string(": nothing yet\n\n");
-        if (!sink.write(text.data(), text.size())) return false;
+        const auto text = stream ? stream->next() : std::string();
+        if (text.empty() ? !sink.is_writable() : !sink.write(text.data(), text.size())) return false;
         if (stream && stream->is_done()) sink.done();
         return !stopping || (stream && !stream->is_done());
       });

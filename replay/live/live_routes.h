@@ -28,6 +28,9 @@ class StreamSeats {
 /// Everything below /api/sessions. `api` must outlive the server.
 void add_live_routes(httplib::Server& server, LiveApi& api);
 
+/// Answers one of these requests that has no body, for which the library would wait. False: it is none.
+bool answer_without_body(const httplib::Request& request, httplib::Response& response, LiveApi& api);
+
 /// "/api/live?session=ID&after=N": every record of the session's log as it is written, with N < `n` or after that in
 /// the header Last-Event-ID (event `record`, its `id` the number); how its time goes whenever that changes (event
 /// `clock`, {"t", "running", "speed", "viewers"}); its end (event `ended`, as of the session's address). Without

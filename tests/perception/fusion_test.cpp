@@ -180,11 +180,11 @@ TEST_CASE("what arrives late goes by its own time with what waits then") {
     CHECK(brief(fusion.release(at(4.2))) == "4.20 put that there [3] [2]");
   }
   SECTION("words to a pointing that was released alone") {
-    CHECK(brief(fusion.release(at(4.8))) == "4.20 put that there [2] [-]");
-    CHECK(fusion.receive(gesture(3, 4.4, "point"), at(5)));
-    CHECK(brief(fusion.release(at(5.5))) == "5.40 point");
-    CHECK(fusion.receive(speech(4, 4.5, {{"there", 4.5, 4.8}}), at(5.6)));
-    CHECK(brief(fusion.release(at(5.6))) == "5.50 there [3]");
+    CHECK(brief(fusion.release(at(5.3))) == "5.20 put that there [2] [-]");
+    CHECK(fusion.receive(gesture(3, 5.25, "point"), at(5.8)));
+    CHECK(brief(fusion.release(at(6.3))) == "6.25 point");
+    CHECK(fusion.receive(speech(4, 5.4, {{"there", 5.4, 5.7}}), at(6.4)));
+    CHECK(brief(fusion.release(at(6.4))) == "6.30 there [3]");
   }
   SECTION("samples") {
     for (int i = 0; i < 10; ++i) CHECK(fusion.sample(sample_at(3.8 + 0.04 * i, 0.2, 0), 10 + i, at(4.19)));

@@ -73,6 +73,12 @@ TEST_CASE("a trace is held against the run beside it") {
   const auto in_trace = [](const char* old, const char* with) {
     return [=](Approved& one) { one.folder.file("one.trace.jsonl", replaced(conversation, old, with)); };
   };
+  const auto without_digest_of_trace = [](Approved& one) {
+    const auto end = one.run.find('\n');
+    auto header = Json::parse(one.run.substr(0, end));
+    header["trace"]["digest"] = nullptr;
+    one.folder.file("one.run.jsonl", compact(header) + one.run.substr(end));
+  };
   const Case cases[] = {
       {"nothing", [](Approved&) {}, "same"},
       {"what it was made with", in_run(R"("arch":")", R"("arch":"another )"), "same"},
@@ -114,6 +120,7 @@ TEST_CASE("a trace is held against the run beside it") {
       {"an act more", in_run(R"({"kind":"end")", "{\"kind\":\"act\",\"act\":2}\n{\"kind\":\"end\""),
        "changed: decisions differ, and where cannot be told: one.run.jsonl:"},
       {"the trace", in_trace("\"t\":3", "\"t\":4"), "stale: one.run.jsonl was made from another trace"},
+      {"which trace the run was made from", without_digest_of_trace, "same decisions"},
       {"what is expected", in_trace("cup_blue))", "plate))"),
        R"json(broken: one.trace.jsonl:3: expected {"act":"put(knife, in(plate))"}, found {"act":"put(knife, in(cup_blue))"})json"},
       {"the trace is none", in_trace("\"version\":1", "\"version\":7"), "broken"},

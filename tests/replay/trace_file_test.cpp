@@ -164,6 +164,10 @@ TEST_CASE("what is wrong with an event is said with its line") {
        "t.jsonl:2: 'confidence' of speech is 1.1; expected a number from 0 to 1"},
       {R"({"t":1,"kind":"speech","text":"a","until":0.5})",
        "t.jsonl:2: 'until' of speech is 0.5; expected a time that is not before 't'"},
+      {R"({"t":3,"kind":"speech","text":"a","happened":2,"until":1.5})",
+       "t.jsonl:2: 'until' of speech is 1.5; expected a time that is not before 'happened'"},
+      {R"({"t":3,"kind":"pointing","target":[0,0],"happened":3.5})",
+       "t.jsonl:2: 'happened' of pointing is 3.5; expected a time that is not after 't', when it became known"},
       {R"({"t":1,"kind":"speech","text":"a","words":["a"]})",
        R"(t.jsonl:2: 'words' of speech is ["a"]; expected an array of objects)"},
       {R"({"t":1,"kind":"speech","text":"a","words":[{"text":"a","t":1},{"text":"b"}]})",
@@ -196,6 +200,14 @@ TEST_CASE("what is wrong with an event is said with its line") {
        "t.jsonl:2: 'row' of end is -3; expected a whole number from 0 to 1000000000"},
   }));
   CHECK(error_of(line + "\n") == sentence);
+}
+
+TEST_CASE("what became known late has a time of its own, which is written again") {
+  const auto line = R"({"t":2.5,"kind":"gesture","happened":1.25,"name":"point","until":1.5})";
+  const auto trace = sound(header + "\n" + line + "\n");
+  CHECK(trace.events[0].t.seconds() == 2.5);
+  CHECK(input(trace, 0).t.seconds() == 1.25);
+  CHECK(write_event(trace.events[0]) == line);
 }
 
 TEST_CASE("events out of order are an error") {
