@@ -184,7 +184,7 @@ ApiResponse InspectorApi::growth(const std::string& id) {
   return answer(Json{{"records", log.size()},
                      {"t", log.entry(log.size() - 1).t.seconds()},
                      {"complete", complete},
-                     {"live", !complete && is_being_written(file_state(log.path()))}});
+                     {"live", !complete && library_.is_being_written(log.path(), file_state(log.path()))}});
 }
 
 ApiResponse InspectorApi::run(const std::string& id, const std::string& view, const Query& query) {

@@ -66,6 +66,8 @@ class InspectorApi {
 
   /// One more run, by its log; gives its id.
   std::string add(const std::string& name, const std::string& log_path) { return library_.add(name, log_path); }
+  /// See RunLibrary.
+  void ask_whether_open(RunLibrary::IsOpen is_open) { library_.ask_whether_open(std::move(is_open)); }
 
   /// How far a run that is being written has come: {records, t (seconds), complete, live: whether it still is}.
   ApiResponse growth(const std::string& id);

@@ -95,6 +95,7 @@ class InspectorServer::Impl {
     });
     if (sessions_) {
       sessions_->publish_by([this](const std::string& name, const std::string& log) { return api_.add(name, log); });
+      api_.ask_whether_open([this](const std::string& log) { return sessions_->is_live(log); });
       live_ = std::make_unique<LiveApi>(sessions_);
       add_live_routes(server_, *live_);
     }
@@ -140,15 +141,20 @@ class InspectorServer::Impl {
   }
 
   void run() {
-    api_.start_preparing();
-    server_.listen_after_bind();
-    api_.stop_preparing();
+    running_ = true;
+    if (!stopping_) {
+      api_.start_preparing();
+      server_.listen_after_bind();
+      api_.stop_preparing();
+    }
+    running_ = false;
   }
   void stop() {
     api_.stop();
     stopping_ = true;
     if (sessions_) sessions_->end();
-    server_.stop();
+    // The library does not stop what is only about to listen.
+    for (; running_; std::this_thread::sleep_for(std::chrono::milliseconds(1))) server_.stop();
   }
 
  private:
@@ -197,7 +203,7 @@ class InspectorServer::Impl {
   httplib::Server server_;
   std::string address_;
   StreamSeats seats_;
-  std::atomic<bool> stopping_ = false;
+  std::atomic<bool> running_ = false, stopping_ = false;
 };
 
 InspectorServer::InspectorServer(std::vector<std::string> paths, std::shared_ptr<LiveSessions> sessions)

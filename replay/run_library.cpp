@@ -1,6 +1,7 @@
 #include "replay/run_library.h"
 
 #include <algorithm>
+#include <chrono>
 #include <set>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view suffix = ".run.jsonl";
+constexpr std::chrono::seconds lately{15};          // a log written to since then goes on
 constexpr std::size_t most_held = 8;                // indexes kept open
 constexpr std::size_t most_held_records = 3000000;  // of all but the one used last, at some 60 bytes each
 
@@ -96,6 +98,11 @@ std::string RunLibrary::add(const std::string& name, const std::string& path, co
   const std::lock_guard lock(mutex_);
   added_.push_back({id, path, id, what_if_of});
   return id;
+}
+
+bool RunLibrary::is_being_written(const std::string& path, const FileState& log) const {
+  if (is_open_ && is_open_(path)) return true;
+  return fs::file_time_type::clock::now() - log.written < lately;
 }
 
 // Empty: no run has this id.

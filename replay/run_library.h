@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -46,6 +47,12 @@ class RunLibrary {
   /// paths already is not added.
   std::string add(const std::string& name, const std::string& path, const std::string& what_if_of = "");
 
+  /// Who knows whether this program itself is writing the log at a path. REQUIRES that nobody else asks yet.
+  using IsOpen = std::function<bool(const std::string& path)>;
+  void ask_whether_open(IsOpen is_open) { is_open_ = std::move(is_open); }
+  /// Whether a log that has no end yet is being written: by this program, or by another, in the last seconds.
+  bool is_being_written(const std::string& path, const FileState& log) const;
+
   /// The index of a run, read again when the file has changed; of a log that has grown, only what was added. Null
   /// index: no run has this id. The indexes used last stay in memory.
   Result<std::shared_ptr<const RunIndex>> open(const std::string& id);
@@ -67,6 +74,7 @@ class RunLibrary {
   static Result<std::shared_ptr<const RunIndex>> read(Held& held);
 
   std::vector<std::string> paths_;
+  IsOpen is_open_;
   std::mutex mutex_;                          // guards what follows; never held while a file is read
   std::map<std::string, std::string> known_;  // id -> path, as found last
   std::vector<RunFile> added_;

@@ -11,18 +11,13 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t prepared_runs = 2;
-constexpr double live_s = 15;     // a log written to so lately goes on
 constexpr auto patience = 100ms;  // that the start page has for what is nearly read
 
 double seconds_since_1970(std::filesystem::file_time_type time) {
   return std::chrono::duration<double>(std::chrono::file_clock::to_sys(time).time_since_epoch()).count();
 }
 
-double now_s() { return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(); }
-
 }  // namespace
-
-bool is_being_written(const FileState& log) { return now_s() - seconds_since_1970(log.written) < live_s; }
 
 void RunListings::start(std::function<void(const std::string& id)> prepare) {
   prepare_ = std::move(prepare);
@@ -125,7 +120,8 @@ Json RunListings::all() {
     if (known != known_.end()) line.update(known->second.line);
     if (!is_known(one)) line["pending"] = true;
     line["bytes"] = one.state.bytes;
-    line["live"] = !line.contains("error") && !line.value("complete", false) && is_being_written(one.state);
+    line["live"] = !line.contains("error") && !line.value("complete", false) &&
+                   library_.is_being_written(one.file.path, one.state);
     lines.push_back(std::move(line));
   }
   return lines;

@@ -14,9 +14,6 @@
 
 namespace continua {
 
-/// Whether a log that has no end yet is being written: it was, in the last seconds.
-bool is_being_written(const FileState& log);
-
 /// Safe to use from several threads.
 class RunListings {
  public:
@@ -29,7 +26,7 @@ class RunListings {
   void stop();
 
   /// All runs, the newest first: {id, name, changed (seconds since 1970), live, bytes} and what run_listing() tells, or
-  /// `error`. `live`: without its end, and written to in the last seconds. While the thread has yet to read a run it is
+  /// `error`. `live`: without its end, and being written. While the thread has yet to read a run it is
   /// `pending`, with what was known of it before; without a thread all are read at once.
   Json all();
 

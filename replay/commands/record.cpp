@@ -96,8 +96,6 @@ void add_record_command(CLI::App& program, Run& run) {
   command->add_option("--seed", live.replay.seed, "for draws");
   command->add_option("--knowledge", live.replay.knowledge,
                       "folder of machines, lexicon, voxemes; otherwise the program's");
-  command->add_option("--learned", live.replay.learned,
-                      "a file of what was taught: read if it exists, and written when a session has changed it");
   command->add_flag_callback(
       "--no-physics", [options] { options->live.replay.physics = false; },
       "the kinematic world, in which acts succeed at once");

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "replay/trace_event.h"
 
@@ -50,7 +51,11 @@ Result<LiveEvent> read_event_at(const Json& json, SimTime t, std::optional<SimTi
   std::vector<Note> notes;
   event.event = event_from_json(std::move(timed), where, line, problems, notes);
   if (!problems.empty()) return Error{where, problems.front().sentence};
-  if (!notes.empty()) return Error{where, notes.front().sentence};
+  if (std::holds_alternative<UnknownKind>(event.event->what)) {
+    const std::string kind = event.event->json["kind"];
+    return Error{where, fmt::format("unknown kind {}{}; expected {} or clock", in_quotes(kind),
+                                    did_you_mean(kind, event_kinds()), fmt::join(event_kinds(), ", "))};
+  }
   return event;
 }
 

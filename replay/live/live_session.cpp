@@ -163,7 +163,6 @@ void LiveSession::close(std::optional<SimTime> end) {
     loop_->wait_until(*end);
   }
   summary_ = session_->end(*loop_);
-  if (const auto problem = session_->keep_learned()) broke_ = problem;
   const auto wall = std::chrono::steady_clock::now();
   clock_.stop(wall);
   clock_.set(loop_->now(), wall);

@@ -120,7 +120,7 @@ std::optional<std::string> LiveSessions::take_place(LiveOptions& options, const 
     return std::nullopt;
   for (int number = 1;; ++number) {
     const auto id = number == 1 ? name : fmt::format("{}-{}", name, number);
-    const auto path = fs::path(defaults_.folder) / id;
+    const auto path = (fs::path(defaults_.folder) / id).lexically_normal();
     options.trace_path = path.string() + defaults_.ending;
     options.log_path = path.string() + ".run.jsonl";
     std::error_code problem;
@@ -172,6 +172,14 @@ std::optional<ListedSession> LiveSessions::newest() const {
 std::vector<ListedSession> LiveSessions::all() const {
   const std::lock_guard lock(mutex_);
   return sessions_;
+}
+
+bool LiveSessions::is_live(const std::string& log_path) const {
+  const auto sessions = all();
+  std::error_code problem;
+  return std::any_of(sessions.begin(), sessions.end(), [&](const ListedSession& one) {
+    return one.session->state().live && fs::equivalent(one.session->options().log_path, log_path, problem);
+  });
 }
 
 void LiveSessions::end() {

@@ -20,7 +20,7 @@ struct LiveDefaults {
   std::string name = "session";         ///< of each; where it is taken a number goes after it
   std::string ending = ".trace.jsonl";  ///< of a trace's file
   std::string scene, machine;           ///< where none is asked for; empty: those of knowledge/live.json
-  ReplayOptions replay;                 ///< seed, choice, knowledge, learned, physics
+  ReplayOptions replay;                 ///< seed, knowledge, physics
   std::optional<LiveTiming> timing;
   double speed = 1;
   std::string tests = "tests";                           ///< folder in which sessions are saved as tests
@@ -65,6 +65,8 @@ class LiveSessions {
   /// The live one that was begun last.
   std::optional<ListedSession> newest() const;
   std::vector<ListedSession> all() const;
+  /// Whether one of them is writing this log.
+  bool is_live(const std::string& log_path) const;
   void end();
 
   const LiveDefaults& defaults() const { return defaults_; }

@@ -83,7 +83,7 @@ TEST_CASE("those who listen get every record, once, and the end") {
   std::thread listening_to_newest([&] { newest = server.ask("GET /api/live"); });
   CHECK_THAT(server.post("/api/sessions/session/events", R"({"t":1,"kind":"speech","text":"The plate."})"),
              Contains("\"accepted\":1"));
-  CHECK_THAT(server.ask("GET /api/runs"), Contains("\"id\":\"session\""));
+  CHECK_THAT(server.ask("GET /api/runs"), Contains("\"id\":\"session\"") && Contains("\"live\":true"));
   // A pause in between, so that it is sure that both have begun to listen.
   while (!Contains("\"viewers\":2").match(server.ask("GET /api/sessions/session"))) std::this_thread::yield();
   CHECK_THAT(server.ask("POST /api/sessions/session/end"), Contains("\"live\":false"));
