@@ -97,10 +97,6 @@ def stream(events, options):
             continue
         if "t" in event and options.speed:
             time.sleep(max(0, begun + event["t"] / options.speed - time.monotonic()))
-        if event["kind"] == "end":  # time goes on until then, and nothing happens
-            if options.clock == "wall":
-                continue
-            event = {"kind": "clock", "t": event["t"]}
         for move in session.send(event):
             print(f"{move['t']:8.2f}  {told(move)}", flush=True)
     return session.end()

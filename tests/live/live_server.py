@@ -80,9 +80,13 @@ class Client:
             self.connection.close()
         text = body if body is None or isinstance(body, (bytes, str)) else json.dumps(body)
         kind = {} if body is None else {"Content-Type": "application/json"}
-        self.connection.request(method, path, text, kind | (headers or {}))
-        response = self.connection.getresponse()
-        answer = Answer(response.status, response.headers, response.read())
+        try:
+            self.connection.request(method, path, text, kind | (headers or {}))
+            response = self.connection.getresponse()
+            answer = Answer(response.status, response.headers, response.read())
+        except (OSError, http.client.HTTPException):
+            self.connection.close()
+            raise
         self.used = time.monotonic()
         return answer
 
