@@ -145,6 +145,8 @@ def check_by_hand(server, _):
             ("HTTP/1.0", b"GET /api/sessions HTTP/1.0\r\n" + here + b"\r\n", "200"),
             ("HTTP/1.0 that hides where it goes", b"GET /api/sessions HTTP/1.0\r\n\r\n", "403"),
             ("no HTTP at all", b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03\r\n\r\n", "400"),
+            ("a body of more than 1 MiB", b"POST /api/sessions HTTP/1.1\r\n" + here +
+             f"Content-Length: {MIB + 1}\r\n\r\n".encode() + b" " * (MIB + 1), "413"),
             ("a body of an unlikely length", b"POST /api/sessions HTTP/1.1\r\n" + here +
              b"Content-Length: 99999999999999999999\r\n\r\n", "4"),
             ("a header without an end", b"GET /api/sessions HTTP/1.1\r\n" + here + b"X: " + b"x" * MIB, "4")]:
@@ -152,6 +154,24 @@ def check_by_hand(server, _):
             line = said_by_hand(server, text)
             if line and not line.split(" ", 1)[1].startswith(expected):
                 yield f"{about}: {line.strip()!r} instead of {expected}"
+
+
+def check_smuggled(server, _):
+    """What a refused request brings along must not be taken for the next request: that one would have no origin."""
+    begin = f"POST /api/sessions HTTP/1.1\r\nHost: {server.host}:{server.port}\r\n"
+    inner = f"{begin}Content-Length: 2\r\n\r\n{{}}".encode()
+    outer = f"{begin}Origin: http://elsewhere.example\r\nContent-Length: {len(inner)}\r\n\r\n".encode()
+    client = server.client()
+    before = client.get("/api/sessions").must()["sessions"]
+    with socket.create_connection((server.host, server.port), timeout=ANSWERS_WITHIN_S) as connection:
+        connection.sendall(outer)
+        time.sleep(0.1)
+        connection.sendall(inner)
+        with contextlib.suppress(OSError):
+            while connection.recv(65536):
+                pass
+    if client.get("/api/sessions").must()["sessions"] != before:
+        yield "a request in the body of a refused one was carried out"
 
 
 def check_crowd(server, _):
@@ -195,8 +215,8 @@ def check_end(server, _):
         yield f"the server ended {took:.1f} s after SIGTERM"
 
 
-CHECKS = [check_refusals, check_wall_clock, check_save, check_flood, check_too_many, check_by_hand, check_crowd,
-          check_end]
+CHECKS = [check_refusals, check_wall_clock, check_save, check_flood, check_too_many, check_by_hand, check_smuggled,
+          check_crowd, check_end]
 
 
 def problems(check, server, folder):

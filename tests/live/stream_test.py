@@ -26,6 +26,11 @@ def decisions(run):
     return records(run)[-1].get("decisions", f"{run} has no end")
 
 
+def told(run):
+    """What the log tells apart from what it says of itself."""
+    return [record for record in records(run) if record["kind"] not in ("run", "block", "end")]
+
+
 def lines_of_moves(run):
     return [line for line in run.read_text(encoding="utf-8").splitlines() if json.loads(line)["kind"] in MOVES]
 
@@ -85,8 +90,9 @@ def check_pipe(program, example, world, folder):
         yield f"{name}: continua record ended with status {piped.returncode}: {piped.stderr.decode()}"
         return
     run = run_of(recorded)
-    if decisions(run) != decisions(replay(program, original, world)):
-        yield f"{name}: what was piped in is decided otherwise than in a replay"
+    # Not by the digest: the recorded trace may spell the events otherwise, 37.0 for 37.
+    if told(run) != told(replay(program, original, world)):
+        yield f"{name}: what was piped in went otherwise than in a replay"
     if decisions(run) != decisions(replay(program, recorded, world)):
         yield f"{name}: the replay of what was recorded decided otherwise"
     if piped.stdout.decode().splitlines() != lines_of_moves(run):
