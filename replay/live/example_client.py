@@ -22,6 +22,7 @@ import urllib.parse
 # The server closes a connection that nothing was asked on for two seconds.
 QUIET_S = 1
 NOT_SENT = ("observed", "expect")
+EXAMPLE = '{"kind": "speech", "text": "The plate."}'
 HEADER_FIELDS = ("scene", "machine", "seed", "perspective", "objects")
 
 
@@ -71,11 +72,15 @@ def told(move):
 
 def events_of(lines):
     for number, line in enumerate(lines, 1):
-        if line.strip():
-            try:
-                yield json.loads(line)
-            except ValueError as error:
-                sys.exit(f"line {number} is not JSON ({error}); each line must hold one event")
+        if not line.strip():
+            continue
+        try:
+            event = json.loads(line)
+        except ValueError:
+            event = None
+        if not isinstance(event, dict) or "kind" not in event:
+            sys.exit(f"line {number} is no event; expected one such as {EXAMPLE}")
+        yield event
 
 
 def wishes_of(header, options):
