@@ -23,7 +23,8 @@ LONGEST_S = 1.0       # from the session's beginning to the kill
 MEAN_PAUSE_S = 0.01   # between events
 WITH_PHYSICS = 0.2    # of all sessions: their replays take long, since acts under way are finished
 
-WORDS = ["Put the knife in the cup.", "The white cup.", "Yes.", "No.", "Put it there.", "Never mind.", "The plate.", "glorp"]
+WORDS = ["Put the knife in the cup.", "The white cup.", "Yes.", "No.", "Put it there.", "Never mind.", "The plate.",
+         "glorp"]
 GESTURES = ["posack", "negack", "nevermind", "wobble", "grab"]
 # What a run log says of the trace as a whole, which is longer in the replay than it was to the killed server.
 OF_THE_WHOLE = ("run", "block", "rest", "end")
