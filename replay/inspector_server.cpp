@@ -74,6 +74,12 @@ class InspectorServer::Impl {
       : api_(std::move(paths), drawn_frames(), replayed_what_if()), sessions_(std::move(sessions)) {
     server_.set_payload_max_length(largest_body);
     server_.set_tcp_nodelay(true);
+    server_.set_read_timeout(2);
+    const auto guard = [this](httplib::Server::Handler handler) -> httplib::Server::Handler {
+      return [this, handler = std::move(handler)](const httplib::Request& request, httplib::Response& response) {
+        if (!refuses(request, response)) handler(request, response);
+      };
+    };
     server_.set_keep_alive_timeout(2);
     server_.set_default_headers({{"Content-Security-Policy", policy},
                                  {"X-Content-Type-Options", "nosniff"},
@@ -81,9 +87,10 @@ class InspectorServer::Impl {
                                  {"Cross-Origin-Opener-Policy", "same-origin"},
                                  {"Cross-Origin-Resource-Policy", "same-origin"}});
     server_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
-      const auto refused = refusal(request);
       using enum httplib::Server::HandlerResponse;
-      if (!refused.empty()) return send_answer(request, response, api_error(403, refused)), Handled;
+      // What is answered before its body is read leaves that to be taken for the next request.
+      if (has_body(request)) return Unhandled;
+      if (refuses(request, response)) return Handled;
       return live_ && answer_without_body(request, response, *live_) ? Handled : Unhandled;
     });
     server_.new_task_queue = [] { return new httplib::ThreadPool(StreamSeats::most + other_threads); };
@@ -97,7 +104,7 @@ class InspectorServer::Impl {
       sessions_->publish_by([this](const std::string& name, const std::string& log) { return api_.add(name, log); });
       api_.ask_whether_open([this](const std::string& log) { return sessions_->is_live(log); });
       live_ = std::make_unique<LiveApi>(sessions_);
-      add_live_routes(server_, *live_);
+      add_live_routes(server_, *live_, guard);
     }
     server_.Get("/api/.*", [this](const httplib::Request& request, httplib::Response& response) {
       send_answer(request, response, api_.get(request.target));
@@ -112,16 +119,17 @@ class InspectorServer::Impl {
         send_answer(request, response, api_error(404, fmt::format("there is nothing at {}", request.path)));
     });
     const auto content_type = [](const httplib::Request& request) { return request.get_header_value("Content-Type"); };
-    server_.Post("/api/what-if", [this, content_type](const httplib::Request& request, httplib::Response& response) {
-      send_answer(request, response, api_.post(request.target, content_type(request), request.body));
-    });
+    server_.Post("/api/what-if",
+                 guard([this, content_type](const httplib::Request& request, httplib::Response& response) {
+                   send_answer(request, response, api_.post(request.target, content_type(request), request.body));
+                 }));
     server_.Put("/api/runs/[^/]+/notes",
-                [this, content_type](const httplib::Request& request, httplib::Response& response) {
+                guard([this, content_type](const httplib::Request& request, httplib::Response& response) {
                   send_answer(request, response, api_.put(request.target, content_type(request), request.body));
-                });
-    const auto nothing_to_write = [](const httplib::Request& request, httplib::Response& response) {
+                }));
+    const auto nothing_to_write = guard([](const httplib::Request& request, httplib::Response& response) {
       send_answer(request, response, api_error(405, "this address can only be read"));
-    };
+    });
     server_.Post(".*", nothing_to_write);
     server_.Put(".*", nothing_to_write);
     server_.Delete(".*", nothing_to_write);
@@ -180,6 +188,17 @@ class InspectorServer::Impl {
           std::this_thread::sleep_for(look_every);
           return !stopping_ && sink.is_writable();
         });
+  }
+
+  static bool has_body(const httplib::Request& request) {
+    const auto length = request.get_header_value("Content-Length");
+    return request.has_header("Transfer-Encoding") || !(length.empty() || length == "0");
+  }
+
+  bool refuses(const httplib::Request& request, httplib::Response& response) const {
+    const auto why = refusal(request);
+    if (!why.empty()) send_answer(request, response, api_error(403, why));
+    return !why.empty();
   }
 
   // Why a request is not answered; empty when it is. A page elsewhere may reach this port through its visitor's

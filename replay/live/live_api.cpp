@@ -115,6 +115,8 @@ ApiResponse LiveApi::events(const ListedSession& listed, std::string_view body) 
   const auto events = events_in(body);
   if (!events) return api_error(400, events.error().text());
   if (!listed.session->state().live) return api_error(409, "the session has ended");
+  if (static_cast<double>(events->size()) > most_at_once)
+    return api_error(413, fmt::format("found {} events; expected at most {} at a time", events->size(), most_at_once));
   if (!admits(listed.id, events->size()))
     return api_error(429, fmt::format("more than {} events a second; try again in a second", events_per_s));
   const auto reply = listed.session->receive(*events);

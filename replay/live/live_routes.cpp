@@ -88,14 +88,14 @@ bool answer_without_body(const httplib::Request& request, httplib::Response& res
   return true;
 }
 
-void add_live_routes(httplib::Server& server, LiveApi& api) {
+void add_live_routes(httplib::Server& server, LiveApi& api, const Guard& guard) {
   server.Get("/api/sessions.*", [&api](const httplib::Request& request, httplib::Response& response) {
     send_answer(request, response, api.get(request.target));
   });
-  server.Post("/api/sessions.*", [&api](const httplib::Request& request, httplib::Response& response) {
-    send_answer(request, response, api.post(request.target, request.body));
-    if (response.status == 429) response.set_header("Retry-After", "1");
-  });
+  server.Post("/api/sessions.*", guard([&api](const httplib::Request& request, httplib::Response& response) {
+                send_answer(request, response, api.post(request.target, request.body));
+                if (response.status == 429) response.set_header("Retry-After", "1");
+              }));
 }
 
 void send_records(const httplib::Request& request, httplib::Response& response, const LiveApi& api, StreamSeats& seats,
@@ -105,7 +105,11 @@ void send_records(const httplib::Request& request, httplib::Response& response, 
   if (!id.empty() && !listed)
     return send_answer(request, response, api_error(404, fmt::format("there is no session {}", in_quotes(id))));
   const auto last = id.empty() ? "" : request.get_header_value("Last-Event-ID", 0);
-  const auto after = number_in<std::uint64_t>(last.empty() ? request.get_param_value("after") : last);
+  const auto wanted = last.empty() ? request.get_param_value("after") : last;
+  const auto after = number_in<std::uint64_t>(wanted);
+  if (!after && !wanted.empty())
+    return send_answer(request, response,
+                       api_error(400, fmt::format("'after' is {}; expected a record's number", in_quotes(wanted))));
   const auto seat = seats.take();
   if (!seat)
     return send_answer(request, response,

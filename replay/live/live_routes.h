@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 
 #include "replay/live/live_api.h"
@@ -25,8 +26,12 @@ class StreamSeats {
   std::atomic<int> taken_ = 0;
 };
 
+/// Decides first whether a request is answered at all.
+using Guard = std::function<std::function<void(const httplib::Request&, httplib::Response&)>(
+    std::function<void(const httplib::Request&, httplib::Response&)>)>;
+
 /// Everything below /api/sessions. `api` must outlive the server.
-void add_live_routes(httplib::Server& server, LiveApi& api);
+void add_live_routes(httplib::Server& server, LiveApi& api, const Guard& guard);
 
 /// Answers one of these requests that has no body, for which the library would wait. False: it is none.
 bool answer_without_body(const httplib::Request& request, httplib::Response& response, LiveApi& api);

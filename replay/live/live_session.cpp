@@ -1,5 +1,7 @@
 #include "replay/live/live_session.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -81,8 +83,9 @@ void LiveSession::work() {
         return;
       }
       if (loop_->now() < goal) {
-        lock.unlock();  // the world takes longer to work out than it takes
-        std::this_thread::yield();
+        // The world takes longer to work out than it takes: whoever sends events goes first.
+        lock.unlock();
+        while (waiting_ > 0) std::this_thread::sleep_for(50us);
         lock.lock();
         continue;
       }
@@ -101,8 +104,15 @@ void LiveSession::work() {
   }
 }
 
+std::unique_lock<std::mutex> LiveSession::lock_soon() {
+  ++waiting_;
+  std::unique_lock lock(mutex_);
+  --waiting_;
+  return lock;
+}
+
 Result<LiveSession::Reply> LiveSession::receive(const std::vector<Json>& events) {
-  const std::lock_guard lock(mutex_);
+  const auto lock = lock_soon();
   if (!loop_) return Error{"", "the session has ended"};
   const auto timing = timing_.value_or(has_time(events.front()) ? LiveTiming::events : LiveTiming::wall);
   const auto timed = timed_events(events, timing, now(), next_line_);
@@ -132,7 +142,7 @@ void LiveSession::take(const std::vector<LiveEvent>& events) {
 }
 
 Outcome LiveSession::pause(bool paused) {
-  const std::lock_guard lock(mutex_);
+  const auto lock = lock_soon();
   if (!loop_) return Error{"", "the session has ended"};
   if (timing_ == LiveTiming::events) return Error{"", "its time goes by events: it stands still between them"};
   timing_ = LiveTiming::wall;
@@ -149,7 +159,7 @@ Outcome LiveSession::pause(bool paused) {
 
 void LiveSession::end() {
   {
-    const std::lock_guard lock(mutex_);
+    const auto lock = lock_soon();
     if (loop_) close(now());
   }
   const std::lock_guard lock(joining_);
@@ -171,6 +181,8 @@ void LiveSession::close(std::optional<SimTime> end) {
   session_.reset();
   trace_.close();
   log_->close();
+  // Sessions have threads of their own, and with them heaps of their own, which would be kept.
+  ::malloc_trim(0);
   tell();
   heard_.notify_all();
 }

@@ -2,6 +2,7 @@
 // replays to the same decisions, since the trace says when the engine learned of each event.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -83,6 +84,7 @@ class LiveSession {
  private:
   LiveSession(LiveOptions options, Session session);
   Outcome open();
+  std::unique_lock<std::mutex> lock_soon();
   void work();
   SimTime now() const;
   bool is_attended() const;
@@ -95,7 +97,8 @@ class LiveSession {
   const Json palette_;
   const std::optional<Error> warning_;
 
-  mutable std::mutex mutex_;  // guards what follows
+  std::atomic<int> waiting_ = 0;  // for the next
+  mutable std::mutex mutex_;      // guards what follows
   std::condition_variable heard_;
   std::optional<Session> session_;
   std::ofstream trace_;
