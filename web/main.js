@@ -10,7 +10,7 @@ import {calmly} from './calmly.js';
 import {onKey} from './keys.js';
 import {buildRunPage} from './run_page.js';
 import {StartPage} from './panels/start.js';
-import {LivePage} from './live/live_page.js';
+import {LivePage} from './talk/live_page.js';
 
 const page = document.getElementById('page');
 const sentence = document.getElementById('sentence');

@@ -50,7 +50,7 @@ const from_disk = process.env.CONTINUA_WEB;
 const media = {'.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml'};
 async function serveFromDisk(route, address) {
   const {pathname} = new URL(route.request().url());
-  const file = join(from_disk, /^\/(r\/|diff\/|$)/.test(pathname) ? 'index.html' : pathname);
+  const file = join(from_disk, /^\/(r\/|diff\/|live(\/|$)|$)/.test(pathname) ? 'index.html' : pathname);
   if (!route.request().url().startsWith(address) || pathname.startsWith('/api/') || !existsSync(file)) return route.fallback();
   return route.fulfill({body: readFileSync(file), contentType: media[extname(file)]});
 }

@@ -42,7 +42,7 @@ export function mountTableMap(known, world) {
   }
 
   return {
-    element, focusable: picture, controls: null,
+    element, picture, focusable: picture, controls: null,
     async open() { draw(); },
     at(x, y) {
       const box = picture.getScreenCTM();

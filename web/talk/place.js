@@ -58,6 +58,7 @@ export function mountPlace({own, known, world, status, drawn, tell, keeps, send,
 
   return {
     element, pointing,
+    get view() { return shown; },
     open: () => show(drawn ? 'drawing' : 'map'),
     toggle() { if (drawn) show(shown === views.map ? 'drawing' : 'map'); },
     render: () => shown?.render(),

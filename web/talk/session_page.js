@@ -148,6 +148,7 @@ export function mountSession(client, state, app) {
   addEventListener('pagehide', leaving);
 
   return {
+    get place() { return place; },
     elements: [status.element, main, ...Object.values(dialogs).map((one) => one.element)],
     /** Resolves when the scene is there. */
     open() {

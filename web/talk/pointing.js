@@ -36,6 +36,8 @@ export class Pointing {
     element.addEventListener('pointerup', (event) => this.#up(event));
     element.addEventListener('pointercancel', (event) => this.#cancel(event));
     element.addEventListener('pointerleave', () => { if (!this.#press) this.#show(null); });
+    // Whoever points while typing goes on typing.
+    element.addEventListener('mousedown', (event) => event.preventDefault());
     element.addEventListener('contextmenu', (event) => event.preventDefault());
   }
 

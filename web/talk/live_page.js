@@ -5,7 +5,7 @@ import {mountSession} from './session_page.js';
 import {mountStart} from './start_form.js';
 
 export class LivePage {
-  #shown = null;
+  shown = null;
 
   constructor(host, app) {
     this.host = host;
@@ -34,16 +34,16 @@ export class LivePage {
   }
 
   #show(page) {
-    this.#shown?.close?.();
-    this.#shown = page;
+    this.shown?.close?.();
+    this.shown = page;
     this.host.replaceChildren(...page.elements);
     page.shown?.();
   }
 
   /** Whether the key means something here; then it has been done. */
   onKey(key) {
-    if (key === 't') this.app.toggleTheme(); else return this.#shown?.onKey?.(key) ?? false;
+    if (key === 't') this.app.toggleTheme(); else return this.shown?.onKey?.(key) ?? false;
     return true;
   }
-  close() { this.#shown?.close?.(); }
+  close() { this.shown?.close?.(); }
 }

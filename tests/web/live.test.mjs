@@ -1,0 +1,290 @@
+// The live page in a real browser: what a person types, shows and points at, and what the avatar answers.
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {readFileSync} from 'node:fs';
+import {dirname} from 'node:path';
+import {after, before, test} from 'node:test';
+import {program, serve, temporaryFolder, Visitor} from './support.mjs';
+
+const moved = {objects: {cup: {position: [-0.02, 0.05, 0.05]}, knife: {position: [0.3, -0.1, 0.005]}}};
+const kinematic = {physics: false};
+let server, drawing, flat, visitor, serial = 0;
+const folder = temporaryFolder(), saved = [];
+before(async () => {
+  server = await serve(folder);
+  drawing = await Visitor.start(server.address, {webgl: true});
+  flat = await Visitor.start(server.address);
+});
+after(async () => {
+  for (const one of [drawing, flat]) await one?.close();
+  server?.stop();
+});
+
+const at = (id) => visitor.at(id);
+const api = async (path, body) => (await fetch(`${server.address}/api/sessions${path}`, body && {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)})).json();
+const idOf = (page = visitor.page) => page.evaluate(() => window.continua.model.selection.live);
+const ready = () => visitor.page.waitForFunction(() => 'ready' in document.body.dataset && (document.querySelector('.stage.map') || window.continua.live_page.shown.place?.view.stage?.drawing));
+
+/** A session begun by the form. */
+async function begin(with_visitor, options = {}) {
+  visitor = with_visitor;
+  await visitor.visit('/live', options);
+  await at('live-start').click();
+  await ready();
+}
+/** A session begun with options that the form does not have. */
+async function beginWith(with_visitor, options) {
+  visitor = with_visitor;
+  const recorder = `secret ${++serial}`, {id} = await api('', {clock: 'wall', scene: 'place_setting', machine: 'interaction', recorder, ...options});
+  await visitor.visit('/live');
+  await visitor.page.evaluate(([key, secret]) => sessionStorage.setItem(key, secret), [`recorder:${id}`, recorder]);
+  await visitor.page.goto(`${server.address}/live/${id}`);
+  await ready();
+}
+
+const lines = (who, how) => visitor.page.locator(`[data-testid=conversation] li[data-who=${who}][data-how=${how}]`).filter({has: visitor.page.locator('a')});
+/** Does this, and waits until the avatar has said that: `text` is its next utterance. */
+async function answered(act, text) {
+  const said = lines('avatar', 'says'), before_n = await said.count();
+  await act();
+  await visitor.page.waitForFunction(([n]) => document.querySelectorAll('[data-testid=conversation] li[data-who=avatar][data-how=says]').length > n, [before_n]);
+  assert.equal(await said.nth(before_n).locator('.words').innerText(), `“${text}”`);
+}
+const type = async (text) => {
+  await at('talk').fill(text);
+  await at('talk').press('Enter');
+};
+/** Where a point of the table is in the window. */
+const placeOf = (target) => visitor.page.evaluate(([x, y]) => {
+  const {view} = window.continua.live_page.shown.place;
+  if (view.picture) {
+    const {x: left, y: top} = new DOMPoint(x, -y).matrixTransform(view.picture.getScreenCTM());
+    return [left, top];
+  }
+  const box = view.stage.canvas.getBoundingClientRect(), [left, top] = view.stage.drawing.project([x, y, 0]);
+  return [box.left + left, box.top + top];
+}, target);
+const click = async (target) => visitor.page.mouse.click(...await placeOf(target));
+/** Types, and clicks after the last of these words. */
+const typeAndClick = async (text, target) => {
+  await at('talk').fill(text);
+  await click(target);
+  await at('click-chip').waitFor();
+  await at('talk').press('Enter');
+};
+const asked = (program_text) => lines('avatar', 'does').filter({hasText: program_text}).waitFor();
+
+async function saveAsTest(name) {
+  await at('live-save').click();
+  await at('save-name').fill(name);
+  const [response] = await Promise.all([visitor.page.waitForResponse(/\/save$/), at('save-do').click()]);
+  const {trace, check} = await response.json();
+  await at('saved').locator('code').waitFor();
+  assert.equal(await at('saved').locator('code').innerText(), check);
+  saved.push(trace);
+  await visitor.page.keyboard.press('Escape');
+}
+
+test('a dialogue in words: the plate, put in front of the avatar', async () => {
+  await begin(flat);
+  assert.match(await at('talk').getAttribute('placeholder'), /“The plate\.”/);
+  await answered(() => type('The plate.'), 'Okay, go on.');
+  await answered(() => type('Put it in front of you.'), 'Okay.');
+  await asked('put(plate, in_front(avatar))');
+  await lines('avatar', 'does').filter({hasText: 'done'}).waitFor();
+  await saveAsTest('dialogue_in_words');
+  assert.deepEqual(visitor.complaints, []);
+});
+
+test('words and a click in 3D: put it there', async () => {
+  await begin(drawing);
+  await answered(() => type('The plate.'), 'Okay, go on.');
+  await answered(() => typeAndClick('Put it there.', [-0.1, -0.15]), 'Okay.');
+  const does = await lines('avatar', 'does').locator('.words').innerText(), [, x, y] = /put\(plate, <(-?[\d.]+), (-?[\d.]+), 0>\)/.exec(does);
+  assert.ok(Math.abs(x + 0.1) < 0.01 && Math.abs(y + 0.15) < 0.01, does);
+  await saveAsTest('put_it_there');
+  assert.deepEqual(visitor.complaints, []);
+});
+
+test('a click on a region with two objects: asked about, nearest first', async () => {
+  await beginWith(drawing, {...moved, ...kinematic});
+  await answered(() => click([0.29, -0.05]), 'The blue cup?');
+  await answered(() => type('No.'), 'The knife?');
+  await answered(() => visitor.page.locator('[data-gesture=posack]').first().click(), 'Okay, go on.');
+  await saveAsTest('region_without_words');
+});
+
+test('a click while typing: that cup', async () => {
+  await beginWith(flat, {...moved, ...kinematic});
+  await answered(() => typeAndClick('That cup.', [0.29, -0.05]), 'Okay, go on.');
+  await saveAsTest('that_cup');
+});
+
+test('a click while typing: in that blue cup', async () => {
+  await beginWith(flat, {...moved, ...kinematic});
+  await answered(() => type('The knife.'), 'Okay, go on.');
+  await typeAndClick('In that blue cup.', [0.29, -0.05]);
+  await lines('human', 'says').filter({hasText: 'In that blue cup.'}).waitFor();
+  await answered(() => type('Put it there.'), 'Okay.');
+  await asked('put(knife, in(cup_blue))');
+  await saveAsTest('in_that_blue_cup');
+});
+
+test('a gesture that nobody knows is taught once', async () => {
+  await beginWith(flat, {objects: {cup_blue: null}, ...kinematic});
+  const twoFingers = async () => {
+    await at('other-gesture').fill('two fingers');
+    await at('other-gesture').press('Enter');
+  };
+  await answered(twoFingers, 'What does that gesture mean?');
+  await answered(() => type('Grasp the cup.'), 'Okay, I will remember that.');
+  await answered(twoFingers, 'Okay.');
+  await asked('grasp(cup)');
+  await type('Let go of it.');
+  await asked('ungrasp(cup)');
+  await answered(() => type('Never mind.'), 'Okay, never mind.');
+  await answered(() => type('Put on the plate.'), 'What should I put there?');
+  await answered(twoFingers, 'Okay.');
+  await asked('put(cup, on(plate))');
+  await saveAsTest('one_shot_learning');
+});
+
+test('what was saved holds as tests', () => {
+  assert.equal(saved.length, 6);
+  for (const trace of saved) assert.match(readFileSync(trace, 'utf8'), /"kind":"expect"/);
+  const told = execFileSync(program, ['check', ...new Set(saved.map(dirname))], {encoding: 'utf8', cwd: folder});
+  assert.match(told, /6 traces/);
+});
+
+test('pause stops the engine’s time, and going on lets it run', async () => {
+  await begin(flat);
+  const id = await idOf();
+  await at('talk').press('Escape');
+  await visitor.page.keyboard.press(' ');
+  await visitor.page.waitForFunction(() => /paused/.test(document.querySelector('[data-testid=live-mode]').textContent));
+  const {t, paused} = await api(`/${id}`);
+  assert.ok(paused);
+  for (let i = 0; i < 20; ++i) assert.equal((await api(`/${id}`)).t, t);
+  await at('live-pause').click();
+  await visitor.page.waitForFunction(() => /recording/.test(document.querySelector('[data-testid=live-mode]').textContent));
+  while ((await api(`/${id}`)).t === t);
+});
+
+test('a held button is a hold, a moving mouse samples', async () => {
+  await begin(flat);
+  const [x, y] = await placeOf([0.1, 0.05]);
+  await visitor.page.mouse.move(x, y);
+  await visitor.page.mouse.down();
+  await lines('human', 'shows').filter({hasText: 'point begins'}).waitFor();
+  await visitor.page.mouse.move(x + 30, y, {steps: 4});
+  await visitor.page.mouse.up();
+  await lines('human', 'shows').filter({hasText: 'point ends'}).waitFor();
+  const {trace} = await api(`/${await idOf()}`);
+  assert.match(readFileSync(trace, 'utf8'), /"kind":"pointing","hand":"right","target":\[0\.1\d*,0\.05/);
+});
+
+test('by keyboard alone: the cross points, and the avatar answers', async () => {
+  await begin(flat);
+  await at('talk').press('Escape');
+  await at('table-map').focus();
+  for (const key of ['Shift+ArrowLeft', 'Shift+ArrowLeft', 'Shift+ArrowLeft', 'Shift+ArrowLeft', 'ArrowUp']) await visitor.page.keyboard.press(key);
+  assert.match(await at('live-caption').innerText(), /plate/);
+  await answered(() => visitor.page.keyboard.press('Enter'), 'Okay, go on.');
+  assert.match(await lines('human', 'shows').innerText(), /point at \(−0\.20, 0\.01\)/);
+  await at('table-map').press('/');
+  assert.ok(await at('talk').evaluate((box) => box === document.activeElement));
+});
+
+test('who comes later watches, and cannot send', async () => {
+  await begin(flat);
+  const id = await idOf();
+  await answered(() => type('The plate.'), 'Okay, go on.');
+  const guest = await Visitor.start(server.address);
+  await guest.visit(`/live/${id}`);
+  await guest.at('live-watching').waitFor();
+  assert.equal(await guest.at('talk').count(), 0);
+  await guest.page.locator('[data-testid=conversation] >> text=“Okay, go on.”').waitFor();
+  await visitor.page.waitForFunction(() => /1 watching/.test(document.querySelector('[data-testid=live-viewers]').textContent));
+  for (const key of ['y', '1']) await guest.page.keyboard.press(key);
+  await guest.page.mouse.click(300, 300);
+  await answered(() => type('The knife.'), 'Okay.').catch(() => {});
+  await guest.page.locator('[data-testid=conversation] >> text=“The knife.”').waitFor();
+  assert.equal(await guest.page.locator('[data-who=human]').count(), 2);
+  assert.deepEqual(guest.complaints, []);
+  await guest.close();
+});
+
+test('what was typed while the connection was lost is sent when it is back', async () => {
+  await begin(flat);
+  await visitor.context.setOffline(true);
+  await type('The plate.');
+  await visitor.page.waitForFunction(() => /Connection lost/.test(document.querySelector('[data-testid=live-notice]').textContent));
+  await answered(() => visitor.context.setOffline(false), 'Okay, go on.');
+  await visitor.page.waitForFunction(() => document.querySelector('[data-testid=live-notice]').textContent === '');
+});
+
+test('the browser’s recogniser talks to the avatar', async () => {
+  visitor = flat;
+  await visitor.visit('/live');
+  await visitor.page.addInitScript(() => {
+    window.SpeechRecognition = class { start() { window.recogniser = this; } stop() {} };
+  });
+  await visitor.page.reload();
+  await at('live-start').click();
+  await ready();
+  await at('microphone').click();
+  await answered(() => visitor.page.evaluate(() => window.recogniser.onresult({resultIndex: 0,
+    results: [Object.assign([{transcript: 'the plate', confidence: 0.9}, {transcript: 'the play', confidence: 0.4}], {isFinal: true})]})), 'Okay, go on.');
+  const {trace} = await api(`/${await idOf()}`);
+  assert.match(readFileSync(trace, 'utf8'), /"text":"the plate","confidence":0\.9.*"the play"/);
+  await visitor.page.evaluate(() => window.recogniser.onerror({error: 'not-allowed'}));
+  assert.match(await at('live-notice').innerText(), /microphone may not be used/);
+});
+
+test('closing the page ends the session; what was recorded is whole', async () => {
+  await begin(flat);
+  const id = await idOf();
+  await answered(() => type('The plate.'), 'Okay, go on.');
+  await visitor.page.goto('about:blank');
+  let state;
+  do state = await api(`/${id}`); while (state.live);
+  const lastOf = (path) => JSON.parse(readFileSync(path, 'utf8').trimEnd().split('\n').at(-1));
+  assert.equal(lastOf(state.trace).kind, 'end');
+  assert.equal(lastOf(state.trace.replace(/\.trace\.jsonl$/, '.run.jsonl')).kind, 'end');
+  await visitor.page.goto(`${server.address}/live/${id}`);
+  await at('live-summary').waitFor();
+  assert.match(await at('conversation').innerText(), /“The plate\.”/);
+});
+
+test('the start page leads here, and a session that is not there says so', async () => {
+  visitor = flat;
+  await visitor.visit('/');
+  await at('record-session').click();
+  await at('live-start').waitFor();
+  assert.ok(await at('live-start').evaluate((button) => button === document.activeElement));
+  await visitor.visit('/live/nothing_like_it');
+  assert.match(await visitor.page.locator('h1').innerText(), /no conversation/);
+});
+
+for (const colorScheme of ['light', 'dark'])
+  for (const [how, open] of [['in 3D', () => begin(drawing, {colorScheme, bypassCSP: true})], ['as a map', () => begin(flat, {colorScheme, bypassCSP: true})]])
+    test(`nothing stands in the way of access, ${how}, ${colorScheme}`, async () => {
+      await open();
+      await answered(() => type('The plate.'), 'Okay, go on.');
+      await at('talk').fill('Put it there');
+      await click([0.3, 0.15]);
+      await at('click-chip').waitFor();
+      assert.deepEqual(await visitor.violations(), []);
+      await at('talk').press('Enter');
+      await at('live-end').click();
+      await at('live-summary').waitFor();
+      assert.deepEqual(await visitor.violations(), []);
+    });
+
+test('on a phone nothing is too wide, and the text box is in sight', async () => {
+  await begin(flat, {viewport: {width: 360, height: 740}});
+  assert.ok(await visitor.page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+  const {y, height} = await at('talk').boundingBox();
+  assert.ok(y > 0 && y + height <= 740);
+  await answered(() => type('The plate.'), 'Okay, go on.');
+});
