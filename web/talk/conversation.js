@@ -30,8 +30,8 @@ export function lineOf(record, sample = false) {
 
 /** `run`: whose records the lines lead to. */
 export function mountConversation(run) {
-  const list = h('ol', {class: 'moves', role: 'log', tabindex: 0, 'aria-live': 'polite', 'aria-label': 'Conversation', 'data-testid': 'conversation'});
-  const element = h('section', {class: 'conversation', 'aria-label': 'What was said and done'}, list);
+  const list = h('ol', {class: 'moves', tabindex: 0, 'aria-label': 'Conversation', 'data-testid': 'conversation'});
+  const element = h('div', {class: 'conversation', role: 'log', 'aria-live': 'polite', 'aria-label': 'What was said and done'}, list);
   const inputs = new Map(), acts = new Map();   // record -> its input's event; act -> what tells its status
 
   const link = (n, ...parts) => h('a', {href: `/r/${encodeURIComponent(run)}?n=${n}`, target: '_blank', title: `#${n}: look at it in the inspector`}, parts);

@@ -26,8 +26,9 @@ export function mountSession(client, state, app) {
   const clock = new EngineClock(), voice = new Voice();
   clock.told({t: state.t, running: state.live && !state.paused, speed: state.speed});
   let now = {live: state.live, running: clock.running, viewers: state.viewers, state: state.state, mapped: false};
-  let stream = null, last_n = -1, lost = false, begun = null, place = null, talk = null, closed = false;
+  let stream = null, last_n = -1, begun = null, place = null, talk = null, closed = false;
 
+  const lost = new Set();   // which ways to the server do not work: 'events', 'stream'
   const world = new LiveWorld(() => place?.render());
   const notice = h('p', {class: 'notice', role: 'status', 'data-testid': 'live-notice'});
   const say = (sentence) => { notice.textContent = sentence; };
@@ -46,32 +47,38 @@ export function mountSession(client, state, app) {
     if (place) place.pointing.enabled = client.recording && now.live;
   }
   const working = () => client.recording && now.live;
-  function send(make) { if (working()) client.send(() => make(clock.now)); }
+  function send(make) {
+    if (!working()) return;
+    if (!lost.size) say('');
+    client.send(() => make(clock.now));
+  }
   function told({answered, lost: unreachable, refused}) {
     if (answered) {
       if (Number.isFinite(answered.t)) clock.told({t: answered.t});
-      if (!lost && notice.textContent) say('');
+      mended('events');
     }
-    if (unreachable) trouble();
+    if (unreachable) trouble('events');
     if (refused) say(`The server does not take this: ${refused}`);
   }
   client.listen(told);
 
-  function trouble() {
-    if (!lost) say('Connection lost; trying again…');
-    lost = true;
+  function trouble(way) {
+    lost.add(way);
+    say('Connection lost; trying again…');
+  }
+  function mended(way) {
+    if (lost.delete(way) && !lost.size) say('');
   }
   function connect() {
     stream?.close();
     stream = client.stream(last_n);
     stream.onopen = () => {
-      if (lost) say('');
-      lost = false;
+      mended('stream');
       client.flush();
     };
     stream.onerror = async () => {
       if (closed || !now.live) return;
-      trouble();
+      trouble('stream');
       // A stream that was refused does not come back by itself: the server says why.
       if (stream.readyState !== EventSource.CLOSED) return;
       const answer = await client.state().catch((problem) => problem);
@@ -107,7 +114,7 @@ export function mountSession(client, state, app) {
     const known = readTable(own);
     world.begin(own);
     place = mountPlace({own, known, world, status, drawn: Boolean(three), tell: (mapped) => render({mapped}), keeps: (target) => talk?.keeps(target) ?? false,
-      send: (event) => send(() => [event]), sample: (event) => { if (working() && !lost && now.running) client.sample(event); }});
+      send: (event) => send(() => [event]), sample: (event) => { if (working() && !lost.size && now.running) client.sample(event); }});
     scene.replaceChildren(place.element);
     if (working()) {
       talk = mountTalkBox({example: known.example, send, said: say, clicked: (clicks) => world.set({clicks})});
