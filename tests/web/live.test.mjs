@@ -23,6 +23,10 @@ after(async () => {
 const at = (id) => visitor.at(id);
 const api = async (path, body) => (await fetch(`${server.address}/api/sessions${path}`, body && {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)})).json();
 const eventsOf = (path) => readFileSync(path, 'utf8').trimEnd().split('\n').map((line) => JSON.parse(line));
+/** Waits until it holds. */
+async function until(holds, what) {
+  for (const end = performance.now() + 30000; !await holds();) assert.ok(performance.now() < end, what);
+}
 const idOf = (page = visitor.page) => page.evaluate(() => window.continua.model.selection.live);
 const ready = () => visitor.page.waitForFunction(() => 'ready' in document.body.dataset && (document.querySelector('.stage.map') || window.continua.live_page.shown.place?.view.stage?.drawing));
 
@@ -152,7 +156,6 @@ test('a gesture that nobody knows is taught once', async () => {
 
 test('what was saved holds as tests', () => {
   assert.equal(saved.length, 6);
-  for (const trace of saved) assert.match(readFileSync(trace, 'utf8'), /"kind":"expect"/);
   const told = execFileSync(program, ['check', ...new Set(saved.map(dirname))], {encoding: 'utf8', cwd: folder});
   assert.match(told, /6 traces/);
 });
@@ -168,7 +171,7 @@ test('pause stops the engine’s time, and going on lets it run', async () => {
   for (let i = 0; i < 20; ++i) assert.equal((await api(`/${id}`)).t, t);
   await at('live-pause').click();
   await visitor.page.waitForFunction(() => /recording/.test(document.querySelector('[data-testid=live-mode]').textContent));
-  while ((await api(`/${id}`)).t === t);
+  await until(async () => (await api(`/${id}`)).t > t, 'time goes on');
 });
 
 test('a held button is a hold, a moving mouse samples', async () => {
@@ -249,7 +252,7 @@ test('closing the page ends the session; what was recorded is whole', async () =
   await answered(() => type('The plate.'), 'Okay, go on.');
   await visitor.page.goto('about:blank');
   let state;
-  do state = await api(`/${id}`); while (state.live);
+  await until(async () => !(state = await api(`/${id}`)).live, 'the session ends');
   const lastOf = (path) => eventsOf(path).at(-1);
   assert.equal(lastOf(state.trace).kind, 'end');
   assert.equal(lastOf(state.trace.replace(/\.trace\.jsonl$/, '.run.jsonl')).kind, 'end');

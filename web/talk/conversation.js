@@ -22,7 +22,7 @@ export function lineOf(record, sample = false) {
     case 'gesture': return {who: 'avatar', how: 'shows', text: brief(record.gesture)};
     case 'act': return record.step === undefined && record.status === 'asked' ? {who: 'avatar', how: 'does', text: brief(record.program)} : null;
     case 'learned': return {who: 'log', how: 'learned', text: `learned: ${record.name.replaceAll('_', ' ')} means ${brief(record.value)}`};
-    case 'refusal': return sample ? null : {who: 'log', how: 'refused', text: `not understood: ${brief(record.reason ?? 'nothing that it waits for')}`};
+    case 'refusal': return sample ? null : {who: 'log', how: 'refused', text: `not understood: ${/^no transition from/.test(record.reason) ? `nothing in ${record.state} takes “${record.input}”` : brief(record.reason)}`};
     case 'problem': return {who: 'log', how: 'refused', text: `a problem: ${brief(record.message)}`};
     default: return null;
   }

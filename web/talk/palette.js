@@ -2,10 +2,13 @@
 import {h} from '../dom.js';
 
 const with_digit = 9;
+// What is shown most comes first, the rest as the server has it.
+const first = ['posack', 'negack', 'grab', 'release', 'lift', 'stop', 'nevermind', 'engage', 'disengage'];
+const rank = ({event}) => (first.indexOf(event.name) + first.length + 1) % (first.length + 1);
 
 /** `state`: of the session; `send(event)`. */
 export function mountPalette(state, send) {
-  const buttons = state.buttons ?? [], gestures = (state.gestures ?? []).filter(({event}) => event?.name !== 'point');
+  const buttons = state.buttons ?? [], gestures = (state.gestures ?? []).filter(({event}) => event?.name !== 'point').toSorted((a, b) => rank(a) - rank(b));
   const by_key = new Map([...buttons.map(({key, event}) => [key?.toLowerCase(), event]), ...gestures.slice(0, with_digit).map(({event}, i) => [String(i + 1), event])]);
   const button = ({label, about, event}, key) => h('button', {type: 'button', title: about || null, 'aria-keyshortcuts': key ?? null, onclick: () => send(event), 'data-gesture': event.name ?? null},
     label.replaceAll('_', ' '), key && h('kbd', {'aria-hidden': 'true'}, key.toUpperCase()));

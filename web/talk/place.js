@@ -23,7 +23,7 @@ export function mountPlace({own, known, world, status, drawn, tell, keeps, send,
 
   const describe = (target) => {
     const near = target && objectNear(target, known.objects, world.poses);
-    caption.textContent = target ? `You point at ${near ? near.replaceAll('_', ' ') : placeText([...target, 0])}.` : '';
+    caption.textContent = target ? `You point at ${near ? `the ${known.titles.get(near)}` : placeText([...target, 0])}.` : '';
   };
   const lost = () => {
     drawn = false;

@@ -14,7 +14,7 @@ export function saveDialog(save, copy) {
     try {
       const {check, trace} = await save(name.value.trim());
       copied.textContent = 'Copy';
-      result.replaceChildren(h('p', {}, `Saved as ${trace}. What the avatar said and did is expected from now on; run the test with`), h('p', {}, h('code', {}, check), ' ', copied));
+      result.replaceChildren(h('p', {}, `Saved as ${trace}. From now on the avatar is to decide as it did here; check that with`), h('p', {}, h('code', {}, check), ' ', copied));
     } catch (problem) {
       result.replaceChildren(h('p', {class: 'trouble'}, problem.message));
     }

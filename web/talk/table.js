@@ -5,13 +5,14 @@ import {readMjcf} from '../scene3d/scene_text.js';
 const usual_table = {left: -0.5, right: 0.5, near: -0.3, far: 0.3};
 const round_types = ['cylinder', 'sphere', 'ellipsoid', 'capsule'];
 
-/** {table, objects: [name], outlines: Map of name to {round, x, y, colour}, hand: body or null, example} */
+/** {table, objects: [name], titles: Map of name to what it is called, outlines: Map of name to that of outlineOf(), hand: body or null, example} */
 export function readTable(scene) {
   const geoms = Array.isArray(scene?.geoms) ? scene.geoms : [];
   const {objects, grip} = readMjcf(scene?.mjcf, [...new Set(geoms.map((geom) => geom?.body))].filter((name) => typeof name === 'string'));
   const ofBody = (name) => geoms.filter((geom) => geom.body === name);
-  return {objects, hand: grip?.body ?? null, table: tableOf(ofBody('table'), scene?.bodies?.table),
-    outlines: new Map(objects.map((name) => [name, outlineOf(ofBody(name))])), example: exampleOf(scene?.mjcf, objects)};
+  const titles = titlesOf(scene?.mjcf, objects);
+  return {objects, titles, hand: grip?.body ?? null, table: tableOf(ofBody('table'), scene?.bodies?.table),
+    outlines: new Map(objects.map((name) => [name, outlineOf(ofBody(name))])), example: titles.size ? `The ${[...titles.values()][0]}.` : ''};
 }
 
 function tableOf(geoms, pose = [0, 0, 0]) {
@@ -40,11 +41,8 @@ const tenth_mm = (x) => Math.round(x * 1e4) / 1e4;
 export const targetOf = (table, point) => (point && onTable(table, point) ? point.slice(0, 2).map(tenth_mm) : null);
 export const clipped = ({left, right, near, far}, [x, y]) => [tenth_mm(Math.max(left, Math.min(right, x))), tenth_mm(Math.max(near, Math.min(far, y)))];
 
-/** A sentence that names something on the table, or ''. */
-function exampleOf(mjcf, objects) {
-  const told = new Map([...(mjcf ?? '').matchAll(/<text name="([^"]+)" data="type=(\w+)(?: color=(\w+))?"/g)].map(([, name, type, colour]) => [name, {type, colour}]));
-  const plain = objects.find((name) => /^[a-z]+$/.test(name));
-  if (plain) return `The ${plain}.`;
-  const known = objects.map((name) => told.get(name)).find((one) => one?.colour);
-  return known ? `The ${known.colour} ${known.type}.` : '';
+/** "cup", "blue cup": a name that is a word as it is, else colour and type as the scene tells them. */
+function titlesOf(mjcf, objects) {
+  const told = new Map([...(mjcf ?? '').matchAll(/<text name="([^"]+)" data="type=(\w+)(?: color=(\w+))?"/g)].map(([, name, type, colour]) => [name, [colour, type].filter(Boolean).join(' ')]));
+  return new Map(objects.map((name) => [name, /^[a-z]+$/.test(name) ? name : told.get(name) ?? name.replaceAll('_', ' ')]));
 }

@@ -24,7 +24,7 @@ export function mountTableMap(known, world) {
       : s('rect', {x: middle[0] - half[0], y: middle[1] - half[1], width: 2 * half[0], height: 2 * half[1], rx: 0.003});
     shape.style.fill = `rgb(${outline.colour.join()})`;
     return s('g', {class: 'thing', transform: `translate(${x} ${-y})`}, s('g', {transform: `rotate(${-turn})`}, shape),
-      words(name.replaceAll('_', ' '), 0, (outline.round ? Math.max(...half) : Math.min(...half)) + 1.1 * text_m, 'name'));
+      words(known.titles.get(name), 0, (outline.round ? Math.max(...half) : Math.min(...half)) + 1.1 * text_m, 'name'));
   }
   const dot = ([x, y], kind) => s('g', {class: kind, transform: `translate(${x} ${-y})`}, s('circle', {r: 0.018}), s('circle', {class: 'core', r: 0.006}));
   const cross = ([x, y]) => s('path', {class: 'cross', d: `M${x - 0.03} ${-y}h0.06M${x} ${-y - 0.03}v0.06`});
