@@ -45,7 +45,7 @@ class App {
     this.close();
     page.replaceChildren(h('p', {class: 'loading'}, 'Loading…'));
     try {
-      if (live !== null) {
+      if (live !== undefined) {
         this.live_page = new LivePage(page, this);
         await this.live_page.load();
         return;
@@ -62,7 +62,7 @@ class App {
       this.build();
     } catch (problem) {
       if (stale()) return;
-      page.replaceChildren(h('main', {class: 'start'}, h('h1', {}, live !== null ? 'There is no conversation here' : other === null ? 'This run cannot be shown' : 'These runs cannot be compared'),
+      page.replaceChildren(h('main', {class: 'start'}, h('h1', {}, live !== undefined ? 'There is no conversation here' : other === null ? 'This run cannot be shown' : 'These runs cannot be compared'),
         h('p', {class: 'trouble', 'data-testid': 'problem'}, problem.message), h('p', {}, h('a', {href: '/'}, 'All runs'))));
     }
   }

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {lineOf} from '../../web/talk/conversation.js';
 import {Draft} from '../../web/talk/draft.js';
+import {formatAddress, parseAddress} from '../../web/model.js';
 import {EngineClock} from '../../web/talk/engine_clock.js';
 import {eventOf} from '../../web/talk/microphone.js';
 
@@ -63,4 +64,11 @@ test('samples and what came of them are no lines of the conversation', () => {
   assert.equal(lineOf({kind: 'act', status: 'asked', step: 1, program: 'move(cup)'}), null);
   assert.equal(lineOf({kind: 'refusal', reason: 'it came too late'}).text, 'not understood: it came too late');
   assert.equal(lineOf({kind: 'input', event: {kind: 'gesture', name: 'point', phase: 'start', target: [0.1, -0.05]}}).text, 'point begins at (0.10, −0.05)');
+});
+
+test('the live page has an address of its own', () => {
+  for (const [address, live] of [['/live', ''], ['/live/', ''], ['/live/talk%202', 'talk 2']]) assert.equal(parseAddress(address).live, live);
+  for (const address of ['/', '/r/live', '/lively']) assert.equal(parseAddress(address).live, undefined);
+  assert.equal(formatAddress(parseAddress('/live/talk%202')), '/live/talk%202');
+  assert.equal(formatAddress(parseAddress('/live')), '/live');
 });
