@@ -132,6 +132,7 @@ class App {
   }
 
   render() {
+    this.live_page?.render();
     if (!this.data) return;
     const selection = this.model.selection, n = this.data.clamp(selection.n);
     for (const one of this.panels) one.render({...selection, n});
@@ -231,7 +232,7 @@ class App {
   enlarge(name) { this.model.go({panel: this.model.selection.panel === name ? '' : name}); }
   toggleTheme() {
     setTheme(shownTheme() === 'dark' ? 'light' : 'dark');
-    if (this.data) this.render();
+    this.render();
   }
   openRun(run, other = null) { this.model.go(fresh(run, other)); }
 }

@@ -45,5 +45,7 @@ export class LivePage {
     if (key === 't') this.app.toggleTheme(); else return this.shown?.onKey?.(key) ?? false;
     return true;
   }
+  /** The colours may have changed. */
+  render() { this.shown?.render?.(); }
   close() { this.shown?.close?.(); }
 }

@@ -156,6 +156,7 @@ export function mountSession(client, state, app) {
 
   return {
     get place() { return place; },
+    render: () => world.set({}),
     elements: [status.element, main, ...Object.values(dialogs).map((one) => one.element)],
     /** Resolves when the scene is there. */
     open() {
