@@ -134,6 +134,7 @@ export function mountSession(client, state, app) {
     } catch (problem) { say(problem.message); }
   }
   async function end() {
+    say('Ending: the avatar finishes what it is doing …');
     try { ended(await client.end()); } catch (problem) { say(problem.message); }
   }
   function ended(answer) {

@@ -3,10 +3,10 @@ import {h, s} from '../dom.js';
 import {targetOf} from './table.js';
 
 const margin_m = 0.03, beyond_m = 0.12;   // around the table; behind it, for the avatar's hand
-const text_m = 0.022;
+const text_m = {wide: 0.022, narrow: 0.036}, narrow_px = 800;
 
 export function mountTableMap(known, world) {
-  const {left, right, near, far} = known.table;
+  const {left, right, near, far} = known.table, letter = innerWidth < narrow_px ? text_m.narrow : text_m.wide;
   const things = s('g'), marks = s('g');
   const picture = s('svg', {class: 'table-map', tabindex: 0, role: 'img', 'aria-label': 'The table from above. Arrow keys move a cross on it, Enter points there.', 'data-testid': 'table-map',
     viewBox: `${left - margin_m} ${-far - beyond_m} ${right - left + 2 * margin_m} ${far - near + margin_m + beyond_m}`},
@@ -14,7 +14,7 @@ export function mountTableMap(known, world) {
   const element = h('div', {class: 'stage map', 'data-testid': 'scene-stage', 'data-shows': 'map'}, picture);
   let frame = 0, drawn = -1;
 
-  const words = (text, x, y, kind) => s('text', {class: kind, x, y, 'font-size': text_m, 'text-anchor': 'middle'}, text);
+  const words = (text, x, y, kind) => s('text', {class: kind, x, y, 'font-size': letter, 'text-anchor': 'middle'}, text);
   function thing(name) {
     const pose = world.poses.get(name), outline = known.outlines.get(name);
     if (!pose) return null;
@@ -24,7 +24,7 @@ export function mountTableMap(known, world) {
       : s('rect', {x: middle[0] - half[0], y: middle[1] - half[1], width: 2 * half[0], height: 2 * half[1], rx: 0.003});
     shape.style.fill = `rgb(${outline.colour.join()})`;
     return s('g', {class: 'thing', transform: `translate(${x} ${-y})`}, s('g', {transform: `rotate(${-turn})`}, shape),
-      words(known.titles.get(name), 0, (outline.round ? Math.max(...half) : Math.min(...half)) + 1.1 * text_m, 'name'));
+      words(known.titles.get(name), 0, (outline.round ? Math.max(...half) : Math.min(...half)) + 1.1 * letter, 'name'));
   }
   const dot = ([x, y], kind) => s('g', {class: kind, transform: `translate(${x} ${-y})`}, s('circle', {r: 0.018}), s('circle', {class: 'core', r: 0.006}));
   const cross = ([x, y]) => s('path', {class: 'cross', d: `M${x - 0.03} ${-y}h0.06M${x} ${-y - 0.03}v0.06`});
