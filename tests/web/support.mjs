@@ -80,7 +80,7 @@ export class Visitor {
     page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) complaints.push(message.text()); });
     page.on('pageerror', (problem) => complaints.push(problem.stack));
     page.on('request', (request) => { if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(this.address)) complaints.push(`asked ${request.url()}`); });
-    if (from_disk) await page.route('**/*', (route) => serveFromDisk(route, this.address));
+    if (from_disk) await page.route((url) => !url.pathname.startsWith('/api/'), (route) => serveFromDisk(route, this.address));
     await page.goto(this.address + path);
     if (ready) await page.waitForSelector(ready, {state: 'attached'});
     return page;

@@ -22,7 +22,7 @@ export async function fetchSessions() {
 }
 
 const keyOf = (id) => `recorder:${id}`;
-export const kept = {
+const kept = {
   get(id) { try { return sessionStorage.getItem(keyOf(id)); } catch { return null; } },
   set(id, secret) { try { sessionStorage.setItem(keyOf(id), secret); } catch { /* then a reloaded page only watches */ } },
 };

@@ -35,7 +35,7 @@ function outlineOf(geoms) {
     colour: (geoms[0]?.rgba ?? [0.5, 0.5, 0.5]).slice(0, 3).map((part) => Math.round(255 * part))};
 }
 
-export const onTable = ({left, right, near, far}, [x, y]) => x >= left && x <= right && y >= near && y <= far;
+const onTable = ({left, right, near, far}, [x, y]) => x >= left && x <= right && y >= near && y <= far;
 const tenth_mm = (x) => Math.round(x * 1e4) / 1e4;
 /** The point as it is sent; null beside the table. */
 export const targetOf = (table, point) => (point && onTable(table, point) ? point.slice(0, 2).map(tenth_mm) : null);
