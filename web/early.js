@@ -10,4 +10,5 @@ else if (kind === 'diff' && b) {
   of_run(a);
   of_run(b);
   ask(`/api/diff?a=${a}&b=${b}`);
-} else ask('/api/runs');
+} else if (/^\/live(\/|$)/.test(location.pathname)) ask('/api/sessions');
+else ask('/api/runs');

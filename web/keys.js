@@ -29,6 +29,9 @@ export const keys = [
   [['t'], 'T', 'light or dark', (app) => app.toggleTheme()],
   [['?'], '?', 'this help', (app) => app.dialogs.help.open()],
 ];
+const inspecting = 'On the timeline: wheel zooms, drag moves, click goes there; drag along the top to scrub. ' +
+  'In the graph: wheel zooms, drag moves, a click on a state goes to its next visit. ' +
+  'In the scene: drag or the arrow keys turn (with Shift: move), wheel, + and − approach.';
 const on_start = ['/', 't', '?'];  // what keys do where runs are listed
 
 /** Does what the key says; keys typed into a field, or with Ctrl, Alt or Meta, are left alone. */
@@ -38,6 +41,10 @@ export function onKey(app, event) {
   if (target.closest?.('input:not([type=checkbox]), select, textarea, dialog')) return;
   if ((event.key === ' ' || event.key === 'Enter') && target.closest?.('button, a, summary, input')) return;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  if (app.live_page) {
+    if (app.live_page.onKey(key)) event.preventDefault();
+    return;
+  }
   if (!app.data && !(app.start && on_start.includes(key))) return;
   const row = keys.find(([names]) => names.includes(key));
   if (!row) return;
@@ -45,13 +52,12 @@ export function onKey(app, event) {
   if (app.start) app.start.onKey(key); else row[3](app, {key, shiftKey: event.shiftKey});
 }
 
-export function helpDialog() {
+/** `rows`: as in `keys`; `more`: what the mouse does. */
+export function helpDialog(rows = keys, more = inspecting) {
   const element = h('dialog', {class: 'dialog help', 'aria-label': 'Keys', 'data-testid': 'keys', onclick: (event) => { if (event.target === element) element.close(); }},
     h('h2', {}, 'Keys'),
-    h('dl', {}, keys.map(([, names, what]) => h('div', {}, h('dt', {}, names.split(' ').map((name) => (name === '–' ? ' – ' : h('kbd', {}, name)))), h('dd', {}, what)))),
-    h('p', {class: 'muted'}, 'On the timeline: wheel zooms, drag moves, click goes there; drag along the top to scrub. ',
-      'In the graph: wheel zooms, drag moves, a click on a state goes to its next visit. ',
-      'In the scene: drag or the arrow keys turn (with Shift: move), wheel, + and − approach.'),
+    h('dl', {}, rows.map(([, names, what]) => h('div', {}, h('dt', {}, names.split(' ').map((name) => (name === '–' ? ' – ' : h('kbd', {}, name)))), h('dd', {}, what)))),
+    h('p', {class: 'muted'}, more),
     h('form', {method: 'dialog'}, h('button', {autofocus: true}, 'Close')));
   return {element, open: () => element.showModal()};
 }

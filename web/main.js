@@ -10,6 +10,7 @@ import {calmly} from './calmly.js';
 import {onKey} from './keys.js';
 import {buildRunPage} from './run_page.js';
 import {StartPage} from './panels/start.js';
+import {LivePage} from './talk/live_page.js';
 
 const page = document.getElementById('page');
 const sentence = document.getElementById('sentence');
@@ -39,11 +40,16 @@ class App {
   }
 
   async show() {
-    const {run, other} = this.model.selection;
-    const stale = () => this.model.selection.run !== run || this.model.selection.other !== other;
+    const {run, other, live} = this.model.selection;
+    const stale = () => elsewhere(this.model.selection, {run, other, live});
     this.close();
     page.replaceChildren(h('p', {class: 'loading'}, 'Loading…'));
     try {
+      if (live !== undefined) {
+        this.live_page = new LivePage(page, this);
+        await this.live_page.load();
+        return;
+      }
       if (run === null) {
         this.start = new StartPage(page, this);
         await this.start.load();
@@ -56,7 +62,7 @@ class App {
       this.build();
     } catch (problem) {
       if (stale()) return;
-      page.replaceChildren(h('main', {class: 'start'}, h('h1', {}, other === null ? 'This run cannot be shown' : 'These runs cannot be compared'),
+      page.replaceChildren(h('main', {class: 'start'}, h('h1', {}, live !== undefined ? 'There is no conversation here' : other === null ? 'This run cannot be shown' : 'These runs cannot be compared'),
         h('p', {class: 'trouble', 'data-testid': 'problem'}, problem.message), h('p', {}, h('a', {href: '/'}, 'All runs'))));
     }
   }
@@ -72,8 +78,9 @@ class App {
     this.stop();
     for (const one of this.panels) one.close?.();
     this.start?.close();
+    this.live_page?.close();
     this.stream?.close();
-    Object.assign(this, {panels: [], start: null, stream: null, data: null, client: null, labels: null, comparison: null, live: false});
+    Object.assign(this, {panels: [], start: null, live_page: null, stream: null, data: null, client: null, labels: null, comparison: null, live: false});
   }
 
   build() {
@@ -117,7 +124,7 @@ class App {
 
   changed(before) {
     const {selection} = this.model;
-    if (before.run !== selection.run || before.other !== selection.other) { this.open(); return; }
+    if (elsewhere(before, selection)) { this.open(); return; }
     if (this.start) { this.start.render(selection); return; }
     if (!this.data) return;
     if (selection.n === null) this.model.settle({n: this.data.clamp(this.data.summary.first)});
@@ -125,6 +132,7 @@ class App {
   }
 
   render() {
+    this.live_page?.render();
     if (!this.data) return;
     const selection = this.model.selection, n = this.data.clamp(selection.n);
     for (const one of this.panels) one.render({...selection, n});
@@ -224,10 +232,13 @@ class App {
   enlarge(name) { this.model.go({panel: this.model.selection.panel === name ? '' : name}); }
   toggleTheme() {
     setTheme(shownTheme() === 'dark' ? 'light' : 'dark');
-    if (this.data) this.render();
+    this.render();
   }
   openRun(run, other = null) { this.model.go(fresh(run, other)); }
 }
+
+/** Whether two selections are of different pages. */
+const elsewhere = (a, b) => a.run !== b.run || a.other !== b.other || a.live !== b.live;
 
 const shownTheme = () => document.documentElement.dataset.theme ?? (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
 function setTheme(theme) {

@@ -2,10 +2,10 @@
 // of time, the filter, the panel. The address is this state, written out; a link restores everything.
 
 /**
- * @typedef {{run: string|null, other: string|null, n: number|null, branch: number|null, cell: string, term: string,
+ * @typedef {{run: string|null, other: string|null, live?: string, n: number|null, branch: number|null, cell: string, term: string,
  *            zoom: [number, number]|null, gaps: boolean, filter: string, kind: string, panel: string, tab: string, hunk: number|null,
  *            search: string}} Selection
- * `run` null: the start page; `other`: the run B of a comparison; `gaps`: idle time is drawn at its full length;
+ * `run` null: the start page; `other`: the run B of a comparison; `live`: on the live page alone, its session, '' before there is one; `gaps`: idle time is drawn at its full length;
  * `panel`: the one that fills the page; `tab`: the one in front where several share a place; `hunk`: the difference that is shown; `search`: of the start page.
  */
 
@@ -14,11 +14,11 @@ const whole = (text) => (/^\d+$/.test(text ?? '') ? Number(text) : null);
 /** @returns {Selection} */
 export function parseAddress(address) {
   const url = new URL(address, 'http://localhost'), query = url.searchParams;
-  const path = /^\/(?:r\/([^/]+)|diff\/([^/]+)\/([^/]+))\/?$/.exec(url.pathname);
+  const path = /^\/(?:r\/([^/]+)|diff\/([^/]+)\/([^/]+))\/?$/.exec(url.pathname), live = /^\/live(?:\/([^/]*))?\/?$/.exec(url.pathname);
   const part = (i) => (path?.[i] ? decoded(path[i]) : null);
   const zoom = /^(-?\d+(?:\.\d+)?)\.\.(-?\d+(?:\.\d+)?)$/.exec(query.get('z') ?? '');
   return {
-    run: part(1) ?? part(2), other: part(3),
+    run: part(1) ?? part(2), other: part(3), ...live && {live: decoded(live[1] ?? '')},
     n: whole(query.get('n')), branch: whole(query.get('b')), cell: query.get('cell') ?? '', term: query.get('term') ?? '',
     zoom: zoom && Number(zoom[1]) < Number(zoom[2]) ? [Number(zoom[1]), Number(zoom[2])] : null, gaps: query.get('gaps') === 'full',
     filter: query.get('filter') ?? '', kind: query.get('kind') ?? '', panel: query.get('panel') ?? '', tab: query.get('tab') ?? '', hunk: whole(query.get('h')),
@@ -31,7 +31,8 @@ function decoded(text) {
 }
 
 /** @param {Selection} selection */
-export function formatAddress({run, other, n, branch, cell, term, zoom, gaps, filter, kind, panel, tab, hunk, search}) {
+export function formatAddress({run, other, live, n, branch, cell, term, zoom, gaps, filter, kind, panel, tab, hunk, search}) {
+  if (live !== undefined) return live ? `/live/${encodeURIComponent(live)}` : '/live';
   const parts = [];
   const add = (name, value) => { if (value !== null && value !== '' && value !== undefined) parts.push(`${name}=${encodeURIComponent(value).replaceAll('%2C', ',')}`); };
   const path = run === null ? '/' : other === null ? `/r/${encodeURIComponent(run)}` : `/diff/${encodeURIComponent(run)}/${encodeURIComponent(other)}`;

@@ -24,5 +24,22 @@ await picture('start', '/', {viewport: {width: 1280, height: 720}}, (page) => pa
 await picture('run', '/r/correction.physics', large);
 await picture('diff', '/diff/disambiguation/disambiguation_exhausted', {...large, colorScheme: 'dark'});
 await picture('phone', '/r/blocks', {viewport: {width: 390, height: 844}, deviceScaleFactor: 2, isMobile: true});
+await picture('live', '/live', large, async (page) => {
+  const say = async (text) => {
+    await page.fill('[data-testid=talk]', text);
+    await page.press('[data-testid=talk]', 'Enter');
+  };
+  await page.click('[data-testid=live-start]');
+  await page.waitForFunction(() => window.continua.live_page.shown.place?.view.stage?.drawing);
+  await say('The knife.');
+  await page.locator('text=Okay, go on.').waitFor();
+  await page.fill('[data-testid=talk]', 'Put it there.');
+  await page.mouse.click(470, 630);
+  await page.press('[data-testid=talk]', 'Enter');
+  await page.locator('text=✔ done').waitFor();
+  await say('Put the plate in front of you.');
+  await page.fill('[data-testid=talk]', 'And that');
+  await page.mouse.click(700, 480);
+});
 await visitor.close();
 server.stop();

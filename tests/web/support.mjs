@@ -50,7 +50,7 @@ const from_disk = process.env.CONTINUA_WEB;
 const media = {'.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml'};
 async function serveFromDisk(route, address) {
   const {pathname} = new URL(route.request().url());
-  const file = join(from_disk, /^\/(r\/|diff\/|$)/.test(pathname) ? 'index.html' : pathname);
+  const file = join(from_disk, /^\/(r\/|diff\/|live(\/|$)|$)/.test(pathname) ? 'index.html' : pathname);
   if (!route.request().url().startsWith(address) || pathname.startsWith('/api/') || !existsSync(file)) return route.fallback();
   return route.fulfill({body: readFileSync(file), contentType: media[extname(file)]});
 }
@@ -80,7 +80,7 @@ export class Visitor {
     page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) complaints.push(message.text()); });
     page.on('pageerror', (problem) => complaints.push(problem.stack));
     page.on('request', (request) => { if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(this.address)) complaints.push(`asked ${request.url()}`); });
-    if (from_disk) await page.route('**/*', (route) => serveFromDisk(route, this.address));
+    if (from_disk) await page.route((url) => !url.pathname.startsWith('/api/'), (route) => serveFromDisk(route, this.address));
     await page.goto(this.address + path);
     if (ready) await page.waitForSelector(ready, {state: 'attached'});
     return page;

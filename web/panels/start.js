@@ -1,6 +1,7 @@
 // The start page: all runs, the newest first; search; two of them held against each other.
 import {h, clock, icon, counted, grouped} from '../dom.js';
 import {fetchRuns, pictureOf} from '../run/run_client.js';
+import {fetchSessions} from '../talk/session_client.js';
 
 const again_ms = 1500;   // while runs are being read, or written
 const at_most = 200;     // lines in the page; the rest is found by searching
@@ -9,6 +10,7 @@ export class StartPage {
   constructor(host, app) {
     this.app = app;
     this.runs = [];
+    this.sessions = new Map();   // run -> the live session that writes it
     this.chosen = [];
     this.pictures = new Pictures();
     document.title = 'Continua';
@@ -16,18 +18,22 @@ export class StartPage {
     this.search = h('input', {type: 'search', placeholder: 'Search  ( / )', 'aria-label': 'Search runs', 'data-testid': 'search', spellcheck: 'false', autocomplete: 'off',
       oninput: () => app.model.go({search: this.search.value}, 'slide')});
     this.compare = h('button', {type: 'button', class: 'primary', disabled: true, 'data-testid': 'compare-chosen', onclick: () => app.openRun(...this.chosen)}, 'Compare');
+    this.record = h('a', {class: 'button primary', href: '/live', hidden: true, 'data-testid': 'record-session', title: 'Talk and point to the avatar'}, 'Record a session');
     this.hint = h('span', {class: 'muted', role: 'status'});
     this.body = h('tbody', {});
     this.table = h('div', {class: 'table', role: 'region', 'aria-label': 'Runs', tabindex: 0, hidden: true},
       h('table', {'data-testid': 'runs'}, h('thead', {}, h('tr', {}, ['Choose', 'Scene', 'Run', 'Verdict', 'Length', 'Said', 'Acts', 'Refused', 'Machine, scene', 'Changed'].map((title, i) =>
         h('th', {scope: 'col', class: i >= 4 && i <= 7 ? 'number' : null}, i < 2 ? h('span', {class: 'unseen'}, title) : title)))), this.body));
     host.replaceChildren(h('main', {class: 'start'},
-      h('h1', {}, h('img', {src: icon(), alt: '', width: 28, height: 28}), 'Continua'), this.lead,
+      h('h1', {}, h('img', {src: icon(), alt: '', width: 28, height: 28}), 'Continua', this.record), this.lead,
       h('div', {class: 'tools'}, this.search, this.compare, this.hint), this.table));
   }
 
   async load() {
-    this.runs = await fetchRuns();
+    const [runs, live] = await Promise.all([fetchRuns(), fetchSessions().catch(() => null)]);
+    this.runs = runs;
+    this.record.hidden = !live;
+    this.sessions = new Map((live?.sessions ?? []).filter((one) => one.live).map((one) => [one.run, one.id]));
     this.render(this.app.model.selection);
     if (this.runs.some((run) => run.pending || run.live)) this.timer = setTimeout(() => this.load().catch(() => {}), again_ms);
   }
@@ -71,7 +77,8 @@ export class StartPage {
       h('td', {}, readable ? h('a', {class: 'name', href: `/r/${encodeURIComponent(run.id)}`, onclick: open}, run.name) : h('span', {class: 'name'}, run.name),
         run.what_if_of && h('span', {class: 'badge'}, `what if of ${run.what_if_of}`)),
       run.error ? h('td', {colspan: 7, class: 'trouble'}, run.error.message)
-        : [h('td', {}, h('span', {class: `badge ${verdict.kind}`, title: run.trouble || null}, verdict.text)),
+        : [h('td', {}, h('span', {class: `badge ${verdict.kind}`, title: run.trouble || null}, verdict.text),
+             this.sessions.has(run.id) && [' ', h('a', {href: `/live/${encodeURIComponent(this.sessions.get(run.id))}`}, 'Follow')]),
            [clock(run.duration ?? 0), grouped(run.utterances ?? 0), grouped(run.acts ?? 0), grouped((run.refusals ?? 0) - (run.refused_samples ?? 0))].map((value) => h('td', {class: 'number'}, run.pending ? '' : value)),
            h('td', {}, run.machine ?? '', h('span', {class: 'scene-name'}, run.scene ?? '')), h('td', {class: 'when'}, run.changed ? h('time', {datetime: new Date(run.changed * 1000).toISOString()}, when(run.changed)) : '')]);
   }

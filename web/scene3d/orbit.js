@@ -27,9 +27,10 @@ const on_shift_key = {
 /**
  * Drag turns (with Shift, the right button or two fingers: shifts), wheel and pinch approach, arrow keys turn (with
  * Shift: shift), + and − approach. `get` gives the view, `set` takes the new one; `click(x, y)`: a press that was none
- * of these, in pixels of the element.
+ * of these, in pixels of the element. `pointing`: the left button, one finger and bare arrow keys belong to somebody else;
+ * with Shift or the right button dragging turns, two fingers turn and approach, Alt makes the arrow keys turn.
  */
-export function orbit(element, {get, set, click}) {
+export function orbit(element, {get, set, click, pointing = false}) {
   const down = new Map();  // pointers and where they are
   let moved = 0;
   const height = () => Math.max(element.clientHeight, 1);
@@ -39,6 +40,7 @@ export function orbit(element, {get, set, click}) {
   };
 
   element.addEventListener('pointerdown', (event) => {
+    if (pointing && event.pointerType !== 'touch' && event.button === 0 && !event.shiftKey) return;
     if (!down.size) moved = 0;
     down.set(event.pointerId, {x: event.clientX, y: event.clientY});
     element.setPointerCapture(event.pointerId);
@@ -51,10 +53,10 @@ export function orbit(element, {get, set, click}) {
     last.x = event.clientX;
     last.y = event.clientY;
     moved += Math.abs(dx) + Math.abs(dy);
-    if (moved < 4) return;
-    const shifts = down.size === 2 || event.shiftKey || (event.buttons & 2);
+    if (moved < 4 || (pointing && event.pointerType === 'touch' && down.size < 2)) return;
+    const shifts = !pointing && (down.size === 2 || event.shiftKey || (event.buttons & 2));
     let view = get();
-    view = shifts ? shifted(view, -dx / height() / down.size, dy / height() / down.size) : turned(view, -dx / height() * 3, -dy / height() * 3);
+    view = shifts ? shifted(view, -dx / height() / down.size, dy / height() / down.size) : turned(view, -dx / height() * 3 / down.size, -dy / height() * 3 / down.size);
     if (before) view = approached(view, before / spread());
     set(view);
   });
@@ -71,7 +73,7 @@ export function orbit(element, {get, set, click}) {
     set(approached(get(), Math.exp(clamp(event.deltaY, -200, 200) / 600)));
   }, {passive: false});
   element.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (event.ctrlKey || event.metaKey || event.altKey !== (pointing && event.key.startsWith('Arrow'))) return;
     const change = (event.shiftKey && on_shift_key[event.key]) || on_key[event.key];
     if (!change) return;
     event.preventDefault();

@@ -12,7 +12,7 @@ const slow_ratio = 0.5, slow_every_ms = 40, sharp_after_ms = 250;
 const largest_picture = 1280, coarse = 32;  // pixels; sizes of pictures are multiples of the latter
 
 export class Stage {
-  #element; #three; #address; #changed; #before; #after; #resized; #click;
+  #element; #three; #address; #changed; #before; #after; #resized; #lost;
   #frame = 0;
   #dirty = true;
   #seen = false;
@@ -31,16 +31,17 @@ export class Stage {
   /**
    * `three`: loads three.js, or null; `address(t, width, height)`: of the server's picture, or null; `before(view)`: called before
    * a frame is drawn, gives whether there is something new to draw; `after(view)`: it was drawn; `resized(view)`;
-   * `changed()`: the view was turned by hand; `click(body)`: a body was clicked, or null.
+   * `changed()`: the view was turned by hand; `click(body)`: a body was clicked, or null; `lost()`: called instead of showing
+   * the server's pictures; `pointing`: as of orbit().
    */
-  constructor({three, address, before, after, resized, changed, click}) {
+  constructor({three, address = null, before, after, resized, changed, click = () => {}, lost = null, pointing = false}) {
     this.#three = three;
     this.#address = address;
     this.#before = before;
     this.#after = after;
     this.#resized = resized;
     this.#changed = changed;
-    this.#click = click;
+    this.#lost = lost;
     this.canvas = h('canvas', {tabindex: 0, role: 'img', 'aria-label': 'The scene', 'data-testid': 'scene-canvas'});
     this.tags = h('div', {class: 'tags', 'aria-hidden': 'true'});
     this.element = this.#element = h('div', {class: 'stage', 'data-testid': 'scene-stage', 'data-shows': 'nothing'}, this.canvas, this.tags);
@@ -54,7 +55,7 @@ export class Stage {
     // A lost context is not waited for: pictures take over.
     this.canvas.addEventListener('webglcontextlost', () => { if (!this.#closed) this.#toPictures(); });
     orbit(this.canvas, {get: () => this.view, set: (view) => { this.#flight = null; this.view = view; this.#changed(); },
-      click: (x, y) => { if (this.#view) this.#click(this.#view.pick(x, y)); }});
+      click: (x, y) => { if (this.#view) click(this.#view.pick(x, y)); }, pointing});
   }
 
   /** What draws, or null: while it is loading, and where pictures are shown. */
@@ -92,6 +93,7 @@ export class Stage {
   #toPictures() {
     this.#view?.close();
     this.#view = null;
+    if (this.#lost) { this.#lost(); return; }
     this.#element.dataset.shows = 'pictures';
     this.tags.replaceChildren();
     const show = (...children) => {

@@ -148,11 +148,24 @@ export class SceneView {
 
   /** The name of the body at a place of the canvas, in its pixels, or null. */
   pick(x, y) {
+    const hit = this.#through(x, y).intersectObjects([...this.built.bodies.values()], true).find(({object}) => !object.userData.plane);
+    return hit ? hit.object.userData.body : null;
+  }
+
+  /** Where a place of the canvas, in its pixels, lies on one of these bodies or on the plane z = 0, whichever is nearer: [x, y, z] or null. */
+  pointOn(x, y, names) {
+    const {Plane, Vector3} = this.THREE, ray = this.#through(x, y);
+    const on_body = ray.intersectObjects(names.map((name) => this.built.bodies.get(name)).filter(Boolean), true)[0]?.point;
+    const on_plane = ray.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), 0), new Vector3());
+    const away = (point) => (point ? point.distanceTo(this.camera.position) : Infinity);
+    const nearest = away(on_body) <= away(on_plane) ? on_body : on_plane;
+    return nearest?.toArray() ?? null;
+  }
+  #through(x, y) {
     const {Vector2, Raycaster} = this.THREE, [width, height] = this.size;
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(2 * x / width - 1, 1 - 2 * y / height), this.camera);
-    const hit = ray.intersectObjects([...this.built.bodies.values()], true).find(({object}) => !object.userData.plane);
-    return hit ? hit.object.userData.body : null;
+    return ray;
   }
 
   /** Where a point of the world is on the canvas, in its pixels; null behind the camera. */

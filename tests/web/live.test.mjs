@@ -1,0 +1,252 @@
+// The live page in a real browser: what a person types, shows and points at, and what the avatar answers.
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {dirname} from 'node:path';
+import {after, before, test} from 'node:test';
+import {answered, api, asked, at, begin, beginWith, click, close, drawing, eventsOf, flat, folder, idOf, lines, open, placeOf, ready, server, type, typeAndClick, until, use, visitor} from './live_support.mjs';
+import {program, Visitor} from './support.mjs';
+
+const moved = {objects: {cup: {position: [-0.02, 0.05, 0.05]}, knife: {position: [0.3, -0.1, 0.005]}}};
+const kinematic = {physics: false};
+const saved = [];
+before(open);
+after(close);
+
+async function saveAsTest(name) {
+  await at('live-save').click();
+  await at('save-name').fill(name);
+  const [response] = await Promise.all([visitor.page.waitForResponse(/\/save$/), at('save-do').click()]);
+  const {trace, check} = await response.json();
+  await at('saved').locator('code').waitFor();
+  assert.equal(await at('saved').locator('code').innerText(), check);
+  saved.push(trace);
+  await visitor.page.keyboard.press('Escape');
+}
+
+test('a dialogue in words: the plate, put in front of the avatar', async () => {
+  await begin(flat);
+  assert.match(await at('talk').getAttribute('placeholder'), /“The plate\.”/);
+  await answered(() => type('The plate.'), 'Okay, go on.');
+  await answered(() => type('Put it in front of you.'), 'Okay.');
+  await asked('put(plate, in_front(avatar))');
+  await lines('avatar', 'does').filter({hasText: 'done'}).waitFor();
+  await saveAsTest('dialogue_in_words');
+  assert.deepEqual(visitor.complaints, []);
+});
+
+test('words and a click in 3D: put it there', async () => {
+  await begin(drawing);
+  await answered(() => type('The plate.'), 'Okay, go on.');
+  await answered(() => typeAndClick('Put it there.', [-0.1, -0.15]), 'Okay.');
+  const does = await lines('avatar', 'does').locator('.words').innerText(), [, x, y] = /put\(plate, <(-?[\d.]+), (-?[\d.]+), 0>\)/.exec(does);
+  assert.ok(Math.abs(Number(x) + 0.1) < 0.01 && Math.abs(Number(y) + 0.15) < 0.01, does);
+  await saveAsTest('put_it_there');
+  assert.deepEqual(visitor.complaints, []);
+});
+
+test('a click on a region with two objects: asked about, nearest first', async () => {
+  await beginWith(drawing, {...moved, ...kinematic});
+  await answered(() => click([0.29, -0.05]), 'The blue cup?');
+  await answered(() => type('No.'), 'The knife?');
+  await answered(() => visitor.page.locator('[data-gesture=posack]').first().click(), 'Okay, go on.');
+  await saveAsTest('region_without_words');
+});
+
+test('a click while typing: that cup', async () => {
+  await beginWith(flat, {...moved, ...kinematic});
+  await answered(() => typeAndClick('That cup.', [0.29, -0.05]), 'Okay, go on.');
+  await saveAsTest('that_cup');
+});
+
+test('a click while typing: in that blue cup', async () => {
+  await beginWith(flat, {...moved, ...kinematic});
+  await answered(() => type('The knife.'), 'Okay, go on.');
+  await typeAndClick('In that blue cup.', [0.29, -0.05]);
+  await lines('human', 'says').filter({hasText: 'In that blue cup.'}).waitFor();
+  await answered(() => type('Put it there.'), 'Okay.');
+  await asked('put(knife, in(cup_blue))');
+  await saveAsTest('in_that_blue_cup');
+});
+
+test('a gesture that nobody knows is taught once', async () => {
+  await beginWith(flat, {objects: {cup_blue: null}, ...kinematic});
+  const twoFingers = async () => {
+    await at('other-gesture').fill('two fingers');
+    await at('other-gesture').press('Enter');
+  };
+  await answered(twoFingers, 'What does that gesture mean?');
+  await answered(() => type('Grasp the cup.'), 'Okay, I will remember that.');
+  await answered(twoFingers, 'Okay.');
+  await asked('grasp(cup)');
+  await type('Let go of it.');
+  await asked('ungrasp(cup)');
+  await answered(() => type('Never mind.'), 'Okay, never mind.');
+  await answered(() => type('Put on the plate.'), 'What should I put there?');
+  await answered(twoFingers, 'Okay.');
+  await asked('put(cup, on(plate))');
+  await saveAsTest('one_shot_learning');
+});
+
+test('what was saved holds as tests', () => {
+  assert.equal(saved.length, 6);
+  const told = execFileSync(program, ['check', ...new Set(saved.map(dirname))], {encoding: 'utf8', cwd: folder});
+  assert.match(told, /6 traces/);
+});
+
+test('pause stops the engine’s time, and going on lets it run', async () => {
+  await begin(flat);
+  const id = await idOf();
+  await at('talk').press('Escape');
+  await visitor.page.keyboard.press(' ');
+  await visitor.page.waitForFunction(() => /paused/.test(document.querySelector('[data-testid=live-mode]').textContent));
+  const {t, paused} = await api(`/${id}`);
+  assert.ok(paused);
+  for (let i = 0; i < 20; ++i) assert.equal((await api(`/${id}`)).t, t);
+  await at('live-pause').click();
+  await visitor.page.waitForFunction(() => /recording/.test(document.querySelector('[data-testid=live-mode]').textContent));
+  await until(async () => (await api(`/${id}`)).t > t, 'time goes on');
+});
+
+test('a held button is a hold, a moving mouse samples', async () => {
+  await begin(flat);
+  const [x, y] = await placeOf([0.1, 0.05]);
+  await visitor.page.mouse.move(x, y);
+  await visitor.page.mouse.down();
+  await lines('human', 'shows').filter({hasText: 'point begins'}).waitFor();
+  await visitor.page.mouse.move(x + 30, y, {steps: 4});
+  await visitor.page.mouse.up();
+  await lines('human', 'shows').filter({hasText: 'point ends'}).waitFor();
+  const {trace} = await api(`/${await idOf()}`);
+  const samples = eventsOf(trace).filter(({kind}) => kind === 'pointing');
+  assert.ok(samples.length && samples.every(({hand, target: [a, b]}) => hand === 'right' && a > 0.09 && Math.abs(b - 0.05) < 0.002), JSON.stringify(samples));
+});
+
+test('by keyboard alone: the cross points, and the avatar answers', async () => {
+  await begin(flat);
+  await at('talk').press('Escape');
+  await at('table-map').focus();
+  for (const key of ['Shift+ArrowLeft', 'Shift+ArrowLeft', 'Shift+ArrowLeft', 'Shift+ArrowLeft', 'ArrowUp']) await visitor.page.keyboard.press(key);
+  assert.match(await at('live-caption').innerText(), /plate/);
+  await answered(() => visitor.page.keyboard.press('Enter'), 'Okay, go on.');
+  assert.match(await lines('human', 'shows').innerText(), /point at \(−0\.20, 0\.01\)/);
+  await at('table-map').press('/');
+  assert.ok(await at('talk').evaluate((box) => box === document.activeElement));
+});
+
+test('who comes later watches, and cannot send', async () => {
+  await begin(flat);
+  const id = await idOf();
+  await answered(() => type('The plate.'), 'Okay, go on.');
+  const guest = await Visitor.start(server.address);
+  await guest.visit(`/live/${id}`);
+  await guest.at('live-watching').waitFor();
+  assert.equal(await guest.at('talk').count(), 0);
+  await guest.page.locator('[data-testid=conversation] >> text=“Okay, go on.”').waitFor();
+  await visitor.page.waitForFunction(() => /1 watching/.test(document.querySelector('[data-testid=live-viewers]').textContent));
+  for (const key of ['y', '1']) await guest.page.keyboard.press(key);
+  await guest.page.mouse.click(300, 300);
+  await type('The knife.');
+  await guest.page.locator('[data-testid=conversation] >> text=“The knife.”').waitFor();
+  assert.equal(await guest.page.locator('[data-who=human]').count(), 2);
+  assert.deepEqual(guest.complaints, []);
+  await guest.close();
+});
+
+test('what was typed while the connection was lost is sent when it is back', async () => {
+  await begin(flat);
+  await visitor.context.setOffline(true);
+  await type('The plate.');
+  await visitor.page.waitForFunction(() => /Connection lost/.test(document.querySelector('[data-testid=live-notice]').textContent));
+  await answered(() => visitor.context.setOffline(false), 'Okay, go on.');
+  await visitor.page.waitForFunction(() => document.querySelector('[data-testid=live-notice]').textContent === '');
+});
+
+test('the browser’s recogniser talks to the avatar', async () => {
+  use(flat);
+  await visitor.visit('/live');
+  await visitor.page.addInitScript(() => {
+    window.SpeechRecognition = class { start() { window.recogniser = this; } stop() {} };
+  });
+  await visitor.page.reload();
+  await at('live-start').click();
+  await ready();
+  await at('microphone').click();
+  await answered(() => visitor.page.evaluate(() => window.recogniser.onresult({resultIndex: 0,
+    results: [Object.assign([{transcript: 'the plate', confidence: 0.9}, {transcript: 'the play', confidence: 0.4}], {isFinal: true})]})), 'Okay, go on.');
+  const {trace} = await api(`/${await idOf()}`);
+  const {text, confidence, alternatives} = eventsOf(trace).find(({kind}) => kind === 'speech');
+  assert.deepEqual({text, confidence, alternatives}, {text: 'the plate', confidence: 0.9, alternatives: [{text: 'the play', confidence: 0.4}]});
+  await visitor.page.evaluate(() => window.recogniser.onerror({error: 'not-allowed'}));
+  assert.match(await at('live-notice').innerText(), /microphone may not be used/);
+});
+
+test('closing the page ends the session; what was recorded is whole', async () => {
+  await begin(flat);
+  const id = await idOf();
+  await answered(() => type('The plate.'), 'Okay, go on.');
+  await visitor.page.goto('about:blank');
+  let state;
+  await until(async () => !(state = await api(`/${id}`)).live, 'the session ends');
+  const lastOf = (path) => eventsOf(path).at(-1);
+  assert.equal(lastOf(state.trace).kind, 'end');
+  assert.equal(lastOf(state.trace.replace(/\.trace\.jsonl$/, '.run.jsonl')).kind, 'end');
+  await visitor.page.goto(`${server.address}/live/${id}`);
+  await at('live-summary').waitFor();
+  assert.match(await at('conversation').innerText(), /“The plate\.”/);
+});
+
+test('light or dark: the scene goes along', async () => {
+  await begin(drawing);
+  const background = () => visitor.page.evaluate(() => window.continua.live_page.shown.place.view.stage.drawing.colours.background);
+  await visitor.page.waitForFunction(() => window.continua.live_page.shown.place.view.stage.draws > 0);
+  const light = await background();
+  await at('talk').press('Escape');
+  await visitor.page.keyboard.press('t');
+  await visitor.page.waitForFunction((was) => window.continua.live_page.shown.place.view.stage.drawing.colours.background !== was, light);
+});
+
+test('a session that goes on can be followed from both start pages', async () => {
+  use(flat);
+  const {id} = await api('', {recorder: 'somebody else'}), link = () => visitor.page.locator(`a[href="/live/${id}"]`, {hasText: 'Follow'});
+  for (const path of ['/', '/live']) {
+    await visitor.visit(path);
+    await link().waitFor();
+  }
+  await link().click();
+  await at('live-watching').waitFor();
+  await api(`/${id}/end?recorder=somebody%20else`, {});
+  await at('live-summary').waitFor();
+});
+
+test('the start page leads here, and a session that is not there says so', async () => {
+  use(flat);
+  await visitor.visit('/');
+  await at('record-session').click();
+  await at('live-start').waitFor();
+  assert.ok(await at('live-start').evaluate((button) => button === document.activeElement));
+  await visitor.visit('/live/nothing_like_it');
+  assert.match(await visitor.page.locator('h1').innerText(), /no conversation/);
+});
+
+for (const colorScheme of ['light', 'dark'])
+  for (const [how, start] of [['in 3D', () => begin(drawing, {colorScheme, bypassCSP: true})], ['as a map', () => begin(flat, {colorScheme, bypassCSP: true})]])
+    test(`nothing stands in the way of access, ${how}, ${colorScheme}`, async () => {
+      await start();
+      await answered(() => type('The plate.'), 'Okay, go on.');
+      await at('talk').fill('Put it there');
+      await click([0.3, 0.15]);
+      await at('click-chip').waitFor();
+      assert.deepEqual(await visitor.violations(), []);
+      await at('talk').press('Enter');
+      await at('live-end').click();
+      await at('live-summary').waitFor();
+      assert.deepEqual(await visitor.violations(), []);
+    });
+
+test('on a phone nothing is too wide, the text box is in sight, and a finger points', async () => {
+  await begin(flat, {viewport: {width: 360, height: 740}, hasTouch: true});
+  assert.ok(await visitor.page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+  const {y, height} = await at('talk').boundingBox();
+  assert.ok(y > 0 && y + height <= 740);
+  await answered(async () => visitor.page.touchscreen.tap(...await placeOf([-0.2, 0.01])), 'Okay, go on.');
+});

@@ -1,0 +1,68 @@
+// What the scene of a live session shows: where bodies are, where the human points, and what of it was understood.
+import {isPose} from '../scene3d/motion.js';
+
+const trail_ms = 600, flash_ms = 1500;
+const watched_ms = 500;     // how long a sample that somebody else recorded is shown
+
+export class LiveWorld {
+  version = 0;
+  poses = new Map();
+  pointer = null;      // [x, y]
+  trail = [];
+  clicks = [];         // {target}: kept for what is being typed
+  cross = null;        // [x, y]: of the keyboard
+  understood = [];     // [x, y]
+  #times = [];         // of the trail
+  #changed;
+  #timers = new Set();
+  #watched = 0;
+
+  /** `changed()`: there is something new to draw. */
+  constructor(changed) { this.#changed = changed; }
+
+  set(change) {
+    Object.assign(this, change);
+    ++this.version;
+    this.#changed();
+  }
+  begin(scene) {
+    this.poses = new Map(Object.entries(scene?.bodies ?? {}).filter(([, pose]) => isPose(pose)));
+    this.set({});
+  }
+  moved(bodies) {
+    for (const [name, pose] of Object.entries(bodies ?? {})) if (isPose(pose)) this.poses.set(name, pose);
+    this.set({});
+  }
+
+  /** Where the human points now, or null. */
+  point(target) {
+    const now = performance.now(), first = this.#times.findIndex((at) => now - at < trail_ms);
+    this.#times.splice(0, first < 0 ? this.#times.length : first);
+    const trail = this.trail.slice(this.trail.length - this.#times.length);
+    if (target) {
+      trail.push(target);
+      this.#times.push(now);
+    }
+    this.set({pointer: target, trail: target ? trail : []});
+    if (!target) this.#times = [];
+  }
+  /** The same of somebody else: fades by itself. */
+  watch(target) {
+    this.point(target);
+    clearTimeout(this.#watched);
+    this.#watched = setTimeout(() => this.point(null), watched_ms);
+  }
+  flash(place) {
+    this.set({understood: [...this.understood, place]});
+    const timer = setTimeout(() => {
+      this.#timers.delete(timer);
+      this.set({understood: this.understood.filter((one) => one !== place)});
+    }, flash_ms);
+    this.#timers.add(timer);
+  }
+  close() {
+    clearTimeout(this.#watched);
+    for (const timer of this.#timers) clearTimeout(timer);
+    this.#changed = () => {};
+  }
+}

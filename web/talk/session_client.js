@@ -1,0 +1,111 @@
+// One live session as the server has it: what is asked of it, and what is sent to it, also across a lost connection.
+
+const again_ms = 1000;
+
+async function ask(path, body) {
+  const response = await fetch(path, body === undefined ? {} : {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)});
+  const answer = await response.json().catch(() => null);
+  if (response.ok) return answer;
+  throw Object.assign(new Error(answer?.error?.message ?? `${path}: ${response.status}`), {status: response.status});
+}
+
+// What was asked for before this module was there.
+let early = globalThis.continua_early?.get('/api/sessions');
+
+/** The sessions there are, and what a new one can be made of. */
+export async function fetchSessions() {
+  const response = await (early ?? fetch('/api/sessions'));
+  early = null;
+  const answer = await response.json().catch(() => null);
+  if (!response.ok) throw new Error(answer?.error?.message ?? 'This server has no live sessions.');
+  return answer;
+}
+
+const keyOf = (id) => `recorder:${id}`;
+const kept = {
+  get(id) { try { return sessionStorage.getItem(keyOf(id)); } catch { return null; } },
+  set(id, secret) { try { sessionStorage.setItem(keyOf(id), secret); } catch { /* then a reloaded page only watches */ } },
+};
+
+/** Begins a session that this page records into. @returns its state */
+export async function startSession(options) {
+  const secret = [...crypto.getRandomValues(new Uint32Array(4))].map((part) => part.toString(36)).join('');
+  const state = await ask('/api/sessions', {clock: 'wall', recorder: secret, ...options});
+  kept.set(state.id, secret);
+  return state;
+}
+
+export class SessionClient {
+  #waiting = [];   // what is to be sent: () => events, made when they go
+  #sending = null; // a sample on its way
+  #flushing = false;
+  #timer = 0;
+  #told = () => {};
+
+  constructor(id) {
+    this.id = id;
+    this.secret = kept.get(id);
+  }
+  /** `told({answered, lost, refused})`: an answer to events; the server cannot be reached; it refused them, and why. */
+  listen(told) { this.#told = told; }
+  get recording() { return this.secret !== null; }
+
+  #path(view = '') { return `/api/sessions/${encodeURIComponent(this.id)}${view}`; }
+  #own(view) { return `${this.#path(view)}?recorder=${encodeURIComponent(this.secret ?? '')}`; }
+
+  state() { return ask(this.#path()); }
+  pause(paused) { return ask(this.#own('/pause'), {paused}); }
+  end() { return ask(this.#own('/end'), {}); }
+  save(name) { return ask(this.#path('/save'), {name}); }
+  /** For a page that is going away: nobody waits for the answer. */
+  leave() { navigator.sendBeacon(this.#own('/end')); }
+  /** The records after number `after`. */
+  stream(after) {
+    return new EventSource(`/api/live?session=${encodeURIComponent(this.id)}${after < 0 ? '' : `&after=${after}`}${this.recording ? `&recorder=${encodeURIComponent(this.secret)}` : ''}`);
+  }
+
+  /** Sends what `make()` gives, once what was sent before has arrived; made anew if it has to be sent again. */
+  send(make) {
+    this.#waiting.push(make);
+    this.flush();
+  }
+  /** One sample: worth sending only now. */
+  sample(event) {
+    if (this.#sending || this.#waiting.length) return;
+    this.#sending = this.#post([event]).catch(() => {}).finally(() => { this.#sending = null; });
+  }
+
+  async flush() {
+    clearTimeout(this.#timer);
+    if (this.#flushing) return;
+    this.#flushing = true;
+    await this.#sending;
+    while (this.#waiting.length) {
+      try {
+        await this.#post(this.#waiting[0]());
+      } catch (problem) {
+        // What the server has refused it would refuse again.
+        if (problem.status === undefined) {
+          this.#timer = setTimeout(() => this.flush(), again_ms);
+          break;
+        }
+      }
+      this.#waiting.shift();
+    }
+    this.#flushing = false;
+  }
+
+  async #post(events) {
+    try {
+      this.#told({answered: await ask(this.#own('/events'), events)});
+    } catch (problem) {
+      this.#told(problem.status === undefined ? {lost: true} : {refused: problem.message});
+      throw problem;
+    }
+  }
+
+  close() {
+    clearTimeout(this.#timer);
+    this.#waiting = [];
+  }
+}
