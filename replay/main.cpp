@@ -1,4 +1,6 @@
 // The program `continua`: reads its arguments and calls the command they name.
+#include <malloc.h>
+
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <array>
@@ -84,6 +86,8 @@ int run_program(int argc, char** argv) {
 }  // namespace continua
 
 int main(int argc, char** argv) {
+  // Live sessions have threads of their own; a heap for each would be kept when they are gone.
+  ::mallopt(M_ARENA_MAX, 2);
   try {
     return continua::run_program(argc, argv);
   } catch (const std::exception& problem) {  // out of memory, a file system that fails in mid-walk

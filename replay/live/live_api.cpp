@@ -96,7 +96,7 @@ ApiResponse LiveApi::post(std::string_view target, std::string_view body) {
   const auto named = query.find("recorder");
   if (what != "save" && !recorder.empty() && (named == query.end() || named->second != recorder))
     return api_error(409, "somebody else records into this session");
-  if (what == "events") return events(*listed, body);
+  if (what == "events") return events(*listed, query, body);
   if (what == "end") {
     session.end();
     return answer(session_json(*listed, *sessions_));
@@ -111,7 +111,7 @@ ApiResponse LiveApi::post(std::string_view target, std::string_view body) {
   return answer(session_json(*listed, *sessions_));
 }
 
-ApiResponse LiveApi::events(const ListedSession& listed, std::string_view body) {
+ApiResponse LiveApi::events(const ListedSession& listed, const Query& query, std::string_view body) {
   const auto events = events_in(body);
   if (!events) return api_error(400, events.error().text());
   if (!listed.session->state().live) return api_error(409, "the session has ended");
@@ -119,7 +119,8 @@ ApiResponse LiveApi::events(const ListedSession& listed, std::string_view body) 
     return api_error(413, fmt::format("found {} events; expected at most {} at a time", events->size(), most_at_once));
   if (!admits(listed.id, events->size()))
     return api_error(429, fmt::format("more than {} events a second; try again in a second", events_per_s));
-  const auto reply = listed.session->receive(*events);
+  const auto batch = query.find("batch");
+  const auto reply = listed.session->receive(*events, batch == query.end() ? "" : batch->second);
   if (!reply) return api_error(listed.session->state().live ? 400 : 409, reply.error().text());
   // Records of the log as they are: they need not be read to be handed on.
   auto text = fmt::format(R"({{"accepted":{},"t":{},"moves":[)", reply->accepted, compact(reply->t.seconds()));

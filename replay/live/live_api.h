@@ -26,7 +26,8 @@ class LiveApi {
   ApiResponse get(std::string_view target);
 
   /// "/api/sessions" begins one (LiveSessions::start): 201 with session_json. Below "/api/sessions/ID":
-  /// "/events" takes events (events_in) and gives {"accepted", "t", "moves"}; "/pause" takes {"paused"}; "/end";
+  /// "/events" takes events (events_in) and gives {"accepted", "t", "moves"}, with "?batch=NAME" once only; "/pause"
+  /// takes {"paused"}; "/end";
   /// "/save" takes {"name"} and gives 201 {"trace", "runs", "check"}.
   /// 404 unknown, 409 of somebody else's or ended, 429 more than 2000 events a second; nothing is changed by those.
   ApiResponse post(std::string_view target, std::string_view body);
@@ -34,7 +35,7 @@ class LiveApi {
   const LiveSessions& sessions() const { return *sessions_; }
 
  private:
-  ApiResponse events(const ListedSession& listed, std::string_view body);
+  ApiResponse events(const ListedSession& listed, const Query& query, std::string_view body);
   ApiResponse save(const ListedSession& listed, const Json& asked);
   bool admits(const std::string& id, std::size_t events);
 

@@ -1,7 +1,5 @@
 #include "replay/live/live_session.h"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <filesystem>
 
@@ -111,8 +109,9 @@ std::unique_lock<std::mutex> LiveSession::lock_soon() {
   return lock;
 }
 
-Result<LiveSession::Reply> LiveSession::receive(const std::vector<Json>& events) {
+Result<LiveSession::Reply> LiveSession::receive(const std::vector<Json>& events, const std::string& batch) {
   const auto lock = lock_soon();
+  if (!batch.empty() && batch == last_batch_) return last_reply_;
   if (!loop_) return Error{"", "the session has ended"};
   const auto timing = timing_.value_or(has_time(events.front()) ? LiveTiming::events : LiveTiming::wall);
   const auto timed = timed_events(events, timing, now(), next_line_);
@@ -121,8 +120,9 @@ Result<LiveSession::Reply> LiveSession::receive(const std::vector<Json>& events)
   if (!timing_ && timing == LiveTiming::wall) clock_.run(last_heard_);
   timing_ = timing;
   take(*timed);
-  Reply reply{events.size(), loop_ ? loop_->now() : told_.t, log_->take_moves()};
-  return reply;
+  last_batch_ = batch;
+  last_reply_ = {events.size(), loop_ ? loop_->now() : told_.t, log_->take_moves()};
+  return last_reply_;
 }
 
 void LiveSession::take(const std::vector<LiveEvent>& events) {
@@ -181,8 +181,6 @@ void LiveSession::close(std::optional<SimTime> end) {
   session_.reset();
   trace_.close();
   log_->close();
-  // Sessions have threads of their own, and with them heaps of their own, which would be kept.
-  ::malloc_trim(0);
   tell();
   heard_.notify_all();
 }

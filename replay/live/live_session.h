@@ -53,8 +53,10 @@ class LiveSession {
     SimTime t;                       ///< the engine's time
     std::vector<std::string> moves;  ///< what the avatar set about since the last reply: records of the log
   };
-  /// All of them or, if one cannot be used, none. Errors: why not, or that the session has ended.
-  Result<Reply> receive(const std::vector<Json>& events);
+  /// All of them or, if one cannot be used, none. Errors: why not, or that the session has ended. `batch` names them,
+  /// or is empty: what comes again under the name of what was taken last, since the answer to that was lost, is
+  /// answered again and not taken again.
+  Result<Reply> receive(const std::vector<Json>& events, const std::string& batch = "");
 
   /// Engine time stands still, or goes on. Error: the session has ended, or its time goes by events.
   Outcome pause(bool paused);
@@ -108,6 +110,8 @@ class LiveSession {
   LiveClock clock_;
   std::size_t next_line_ = 2;
   WallTime last_heard_;
+  std::string last_batch_;
+  Reply last_reply_;
   std::optional<Error> broke_;
   ReplaySummary summary_;
 
