@@ -123,6 +123,18 @@ TEST_CASE("what cannot be is refused, and says what could") {
   asked.refused(409, "/api/sessions/one/pause", R"({"paused":true})");
 }
 
+TEST_CASE("what is sent again since its answer was lost is not taken again") {
+  Asked asked;
+  asked.post("/api/sessions", "", 201);
+  const std::string events = "/api/sessions/session/events";
+  const auto first = asked.post(events + "?batch=1", plate);
+  const auto trace = asked.file("session.trace.jsonl");
+  CHECK(asked.post(events + "?batch=1", plate) == first);
+  CHECK(asked.file("session.trace.jsonl") == trace);
+  asked.post(events + "?batch=2", plate);
+  CHECK(asked.file("session.trace.jsonl") != trace);
+}
+
 TEST_CASE("only whoever records into a session may") {
   Asked asked;
   asked.post("/api/sessions", R"({"recorder":"me"})", 201);

@@ -36,7 +36,8 @@ export async function startSession(options) {
 }
 
 export class SessionClient {
-  #waiting = [];   // what is to be sent: () => events, made when they go
+  #waiting = [];   // what is to be sent: {batch, make}: make() gives the events when they go
+  #batch = 0;
   #sending = null; // a sample on its way
   #flushing = false;
   #timer = 0;
@@ -64,9 +65,12 @@ export class SessionClient {
     return new EventSource(`/api/live?session=${encodeURIComponent(this.id)}${after < 0 ? '' : `&after=${after}`}${this.recording ? `&recorder=${encodeURIComponent(this.secret)}` : ''}`);
   }
 
-  /** Sends what `make()` gives, once what was sent before has arrived; made anew if it has to be sent again. */
+  /**
+   * Sends what `make()` gives, once what was sent before has arrived; made anew if it has to be sent again. The server takes
+   * it once, though an answer be lost.
+   */
   send(make) {
-    this.#waiting.push(make);
+    this.#waiting.push({batch: ++this.#batch, make});
     this.flush();
   }
   /** One sample: worth sending only now. */
@@ -82,7 +86,8 @@ export class SessionClient {
     await this.#sending;
     while (this.#waiting.length) {
       try {
-        await this.#post(this.#waiting[0]());
+        const {batch, make} = this.#waiting[0];
+        await this.#post(make(), `&batch=${batch}`);
       } catch (problem) {
         // What the server has refused it would refuse again.
         if (problem.status === undefined) {
@@ -95,9 +100,9 @@ export class SessionClient {
     this.#flushing = false;
   }
 
-  async #post(events) {
+  async #post(events, named = '') {
     try {
-      this.#told({answered: await ask(this.#own('/events'), events)});
+      this.#told({answered: await ask(this.#own('/events') + named, events)});
     } catch (problem) {
       this.#told(problem.status === undefined ? {lost: true} : {refused: problem.message});
       throw problem;
