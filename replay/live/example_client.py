@@ -1,4 +1,4 @@
-#!/ usr / bin / env python3
+#!/usr/bin/env python3
 """Streams events into a live session of Continua and prints what the avatar does.
 
 Shows how a recogniser of speech, gestures or pointing is connected: make a session, send each event when it happens,
@@ -18,7 +18,8 @@ import secrets
 import sys
 import time
 import urllib.parse
-#The server closes a connection that nothing was asked on for two seconds.
+
+# The server closes a connection that nothing was asked on for two seconds.
 QUIET_S = 1
 NOT_SENT = ("observed", "expect")
 EXAMPLE = '{"kind": "speech", "text": "The plate."}'
@@ -29,10 +30,10 @@ class LiveSession:
     """A session on a server that `address` names, and the one connection that asks for it."""
 
     def __init__(self, address, wishes):
-#Opening a connection for each event would cost more than the event.
+        # Opening a connection for each event would cost more than the event.
         self.connection = http.client.HTTPConnection(urllib.parse.urlsplit(address).netloc, timeout=60)
         self.used = 0
-#Nobody else can send events into a session that was made with a secret.
+        # Nobody else can send events into a session that was made with a secret.
         self.secret = secrets.token_hex(8)
         self.path = "/api/sessions/" + self.ask("/api/sessions", wishes | {"recorder": self.secret})["id"]
 
@@ -56,7 +57,7 @@ class LiveSession:
                 return answer
             if response.status != 429:
                 sys.exit(f"{response.status}: {answer['error']['message']}")
-#Too many events a second : the server says how long to wait.
+            # Too many events a second: the server says how long to wait.
             time.sleep(float(response.headers["Retry-After"]))
 
 
@@ -84,13 +85,10 @@ def events_of(lines):
 
 def wishes_of(header, options):
     """What the session is to be: as the options say, or else the trace's header."""
-    wishes = {name: header[name] for name in HEADER_FIELDS if name in header
-} wishes |= {
-name: value for name in ("scene", "machine", "name") if (value := getattr(options, name))
-}
-wishes |= { "physics" : options.physics, "clock" : options.clock }
-    return wishes | ({
-  "speed" : options.speed} if options.clock == "wall" else {})
+    wishes = {name: header[name] for name in HEADER_FIELDS if name in header}
+    wishes |= {name: value for name in ("scene", "machine", "name") if (value := getattr(options, name))}
+    wishes |= {"physics": options.physics, "clock": options.clock}
+    return wishes | ({"speed": options.speed} if options.clock == "wall" else {})
 
 
 def stream(events, options):
@@ -124,12 +122,14 @@ def main():
     if options.speed < 0 or (options.speed == 0 and options.clock == "wall"):
         parser.error("--speed must be above 0, or 0 with --clock events")
     try:
-        with sys
-    .stdin if options.events == "-" else open(options.events, encoding = "utf-8-sig") as lines
-        : ended = stream(events_of(lines), options) except ConnectionRefusedError
-        : sys.exit(f "nobody listens at {options.server}; start `continua serve` first, or say --server")
-              except OSError as error
-        : sys.exit(str(error)) print(f "trace {ended['trace']}\nrun   {options.server.rstrip('/')}/r/{ended['run']}")
+        with sys.stdin if options.events == "-" else open(options.events, encoding="utf-8-sig") as lines:
+            ended = stream(events_of(lines), options)
+    except ConnectionRefusedError:
+        sys.exit(f"nobody listens at {options.server}; start `continua serve` first, or say --server")
+    except OSError as error:
+        sys.exit(str(error))
+    print(f"trace {ended['trace']}\nrun   {options.server.rstrip('/')}/r/{ended['run']}")
 
-              if __name__
-                  == "__main__" : main()
+
+if __name__ == "__main__":
+    main()
