@@ -56,7 +56,8 @@ export function mountConversation(run) {
         const status = acts.get(record.act);
         if (status) {
           status.className = `status ${record.status}`;
-          status.textContent = (act_words[record.status] ?? record.status) + (record.reason ? `: ${brief(record.reason)}` : '');
+          const reason = record.result?.reason;
+          status.textContent = (act_words[record.status] ?? record.status) + (reason ? `: ${brief(reason)}` : '');
         }
       }
       const line = lineOf(record, event?.kind === 'pointing');
