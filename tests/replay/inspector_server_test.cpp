@@ -1,12 +1,8 @@
 #include "replay/inspector_server.h"
-
-#include <arpa/inet.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <thread>
 
 #include "inspector_log.h"
+#include "plain_client.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -14,7 +10,7 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-// A server with one run, and a client so plain that it may send what a browser would not.
+// A server with one run.
 class Server {
  public:
   Server() : server_({folder_.write("small.run.jsonl", small_log().text())}) {
@@ -29,20 +25,7 @@ class Server {
   }
 
   std::string ask(const std::string& method, const std::string& target, const std::string& headers) const {
-    const int line = ::socket(AF_INET, SOCK_STREAM, 0);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port_));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    REQUIRE(::connect(line, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
-    const auto request = method + " " + target + " HTTP/1.1\r\nConnection: close\r\n" + headers + "\r\n";
-    REQUIRE(::send(line, request.data(), request.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(request.size()));
-    std::string answer;
-    char block[4096];
-    for (ssize_t got; (got = ::recv(line, block, sizeof block, 0)) > 0;)
-      answer.append(block, static_cast<std::size_t>(got));
-    ::close(line);
-    return answer;
+    return answer_to(method + " " + target + " HTTP/1.1\r\nConnection: close\r\n" + headers + "\r\n", port_);
   }
   std::string host() const { return "Host: 127.0.0.1:" + std::to_string(port_) + "\r\n"; }
   std::string get(const std::string& target, const std::string& headers = "") const {

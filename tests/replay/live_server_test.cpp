@@ -1,10 +1,6 @@
-#include <arpa/inet.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <thread>
 
-#include "core/located_json.h"
+#include "plain_client.h"
 #include "replay/inspector_server.h"
 #include "replay/live/live_sessions.h"
 #include "support/catch.h"
@@ -25,7 +21,7 @@ std::shared_ptr<LiveSessions> sessions_in(const TemporaryFolder& folder) {
   return *created;
 }
 
-// A server with live sessions, and a client that reads to the end of the answer.
+// A server with live sessions.
 class Server {
  public:
   Server() : server_({folder_.path().string()}, sessions_in(folder_)) {
@@ -40,20 +36,8 @@ class Server {
   }
 
   std::string ask(const std::string& request, const std::string& headers = "", const std::string& body = "") const {
-    const int line = ::socket(AF_INET, SOCK_STREAM, 0);
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port_));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    REQUIRE(::connect(line, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
-    const auto text = request + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n" + headers + "\r\n" + body;
-    REQUIRE(::send(line, text.data(), text.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(text.size()));
-    std::string answer;
-    char block[4096];
-    for (ssize_t got; (got = ::recv(line, block, sizeof block, 0)) > 0;)
-      answer.append(block, static_cast<std::size_t>(got));
-    ::close(line);
-    return answer;
+    return answer_to(request + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n" + headers + "\r\n" + body,
+                     port_);
   }
   std::string post(const std::string& target, const std::string& body) const {
     return ask("POST " + target, "Content-Length: " + std::to_string(body.size()) + "\r\n", body);
