@@ -147,11 +147,11 @@ Outcome LiveSession::pause(bool paused) {
   if (timing_ == LiveTiming::events) return Error{"", "its time goes by events: it stands still between them"};
   timing_ = LiveTiming::wall;
   last_heard_ = std::chrono::steady_clock::now();
-  loop_->wait_until(now());
   if (paused)
     clock_.stop(last_heard_);
   else
     clock_.run(last_heard_);
+  loop_->wait_until(now());
   tell();
   heard_.notify_all();
   return std::nullopt;
