@@ -16,6 +16,15 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(path, unknown);
 }
 
+std::vector<std::string> names_in(const fs::path& folder, const std::string& extension) {
+  std::vector<std::string> names;
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder, problem))
+    if (entry.path().extension() == extension) names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 namespace {
 
 bool is_file(const fs::path& path) {
@@ -38,16 +47,6 @@ std::optional<fs::path> tree_above_program() {
     if (is_tree(folder)) return folder;
     if (folder == folder.root_path()) return std::nullopt;
   }
-}
-
-// The names that `folder` offers: its files with `extension`, without it.
-std::vector<std::string> names_in(const fs::path& folder, const std::string& extension) {
-  std::vector<std::string> names;
-  std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(folder, problem))
-    if (entry.path().extension() == extension) names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
 }
 
 Result<std::string> resolve(const std::string& name, const char* what, const fs::path& known,

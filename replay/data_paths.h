@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/result.h"
 
@@ -15,6 +16,9 @@ struct DataPaths {
 
 /// Also where the path cannot be looked at: then it is none.
 bool is_folder(const std::filesystem::path& path);
+
+/// The names that a folder offers, in order: its files with that extension, without it.
+std::vector<std::string> names_in(const std::filesystem::path& folder, const std::string& extension);
 
 /// Of the files that machines name as their phrases.
 std::string phrases_folder(const DataPaths& data);

@@ -121,7 +121,10 @@ ApiResponse LiveApi::events(const ListedSession& listed, const Query& query, std
     return api_error(429, fmt::format("more than {} events a second; try again in a second", events_per_s));
   const auto batch = query.find("batch");
   const auto reply = listed.session->receive(*events, batch == query.end() ? "" : batch->second);
-  if (!reply) return api_error(listed.session->state().live ? 400 : 409, reply.error().text());
+  if (!reply) {
+    const auto state = listed.session->state();
+    return api_error(state.broke ? 500 : state.live ? 400 : 409, reply.error().text());
+  }
   // Records of the log as they are: they need not be read to be handed on.
   auto text = fmt::format(R"({{"accepted":{},"t":{},"moves":[)", reply->accepted, compact(reply->t.seconds()));
   for (std::size_t i = 0; i < reply->moves.size(); ++i) text += (i ? "," : "") + reply->moves[i];

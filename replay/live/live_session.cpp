@@ -75,11 +75,7 @@ void LiveSession::work() {
       const SimTime goal = now();
       loop_->wait_until(std::min(goal, loop_->now() + most_at_once));
       tell();
-      if (!log_->sound() || !trace_) {
-        broke_ = Error{options_.log_path, "could not be written any further"};
-        close(std::nullopt);
-        return;
-      }
+      if (!can_go_on()) return;
       if (loop_->now() < goal) {
         // The world takes longer to work out than it takes: whoever sends events goes first.
         lock.unlock();
@@ -120,6 +116,7 @@ Result<LiveSession::Reply> LiveSession::receive(const std::vector<Json>& events,
   if (!timing_ && timing == LiveTiming::wall) clock_.run(last_heard_);
   timing_ = timing;
   take(*timed);
+  if (broke_) return *broke_;
   last_batch_ = batch;
   last_reply_ = {events.size(), loop_ ? loop_->now() : told_.t, log_->take_moves()};
   return last_reply_;
@@ -132,13 +129,23 @@ void LiveSession::take(const std::vector<LiveEvent>& events) {
       // First, so that whatever happens the trace has all that the engine saw.
       trace_ << line << '\n' << std::flush;
       ++next_line_;
+      if (!can_go_on()) return;
     }
     loop_->wait_until(t);
     if (event) loop_->take(*event);
     if (t > clock_.at(std::chrono::steady_clock::now())) clock_.set(t, std::chrono::steady_clock::now());
     tell();
   }
-  heard_.notify_all();
+  if (can_go_on()) heard_.notify_all();
+}
+
+// Without a place to write to the session ends.
+bool LiveSession::can_go_on() {
+  if (trace_ && log_->sound()) return true;
+  broke_ =
+      Error{trace_ ? options_.log_path : options_.trace_path, "cannot be written any further; the session has ended"};
+  close(std::nullopt);
+  return false;
 }
 
 Outcome LiveSession::pause(bool paused) {

@@ -91,6 +91,7 @@ class LiveSession {
   SimTime now() const;
   bool is_attended() const;
   void take(const std::vector<LiveEvent>& events);
+  bool can_go_on();
   void close(std::optional<SimTime> end);
   void tell();
 

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_live = 8, most_sessions = 1000;
+constexpr std::size_t most_live = 8;
 constexpr double least_speed = 0.01, most_speed = 100;
 constexpr std::size_t longest_name = 64;
 
@@ -26,20 +26,16 @@ LiveRefusal bad(const std::string& name, const Json& found, const std::string& e
   return {400, fmt::format("'{}' is {}; expected {}", name, in_quotes(compact(found)), expected)};
 }
 
+bool is_among(const Json& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 }  // namespace
 
 bool is_file_name(const std::string& name) {
   return !name.empty() && name.size() <= longest_name &&
          std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
 }
-
-namespace {
-
-bool is_among(const Json& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-}  // namespace
 
 Result<std::shared_ptr<LiveSessions>> LiveSessions::create(LiveDefaults defaults) {
   auto data = find_data_paths(defaults.replay.knowledge);
@@ -116,8 +112,7 @@ std::optional<std::string> LiveSessions::take_place(LiveOptions& options, const 
   const std::lock_guard lock(mutex_);
   const auto live = std::count_if(sessions_.begin(), sessions_.end(),
                                   [](const ListedSession& one) { return one.session->state().live; });
-  if (taken_.size() - sessions_.size() + static_cast<std::size_t>(live) >= most_live || taken_.size() >= most_sessions)
-    return std::nullopt;
+  if (taken_.size() - sessions_.size() + static_cast<std::size_t>(live) >= most_live) return std::nullopt;
   for (int number = 1;; ++number) {
     const auto id = number == 1 ? name : fmt::format("{}-{}", name, number);
     const auto path = (fs::path(defaults_.folder) / id).lexically_normal();

@@ -8,16 +8,6 @@
 namespace continua {
 namespace {
 
-namespace fs = std::filesystem;
-
-Json names_in(const fs::path& folder, const std::string& extension) {
-  std::set<std::string> names;
-  std::error_code problem;
-  for (const auto& entry : fs::directory_iterator(folder, problem))
-    if (entry.path().extension() == extension) names.insert(entry.path().stem().string());
-  return names;
-}
-
 Json button(const InputEvent& gesture, const std::string& about) {
   Json event{{"kind", "gesture"}, {"name", gesture.name}};
   std::string label = gesture.name;

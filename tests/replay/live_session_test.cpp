@@ -235,6 +235,17 @@ TEST_CASE("moves are told with the event that they come of, and acts as they end
   CHECK(kinds(R"({"t":2,"kind":"clock"})").empty());
 }
 
+TEST_CASE("a session whose files can no longer be written says so and ends") {
+  const TemporaryFolder folder;
+  auto options = options_in(folder, LiveTiming::events);
+  options.log_path = "/dev/full";
+  const auto session = started(options);
+  const auto refused = session->receive({Json::parse(R"({"t":1,"kind":"speech","text":"The plate."})")});
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.error().text() == "/dev/full: cannot be written any further; the session has ended");
+  CHECK_FALSE(session->state().live);
+}
+
 TEST_CASE("a session that cannot be begun leaves no files") {
   const TemporaryFolder folder;
   auto options = options_in(folder, {});
