@@ -151,7 +151,7 @@ TEST_CASE("a flood is refused before any of it counts") {
   Asked asked;
   asked.post("/api/sessions", "", 201);
   std::string body;
-  for (int i = 0; i < 2500; ++i) body += "{\"t\":1,\"kind\":\"gesture\",\"name\":\"x\",\"phase\":\"stop\"}\n";
+  for (int i = 0; i < 3900; ++i) body += "{\"t\":1,\"kind\":\"gesture\",\"name\":\"x\",\"phase\":\"stop\"}\n";
   asked.post("/api/sessions/session/events", body);
   const auto trace = asked.file("session.trace.jsonl");
   asked.refused(429, "/api/sessions/session/events", body);
