@@ -66,6 +66,8 @@ bool has_time(const Json& event) { return event.is_object() && event.contains("t
 Result<std::vector<Json>> events_in(std::string_view body) {
   std::vector<Json> events;
   auto whole = parse_json_line(body, "body", 1);
+  const bool named = whole && whole->is_object() && !whole->contains("kind") && whole->contains("events");
+  if (named) whole = Json((*whole)["events"]);
   if (whole && whole->is_array()) {
     for (auto& event : *whole) events.push_back(std::move(event));
   } else if (whole) {

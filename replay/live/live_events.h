@@ -18,7 +18,8 @@ enum class LiveTiming {
   events,  ///< the times that events tell, for sources that have a clock of their own
 };
 
-/// The events of a request's body: one object, an array of them, or JSON Lines. The error names the line.
+/// The events of a request's body: one object, an array of them, also as {"events": […]}, or JSON Lines. The error
+/// names the line.
 Result<std::vector<Json>> events_in(std::string_view body);
 
 /// Whether the event tells its own time.

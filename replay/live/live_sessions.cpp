@@ -56,8 +56,10 @@ LiveSessions::LiveSessions(LiveDefaults defaults, Json setup)
 
 std::variant<LiveOptions, LiveRefusal> LiveSessions::options_of(const Json& asked, bool any_file) const {
   if (!asked.is_object()) return LiveRefusal{400, "expected an object: {\"scene\": …, \"machine\": …}"};
+  // A trace's header may say more than is asked for.
+  const bool is_header = asked.contains("kind") && asked["kind"] == "trace";
   for (const auto& [key, value] : asked.items())
-    if (std::find(fields.begin(), fields.end(), key) == fields.end())
+    if (!is_header && std::find(fields.begin(), fields.end(), key) == fields.end())
       return LiveRefusal{400, fmt::format("unknown field {}{}; expected {}", in_quotes(key), did_you_mean(key, fields),
                                           fmt::join(fields, ", "))};
   LiveOptions options;
@@ -65,7 +67,7 @@ std::variant<LiveOptions, LiveRefusal> LiveSessions::options_of(const Json& aske
   options.timing = defaults_.timing;
   options.speed = defaults_.speed;
 
-  Json header{{"kind", "trace"}, {"version", 1}};
+  Json header{{"kind", "trace"}, {"version", is_header && asked.contains("version") ? asked["version"] : Json(1)}};
   if (defaults_.replay.seed) header["seed"] = *defaults_.replay.seed;
   for (const char* field : {"seed", "perspective", "objects"})
     if (asked.contains(field)) header[field] = asked[field];

@@ -57,8 +57,8 @@ class LiveSessions {
   ~LiveSessions() { end(); }
 
   /// {"scene", "machine", "seed", "perspective", "objects", "physics", "clock", "speed", "name", "recorder"}, each of
-  /// which may be left out; the first five are as in a trace's header. Unless `any_file`, scene and machine are among
-  /// the names of setup().
+  /// which may be left out; the first five are as in a trace's header, which will do as well. Unless `any_file`, scene
+  /// and machine are among the names of setup().
   std::variant<ListedSession, LiveRefusal> start(const Json& asked, bool any_file = false);
 
   std::optional<ListedSession> find(const std::string& id) const;

@@ -123,6 +123,15 @@ TEST_CASE("what cannot be is refused, and says what could") {
   asked.refused(409, "/api/sessions/one/pause", R"({"paused":true})");
 }
 
+TEST_CASE("a trace's header begins the session that it is of") {
+  Asked asked;
+  const std::string header = R"({"kind":"trace","version":1,"scene":"staircase","machine":"diana2018","source":"x"})";
+  const auto begun = asked.post("/api/sessions", header, 201);
+  CHECK(begun["scene"] == "staircase");
+  CHECK(begun["machine"] == "diana2018");
+  CHECK_THAT(asked.refused(400, "/api/sessions", R"({"kind":"trace","version":2})"), Contains("expected 1"));
+}
+
 TEST_CASE("what is sent again since its answer was lost is not taken again") {
   Asked asked;
   asked.post("/api/sessions", "", 201);

@@ -35,6 +35,7 @@ TEST_CASE("a body is one event, several in an array, or one a line") {
   CHECK(lines_of(" {\"kind\":\"speech\",\n\"text\":\"a\"}\n") == at_10 + "\"a\"}");
   const auto both = at_10 + "\"a\"}\n" + at_10 + "\"b\"}";
   CHECK(lines_of("[" + a + ", " + b + "]") == both);
+  CHECK(lines_of(R"({"events":[)" + a + "," + b + "]}") == both);
   CHECK(lines_of(a + "\r\n\n" + b) == both);
   CHECK(lines_of(a + "\n" + b + "\n") == both);
 }
