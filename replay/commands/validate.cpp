@@ -14,6 +14,7 @@
 #include "machine_file/phrase_file.h"
 #include "replay/data_paths.h"
 #include "replay/language_loading.h"
+#include "replay/live/live_setup.h"
 #include "replay/run_index.h"
 #include "replay/run_integrity.h"
 #include "replay/run_notes.h"
@@ -210,6 +211,13 @@ FileCheck check_scene(std::string_view, const std::string& path) {
   return check;
 }
 
+// Of the knowledge folder that it is in.
+FileCheck check_live_file(std::string_view text, const std::string& path) {
+  const auto data = find_data_paths(std::filesystem::absolute(path).lexically_normal().parent_path().string());
+  if (!data) return {{data.error()}, {}, ""};
+  return {check_live_setup(text, path, *data), {}, "what live sessions begin with"};
+}
+
 bool begins_with(std::string_view text, std::string_view beginning) {
   const auto from = text.find_first_not_of(" \t\r\n");
   return from != std::string_view::npos && text.substr(from).starts_with(beginning);
@@ -233,6 +241,11 @@ constexpr std::array file_kinds = {
                       text.find("\"transitions\"") == text.npos;
              },
              check_phrase_file},
+    FileKind{[](std::string_view text, const std::string& path) {
+               return path.ends_with(".json") && text.find("\"buttons\"") != text.npos &&
+                      text.find("\"transitions\"") == text.npos;
+             },
+             check_live_file},
     FileKind{[](std::string_view text, const std::string& path) {
                return path.ends_with(".json") && text.find("\"raising\"") != text.npos &&
                       text.find("\"transitions\"") == text.npos;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "automaton/machine.h"
 #include "core/located_json.h"
@@ -14,6 +16,10 @@ namespace continua {
 /// {"scenes": [names], "machines": [names], "scene", "machine": those that are meant where none is named, "buttons":
 /// [{"label", "key", "event"}]}, the last three from knowledge/live.json. Errors: that cannot be read.
 Result<Json> live_setup(const DataPaths& data);
+
+/// All that is wrong with the text of a live.json of this data, in the order of the file: unknown keys, a scene or
+/// machine that is not there, buttons without a label, a key of their own (one letter) or an event that can be sent.
+std::vector<Error> check_live_setup(std::string_view text, const std::string& path, const DataPaths& data);
 
 /// The gestures that a human may make, [{"label", "about", "event": of a trace, without `t`}]: those of the catalogue,
 /// in each direction that says something; of a machine without (null) those that its transitions know by name.

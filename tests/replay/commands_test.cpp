@@ -66,6 +66,27 @@ TEST_CASE("validate tells what is wrong with a file of a lexicon and with raisin
   CHECK(check_file(R"json({"raising":2,"rules":[]})json", "r.json").problems.size() == 1);
 }
 
+TEST_CASE("validate tells what is wrong with what live sessions begin with") {
+  const auto path = std::string(CONTINUA_SOURCE_DIR) + "/engine/knowledge/live.json";
+  CHECK(run_validate({{path}}) == exit_done);
+  const std::string sound = read_file(path).value();
+  const auto told = [&](const std::string& was, const std::string& is) {
+    auto text = sound;
+    REQUIRE(text.find(was) != std::string::npos);
+    text.replace(text.find(was), was.size(), is);
+    const auto problems = check_file(text, path).problems;
+    return problems.empty() ? "" : problems.front().text().substr(path.size());
+  };
+  CHECK(told("\"scene\": \"place_setting\"", "\"scene\": \"place_seting\"").find("did you mean 'place_setting'?") !=
+        std::string::npos);
+  CHECK(told("\"machine\": \"interaction\"", "\"machine\": 7") == ":4:14: expected a text as 'machine'");
+  CHECK(told("\"scene\"", "\"scenery\"").find("unknown key 'scenery'") != std::string::npos);
+  CHECK(told("\"label\": \"No\", ", "") == ":7:5: expected a text as 'label'");
+  CHECK(told("\"key\": \"n\"", "\"key\": \"y\"") == ":7:29: the key 'y' has another button already");
+  CHECK(told("\"key\": \"n\"", "\"key\": \"no\"") == ":7:29: found 'no'; expected one letter");
+  CHECK(told("\"text\": \"No.\"", "\"txt\": \"No.\"").find("speech has no 'text'") != std::string::npos);
+}
+
 TEST_CASE("validate knows a file by its content") {
   CHECK(check_file(trace, "x").summary == "trace, 1 event");
   CHECK(check_file(trace, "x").problems.empty());
