@@ -33,12 +33,13 @@ replay/sequence_alignment*    core
 replay/line_scan.h            core
 replay/explain*               core replay/run_* replay/line_scan.h replay/explain*
 replay/coverage*              core replay/run_* replay/coverage*
+replay/score*                 core world replay/score* replay/agreement.h replay/episodes.h replay/shell_word.h
 replay/pictures/*             core world simulation/renderer.h replay/run_* replay/pictures/*
 replay/exporters/*            core replay/run_* replay/exporters/*
 replay/inspector_changes*     core replay/run_* replay/inspector_api.h
 replay/inspector_api*         core replay/run_* replay/line_scan.h replay/exporters/* replay/explain.h
 replay/reading_record*        core term language moves
-replay/recorder*              replay/reading_record.h pipeline core term world voxml automaton perception language moves composition behaviour replay/trace_file.h replay/run_*
+replay/recorder*              replay/reading_record.h pipeline core term world voxml automaton perception language moves composition behaviour replay/trace_file.h replay/run_* replay/agreement.h
 '
 
 # Third-party headers and the only files that may include them.

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Replays traces in the release and the debug build, in processes that have nothing else in common: number of threads,
 # language, time zone, layout of the address space. Wants the same bytes of all: where no physics runs a log may depend
-# on nothing but its trace, seed and machine. The paper's examples a thousand times, recorded sessions four times.
+# on nothing but its trace, seed and machine. The paper's examples a thousand times, recorded sessions four times, and
+# twice led by what was observed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-2}
@@ -54,4 +55,9 @@ else
 fi
 for round in 0 3; do replay "$round" "$release" "${traces[@]}"; done
 for round in 1 2; do replay "$round" "$debug" "${traces[@]}"; done
+if [[ -d $out/sessions ]]; then
+  rm -rf "$out/first"
+  replay 1 "$release" --variant teacher "$out"/sessions/*.jsonl
+  replay 2 "$debug" --variant teacher "$out"/sessions/*.jsonl
+fi
 echo "ci/same_bytes.sh: ${#traces[@]} traces, the same bytes in two builds and four processes"

@@ -102,6 +102,8 @@ std::string happened(ExplainScope& scope) {
                                      : fmt::format("act {}, {}, is {}", of("act"), of("program"), of("status"));
   if (kind == "transition")
     return fmt::format("{} goes to {} by the transition ‘{}’, step {}", of("from"), of("to"), of("id"), of("step"));
+  if (kind == "correction")
+    return fmt::format("what was observed takes the dialogue from {} to {}", of("from"), of("to"));
   if (kind == "rewrite") return fmt::format("entering {} changes the stack", of("state"));
   if (kind == "refusal")
     return "the machine refuses an input: " +

@@ -14,7 +14,7 @@ namespace {
 std::size_t begin_of_change(ExplainScope& scope) {
   const auto n = scope.n();
   const auto& kind = scope.run().kind(n);
-  if (kind == "symbol" || kind == "transition" || kind == "rewrite") {
+  if (kind == "symbol" || kind == "transition" || kind == "correction" || kind == "rewrite") {
     auto begin = n;
     while (begin > 1 && (begin == n || scope.run().kind(begin) == "symbol")) --begin;
     return begin;

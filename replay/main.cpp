@@ -21,6 +21,7 @@
 #include "replay/commands/record.h"
 #include "replay/commands/render.h"
 #include "replay/commands/replay.h"
+#include "replay/commands/score.h"
 #include "replay/commands/serve.h"
 #include "replay/commands/shrink.h"
 #include "replay/commands/validate.h"
@@ -30,9 +31,9 @@ namespace continua {
 namespace {
 
 constexpr std::array commands = {
-    add_replay_command,   add_record_command, add_explain_command, add_diff_command,     add_serve_command,
-    add_render_command,   add_export_command, add_machine_command, add_import_command,   add_check_command,
-    add_coverage_command, add_shrink_command, add_accept_command,  add_validate_command,
+    add_replay_command,   add_record_command, add_explain_command, add_diff_command,   add_serve_command,
+    add_render_command,   add_export_command, add_machine_command, add_import_command, add_check_command,
+    add_coverage_command, add_score_command,  add_shrink_command,  add_accept_command, add_validate_command,
 };
 
 std::vector<std::string> options_of(const CLI::App& command) {

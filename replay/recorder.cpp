@@ -84,19 +84,20 @@ int Recorder::write(std::string_view kind, Json fields) {
   return log_.write(kind, now_, fields, cause_);
 }
 
-void Recorder::input(const TraceEvent& event, const std::string& symbol) {
+int Recorder::input(const TraceEvent& event, const std::string& symbol) {
   now_ = event.t;
   cause_ = std::nullopt;
   Json fields{{"line", event.line}, {"event", event.json}, {"symbol", symbol}};
   fields["event"].erase("t");
   latest_input_ = write("input", fields);
   cause_ = latest_input_;
+  return latest_input_;
 }
 
-void Recorder::observed(const TraceEvent& event, const Observed& observed) {
+int Recorder::observed(const TraceEvent& event, const Observed& observed) {
   now_ = event.t;
   cause_ = std::nullopt;
-  write("observed", {{"line", event.line}, {"channel", observed.channel}, {"content", observed.content}});
+  return write("observed", {{"line", event.line}, {"channel", observed.channel}, {"content", observed.content}});
 }
 
 void Recorder::engine(const std::vector<EngineEvent>& events, SimTime t) {
@@ -215,6 +216,15 @@ void Recorder::one(const Explored& explored) {
                      {"pruned", explored.pruned}});
 }
 
+void Recorder::one(const Corrected& corrected) {
+  write("correction", {{"id", "observed"},
+                       {"from", machine_->states[corrected.from].name},
+                       {"to", machine_->states[corrected.to].name},
+                       {"implied", corrected.implied ? Json(corrected.implied) : Json(nullptr)},
+                       {"stack", corrected.stack},
+                       {"depth", corrected.depth}});
+}
+
 void Recorder::one(const MadeSymbol& made) {
   Json slots = Json::object();
   for (std::size_t i = 0; i < made.symbol.size(); ++i)
@@ -245,11 +255,13 @@ void Recorder::one(const Applied& applied) {
 
 void Recorder::one(const Said& said) {
   last_utterance_ = said.text;
-  write("utterance", {{"text", said.text}, {"because", inputs(said.because)}});
+  moves_.push_back({"speech", said.text, write("utterance", {{"text", said.text}, {"because", inputs(said.because)}})});
 }
 
 void Recorder::one(const Gestured& gestured) {
-  write("gesture", {{"gesture", print(gestured.term)}, {"because", inputs(gestured.because)}});
+  auto gesture = print(gestured.term);
+  const int n = write("gesture", {{"gesture", gesture}, {"because", inputs(gestured.because)}});
+  moves_.push_back({"gesture", std::move(gesture), n});
 }
 
 void Recorder::one(const Unplanned& unplanned) { write("problem", {{"line", nullptr}, {"message", unplanned.reason}}); }
@@ -259,6 +271,7 @@ void Recorder::one(const Acted& acted) {
   const int number = static_cast<int>(acts_.size()) + 1;
   const Json fields{{"act", number}, {"program", last_act_}, {"status", "asked"}, {"because", inputs(acted.because)}};
   acts_[number] = {write("act", fields), last_act_};
+  moves_.push_back({"action", last_act_, acts_[number].record});
 }
 
 void Recorder::write_act(int number, const std::string& status, Json more, SimTime t) {

@@ -3,9 +3,11 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pipeline/pipeline.h"
+#include "replay/agreement.h"
 #include "replay/run_log.h"
 #include "replay/trace_file.h"
 
@@ -22,8 +24,9 @@ class Recorder {
   /// What comes is of this machine, which must outlive the recorder.
   void go_on_with(const Machine& machine) { machine_ = &machine; }
 
-  void input(const TraceEvent& event, const std::string& symbol);
-  void observed(const TraceEvent& event, const Observed& observed);
+  /// These return the number of their record.
+  int input(const TraceEvent& event, const std::string& symbol);
+  int observed(const TraceEvent& event, const Observed& observed);
   void engine(const std::vector<EngineEvent>& events, SimTime t);
   /// Acts, poses and rests in order of their times. A rest is one record, however many reports it lasts for.
   void world(const WorldReport& report);
@@ -43,6 +46,8 @@ class Recorder {
   const std::map<int, Act>& acts() const { return acts_; }
   const std::string& last_utterance() const { return last_utterance_; }
   const std::string& last_act() const { return last_act_; }
+  /// What the avatar did since this was asked last.
+  std::vector<AvatarMove> take_moves() { return std::exchange(moves_, {}); }
   /// What the last noun phrase or pointing can mean, the likeliest first.
   const std::vector<std::string>& last_referents() const { return last_referents_; }
 
@@ -53,6 +58,7 @@ class Recorder {
   void one(const BeliefChange& change);
   void one(const StepEvent& step);
   void one(const Explored& explored);
+  void one(const Corrected& corrected);
   void one(const GestureCommand&) {}
   void one(const Unplanned& unplanned);
   void one(const ActStep& step);
@@ -84,6 +90,7 @@ class Recorder {
   SimTime now_;
   std::optional<int> cause_;         ///< number of the record that brought about the next one
   std::map<int, int> input_record_;  ///< serial of an input → number of its record
+  std::vector<AvatarMove> moves_;
   int latest_input_ = 0;
   bool measured_ = false;  ///< the time of what is written depends on how long an act took
   std::map<int, Act> acts_;

@@ -135,6 +135,15 @@ void add_document(std::vector<GivenDifference>& all, const char* part, const Jso
   add(all, std::move(differences));
 }
 
+// Rules of the machine that the traces set.
+void add_parameters(std::vector<GivenDifference>& all, const Json& a, const Json& b) {
+  for (auto& difference : document_differences("machine", member_of(a, "parameters"), member_of(b, "parameters"))) {
+    difference.name = difference.what;
+    difference.what = fmt::format("parameter '{}'", difference.name);
+    all.push_back(std::move(difference));
+  }
+}
+
 // "lexicon/english/words.json" is of the lexicon.
 void add_knowledge(std::vector<GivenDifference>& all, const Json& a, const Json& b) {
   const auto &one = member_of(a, "knowledge"), &other = member_of(b, "knowledge");
@@ -206,6 +215,7 @@ std::vector<GivenDifference> given_differences(const Json& header_a, const Json&
   const auto a = as_it_went_on(header_a), b = as_it_went_on(header_b);
   std::vector<GivenDifference> all;
   add_document(all, "machine", a, b);
+  add_parameters(all, a, b);
   add_document(all, "phrases", a, b);
   add_knowledge(all, a, b);
   add_scene(all, a, b);

@@ -311,7 +311,8 @@ Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
     const auto* symbol_on_top = symbol(top.value_or(-1));
     marks_.push_back({number32, depth.value_or(symbol_on_top ? symbol_on_top->depth : 0), top.value_or(-1)});
   }
-  if (kind == "transition") steps_.push_back({number32, name_number(name), name_number(from), name_number(to)});
+  if (kind == "transition" || kind == "correction")
+    steps_.push_back({number32, name_number(name), name_number(from), name_number(to)});
   if (kind == "act" && act)
     acts_.push_back({n, *act, static_cast<std::uint32_t>(std::max<std::int64_t>(step.value_or(0), 0)), asked});
   return std::nullopt;

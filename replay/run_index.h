@@ -55,7 +55,7 @@ struct ActMark {
   std::uint32_t asked = 0;  ///< 1: it was asked for here
 };
 
-/// A transition: its id, and the states it leads from and to, as places in RunIndex::names().
+/// A transition, or the correction of one: its id, and the states it leads from and to, as places in RunIndex::names().
 struct StepMark {
   std::uint32_t n = 0, id = 0, from = 0, to = 0;
 };

@@ -9,9 +9,9 @@ namespace continua {
 namespace {
 
 // What must be equal on every machine; RUNLOG.md says so too.
-constexpr std::array<std::string_view, 17> decision_kinds = {
-    "input",   "percept", "reading",     "belief",    "memory", "transition", "symbol",  "rewrite",  "gesture",
-    "refusal", "expect",  "application", "utterance", "act",    "branches",   "learned", "forgotten"};
+constexpr std::array<std::string_view, 18> decision_kinds = {
+    "input",   "percept", "reading",     "belief",    "memory", "transition", "symbol",  "rewrite",   "gesture",
+    "refusal", "expect",  "application", "utterance", "act",    "branches",   "learned", "forgotten", "correction"};
 
 // Between which other records an act goes on and ends is measured: what it came to counts by the act's number.
 bool tells_outcome(std::string_view kind, const Json& fields) {

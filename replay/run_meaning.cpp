@@ -83,6 +83,7 @@ const std::vector<RecordKind> kinds{
     {"belief", {"concept", "value"}},
     {"memory", {"register", "value"}},
     {"transition", {"id", "from", "to", "input"}, {"reason"}, {"refused"}},
+    {"correction", {"from", "to"}},
     {"symbol", {"slots"}},
     {"rewrite", {"state"}},
     {"application", {"function", "argument", "result"}},

@@ -8,7 +8,7 @@ Json run_fields(const RunHeader& header) {
   if (!header.without_voxeme.empty()) scene["without_voxeme"] = header.without_voxeme;
   Json forced = Json::object();
   for (const auto& [step, transition] : header.forced) forced[std::to_string(step)] = transition;
-  return Json{
+  Json fields{
       {"version", 1},
       {"continua", header.continua_version},
       {"trace",
@@ -33,6 +33,9 @@ Json run_fields(const RunHeader& header) {
       {"learned", header.learned},
       {"graph", header.graph},
       {"scene", std::move(scene)}};
+  if (!header.parameters.is_null()) fields["parameters"] = header.parameters;
+  if (!header.variant.empty()) fields["variant"] = header.variant;
+  return fields;
 }
 
 }  // namespace continua

@@ -14,6 +14,8 @@ struct RunHeader {
   std::string trace_name, trace_digest;  ///< no digest: the trace was written along with the run
   std::uint64_t seed = 0;
   std::string choice, world, perspective;
+  std::string variant;                ///< how what was observed was followed; empty: not
+  Json parameters;                    ///< of the machine: {name: value}; null: it has none
   std::map<int, std::string> forced;  ///< step → id of the transition that was forced there
   std::size_t most_branches = 0;      ///< bound of the set under `explore`; 0 under other policies
   Json fingerprint;

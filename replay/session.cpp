@@ -9,6 +9,7 @@
 
 #include "behaviour/kinematic_body.h"
 #include "core/located_json.h"
+#include "machine_file/machine_parameters.h"
 #include "replay/data_paths.h"
 #include "replay/language_loading.h"
 #include "replay/learned_file.h"
@@ -80,6 +81,17 @@ Result<std::map<int, std::size_t>> forced_of(const std::map<int, std::string>& o
   return forced;
 }
 
+// Those of the trace are its own machine's: another one has the values that it knows.
+Outcome set_parameters_of(const Trace& trace, const ReplayOptions& options, Machine& machine) {
+  Json values = trace.header.parameters;
+  if (!options.machine.empty()) {
+    const auto known = parameter_values(machine);
+    for (const auto& [name, value] : trace.header.parameters.items())
+      if (!known.contains(name)) values.erase(name);
+  }
+  return set_parameters(machine, values, header_line(trace));
+}
+
 // What answers the human in a trace; of the options those that change it count.
 Result<EngineParts> load_parts(const Trace& trace, const ReplayOptions& options) {
   const auto data = find_data_paths(options.knowledge);
@@ -88,6 +100,7 @@ Result<EngineParts> load_parts(const Trace& trace, const ReplayOptions& options)
   if (!path) return path.error();
   auto machine = load_machine(*path, *data);
   if (!machine) return machine.error();
+  if (const auto problem = set_parameters_of(trace, options, *machine)) return *problem;
   auto language = load_language(*data, *machine);
   if (!language) return language.error();
   EngineParts parts;
@@ -180,7 +193,28 @@ ReplayOptions before_change(const ReplayOptions& options) {
   return before;
 }
 
+Outcome refused_variant(const ReplayOptions& options, Choice choice) {
+  if (options.variant == Variant::free) return std::nullopt;
+  if (options.physics)
+    return Error{"--variant", "what was observed moves the kinematic world alone; expected --no-physics with it"};
+  if (options.from) return Error{"--variant", "found --from; expected a run that is the trace's from its beginning"};
+  if (options.variant == Variant::teacher && choice == Choice::explore)
+    return Error{"--variant",
+                 "one configuration is corrected, and under explore there are many; expected another --choice"};
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::string text(Variant variant) {
+  return variant == Variant::free ? "free" : variant == Variant::world ? "world" : "teacher";
+}
+
+std::optional<Variant> parse_variant(std::string_view name) {
+  for (const auto variant : {Variant::free, Variant::world, Variant::teacher})
+    if (text(variant) == name) return variant;
+  return std::nullopt;
+}
 
 Result<std::unique_ptr<Body>> body_of(const Scene& scene, bool physics) {
   if (!physics) return std::unique_ptr<Body>(std::make_unique<KinematicBody>(scene.initial_snapshot()));
@@ -205,6 +239,7 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
   auto learned = before.learned.empty() ? Result<Learned>(Learned())
                                         : read_learned(before.learned, *parts->machine, *parts->language);
   if (!learned) return learned.error();
+  if (const auto problem = refused_variant(options, parts->choice)) return *problem;
   auto what_if = load_what_if(*trace, options, *data);
   if (!what_if) return what_if.error();
   if (const auto body = body_of(*scene, options.physics); !body) return body.error();
@@ -232,6 +267,7 @@ const std::optional<Error>& Session::warning() const { return loaded_->warning; 
 const Trace& Session::trace() const { return loaded_->trace; }
 const ReplayOptions& Session::options() const { return loaded_->options; }
 const GestureCatalogue* Session::gestures() const { return loaded_->parts.language->gestures.get(); }
+Blanks Session::blanks() const { return blanks_of(loaded_->scene.initial_snapshot()); }
 const Machine& Session::machine() const { return *loaded_->parts.machine; }
 
 ReplaySummary Session::run(std::ostream& log) {

@@ -12,8 +12,20 @@
 #include "automaton/machine.h"
 #include "core/result.h"
 #include "core/sim_time.h"
+#include "replay/episodes.h"
 
 namespace continua {
+
+/// How far a replay follows what the trace has observed of another avatar.
+enum class Variant {
+  free,     ///< not at all: the run is the engine's own
+  world,    ///< the observed acts move the world, and the engine's own do not
+  teacher,  ///< also, where the engine did otherwise, it goes on as if it had done what was observed
+};
+
+std::string text(Variant variant);
+/// Nothing, if there is none of that name.
+std::optional<Variant> parse_variant(std::string_view name);
 
 struct ReplayOptions {
   std::optional<std::uint64_t> seed;  ///< else the trace's
@@ -30,6 +42,7 @@ struct ReplayOptions {
   std::map<int, std::string> forced;          ///< step → id of the transition to take there
   std::size_t most_branches = 0;              ///< under `explore`; 0: the engine's own bound
   bool physics = true;                        ///< else the kinematic world
+  Variant variant = Variant::free;            ///< others than free need the kinematic world
   bool live = false;                          ///< the trace is still being written: its digest is not known
   std::function<void(double done)> progress;  ///< called now and then with the part of the trace that is done
 };
@@ -44,6 +57,7 @@ struct ReplaySummary {
   int pruned = 0;                         ///< configurations given up under `explore`
   std::map<int, std::string> not_forced;  ///< of ReplayOptions::forced, those that did not apply at their step
   bool changed = false;                   ///< ReplayOptions::from was reached
+  std::vector<Episode> episodes;          ///< what the human did, what was observed to come of it, and what did
   std::optional<Error> stopped = {};      ///< why what is changed then cannot go on with the run; the log ends there
 };
 
@@ -73,6 +87,8 @@ class Session {
   /// The trace; where ReplayOptions::with is given, with its events from then on.
   const Trace& trace() const;
   const Machine& machine() const;
+  /// What the names of its scene's objects and attributes are.
+  Blanks blanks() const;
   /// Those that the machine knows by what they say; null: it knows gestures by their names.
   const GestureCatalogue* gestures() const;
   const ReplayOptions& options() const;

@@ -4,6 +4,7 @@
 #include "composition/learning_file.h"
 #include "core/digest.h"
 #include "core/located_json.h"
+#include "machine_file/machine_parameters.h"
 #include "replay/recorder.h"
 #include "replay/run_record.h"
 #include "replay/scene_voxemes.h"
@@ -28,6 +29,8 @@ Json fields_of(const LoadedSession& loaded, const EngineParts& parts) {
   if (parts.choice == Choice::explore) header.most_branches = loaded.most_branches();
   header.world = loaded.options.physics ? "physics" : "kinematic";
   header.perspective = text(parts.perspective);
+  if (loaded.options.variant != Variant::free) header.variant = text(loaded.options.variant);
+  if (!machine.parameters.empty()) header.parameters = parameter_values(machine);
   header.fingerprint = fingerprint();
   header.machine_name = machine.name;
   header.machine_digest = digest(machine.document);

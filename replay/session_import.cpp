@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/digest.h"
+#include "core/local_time.h"
 #include "replay/session_notation.h"
 #include "replay/trace_event.h"
 
@@ -156,6 +157,21 @@ class SessionReader {
   std::size_t last_index_ = 0;
 };
 
+// The studies' logs are called by when they were begun: NAME-2018-02-05-135317.txt. Empty, if this one is not.
+std::string time_in_name(std::string_view name) {
+  constexpr std::string_view shape = "dddd-dd-dd-dddddd";
+  for (std::size_t at = 0; at + shape.size() <= name.size(); ++at) {
+    const auto text = name.substr(at, shape.size());
+    if (!std::equal(text.begin(), text.end(), shape.begin(),
+                    [](char c, char wanted) { return wanted == 'd' ? c >= '0' && c <= '9' : c == wanted; }))
+      continue;
+    const auto time =
+        fmt::format("{}T{}:{}:{}", text.substr(0, 10), text.substr(11, 2), text.substr(13, 2), text.substr(15));
+    if (is_local_time(time)) return time;
+  }
+  return {};
+}
+
 bool is_channel(std::string_view text) {
   constexpr std::array<std::string_view, 6> channels = {"HG", "HS", "HP", "AS", "AG", "AA"};
   return std::find(channels.begin(), channels.end(), text) != channels.end();
@@ -181,8 +197,9 @@ Result<Trace> import_session_text(std::string_view text, const std::string& name
   Trace trace;
   trace.name = name;
   trace.header.scene = "staircase";
-  trace.header.machine = "diana2018";
+  trace.header.machine = imported_machine;
   trace.header.source = std::filesystem::path(name).filename().string();
+  trace.header.recorded = time_in_name(trace.header.source);
   SessionReader reader(trace);
   for_each_line(text, [&](std::string_view line, std::size_t number, bool ends) { reader.read(line, number, ends); });
   if (trace.events.empty()) {

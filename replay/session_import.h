@@ -12,6 +12,9 @@
 
 namespace continua {
 
+/// The machine that a trace of such a log names: the studies' avatar.
+inline constexpr const char* imported_machine = "diana2018";
+
 /// The log's events in its order and at its times; every event carries the `row` (line of the log) it comes from.
 /// Notes are placed at the log's lines. `name` is the log's path; the header's `source` is its last part.
 Result<Trace> import_session_text(std::string_view text, const std::string& name);

@@ -17,7 +17,16 @@ constexpr int most_rounds = 1000;
 }  // namespace
 
 SessionLoop::SessionLoop(const LoadedSession& loaded, std::unique_ptr<Body> body, const Watch& watch, std::ostream& log)
-    : loaded_(loaded), watch_(watch), log_(log), recorder_(log_, *loaded.parts.machine), body_(std::move(body)) {
+    : loaded_(loaded),
+      watch_(watch),
+      log_(log),
+      episodes_(answers_at_once(loaded.trace)),
+      recorder_(log_, *loaded.parts.machine),
+      body_(std::move(body)) {
+  if (loaded.options.variant != Variant::free)
+    following_ = std::make_unique<Following>(loaded.options.variant, answers_at_once(loaded.trace), body_->snapshot(),
+                                             *loaded.parts.machine, loaded.parts.language->voxemes.get(),
+                                             loaded.parts.perspective);
   use(loaded.parts);
 }
 
@@ -34,6 +43,7 @@ void SessionLoop::take(const TraceEvent& event) {
 
 Replayed SessionLoop::finish() {
   settle();
+  follow_observed();
   if (!over_) write_end();
   over_ = true;
   return {summary_, state_->learned};
@@ -78,13 +88,35 @@ Situation SessionLoop::situation() const {
 
 void SessionLoop::take(const TraceEvent& event, const InputEvent& input) {
   if (!ready(now_)) return;
+  const bool sample = input.modality == Modality::pointing;
+  if (following_ && (following_->at_once() || !sample)) {
+    follow_observed();
+    following_->begin(*state_, input);
+  }
   ++summary_.inputs;
-  recorder_.input(event, symbol_of(input));
+  const int n = recorder_.input(event, symbol_of(input));
+  episodes_.begin({now_, n, event.line, symbol_of(input), sample, {}, {}, {}});
+  open_ = true;
   take(pipeline_->receive(*state_, input, body_->snapshot()), now_);
   attend();
 }
 
-void SessionLoop::take(const TraceEvent& event, const Observed& observed) { recorder_.observed(event, observed); }
+void SessionLoop::take(const TraceEvent& event, const Observed& observed) {
+  const int n = recorder_.observed(event, observed);
+  episodes_.observed({observed.channel, observed.content, n}, event.t);
+}
+
+// Once for each input, when all that was observed of it is known.
+void SessionLoop::follow_observed() {
+  if (!following_ || !std::exchange(open_, false) || over_) return;
+  const auto* episode = following_->at_once() ? episodes_.last() : episodes_.open();
+  if (following_->end(*episode, now_)) {
+    auto& body = dynamic_cast<KinematicBody&>(*body_);
+    WorldReport report{{}, {body.become(following_->world())}, {}, now_};
+    if (!report.poses.front().bodies.empty()) recorder_.world(report);
+  }
+  if (following_->is_corrected()) obey(following_->correct(*pipeline_, *state_, body_->snapshot()), now_);
+}
 
 // What is expected is checked once all that happened before has been attended to.
 void SessionLoop::take(const TraceEvent& event, const Expectation&) {
@@ -109,6 +141,7 @@ void SessionLoop::take(Tick tick, SimTime t) {
 
 void SessionLoop::obey(Tick tick, SimTime t) {
   recorder_.engine(tick.events, t);
+  for (auto& move : recorder_.take_moves()) episodes_.produced(std::move(move), t);
   for (const auto& event : tick.events) {
     if (const auto* gesture = std::get_if<GestureCommand>(&event)) body_->command(gesture->command);
     if (const auto* act = std::get_if<ActStep>(&event); act && act->command) body_->command(*act->command);
@@ -154,6 +187,7 @@ void SessionLoop::attend() {
 // Time goes on; what has waited long enough on the way is attended to.
 void SessionLoop::wait_until(SimTime t) {
   t = std::max(t, now_);
+  if (following_ && following_->at_once() && t > now_) follow_observed();
   for (auto due = pipeline_->due(*state_); !over_ && due && *due <= t; due = pipeline_->due(*state_)) {
     go_on(std::max(now_, *due));
     if (over_ || !ready(now_)) return;
@@ -186,6 +220,7 @@ void SessionLoop::write_end() {
   const EngineParts& forcing = never ? loaded_.what_if->parts : *parts_;
   for (const auto& [step, transition] : never ? forcing.forced : state_->chooser.forced)
     summary_.not_forced[step] = forcing.machine->transitions[transition].id;
+  summary_.episodes = episodes_.take(blanks_of(loaded_.scene.initial_snapshot()));
   summary_.end = now_;
   log_.finish(now_);
 }

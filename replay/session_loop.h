@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "behaviour/kinematic_body.h"
 #include "pipeline/pipeline.h"
+#include "replay/following.h"
 #include "replay/recorder.h"
 #include "replay/session_parts.h"
 
@@ -54,6 +56,7 @@ class SessionLoop {
   void take(const TraceEvent& event, const Expectation& expectation);
   void take(const TraceEvent&, const End&) {}
   void take(const TraceEvent&, const UnknownKind&) {}
+  void follow_observed();
   void check_expectations();
   void take(Tick tick, SimTime t);
   void obey(Tick tick, SimTime t);
@@ -66,6 +69,9 @@ class SessionLoop {
   const LoadedSession& loaded_;
   const Watch& watch_;
   RunLog log_;
+  Episodes episodes_;
+  bool open_ = false;                     // something may still be observed of the last input
+  std::unique_ptr<Following> following_;  // of what was observed, unless the run is free
   Recorder recorder_;
   const EngineParts* parts_ = nullptr;  // those that answer now
   std::unique_ptr<Pipeline> pipeline_;  // of these

@@ -79,6 +79,9 @@ Vec3 table_point_of_sample(double x, double y) {
 }
 
 std::string notation_from_voxsim(std::string_view content) {
+  // The system once performed the text of a message that it had received.
+  if (content.starts_with("G "))
+    if (const auto gesture = gesture_from_voxsim(content.substr(2))) return "'" + symbol_of(gesture->event) + "'";
   if (content.find('(') == std::string_view::npos) return std::string(content);
   std::string out;
   for (std::size_t at = 0; at < content.size(); ++at) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/digest.h"
+#include "core/local_time.h"
 #include "replay/trace_event.h"
 #include "replay/trace_fields.h"
 
@@ -66,7 +67,15 @@ TraceHeader read_header(Json json, const std::string& where, std::vector<Error>&
   const TraceFields fields(json, where, "the trace", problems);
   header.scene = fields.text("scene");
   header.machine = fields.text("machine");
+  header.recorded = fields.text("recorded");
+  if (!header.recorded.empty() && !is_local_time(header.recorded)) fields.wrong("recorded", local_time_wanted);
   header.source = fields.text("source");
+  if (const Json* parameters = fields.find("parameters")) {
+    if (parameters->is_object())
+      header.parameters = *parameters;
+    else
+      fields.wrong("parameters", "an object {NAME: value} of the machine's parameters");
+  }
   header.seed = fields.whole_number("seed", UINT64_MAX).value_or(0);
   if (fields.choice("perspective", {"human", "avatar"}) == "avatar") header.perspective = Perspective::avatar;
   if (const Json* objects = fields.find("objects")) {

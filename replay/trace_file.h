@@ -31,8 +31,10 @@ struct TraceHeader {
   std::string scene;    ///< a name or a path; empty when the trace does not say
   std::string machine;  ///< a name or a path; empty when the trace does not say
   std::uint64_t seed = 0;
-  Perspective perspective = Perspective::human;              ///< whose left, right, front and behind the words mean
-  std::string source;                                        ///< the file it was imported from; empty if none
+  Perspective perspective = Perspective::human;  ///< whose left, right, front and behind the words mean
+  std::string recorded;              ///< when, 2018-02-05T13:53:17 by the clock of the place; empty if it is not known
+  Json parameters = Json::object();  ///< of the machine: {name: value}
+  std::string source;                ///< the file it was imported from; empty if none
   std::vector<std::pair<std::string, ObjectStart>> objects;  ///< in the file's order
   Json json;                                                 ///< the line as read
 };

@@ -8,8 +8,8 @@ namespace continua {
 namespace {
 
 const std::vector<std::string>& header_fields() {
-  static const std::vector<std::string> names = {"kind", "version",     "scene",  "machine",
-                                                 "seed", "perspective", "source", "objects"};
+  static const std::vector<std::string> names = {"kind",        "version", "scene",    "machine",    "seed",
+                                                 "perspective", "source",  "recorded", "parameters", "objects"};
   return names;
 }
 
@@ -105,6 +105,8 @@ std::string write_header(const TraceHeader& header) {
   json["seed"] = header.seed;
   json["perspective"] = text(header.perspective);
   if (!header.source.empty()) json["source"] = header.source;
+  if (!header.recorded.empty()) json["recorded"] = header.recorded;
+  if (!header.parameters.empty()) json["parameters"] = header.parameters;
   for (const auto& [name, start] : header.objects) {
     if (!start.removed && !start.position_W && !start.yaw_rad) continue;
     Json place;

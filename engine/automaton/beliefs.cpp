@@ -58,6 +58,14 @@ std::vector<BeliefChange> Beliefs::overhear(std::string_view utterance) {
   return changes;
 }
 
+std::vector<BeliefChange> Beliefs::changes_since(const Beliefs& before) const {
+  std::vector<BeliefChange> changes;
+  for (std::size_t i = 0; i < certainty_.size(); ++i)
+    if (certainty_[i] != before.certainty_[i])
+      changes.push_back({table_->concepts[i].name, before.certainty_[i], certainty_[i]});
+  return changes;
+}
+
 Beliefs Beliefs::carried_over(const BeliefTable& table) const {
   Beliefs carried(table);
   for (std::size_t i = 0; i < table.concepts.size(); ++i)

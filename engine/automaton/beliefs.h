@@ -59,6 +59,9 @@ class Beliefs {
   std::vector<BeliefChange> set(std::string_view symbol, double value);
   std::vector<BeliefChange> overhear(std::string_view utterance);
 
+  /// What is another certainty than in beliefs of the same table, in the table's order.
+  std::vector<BeliefChange> changes_since(const Beliefs& before) const;
+
   /// The same certainties of another table's concepts, by their names; one that is fixed there, or new, is as at first.
   Beliefs carried_over(const BeliefTable& table) const;
 

@@ -9,6 +9,18 @@
 #include "automaton/wording.h"
 
 namespace continua {
+namespace {
+
+// Both ascending. What was computed from a long past has many sources, mostly the same ones again.
+void merge(const std::vector<int>& more, std::vector<int>& into) {
+  if (more.empty() || more == into) return;
+  const auto middle = static_cast<std::ptrdiff_t>(into.size());
+  into.insert(into.end(), more.begin(), more.end());
+  std::inplace_merge(into.begin(), into.begin() + middle, into.end());
+  into.erase(std::unique(into.begin(), into.end()), into.end());
+}
+
+}  // namespace
 
 Applicable Firing::applicable() {
   Applicable found;
@@ -89,6 +101,8 @@ void Firing::take_input(std::size_t alternative) {
   input_ = &inputs_[alternative];
   sources_ = input_->because;
   if (input_->serial > 0) sources_.push_back(input_->serial);
+  std::sort(sources_.begin(), sources_.end());
+  sources_.erase(std::unique(sources_.begin(), sources_.end()), sources_.end());
   now_s_ = input_->now_s;
 }
 
@@ -159,7 +173,7 @@ bool Firing::perform_all(const std::vector<Effect>& effects) {
 
 bool Firing::perform_one(const Say& say) {
   if (!account_) return false;
-  begin_because();
+  because_ = sources_;
   for (const auto& one : say.cases) {
     auto condition = evaluate();
     if (one.when && !condition.value(*one.when).is_true()) continue;
@@ -170,7 +184,7 @@ bool Firing::perform_one(const Say& say) {
     }
     if (said.variants.empty()) break;
     said.text = said.variants.front();
-    said.because = because();
+    said.because = because_;
     note(std::move(said));
     break;
   }
@@ -207,9 +221,9 @@ bool Firing::perform_one(const Learn& learn) {
   const auto name = compute(learn.name);
   auto value = compute(learn.value);
   if (name.value.kind() != Term::Kind::text || value.value.is_null()) return false;
-  std::set<int> inputs(name.because.begin(), name.because.end());
-  inputs.insert(value.because.begin(), value.because.end());
-  note(Taught{learn.of, name.value.text_value(), std::move(value.value), {inputs.begin(), inputs.end()}});
+  auto inputs = name.because;
+  merge(value.because, inputs);
+  note(Taught{learn.of, name.value.text_value(), std::move(value.value), std::move(inputs)});
   return false;
 }
 bool Firing::perform_one(const Forget& forget) {
@@ -225,16 +239,11 @@ bool Firing::perform_one(const Rewrite& rewrite) {
 }
 bool Firing::perform_one(const Group& group) { return perform_all(group.effects); }
 
-void Firing::begin_because() {
-  because_.clear();
-  because_.insert(sources_.begin(), sources_.end());
-}
-
 Cell Firing::compute(const Term& term) {
-  begin_because();
+  because_ = sources_;
   auto evaluation = evaluate();
   Cell cell{evaluation.value(term), {}};
-  cell.because = because();
+  cell.because = because_;
   for (auto& application : evaluation.applications) note(Applied{std::move(application), cell.because});
   if (evaluation.exhausted) note(Trouble{fmt::format("evaluation of {} does not end", print(term))});
   return cell;
@@ -277,7 +286,7 @@ const Term* Firing::look_up(Name name) {
 }
 
 const Term* Firing::read(const Cell& cell) {
-  because_.insert(cell.because.begin(), cell.because.end());
+  merge(cell.because, because_);
   return &cell.value;
 }
 

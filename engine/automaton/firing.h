@@ -6,7 +6,6 @@
 
 #include <limits>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -72,6 +71,7 @@ class Firing {
   Change change(const Operation& operation);
   /// Carries out effects; a rewrite that ends them comes back, its contents evaluated but not applied.
   std::optional<Change> perform(const std::vector<Effect>& effects);
+  void apply(const Change& change);
   void enter(StateIndex state);
 
  private:
@@ -79,11 +79,8 @@ class Firing {
   Evaluation evaluate();
   const Term* look_up(Name name);
   const Term* read(const Cell& cell);
-  void apply(const Change& change);
   bool perform_and_rewrite(const std::vector<Effect>& effects);
   Cell of_type(const Type& type, const std::string& name, Cell cell);
-  void begin_because();
-  std::vector<int> because() const { return {because_.begin(), because_.end()}; }
   void note(StepEvent event);
 
   // Whether the effect was a rewrite, whose change is then in `rewrite_`.
@@ -103,10 +100,10 @@ class Firing {
   std::span<const Input> inputs_;
   const Input* input_ = nullptr;
   // Of the input that brought all this about, also once it is used up; 0 and nullopt: there was none.
-  std::vector<int> sources_;
+  std::vector<int> sources_;  // ascending
   std::optional<double> now_s_;
   std::vector<StepEvent>* account_;
-  std::set<int> because_;  ///< inputs that what is being computed came from
+  std::vector<int> because_;  ///< inputs that what is being computed came from, ascending
   Change rewrite_;
   Term moment_;  ///< the latest name of the moment that was looked up
 };

@@ -25,6 +25,11 @@ struct Input {
   Term act;     ///< t: of the end of an act, its program
   Term reason;  ///< text: of the end of an act, why it went so; null if there is nothing to tell
 
+  // Of another avatar that was observed after this input (Machine::implied).
+  Term observed_speech;    ///< text: what it said last
+  Term observed_gestures;  ///< term*
+  Term observed_acts;      ///< term*
+
   // Of what was understood, by machines with a lexicon (automaton/FORMAT.md, Understanding).
   Term move;       ///< text: what kind of move it is: 'V', 'N', 'δ', …
   Term reading;    ///< what the words say, noun phrases included: put(the(\x. knife(x)), there)

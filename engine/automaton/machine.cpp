@@ -74,6 +74,8 @@ void visit_operations(const Machine& machine, const std::function<void(const Ope
     if (state.gate) visit(state.gate->operation);
     visit_rewrites(state.enter, visit);
   }
+  for (const auto& row : machine.implied)
+    for (const auto& operation : row.operations) visit(operation);
 }
 
 void Machine::index() {

@@ -19,6 +19,14 @@
 
 namespace continua {
 
+/// A rule that a trace may set: its terms know it as a definition of that name.
+struct Parameter {
+  std::string name;
+  Term value;  ///< a truth value, a number or a text
+  /// What it was before the file's own value, by the times until which it was: 2018-02-05T15:00.
+  std::map<std::string, Term, std::less<>> until;
+};
+
 struct Slot {
   std::string name;
   Type type;
@@ -132,6 +140,15 @@ struct Transition {
   std::vector<Effect> effects;
 };
 
+/// Where the dialogue is when another avatar was observed to do something: `when` and the contents of the operations,
+/// done one after the other, are read in the configuration before its moves.
+struct Implied {
+  std::size_t number = 0;  ///< in the file, from 1
+  std::optional<Term> when;
+  StateIndex to = 0;
+  std::vector<Operation> operations;
+};
+
 /// How terms of a shape are put into words. All lambdas bind the pattern's variables, in order.
 struct Wording {
   std::vector<Type> variables;
@@ -211,6 +228,7 @@ struct Machine {
   double minimum_confidence = 0;
   std::string perspective;  ///< "human", "avatar" or empty
 
+  std::vector<Parameter> parameters;
   std::vector<Slot> slots;
   Symbol bottom;  ///< the symbol at the bottom of every stack
   std::vector<Register> memory;
@@ -222,6 +240,7 @@ struct Machine {
   std::size_t landmarks = 0;
   std::map<std::string, Term, std::less<>> definitions;
   std::map<std::string, std::map<std::string, Term, std::less<>>, std::less<>> tables;
+  std::vector<Implied> implied;  ///< the first that holds counts
   std::vector<Wording> wordings;
   BeliefTable beliefs;
   std::string lexicon;                ///< with which speech is read; empty: words are only symbols

@@ -79,6 +79,16 @@ std::optional<Configuration> Stepper::advance(const Configuration& before, std::
   return std::move(firing).take();
 }
 
+Configuration Stepper::implied(const Implied& row, const Configuration& before, const Input& input,
+                               const Beliefs& beliefs, std::vector<StepEvent>* account) {
+  auto firing = this->firing(before, &input, beliefs, account);
+  std::vector<Change> changes;
+  for (const auto& operation : row.operations) changes.push_back(firing.change(operation));
+  for (const auto& change : changes) firing.apply(change);
+  firing.enter(row.to);
+  return std::move(firing).take();
+}
+
 Cell Stepper::value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs) {
   return firing(configuration, &input, beliefs, nullptr).compute(term);
 }

@@ -52,6 +52,11 @@ class Stepper {
     return advance(before, std::span(&input, 1), beliefs, chooser);
   }
 
+  /// The configuration that a row of the machine implies, from one in which its terms are read. No gate is asked and no
+  /// effect performed.
+  Configuration implied(const Implied& row, const Configuration& before, const Input& input, const Beliefs& beliefs,
+                        std::vector<StepEvent>* account);
+
   /// The value of a term of the machine in a configuration, and the inputs it came from.
   Cell value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs);
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "behaviour/push_apart.h"
 #include "behaviour/standing.h"
 
 namespace continua {
@@ -76,6 +77,21 @@ WorldReport KinematicBody::advance(SimTime t) {
   }
   waiting_.clear();
 
+  auto moved = moved_since(before);
+  if (!moved.bodies.empty()) report.poses.push_back(std::move(moved));
+  return report;
+}
+
+PoseSample KinematicBody::become(const KinematicBody& other) {
+  const WorldSnapshot before = std::move(world_);
+  world_ = other.world_;
+  world_.t = before.t;
+  lying_ = other.lying_;
+  waiting_.clear();
+  return moved_since(before);
+}
+
+PoseSample KinematicBody::moved_since(const WorldSnapshot& before) const {
   PoseSample moved{world_.t, {}};
   for (std::size_t i = 0; i < world_.objects.size(); ++i) {
     const ObjectState& now = world_.objects[i];
@@ -84,8 +100,7 @@ WorldReport KinematicBody::advance(SimTime t) {
     const auto lying = lying_.find(now.name);
     moved.bodies[now.name] = {now.p_WO, turn_of(now, lying == lying_.end() ? nullptr : &lying->second)};
   }
-  if (!moved.bodies.empty()) report.poses.push_back(std::move(moved));
-  return report;
+  return moved;
 }
 
 ActReport KinematicBody::act(const AvatarCommand& command) {
@@ -128,7 +143,7 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
   }
   if (command.what == Capability::grasp && command.next && !in_hand) {
     handling.goal = *command.next;
-    const auto place = placement(handling, lying_down(handling.object), Occupied::avoided);
+    const auto place = placement(handling, lying_down(handling.object), occupied_);
     if (!place) {
       world_ = before;
       return failed(Status::blocked, place.error().sentence);
@@ -142,7 +157,7 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
 ActReport KinematicBody::move(const AvatarCommand& command) {
   ActReport end;
   const WorldSnapshot laid = lying_down(command.object);
-  const auto place = placement(command, laid, Occupied::avoided);
+  const auto place = placement(command, laid, occupied_);
   if (!place) {
     end.status = Status::blocked;
     end.reason = place.error().sentence;
@@ -155,6 +170,8 @@ ActReport KinematicBody::move(const AvatarCommand& command) {
   object.half_extents_m = shaped.half_extents_m;
   object.interior = shaped.interior;
   lying_.erase(command.object);
+  if (!command.goal.relation || occupied_ == Occupied::cleared)
+    world_ = pushed_apart(std::move(world_), command.object);
   if (place->upright) {
     lying_.emplace(command.object, lying);
     end.reason = fmt::format("{} stands on its end", command.object);

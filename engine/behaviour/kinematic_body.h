@@ -13,12 +13,18 @@ namespace continua {
 /// `blocked`; the world is then as before.
 class KinematicBody : public Body {
  public:
-  explicit KinematicBody(WorldSnapshot world) : world_(std::move(world)) {}
+  /// `cleared`: things are put just where the goal says, whatever is there, and push apart what they overlap then; a
+  /// point always is.
+  explicit KinematicBody(WorldSnapshot world, Occupied occupied = Occupied::avoided)
+      : world_(std::move(world)), occupied_(occupied) {}
 
   void command(const AvatarCommand& command) override { waiting_.push_back(command); }
   WorldReport advance(SimTime t) override;
   WorldSnapshot snapshot() const override { return world_; }
   bool at_rest() const override { return waiting_.empty(); }
+
+  /// Everything is as in the other world from now on, and nothing waits. Returns the poses that are others then.
+  PoseSample become(const KinematicBody& other);
 
  private:
   /// Does the act and says how it went, but for its id and time.
@@ -29,10 +35,13 @@ class KinematicBody : public Body {
   WorldSnapshot lying_down(const std::string& name) const;
   /// Shifts an object and all that stands on it.
   void shift(const std::string& object, const Vec3& by_W);
+  /// How the objects lie that `before` has elsewhere.
+  PoseSample moved_since(const WorldSnapshot& before) const;
   /// Lets go of what is held, which falls straight down.
   void release();
 
   WorldSnapshot world_;
+  Occupied occupied_;
   std::map<std::string, ObjectState> lying_;  // those that stand on their end, as they were before
   std::vector<AvatarCommand> waiting_;
 };

@@ -47,6 +47,7 @@ Machine MachineReader::read() {
     note(place, fmt::format("the key {} a second time in this object", in_quotes(key)));
   read_lexicon(member(root, "lexicon"));
   read_programs(member(root, "programs"));
+  read_parameters(member(root, "parameters"));
   read_slots(member(root, "slots"));
   read_bottom(member(root, "bottom"));
   read_memory(member(root, "memory"));
@@ -63,6 +64,7 @@ Machine MachineReader::read() {
   read_wordings(member(root, "wordings"));
   read_states(member(root, "states"));
   read_transitions(required(root, "transitions", "a list of transitions"));
+  read_implied(member(root, "implied"));
   read_examples(member(root, "examples"));
   find_misspelt_sets();
   find_misspelt_states();

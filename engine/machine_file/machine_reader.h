@@ -30,6 +30,7 @@ class MachineReader {
   // machine_reader.cpp: the document from top to bottom
   void read_header(const Item& root);
   void read_programs(const Item& programs);
+  void read_parameters(const Item& parameters);  // machine_parameters.cpp
   void read_slots(const Item& slots);
   void read_memory(const Item& memory);
   void read_bottom(const Item& bottom);
@@ -83,6 +84,9 @@ class MachineReader {
   std::optional<Forget> read_forget(const Item& lesson);
   std::optional<Lesson> read_lesson(const Item& lesson);
   Remember read_remember(const Item& registers);
+
+  // machine_implied.cpp
+  void read_implied(const Item& implied);
 
   // machine_examples.cpp
   void read_examples(const Item& examples);

@@ -83,8 +83,22 @@ struct Explored {
   int merged = 0, pruned = 0;
 };
 
-using EngineEvent = std::variant<Perceived, Attended, Understood, BeliefChange, StepEvent, Explored, GestureCommand,
-                                 Unplanned, ActStep, ActEnd>;
+/// What another avatar was observed to do after an input.
+struct ObservedMoves {
+  std::vector<std::string> said;
+  std::vector<Term> gestures, acts;
+};
+
+/// The dialogue goes on from where another avatar's moves show it to be.
+struct Corrected {
+  StateIndex from = 0, to = 0;
+  std::size_t implied = 0;  ///< by which of Machine::implied; 0: nothing was observed, so nothing had happened
+  int stack = 0;
+  std::size_t depth = 0;
+};
+
+using EngineEvent = std::variant<Perceived, Attended, Understood, BeliefChange, StepEvent, Explored, Corrected,
+                                 GestureCommand, Unplanned, ActStep, ActEnd>;
 
 struct Tick {
   EngineState after;

@@ -52,6 +52,12 @@ class Pipeline {
   /// acts as inputs, what it makes of them.
   Tick reported(const EngineState& before, const std::vector<ActReport>& reports, const WorldSnapshot& world);
 
+  /// Another avatar was observed to do something else after an input than the engine did between `before` and `after`:
+  /// the configuration is the one that its moves imply (Machine::implied), or the one before if it did nothing; the
+  /// avatar has said and heard what was observed. Where no row holds the engine's own configuration stays.
+  Tick corrected(const EngineState& before, const EngineState& after, const InputEvent& event,
+                 const ObservedMoves& observed, const WorldSnapshot& world);
+
   /// Nothing more happens: all that waits is attended to, as it is.
   Tick settle(const EngineState& before, const WorldSnapshot& world);
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <map>
 
+#include "machine_file/machine_parameters.h"
+#include "replay/commands/named_machine.h"
 #include "replay/session_import.h"
 
 namespace continua {
@@ -66,15 +68,21 @@ Result<std::vector<std::string>> outputs_of(const ImportOptions& options) {
 int run_import(const ImportOptions& options) {
   const auto outputs = outputs_of(options);
   if (!outputs) return report(outputs.error()), exit_impossible;
+  const auto machine = load_named_machine(imported_machine, "");
+  if (!machine) return report(machine.error()), exit_impossible;
   Counts counts;
   int status = exit_done;
   for (std::size_t i = 0; i < options.logs.size(); ++i) {
-    const auto trace = import_session(options.logs[i]);
+    auto trace = import_session(options.logs[i]);
     if (!trace) {
       report(trace.error());
       status = exit_impossible;
       continue;
     }
+    if (const auto& recorded = trace->header.recorded; !recorded.empty())
+      trace->header.parameters = parameter_values_at(**machine, recorded);
+    else
+      trace->notes.push_back({1, "the name does not tell when it was recorded; the machine's present rules count"});
     print_notes(*trace);
     if (const auto problem = write_file(outputs.value()[i], write_trace(*trace))) {
       report(*problem);

@@ -3,6 +3,7 @@
 #include "core/located_json.h"
 #include "replay/commands/progress.h"
 #include "replay/commands/trace_name.h"
+#include "replay/shell_word.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -37,19 +38,11 @@ std::optional<std::string> original_run(const std::string& trace, const std::str
   return std::nullopt;
 }
 
-// As a shell reads it.
-std::string as_argument(const std::string& path) {
-  if (path.find_first_of(" '\"\\$&()*;<>?[]`|~#!") == std::string::npos) return path;
-  std::string quoted = "'";
-  for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 // What to type next to see what the change has changed.
 std::string comparison(const std::string& trace, const std::string& output, const ReplayOptions& options) {
   if (output == "-" || (!options.from && options.forced.empty())) return "";
   const auto original = original_run(trace, output, options.physics);
-  return original ? fmt::format("; compare: continua diff {} {}", as_argument(*original), as_argument(output)) : "";
+  return original ? fmt::format("; compare: continua diff {} {}", shell_word(*original), shell_word(output)) : "";
 }
 
 Result<std::vector<std::string>> outputs_of(const ReplayCommandOptions& options) {
@@ -243,13 +236,20 @@ void add_replay_command(CLI::App& program, Run& run) {
   command->add_flag_callback(
       "--no-physics", [options] { options->replay.physics = false; },
       "the kinematic world, in which acts succeed at once");
+  auto variant = std::make_shared<std::string>();
+  command
+      ->add_option("--variant", *variant,
+                   "with --no-physics: what the trace has observed of another avatar moves the world (world), and is "
+                   "where the dialogue goes on from after a difference (teacher); otherwise not (free)")
+      ->check(CLI::IsMember({"free", "world", "teacher"}));
   command->add_option("-j,--jobs", options->jobs, "how many traces at a time")->check(CLI::Range(1, 256));
   command->footer(
       "Examples: continua replay traces/pilot/*.jsonl -o runs -j 2\n"
       "          continua replay session.trace.jsonl --force 12=ask_color -o what_if.run.jsonl\n"
       "          continua replay session.trace.jsonl --from 4.0 --machine edited.json -o what_if.run.jsonl\n"
       "          continua diff session.run.jsonl what_if.run.jsonl");
-  command->callback([options, choice, forced, &run] {
+  command->callback([options, choice, forced, variant, &run] {
+    options->replay.variant = parse_variant(*variant).value_or(Variant::free);
     options->replay.choice = parse_choice(*choice);
     for (const auto& one : *forced) add_forced(one, options->replay.forced);
     run = [options] { return run_replay(*options); };

@@ -32,6 +32,20 @@ TEST_CASE("import writes one trace, or a folder of them") {
   CHECK(fs::exists(folder.at("deep/out2/a.trace.jsonl")));
 }
 
+TEST_CASE("import sets the machine's parameters to what they were when the log was recorded") {
+  const TemporaryFolder folder;
+  const auto header_of = [&](const std::string& name) {
+    const auto log = folder.file(name, session_log);
+    REQUIRE(run_import({{log}, folder.at("out.jsonl")}) == exit_done);
+    const auto text = read_file(folder.at("out.jsonl")).value();
+    return Json::parse(text.substr(0, text.find('\n')));
+  };
+  const auto first = header_of("P1-2018-02-05-000000.txt"), last = header_of("P9-2019-01-01-000000.txt");
+  REQUIRE(first["parameters"].size() == last["parameters"].size());
+  for (const auto& [name, value] : last["parameters"].items()) CHECK(first["parameters"][name] != value);
+  CHECK_FALSE(header_of("undated.txt").contains("parameters"));
+}
+
 TEST_CASE("import does what it can and reports the rest") {
   const TemporaryFolder folder;
   const auto good = folder.file("good.txt", session_log), empty = folder.file("empty.txt", "");

@@ -84,5 +84,5 @@ TEST_CASE("the machine of the recorded system has its states and transitions") {
   const auto machine = load_machine(path.string(), Methods::signature());
   REQUIRE(machine.ok());
   CHECK(machine->states.size() == 29);
-  CHECK(machine->transitions.size() == 109);
+  CHECK(machine->transitions.size() == 111);
 }

@@ -62,6 +62,23 @@ TEST_CASE("a session becomes a trace in its order and at its times") {
   CHECK(read_trace_text(write_trace(trace), "t"));
 }
 
+TEST_CASE("a log tells by its name when it was recorded") {
+  const auto [name, recorded] = GENERATE(table<std::string, std::string>({
+      {"PilotStudy1-2018-02-05-135317.txt", "2018-02-05T13:53:17"},
+      {"logs/2017-01-01-000000/Study12-2018-02-08-101811-nonstandard.txt", "2018-02-08T10:18:11"},
+      {"2018-02-05-135317", "2018-02-05T13:53:17"},
+      {"Study-2018-13-05-135317.txt", ""},
+      {"Study-2018-02-05-135360.txt", "2018-02-05T13:53:60"},
+      {"Study-2018-02-05-245317.txt", ""},
+      {"Study-2018-02-05.txt", ""},
+      {"s.txt", ""},
+  }));
+  const auto trace = import_session_text("1\tHS\tYES\t1\n", name);
+  REQUIRE(trace);
+  CHECK(trace->header.recorded == recorded);
+  CHECK(read_trace_text(write_trace(*trace), "t").value().header.recorded == recorded);
+}
+
 TEST_CASE("gestures are taken apart") {
   const auto [content, event] = GENERATE(table<std::string, std::string>({
       {"right point high,-1.37,-1.88",
@@ -93,7 +110,7 @@ TEST_CASE("what the other agent did is observed, in our notation and frame") {
       {"AG", "RARM_THUMBS_UP", "RARM_THUMBS_UP"},
       {"AA", "put(block4,on(block1))", "put(block4, on(block1))"},
       {"AA", "put(block4,<-0.5219768; 0.743948; 0.236643>)", "put(block4, <0.208791, -0.094657, 0.0012>)"},
-      {"AA", "G push right high", "G push right high"},
+      {"AA", "G push right high", "'gesture push right start'"},
       {"AA", "put(block4,<1; 2>)", "put(block4, <1; 2>)"},
       {"AA", "put(block4,<1; 2", "put(block4, <1; 2"},
   }));

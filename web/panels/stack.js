@@ -60,7 +60,7 @@ export function mountStack(app) {
 
   const happened = (record) => {
     if (!record) return [];
-    const {what, sets: all} = operationWords(record.operation), sets = all.filter(([, value]) => value !== 'null');
+    const {what, sets: all} = operationWords(record.kind === 'correction' ? record.kind : record.operation), sets = all.filter(([, value]) => value !== 'null');
     return [`, ${what}`, sets.length > 0 && h('span', {class: 'sets'}, ' (', sets.map(([slot, value], i) => [i > 0 && ', ', h('span', {class: 'term'}, `${slot} ← ${brief(value)}`)]), ')')];
   };
 

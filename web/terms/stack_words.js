@@ -10,6 +10,7 @@ const doings = {
   rewrite: () => 'rewrite: the top symbol was replaced',
   rewrite_each: () => 'rewrite each: the top symbol was replaced by one for each element',
   flush: () => 'flush: everything was taken off',
+  correction: () => 'made anew from what was observed',
   pop_until: (condition) => `pop until ${asText(condition)}: what lay above was taken off`,
 };
 

@@ -1,0 +1,52 @@
+// How far what an avatar did agrees with what another one was observed to do: words with words, terms with terms.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "world/world_snapshot.h"
+
+namespace continua {
+
+/// One thing that an avatar did.
+struct AvatarMove {
+  std::string channel;  ///< "speech", "gesture" or "action"
+  std::string content;  ///< words, or a term as it is printed
+  int n = 0;            ///< its record in the run log; 0: it has none
+};
+
+/// How far two lists of moves agree; each level includes those before it.
+enum class AgreementLevel {
+  none,
+  same_template,  ///< what is said and done, in order; gestures, names, attributes and places left out
+  lax,            ///< the same moves in order; a place that is described, as a part of the table is, may be any place
+  exact,          ///< the same moves in order, coordinates within the tolerance
+};
+
+std::string text(AgreementLevel level);
+
+/// What two avatars may differ in and still follow the same template.
+struct Blanks {
+  std::set<std::string, std::less<>> names;  ///< of objects, and values of their attributes, lower case
+};
+
+/// Of the objects in a world.
+Blanks blanks_of(const WorldSnapshot& world);
+
+/// Coordinates of one place may differ by so much, metres.
+inline constexpr double place_tolerance_m = 0.002;
+
+/// Two empty lists agree exactly.
+AgreementLevel agreement(const std::vector<AvatarMove>& observed, const std::vector<AvatarMove>& produced,
+                         const Blanks& blanks);
+
+/// A move with what the template leaves out blanked: "The _ block?", "put(_, on(_))". REQUIRES that it is no gesture.
+std::string template_of(const AvatarMove& move, const Blanks& blanks);
+
+/// The moves' templates, told apart by "say " before words. Gestures are left out.
+std::vector<std::string> template_of(const std::vector<AvatarMove>& moves, const Blanks& blanks);
+
+}  // namespace continua

@@ -1,0 +1,194 @@
+#include "replay/commands/score.h"
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <thread>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "core/located_json.h"
+#include "replay/commands/progress.h"
+#include "replay/commands/trace_name.h"
+#include "replay/score_report.h"
+#include "replay/trace_file.h"
+
+namespace continua {
+namespace fs = std::filesystem;
+namespace {
+
+// Where the run logs go; empty ones if they are not kept.
+Result<std::vector<std::string>> runs_of(const ScoreOptions& options) {
+  std::vector<std::string> runs(options.traces.size());
+  if (options.output.empty()) return runs;
+  std::error_code problem;
+  fs::create_directories(options.output, problem);
+  if (problem || !fs::is_directory(options.output, problem))
+    return Error{options.output, "is no folder and cannot become one; expected a folder for the run logs"};
+  std::map<std::string, std::string> trace_of;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto& trace = options.traces[i];
+    runs[i] = (fs::path(options.output) / (trace_name(trace) + ".run.jsonl")).string();
+    const auto [other, fresh] = trace_of.emplace(runs[i], trace);
+    if (!fresh) return Error{trace, fmt::format("would be written to {}, as would {}", runs[i], other->second)};
+    if (fs::equivalent(runs[i], trace, problem)) return Error{trace, "is also the output; expected another folder"};
+  }
+  return runs;
+}
+
+bool holds_observed(const Trace& trace) {
+  return std::any_of(trace.events.begin(), trace.events.end(),
+                     [](const TraceEvent& event) { return std::holds_alternative<Observed>(event.what); });
+}
+
+// Scores traces, several at once.
+class Scoring {
+ public:
+  Scoring(const ScoreOptions& options, std::vector<std::string> runs)
+      : options_(options), runs_(std::move(runs)), scores_(runs_.size()), progress_(runs_.size()) {}
+
+  void run() {
+    std::vector<std::thread> threads;
+    const auto count = std::min(static_cast<std::size_t>(options_.jobs), runs_.size());
+    for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
+    work();
+    for (auto& thread : threads) thread.join();
+    progress_.clear();
+  }
+
+  /// Of the traces that can be used; reports the others.
+  std::vector<TraceScore> usable(bool& all) {
+    std::vector<TraceScore> scores;
+    for (auto& one : scores_) {
+      if (one->ok())
+        scores.push_back(std::move(**one));
+      else
+        report(one->error());
+      all = all && one->ok();
+    }
+    return scores;
+  }
+
+ private:
+  void work() {
+    for (std::size_t i = next_++; i < runs_.size(); i = next_++) {
+      auto score = score_of(i);
+      const std::lock_guard lock(mutex_);
+      scores_[i] = std::move(score);
+      progress_.show(i, 1);
+    }
+  }
+
+  Result<TraceScore> score_of(std::size_t index) {
+    const auto& trace = options_.traces[index];
+    auto options = options_.replay;
+    options.progress = [this, index](double done) {
+      const std::lock_guard lock(mutex_);
+      progress_.show(index, done);
+    };
+    auto session = Session::load(trace, std::move(options));
+    if (!session) return session.error();
+    if (session->warning()) warn(*session->warning());
+    TraceScore score{trace_name(trace), trace, runs_[index], {}, {}, {}};
+    auto summary = replayed(*session, score.run);
+    if (!summary) return summary.error();
+    if (!holds_observed(session->trace())) {
+      warn({trace, "nothing was observed; there is nothing to compare"});
+      return score;
+    }
+    const auto blanks = session->blanks();
+    for (auto& episode : summary->episodes) score.add(std::move(episode), blanks);
+    return score;
+  }
+
+  static Result<ReplaySummary> replayed(Session& session, const std::string& run) {
+    std::ofstream file;
+    if (run.empty()) {
+      std::ostream nowhere(nullptr);
+      return session.run(nowhere);
+    }
+    file.open(run, std::ios::binary);
+    if (!file) return Error{run, "cannot be written; expected a writable file"};
+    auto summary = session.run(file);
+    file.close();
+    if (!file) return Error{run, "could not be written to its end"};
+    return summary;
+  }
+
+  // Several traces may be of one scene: its warning is told once.
+  void warn(const Error& warning) {
+    const std::lock_guard lock(mutex_);
+    if (!warned_.insert(warning.text()).second) return;
+    progress_.clear();
+    report_warning(warning);
+  }
+
+  const ScoreOptions& options_;
+  std::vector<std::string> runs_;
+  std::mutex mutex_;
+  std::vector<std::optional<Result<TraceScore>>> scores_;
+  Progress progress_;
+  std::set<std::string> warned_;
+  std::atomic<std::size_t> next_ = 0;
+};
+
+}  // namespace
+
+int run_score(const ScoreOptions& options) {
+  auto runs = runs_of(options);
+  if (!runs) return report(runs.error()), exit_impossible;
+  Scoring scoring(options, std::move(*runs));
+  scoring.run();
+  bool usable = true;
+  const ScoreReport score{text(options.replay.variant), scoring.usable(usable)};
+  if (score.traces.empty() && !options.json) return exit_impossible;
+  const auto text = options.json       ? score_json(score).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                    : options.markdown ? score_markdown(score)
+                                       : score_text(score, options.all_misses);
+  if (const auto problem = write_file("-", text)) return report(*problem), exit_impossible;
+  return usable ? exit_done : exit_impossible;
+}
+
+void add_score_command(CLI::App& program, Run& run) {
+  auto* command =
+      program.add_subcommand("score", "Replay traces and compare the avatar's moves with those that were observed");
+  auto options = std::make_shared<ScoreOptions>();
+  options->replay.physics = false;
+  command->add_option("TRACE", options->traces, "traces (.jsonl) with `observed` events")->required();
+  auto variant = std::make_shared<std::string>();
+  command
+      ->add_option("--variant", *variant,
+                   "how far what was observed leads the run. free (the default): not at all; world: the observed acts "
+                   "move the blocks, the engine's do not; teacher: also, after a miss the engine goes on as if it had "
+                   "done what was observed")
+      ->check(CLI::IsMember({"free", "world", "teacher"}));
+  command->add_option("-o,--output", options->output,
+                      "a folder for the run logs, NAME.run.jsonl; otherwise they are not kept");
+  auto* json = command->add_flag("--json", options->json, "one JSON document, with all misses");
+  command->add_flag("--markdown", options->markdown, "the tables as Markdown")->excludes(json);
+  command->add_flag("--misses", options->all_misses, "tell all misses, not the first few of each trace");
+  command->add_option("--seed", options->replay.seed, "for draws; otherwise the trace's");
+  command->add_option("--scene", options->replay.scene, "a name or an MJCF file; otherwise the trace's");
+  command->add_option("--machine", options->replay.machine, "a name or a machine file; otherwise the trace's");
+  command->add_option("--knowledge", options->replay.knowledge,
+                      "folder of machines, lexicon, voxemes; otherwise the program's");
+  command->add_option("-j,--jobs", options->jobs, "how many traces at a time")->check(CLI::Range(1, 256));
+  command->footer(
+      "Traces are replayed in the kinematic world. replay/SCORE.md says what is counted.\n"
+      "Exit status: 0 done, 2 a trace cannot be used (the others are scored all the same).\n"
+      "Examples: continua score traces/pilot/*.jsonl -j 2\n"
+      "          continua score session.trace.jsonl -o runs --misses\n"
+      "          continua score traces/pilot/*.jsonl --variant teacher --json");
+  command->callback([options, variant, &run] {
+    options->replay.variant = parse_variant(*variant).value_or(Variant::free);
+    run = [options] { return run_score(*options); };
+  });
+}
+
+}  // namespace continua

@@ -1,0 +1,26 @@
+// continua score: how far do the avatar's moves agree with those that traces recorded?
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "replay/commands/command.h"
+#include "replay/session.h"
+
+namespace continua {
+
+struct ScoreOptions {
+  std::vector<std::string> traces;
+  std::string output;  ///< folder that the run logs are written to, NAME.run.jsonl; empty: they are not kept
+  int jobs = 1;
+  bool json = false, markdown = false;
+  bool all_misses = false;  ///< tell all, not the first few of each trace
+  ReplayOptions replay;     ///< REQUIRES physics == false
+};
+
+/// Writes the score to standard output. exit_impossible if a trace cannot be used; the others are scored all the same.
+int run_score(const ScoreOptions& options);
+
+void add_score_command(CLI::App& program, Run& run);
+
+}  // namespace continua
