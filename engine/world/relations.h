@@ -1,16 +1,18 @@
 // Spatial relations, computed from boxes parallel to W's axes on the position grid (world/geometry.h). What holds does
 // so by a margin in metres: a length between the boxes that would have to change by as much for it to fail.
 //
-// | relation | holds of a thing A and a landmark L where |
-// | --- | --- |
-// | left, right, in_front, behind | on that side, A's centre is beyond L's by more than half of what parts them side by
-// side, across it their extents overlap, and neither rests on the other | | between | A is on L's side that faces L2,
-// and on L2's that faces L, in the sense above along the line of their centres | | on | A's bottom is at L's top
-// (`touching_m`) and their extents overlap in x and y | | under | A's top is not above L's bottom (`touching_m`) and
-// their extents overlap in x and y | | in | A's centre is over L's hollow, and A's bottom in it | | touching | no gap
-// of `contact_m` parts them along any axis | | at | on, in or touching | | beside | seen from above they are apart
-// (`touching_m`), and by less than `beside_m` | | near | seen from above they are apart by less than `near_m`, or not
-// at all |
+// Each holds of a thing A and a landmark L where
+//
+// - left, right, in_front, behind: on that side, A's centre is beyond L's by more than half of what parts them side by
+//   side, across it their extents overlap, and neither rests on the other.
+// - between: A is on L's side that faces L2, and on L2's that faces L, in the sense above along the line of the centres.
+// - on: A's bottom is at L's top (`touching_m`) and their extents overlap in x and y.
+// - under: A's top is not above L's bottom (`touching_m`) and their extents overlap in x and y.
+// - in: A's centre is over L's hollow, and A's bottom in it.
+// - touching: no gap of `contact_m` parts them along any axis.
+// - at: on, in or touching.
+// - beside: seen from above they are apart (`touching_m`), and by less than `beside_m`.
+// - near: seen from above they are apart by less than `near_m`, or not at all.
 //
 // A participant is a landmark with sides of its own: in_front(avatar) is the half of the table at which the avatar
 // sits, left(avatar) the half at its left hand. At, near and beside a participant is less than `near_m` from its edge
