@@ -5,7 +5,7 @@
 //
 // - left, right, in_front, behind: on that side, A's centre is beyond L's by more than half of what parts them side by
 //   side, across it their extents overlap, and neither rests on the other.
-// - between: A is on L's side that faces L2, and on L2's that faces L, in the sense above along the line of the centres.
+// - between: A is on the side of L that faces L2, and on L2's that faces L, along the line of their centres.
 // - on: A's bottom is at L's top (`touching_m`) and their extents overlap in x and y.
 // - under: A's top is not above L's bottom (`touching_m`) and their extents overlap in x and y.
 // - in: A's centre is over L's hollow, and A's bottom in it.
