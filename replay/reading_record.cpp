@@ -58,6 +58,7 @@ void add_reference(Json& object, const Reference& reference) {
   for (const auto& [name, reason] : reference.ruled_out) ruled_out.push_back({{"object", name}, {"reason", reason}});
   object["weights"] = std::move(weights);
   object["ruled_out"] = std::move(ruled_out);
+  if (reference.sides != Sides::exact) object["sides"] = reference.sides == Sides::rough ? "rough" : "loose";
   object["margin"] = std::isfinite(reference.margin) ? Json(reference.margin) : Json(nullptr);
 }
 
@@ -107,8 +108,8 @@ Json json_of(const Gap& gap) {
 }  // namespace
 
 std::optional<std::vector<std::string>> referents_of(const Move& move) {
-  const auto& [referents, ruled_out, margin] = move.reference;
-  const bool has = move.kind == deixis || !referents.empty() || !ruled_out.empty();
+  const auto& reference = move.reference;
+  const bool has = move.kind == deixis || !reference.referents.empty() || !reference.ruled_out.empty();
   return has ? std::optional(names(move.reference)) : std::nullopt;
 }
 

@@ -21,7 +21,7 @@ std::span<const Carried> carried_terms() {
       Carried{"choices", "e**", &Input::choices, true},
       Carried{"wanted", "text*", &Input::wanted, true},
       Carried{"referents", "e*", &Input::referents, true},
-      Carried{"noun", "e -> t", &Input::noun, true},
+      Carried{"named", "(e -> t)*", &Input::named, true},
       Carried{"more", "t", &Input::more, true},
   };
   return terms;

@@ -209,7 +209,7 @@ struct MoveKind {
 struct ContextTerms {
   std::optional<Term> focus;  ///< e*: objects being talked about, the most salient first
   std::optional<Term> among;  ///< e*: objects that were asked about
-  std::optional<Term> topic;  ///< e -> t: the noun that "one" stands for
+  std::optional<Term> topic;  ///< (e -> t)*: the nouns that "one" can stand for, the likeliest first
 };
 
 /// How far apart in time what belongs together may be, in seconds (perception/fusion.h).

@@ -135,7 +135,7 @@ std::optional<Landmark> Methods::landmark(const Term& term) const {
 }
 
 // `place` is a point or region, or a relation to landmarks: left(plate), between(block1, <0, 0, 0>).
-Term Methods::located(const Term& entity, const Term& place, Evaluation& evaluation) const {
+Term Methods::located(const Term& entity, const Term& place, Sides sides, Evaluation& evaluation) const {
   const auto* found = object(entity);
   if (!found) return Term::null();
   const auto [head, arguments] = place.spine();
@@ -149,7 +149,7 @@ Term Methods::located(const Term& entity, const Term& place, Evaluation& evaluat
   } else if (!relation || landmarks.size() != arguments.size() || landmarks.size() != landmarks_of(*relation)) {
     return Term::null();
   }
-  const double by = holds_by(*relation, *found, landmarks, world_->table, perspective_);
+  const double by = holds_by(*relation, *found, landmarks, world_->table, perspective_, sides);
   evaluation.note_margin(std::abs(by));
   return Term::truth(by > 0);
 }
@@ -224,8 +224,11 @@ Signature Methods::add_rules() {
       },
       rules_, signature);
   // A place or program may be a term that is no literal, left(plate), so these are no functions of add_functions.
-  signature.emplace("located", Type::parse("e -> loc -> t").value());
-  rules_["located"] = {2, [this](Arguments a, Evaluation& e) { return located(a[0], a[1], e); }};
+  for (const auto& [name, sides] : {std::pair("located", Sides::exact), std::pair("located_roughly", Sides::rough),
+                                    std::pair("located_loosely", Sides::loose)}) {
+    signature.emplace(name, Type::parse("e -> loc -> t").value());
+    rules_[name] = {2, [this, sides](Arguments a, Evaluation& e) { return located(a[0], a[1], sides, e); }};
+  }
   signature.emplace("obstacle", Type::parse("t -> text").value());
   rules_["obstacle"] = {1, [this](Arguments a, Evaluation&) { return obstacle(a[0]); }};
   return signature;

@@ -43,7 +43,7 @@ class Methods {
   Term fits(const Term& entity, const Term& place, const Term& except, Evaluation& evaluation) const;
   Term free_place(const Term& entity, const Term& region, Evaluation& evaluation) const;
   std::optional<Landmark> landmark(const Term& term) const;
-  Term located(const Term& entity, const Term& place, Evaluation& evaluation) const;
+  Term located(const Term& entity, const Term& place, Sides sides, Evaluation& evaluation) const;
   Term affordance(const ObjectState& object, const std::string& what) const;
   Term obstacle(const Term& program) const;
   Term offset(const ObjectState& object, const std::string& side) const;

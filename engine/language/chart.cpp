@@ -9,8 +9,9 @@ namespace {
 
 using Slash = Category::Slash;
 
-// Per word of an argument: short arguments are likelier than long ones, but "leftmost" is said of all that follows.
-constexpr double cost_per_word = 0.01, cost_per_word_before = 0.001;
+// Per word of an argument: short arguments are likelier than long ones, but "leftmost" is said of all that follows, and
+// "behind the cup" rather of the noun just before than of a longer phrase.
+constexpr double cost_per_word = 0.01, cost_per_word_before = 0.001, cost_per_word_modified = 0.05;
 // Of passing over words inside of a phrase, and of leaving out a word that has lost what it belonged to.
 constexpr double cost_of_passing = 0.1, cost_of_lost = 1.5;
 constexpr int most_unary = 2;
@@ -18,7 +19,8 @@ constexpr int most_unary = 2;
 bool is_modifier(const Category& category) { return category.argument() == category.result(); }
 
 double cost_of(const Category& function, std::size_t words) {
-  if (function.slash() == Slash::backward) return cost_per_word_before * static_cast<double>(words);
+  if (function.slash() == Slash::backward)
+    return (is_modifier(function) ? cost_per_word_modified : cost_per_word_before) * static_cast<double>(words);
   return is_modifier(function) ? 0 : cost_per_word * static_cast<double>(words);
 }
 

@@ -249,6 +249,7 @@ class Interpreter {
       Meant& meant = found->meant;
       if (!std::exchange(found->done, true)) meant = resolved(find(), wanted);
       const std::vector<By> by = {meant.resolution.by};
+      if (!found->now.is_null()) return k(Value{found->now, by});
       const bool separately = is_for_each(meant, wanted);
       if (meant.gap) {
         if (found->variable.is_null()) found->variable = variable("", separately ? Type::entity() : meant.gap->type);
@@ -260,7 +261,12 @@ class Interpreter {
       }
       if (!meant.plural) return k(Value{meant.values.front(), by});
       if (!separately) return k(Value{meant.resolution.value, by});
-      return for_each(meant.values, by, k);
+      return for_each(meant.values, by, [found, &k](const Value& each) {
+        const auto before = std::exchange(found->now, each.term);
+        Answer answer = k(each);
+        found->now = before;
+        return answer;
+      });
     };
   }
 
@@ -307,6 +313,7 @@ class Interpreter {
     bool done = false;
     Meant meant;
     Term variable;
+    Term now;  // the one of several that the rest of the sentence is being done for
   };
 
   const Reading& reading_;

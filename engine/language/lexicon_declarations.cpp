@@ -56,7 +56,7 @@ void LexiconReader::read_names() {
   });
   each_section("define", [&](const Item& section) {
     each_member(section, "definitions", [&](const std::string& name, const Item& item) {
-      if (expect_object(item, "a definition", {"type", "term", "about"}))
+      if (expect_object(item, "a definition", {"type", "term", "compared", "about"}))
         declare(item, name, read_type(required(item, "type", "the type of the name")));
     });
   });
@@ -111,6 +111,15 @@ void LexiconReader::read_definitions() {
       if (!value.is_object() || declared == lexicon_.names.end()) continue;
       if (const auto term = read_term(required(item, "term", "what it means"), declared->second))
         lexicon_.definitions.emplace(name, *term);
+      const auto compared = member(item, "compared");
+      if (!truth_of(compared, false)) continue;
+      if (declared->second != Type::list(Type::entity()))
+        problem(compared, fmt::format("'{}' is of type {}; expected e*, objects to compare", name,
+                                      declared->second.text()));
+      else if (!lexicon_.operators.compared.empty())
+        problem(compared, fmt::format("what is compared is '{}' already", lexicon_.operators.compared));
+      else
+        lexicon_.operators.compared = name;
     }
   });
 }

@@ -1,7 +1,8 @@
 #include "language/noun_phrase.h"
 
 #include <algorithm>
-#include <functional>
+#include <array>
+#include <utility>
 
 #include "language/pointing.h"
 #include "term/substitution.h"
@@ -13,29 +14,6 @@ constexpr std::size_t most_work = 400000;               // nodes of the conditio
 constexpr std::size_t exhausted_work = most_work / 20;  // what an evaluation that ran out of steps counts for
 constexpr std::size_t most_conjuncts = 1000;
 constexpr int deepest_phrase = 50;
-
-// `term` with what `change` gives for its parts, outer parts first; parts of what it gives are not visited.
-Term rewritten(const Term& term, const std::function<std::optional<Term>(const Term&)>& change) {
-  if (auto changed = change(term)) return *std::move(changed);
-  switch (term.kind()) {
-    case Term::Kind::lambda: {
-      Term body = rewritten(term.body(), change);
-      return body.same_node(term.body()) ? term : Term::lambda(term.name(), term.variable_type(), std::move(body));
-    }
-    case Term::Kind::apply: {
-      Term function = rewritten(term.function(), change), argument = rewritten(term.argument(), change);
-      if (function.same_node(term.function()) && argument.same_node(term.argument())) return term;
-      return Term::apply(std::move(function), std::move(argument));
-    }
-    case Term::Kind::list: {
-      std::vector<Term> elements;
-      for (const auto& each : term.elements()) elements.push_back(rewritten(each, change));
-      return Term::list(std::move(elements), term.type().element());
-    }
-    default:
-      return term;
-  }
-}
 
 // The parts that must all be true, each with the variable of `condition` free.
 std::vector<Term> conjuncts(const Term& condition) {
@@ -72,6 +50,12 @@ Term all_but(const std::string& object) {
                       Term::apply(Term::apply(differs, Term::bound(0, Type::entity())), Term::entity(object)));
 }
 
+Term located(Sides sides) {
+  static const Type type = Type::parse("e -> loc -> t").value();
+  static const std::array names = {"located", "located_roughly", "located_loosely"};
+  return Term::constant(names[static_cast<std::size_t>(sides)], type);
+}
+
 // Where someone who points at a place may mean: three standard deviations to each side.
 Term pointed_region(const Vec3& p_W) {
   const Vec3 p = on_grid(p_W);
@@ -81,8 +65,8 @@ Term pointed_region(const Vec3& p_W) {
 
 }  // namespace
 
-NounPhraseSearch::NounPhraseSearch(const Context& context, const Meanings& meanings, std::optional<Vec3> pointed_W)
-    : context_(context), meanings_(meanings), pointed_W_(std::move(pointed_W)) {}
+NounPhraseSearch::NounPhraseSearch(const Context& context, const Meanings& meanings, std::optional<Vec3> pointed_W, Sides sides)
+    : context_(context), meanings_(meanings), pointed_W_(std::move(pointed_W)), sides_(sides) {}
 
 const Determiner* NounPhraseSearch::determiner_of(const Term& phrase) const {
   if (phrase.kind() != Term::Kind::apply || phrase.function().kind() != Term::Kind::constant) return nullptr;
@@ -111,7 +95,7 @@ Term NounPhraseSearch::resolved(const Term& term) const {
       case Proform::Source::pointed:
         return context_.pointed_W ? pointed_region(*context_.pointed_W) : Term::null();
       case Proform::Source::topic:
-        return context_.topic.is_null() ? everything() : context_.topic;
+        return context_.topics.empty() ? everything() : context_.topics.front();
       case Proform::Source::avatar:
         return Term::entity("avatar");
       case Proform::Source::human:
@@ -121,6 +105,12 @@ Term NounPhraseSearch::resolved(const Term& term) const {
     }
     return std::nullopt;
   });
+}
+
+void NounPhraseSearch::compare(const std::vector<const ObjectState*>& objects) {
+  std::vector<Term> names;
+  for (const auto* each : objects) names.push_back(Term::entity(each->name));
+  compared_ = Term::list(std::move(names), Type::entity());
 }
 
 Fitting NounPhraseSearch::fitting(const std::vector<const ObjectState*>& objects, const Term& condition,
@@ -168,10 +158,14 @@ bool NounPhraseSearch::holds(const Term& condition, const std::string& about, co
 
 bool NounPhraseSearch::is_true(const Term& condition, const std::string& other) {
   const Term ready = rewritten(condition, [&](const Term& part) -> std::optional<Term> {
+    if (sides_ != Sides::exact && part == located(Sides::exact)) return located(sides_);
     if (!proform_of(part)) return std::nullopt;
     return other.empty() ? everything() : all_but(other);
   });
-  Evaluation evaluation(*meanings_.rules, meanings_.lookup);
+  Evaluation evaluation(*meanings_.rules, [this](Name name) -> const Term* {
+    if (compared_ && name.text() == meanings_.operators->compared) return &*compared_;
+    return meanings_.lookup ? meanings_.lookup(name) : nullptr;
+  });
   const bool result = evaluation.value(ready).is_true();
   if (evaluation.exhausted) work_ += exhausted_work;
   margin_ = std::min(margin_, evaluation.margin);
@@ -184,12 +178,14 @@ const std::vector<Term>& NounPhraseSearch::referents(const Term& phrase, const s
   if (!added || depth_ >= deepest_phrase) return found->second;
   auto& referents = found->second;
   ++depth_;
+  const auto compared = std::exchange(compared_, std::nullopt);
   const Determiner& determiner = *determiner_of(phrase);
   std::vector<const ObjectState*> objects;
   for (const auto& each : context_.world->objects)
     if (!determiner.other || each.name != about) objects.push_back(&each);
   Fitting fits = fitting(objects, phrase.argument(), about);
   if (determiner.deictic && pointed_W_) keep_pointed(*pointed_W_, fits, margin_);
+  compared_ = compared;
   --depth_;
   for (const auto* each : fits.objects) referents.push_back(Term::entity(each->name));
   return referents;

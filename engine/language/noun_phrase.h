@@ -23,10 +23,14 @@ struct Fitting {
 class NounPhraseSearch {
  public:
   /// `pointed_W` counts for deictic noun phrases inside; all must outlive the search.
-  NounPhraseSearch(const Context& context, const Meanings& meanings, std::optional<Vec3> pointed_W);
+  NounPhraseSearch(const Context& context, const Meanings& meanings, std::optional<Vec3> pointed_W,
+                   Sides sides = Sides::exact);
 
   /// Of `objects`, those of which `condition` (e -> t) is true. `other` is the object that the words "other" exclude.
   Fitting fitting(const std::vector<const ObjectState*>& objects, const Term& condition, const std::string& other);
+
+  /// From now on superlatives compare only these.
+  void compare(const std::vector<const ObjectState*>& objects);
 
   /// `term` with what its pro-forms stand for; those that mean "other" stay.
   Term resolved(const Term& term) const;
@@ -44,6 +48,8 @@ class NounPhraseSearch {
   const Context& context_;
   const Meanings& meanings_;
   std::optional<Vec3> pointed_W_;
+  Sides sides_;
+  std::optional<Term> compared_;  // e*; none: all there is
   std::unordered_map<Term, std::vector<Term>, Term::Hash> found_;  // by [noun phrase, the object it is said about]
   std::size_t work_ = 0;
   int depth_ = 0;

@@ -5,6 +5,7 @@
 
 #include "language/noun_phrase.h"
 #include "language/pointing.h"
+#include "term/substitution.h"
 
 namespace continua {
 namespace {
@@ -60,11 +61,15 @@ std::string first_in_focus(NounPhraseSearch& search, const Term& condition, cons
   return fitting.objects.empty() ? "" : fitting.objects.front()->name;
 }
 
-}  // namespace
+bool speaks_of_sides(const Term& condition) {
+  static const Term located = Term::constant("located", Type::parse("e -> loc -> t").value());
+  return contains(condition, located);
+}
 
-Reference refer(const Term& condition, const Determiner& determiner, const Context& context, const Meanings& meanings) {
+Reference refer(const Term& condition, const Determiner& determiner, const Context& context, const Meanings& meanings,
+                Sides sides) {
   const auto pointed_W = context.pointed_W;
-  NounPhraseSearch search(context, meanings, determiner.deictic ? std::nullopt : pointed_W);
+  NounPhraseSearch search(context, meanings, determiner.deictic ? std::nullopt : pointed_W, sides);
   const std::string in_focus = first_in_focus(search, search.resolved(condition), context);
 
   std::vector<RuledOut> ruled_out;
@@ -75,14 +80,29 @@ Reference refer(const Term& condition, const Determiner& determiner, const Conte
       ruled_out.push_back({each->name, "in focus"});
       return true;
     });
+  if (!context.among.empty()) search.compare(objects);
   Fitting fitting = search.fitting(objects, search.resolved(condition), in_focus);
   Reference reference;
+  reference.sides = sides;
   reference.margin = search.margin();
   std::vector<double> densities(fitting.objects.size(), 1);
   if (determiner.deictic && pointed_W) densities = keep_pointed(*pointed_W, fitting, reference.margin);
   reference.referents = ranked(fitting, densities, context);
   ruled_out.insert(ruled_out.end(), fitting.ruled_out.begin(), fitting.ruled_out.end());
   reference.ruled_out = in_scene_order(std::move(ruled_out), *context.world);
+  return reference;
+}
+
+}  // namespace
+
+Reference refer(const Term& condition, const Determiner& determiner, const Context& context, const Meanings& meanings) {
+  Reference reference = refer(condition, determiner, context, meanings, Sides::exact);
+  for (const auto sides : {Sides::rough, Sides::loose}) {
+    if (!reference.referents.empty() || !speaks_of_sides(condition)) break;
+    Reference other = refer(condition, determiner, context, meanings, sides);
+    other.margin = std::min(other.margin, reference.margin);
+    if (!other.referents.empty()) reference = std::move(other);
+  }
   return reference;
 }
 

@@ -10,6 +10,7 @@
 #include "language/operators.h"
 #include "language/reading.h"
 #include "term/evaluate.h"
+#include "world/relations.h"
 #include "world/world_snapshot.h"
 
 namespace continua {
@@ -27,7 +28,7 @@ struct Context {
   std::vector<Showing> showings;         ///< of an utterance: if not empty, each goes with its words, not pointed_W
   std::vector<std::string> focus;        ///< objects being talked about, the most salient first
   std::vector<std::string> among;        ///< if not empty: only these are asked about
-  Term topic;                            ///< what "one" stands for, of type e -> t; null if nothing was named yet
+  std::vector<Term> topics;              ///< what "one" can stand for, of type e -> t, the likeliest first
 };
 
 /// How words are evaluated: facts of the world as rules, definitions of the lexicon by lookup.
@@ -51,6 +52,7 @@ struct Reference {
   std::vector<Referent> referents;                          ///< the likeliest first; ties in the scene's order
   std::vector<RuledOut> ruled_out;                          ///< in the scene's order
   double margin = std::numeric_limits<double>::infinity();  ///< metres: how near the nearest decision was
+  Sides sides = Sides::exact;                               ///< how "left of" and its like had to be taken
 };
 
 /// Every object is a referent or ruled out.
@@ -62,9 +64,9 @@ struct Reference {
 /// - Without pointing all referents weigh the same; those in focus come first, but stay as many as they are. Of
 ///   determiners that say how many are meant, all that fit are given, whether they are as many or not.
 /// - "other" and `another` leave out what is in focus; inside a noun phrase, what that phrase is about.
+/// - Sides are exact; where nothing fits, rough; where still nothing does, loose.
 /// - The work is bounded; past the bound nothing is true. The margin is a length's: moving everything by less than half
-/// of
-///   it changes no referent.
+///   of it changes no referent.
 ///
 /// Referents of `condition`, a term of type e -> t such as \x. cup(x) and located(x, left(the(\y. plate(y)))).
 /// `determiner` tells whether pointing counts. A nested noun phrase need not single out one thing by itself: it is

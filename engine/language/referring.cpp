@@ -20,6 +20,10 @@ Type property() { return Type::function(Type::entity(), Type::truth()); }
 
 Term point(const Vec3& p_W) { return Term::point(p_W.x(), p_W.y(), p_W.z()); }
 
+bool is_anything(const Term& condition) {
+  return condition.kind() == Term::Kind::lambda && condition.body().is_true();
+}
+
 bool is_plural(const Determiner& determiner) { return determiner.many || determiner.count > 1; }
 
 By by_of(Proform::Source source) {
@@ -99,15 +103,31 @@ Meant Referring::meant_by_noun(const Term& noun) const {
 Meant Referring::by_determiner(const Term& phrase, const Term& condition, Determiner determiner,
                                std::size_t occurrence) const {
   const Context context = context_of(phrase, occurrence);
-  const Term with = with_topic(condition);
-  Reference reference = refer(with, determiner, context, meanings_);
+  if (determiner.deictic && !context.pointed_W && is_anything(condition)) return undefined(phrase, determiner, occurrence);
+  Reference reference = found(condition, determiner, context);
   const auto enough = static_cast<std::size_t>(std::max(determiner.count, 1));
   if (determiner.definite && !determiner.deictic && reference.referents.size() > enough &&
       showing_of(phrase, occurrence)) {
     determiner.deictic = true;
-    reference = refer(with, determiner, context, meanings_);
+    reference = found(condition, determiner, context);
   }
   return chosen(phrase, std::move(reference), determiner, words_of(condition, occurrence), context, occurrence);
+}
+
+// "That" with nothing pointed at is what is being talked about; one thing, where it is said of one.
+Meant Referring::undefined(const Term& phrase, const Determiner& determiner, std::size_t occurrence) const {
+  Meant meant;
+  meant.plural = is_plural(determiner);
+  meant.resolution.phrase = phrase;
+  meant.resolution.words = words_of(phrase, occurrence);
+  meant.resolution.by = By::focus;
+  if (!meant.plural && !context_.focus.empty()) {
+    meant.values.push_back(Term::entity(context_.focus.front()));
+    meant.resolution.value = meant.values.front();
+  } else {
+    meant.gap = Gap{Gap::Why::unsaid, meant.plural ? Type::list(Type::entity()) : Type::entity(), {}, ""};
+  }
+  return meant;
 }
 
 // Definite phrases mean all referents that there are, so that there must be as many as are spoken of; of an indefinite
@@ -176,8 +196,7 @@ std::optional<Term> Referring::single_value(const Proform& proform, const Type& 
       if (context.pointed_W && consistent(type, Type::location())) return point(*context.pointed_W);
       return std::nullopt;
     case Proform::Source::topic:
-      // Where nothing was named, "the red one" is any red thing.
-      return context.topic.is_null() ? Term::lambda("x", Type::entity(), Term::truth(true)) : context.topic;
+      return topics().front();
     case Proform::Source::other:
       return std::nullopt;
     case Proform::Source::avatar:
@@ -188,12 +207,36 @@ std::optional<Term> Referring::single_value(const Proform& proform, const Type& 
   return std::nullopt;
 }
 
+std::vector<Term> Referring::topics() const {
+  if (!context_.topics.empty()) return context_.topics;
+  return {Term::lambda("x", Type::entity(), Term::truth(true))};
+}
+
 // "the red one" with what "one" stands for, so that the reasons why others are ruled out say it.
-Term Referring::with_topic(Term condition) const {
+Term Referring::with_topic(const Term& condition, const Term& topic) const {
+  Term with = condition;
   for (const auto& [name, pro] : meanings_.operators->proforms)
-    if (pro.source == Proform::Source::topic)
-      condition = replaced(condition, Term::constant(name, property()), *single_value(pro, property(), context_));
-  return condition;
+    if (pro.source == Proform::Source::topic) with = replaced(with, Term::constant(name, property()), topic);
+  return with;
+}
+
+// An answer is one of those that were asked about, whatever they are. Where none fits, it says something else, as does
+// what answers nothing: then "one" stands for the first noun that has such a thing.
+Reference Referring::found(const Term& condition, const Determiner& determiner, Context context) const {
+  if (!context.among.empty()) {
+    auto reference =
+        refer(with_topic(condition, Term::lambda("x", Type::entity(), Term::truth(true))), determiner, context, meanings_);
+    if (!reference.referents.empty()) return reference;
+    context.among.clear();
+  }
+  const auto all = topics();
+  const auto first = with_topic(condition, all.front());
+  auto reference = refer(first, determiner, context, meanings_);
+  if (!reference.referents.empty() || first == condition) return reference;
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (auto other = refer(with_topic(condition, all[i]), determiner, context, meanings_); !other.referents.empty())
+      return other;
+  return reference;
 }
 
 // Where it is said: the occurrence-th time, or the last one if it is said less often.

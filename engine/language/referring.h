@@ -47,11 +47,15 @@ class Referring {
   const Determiner* determiner(const Term& term) const;
   const Proform* proform(const Term& term) const;
   Meant by_determiner(const Term& phrase, const Term& condition, Determiner determiner, std::size_t occurrence) const;
+  Meant undefined(const Term& phrase, const Determiner& determiner, std::size_t occurrence) const;
   Meant by_proform(const Term& phrase, const Proform& proform, std::size_t occurrence) const;
   Meant chosen(const Term& phrase, Reference reference, const Determiner& determiner, std::string noun,
                const Context& context, std::size_t occurrence) const;
   std::optional<Term> single_value(const Proform& proform, const Type& type, const Context& context) const;
-  Term with_topic(Term condition) const;
+  /// What "one" can stand for, the likeliest first; any thing where nothing was named.
+  std::vector<Term> topics() const;
+  Term with_topic(const Term& condition, const Term& topic) const;
+  Reference found(const Term& condition, const Determiner& determiner, Context context) const;
   std::optional<WordSpan> span_of(const Term& phrase, std::size_t occurrence) const;
   std::string words_of(const Term& phrase, std::size_t occurrence) const;
   std::optional<std::size_t> showing_of(const Term& phrase, std::size_t occurrence) const;

@@ -125,7 +125,7 @@ void MachineReader::read_context(const Item& context) {
   };
   read("focus", Type::list(Type::entity()), machine_.context.focus);
   read("among", Type::list(Type::entity()), machine_.context.among);
-  read("topic", Type::function(Type::entity(), Type::truth()), machine_.context.topic);
+  read("topic", Type::list(Type::function(Type::entity(), Type::truth())), machine_.context.topic);
   if (machine_.lexicon.empty())
     problem_at_key(context, "nothing is understood without a lexicon; expected \"lexicon\"");
 }

@@ -1,13 +1,18 @@
 #include "moves/understanding.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
+#include "language/reduction.h"
 #include "term/substitution.h"
 
 namespace continua {
 namespace {
+
+// A definition that leads to another, and so on: no longer than this.
+constexpr int most_definitions = 10;
 
 std::vector<std::string> words_at(const Utterance& utterance, const std::vector<std::size_t>& places, WordSpan span) {
   std::vector<std::string> words;
@@ -94,29 +99,44 @@ bool Understanding::is_topic(const Term& term) const {
   });
 }
 
-// The last noun before a word.
-Term Understanding::last_noun(const Reading& reading, const Utterance& utterance, std::size_t before) const {
-  std::size_t latest = 0;
-  Term noun;
+// The nouns before a word, in their order.
+std::vector<Term> Understanding::nouns(const Reading& reading, const Utterance& utterance, std::size_t before) const {
+  std::map<std::size_t, Term> found;
   for (const auto& phrase : reading.phrases) {
-    const bool later = noun.is_null() || phrase.words.begin > latest;
-    if (!(phrase.term.type() == property()) || phrase.words.end > before || !later || is_nested(phrase, reading))
-      continue;
-    const Term found = noun_in(phrase.words, utterance);
-    if (found.is_null()) continue;
-    noun = found;
-    latest = phrase.words.begin;
+    if (!(phrase.term.type() == property()) || phrase.words.end > before || is_nested(phrase, reading)) continue;
+    if (Term noun = noun_in(phrase.words, utterance); !noun.is_null()) found[phrase.words.begin] = std::move(noun);
   }
-  return noun;
+  std::vector<Term> nouns;
+  for (const auto& [begin, noun] : found)
+    if (std::find(nouns.begin(), nouns.end(), noun) == nouns.end()) nouns.push_back(noun);
+  return nouns;
 }
 
 // "the white cup … the blue one": what "one" stands for has been said just before.
 Context Understanding::within(const Reading& reading, const Utterance& utterance, Context context) const {
   for (const auto& phrase : reading.phrases) {
     if (!is_topic(phrase.term)) continue;
-    if (auto noun = last_noun(reading, utterance, phrase.words.begin); !noun.is_null()) context.topic = std::move(noun);
+    const auto said = nouns(reading, utterance, phrase.words.begin);
+    context.topics.insert(context.topics.begin(), said.rbegin(), said.rend());
   }
   return context;
+}
+
+// Of "is the block red?" what is asked, in terms that the machine knows: words for attributes are the lexicon's.
+Term Understanding::explicit_condition(const Term& question) const {
+  const auto arguments = question.spine().arguments;
+  if (arguments.size() != 1 || !(arguments[0].type() == Type::truth()) || !question.closed()) return question;
+  Term condition = arguments[0];
+  for (int definitions = 0; definitions < most_definitions; ++definitions) {
+    const Term before = condition;
+    condition = normal(rewritten(before, [this](const Term& part) -> std::optional<Term> {
+      const auto* known = part.kind() == Term::Kind::constant ? vocabulary_.definition(part.name()) : nullptr;
+      return known && known->type() == part.type() ? std::optional(*known) : std::nullopt;
+    }));
+    if (condition.is_null()) return question;
+    if (condition.same_node(before) || condition == before) break;
+  }
+  return Term::apply(question.function(), condition);
 }
 
 Meanings Understanding::meanings() const {
@@ -135,9 +155,11 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
   move.interpretation = std::move(interpretations[move.chosen]);
   const auto& reading = move.readings[move.chosen];
   move.kind = reading.move;
-  move.noun = last_noun(reading, utterance, part.words.end);
+  move.nouns = nouns(reading, utterance, part.words.end);
   if (const auto* phrase = noun_phrase(move.interpretation)) move.reference = phrase->reference;
-  if (const auto question = asked_for(reading)) move.reference = refer(*question, Determiner{}, context, meanings());
+  if (const auto question = asked_for(reading))
+    move.reference = refer(*question, Determiner{}, within(reading, utterance, context), meanings());
+  move.meaning = explicit_condition(move.interpretation.meaning);
   for (auto word = part.words.begin; word < part.words.end; ++word) move.words.push_back(utterance.words[word]);
   const auto around = surroundings(utterance, fragment);
   move.unknown = words_at(utterance, utterance.unknown, around);
@@ -166,6 +188,7 @@ Move Understanding::shown(const Term& term, const std::string& kind, const Conte
   reading.term = term;
   reading.move = kind;
   move.interpretation = interpret(reading, {}, context, meanings(), language_.raising);
+  move.meaning = move.interpretation.meaning;
   if (const auto* phrase = noun_phrase(move.interpretation)) move.reference = phrase->reference;
   move.readings.push_back(std::move(reading));
   return move;

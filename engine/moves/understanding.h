@@ -52,7 +52,8 @@ class Understanding {
   Meanings meanings() const;
   bool is_topic(const Term& term) const;
   Term noun_in(const WordSpan& words, const Utterance& utterance) const;
-  Term last_noun(const Reading& reading, const Utterance& utterance, std::size_t before) const;
+  std::vector<Term> nouns(const Reading& reading, const Utterance& utterance, std::size_t before) const;
+  Term explicit_condition(const Term& question) const;
   Context within(const Reading& reading, const Utterance& utterance, Context context) const;
 
   const Language& language_;

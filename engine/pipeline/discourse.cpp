@@ -35,7 +35,8 @@ Discourse discourse_of(Stepper& stepper, const Configuration& configuration, con
   };
   discourse.context.focus = names(value(terms.focus, discourse.focus));
   discourse.context.among = names(value(terms.among, discourse.among));
-  discourse.context.topic = value(terms.topic, discourse.topic);
+  if (const auto topics = value(terms.topic, discourse.topic); topics.kind() == Term::Kind::list)
+    discourse.context.topics = topics.elements();
   return discourse;
 }
 

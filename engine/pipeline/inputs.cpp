@@ -33,8 +33,8 @@ void carry(const Move& move, Input& input) {
   input.referents = entities(referents);
   if (move.readings.empty()) return;
   input.reading = move.readings[move.chosen].term;
-  input.meaning = move.interpretation.meaning;
-  input.noun = move.noun;
+  input.meaning = move.meaning;
+  input.named = Term::list(move.nouns, Type::function(Type::entity(), Type::truth()));
   std::vector<Term> choices, wanted;
   for (const auto& gap : move.interpretation.gaps) {
     choices.push_back(entities(gap.choices));

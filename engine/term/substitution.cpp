@@ -114,4 +114,26 @@ Term eta_contracted(const Term& term) {
   return body.same_node(term.body()) ? term : Term::lambda(term.name(), term.variable_type(), body);
 }
 
+Term rewritten(const Term& term, const std::function<std::optional<Term>(const Term&)>& change) {
+  if (auto changed = change(term)) return *std::move(changed);
+  switch (term.kind()) {
+    case Term::Kind::lambda: {
+      Term body = rewritten(term.body(), change);
+      return body.same_node(term.body()) ? term : Term::lambda(term.name(), term.variable_type(), std::move(body));
+    }
+    case Term::Kind::apply: {
+      Term function = rewritten(term.function(), change), argument = rewritten(term.argument(), change);
+      if (function.same_node(term.function()) && argument.same_node(term.argument())) return term;
+      return Term::apply(std::move(function), std::move(argument));
+    }
+    case Term::Kind::list: {
+      std::vector<Term> elements;
+      for (const auto& each : term.elements()) elements.push_back(rewritten(each, change));
+      return Term::list(std::move(elements), term.type().element());
+    }
+    default:
+      return term;
+  }
+}
+
 }  // namespace continua

@@ -2,6 +2,9 @@
 // take no part: it should have the same type wherever it occurs, as names of objects have, and [] has not.
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "term/term.h"
 
 namespace continua {
@@ -27,5 +30,9 @@ bool mentions(const Term& term, int variable);
 /// f for \x. f(x), and for \x y. f(x, y), and so on, where f does not contain the variable. Only the lambdas that a
 /// term begins with are looked at.
 Term eta_contracted(const Term& term);
+
+/// `term` with what `change` gives for its parts, outer parts first; parts of what it gives are not visited. Bound
+/// variables are parts too.
+Term rewritten(const Term& term, const std::function<std::optional<Term>(const Term&)>& change);
 
 }  // namespace continua

@@ -37,19 +37,25 @@ double below_by(const Box& a, const Box& b) {
 }
 
 // `side` is a horizontal unit vector.
-double toward_by(const Box& a, const Box& b, const Vec3& side) {
+double toward_by(const Box& a, const Box& b, const Vec3& side, Sides sides) {
   const Vec3 between = a.center() - b.center(), across(-side.y(), side.x(), 0);
   const double beyond = between.dot(side) - (half_along(a, side) + half_along(b, side)) / 2;
-  const double overlap = half_along(a, across) + half_along(b, across) - std::abs(between.dot(across));
-  return std::min({beyond, overlap, -rests_by(a, b), -rests_by(b, a)});
+  const double aside = std::abs(between.dot(across));
+  double by = beyond;
+  if (sides == Sides::exact) by = std::min(by, half_along(a, across) + half_along(b, across) - aside);
+  if (sides == Sides::rough) by = std::min(by, between.dot(side) - aside);
+  return std::min({by, -rests_by(a, b), -rests_by(b, a)});
 }
 
-double between_by(const Box& a, const Box& first, const Box& second) {
+// How much further near and beside reach.
+double reach(Sides sides) { return 1 + static_cast<double>(sides); }
+
+double between_by(const Box& a, const Box& first, const Box& second, Sides sides) {
   Vec3 line = second.center() - first.center();
   line.z() = 0;
   if (line.norm() < position_grid_m) return never;
   line.normalize();
-  return std::min(toward_by(a, first, line), toward_by(a, second, -line));
+  return std::min(toward_by(a, first, line, sides), toward_by(a, second, -line, sides));
 }
 
 double inside_by(const Box& a, const ObjectState* container) {
@@ -66,7 +72,8 @@ double within_by(const Vec3& center, const Box& region) {
   return std::min(inner.x(), inner.y()) + contact_m;
 }
 
-double holds_of_box(Relation relation, const Box& a, const Landmark& landmark, Perspective perspective) {
+double holds_of_box(Relation relation, const Box& a, const Landmark& landmark, Perspective perspective,
+                    Sides sides) {
   const Box& b = landmark.bounds_W;
   const bool place = !landmark.thing;
   switch (relation) {
@@ -74,7 +81,7 @@ double holds_of_box(Relation relation, const Box& a, const Landmark& landmark, P
     case Relation::right:
     case Relation::in_front:
     case Relation::behind:
-      return toward_by(a, b, side_W(relation, perspective));
+      return toward_by(a, b, side_W(relation, perspective), sides);
     case Relation::on:
       return place ? within_by(a.center(), b) : rests_by(a, b);
     case Relation::in:
@@ -85,9 +92,9 @@ double holds_of_box(Relation relation, const Box& a, const Landmark& landmark, P
     case Relation::touching:
       return depth_of(a, b).minCoeff() + contact_m;
     case Relation::near:
-      return near_m - gap_above(a, b);
+      return near_m * reach(sides) - gap_above(a, b);
     case Relation::beside:
-      return std::min(beside_m - gap_above(a, b), touching_m - std::min(depth_of(a, b).x(), depth_of(a, b).y()));
+      return std::min(beside_m * reach(sides) - gap_above(a, b), touching_m - std::min(depth_of(a, b).x(), depth_of(a, b).y()));
     case Relation::under:
       return below_by(a, b);
     case Relation::between:
@@ -166,18 +173,18 @@ Vec3 side_W(Relation side, Perspective perspective) {
 }
 
 double holds_by(Relation relation, const ObjectState& object, std::span<const Landmark> landmarks, const Box& table,
-                Perspective perspective) {
+                Perspective perspective, Sides sides) {
   if (landmarks.size() != landmarks_of(relation)) return never;
   for (const auto& each : landmarks)
     if (each.thing && each.thing->name == object.name) return never;
   const Box bounds = object.bounds_W();
   double by = never;
   if (relation == Relation::between)
-    by = between_by(bounds, landmarks[0].bounds_W, landmarks[1].bounds_W);
+    by = between_by(bounds, landmarks[0].bounds_W, landmarks[1].bounds_W, sides);
   else if (landmarks[0].who)
     by = holds_of_participant(relation, bounds, landmarks[0], table);
   else
-    by = holds_of_box(relation, bounds, landmarks[0], perspective);
+    by = holds_of_box(relation, bounds, landmarks[0], perspective, sides);
   return std::isfinite(by) ? on_grid(by) : by;
 }
 

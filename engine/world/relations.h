@@ -4,14 +4,16 @@
 // Each holds of a thing A and a landmark L where
 //
 // - left, right, in_front, behind: on that side, A's centre is beyond L's by more than half of what parts them side by
-//   side, across it their extents overlap, and neither rests on the other.
+//   side, across it their extents overlap, and neither rests on the other. (Roughly: it is at least as far beyond as
+//   it is to the side of that. Loosely: beyond is enough.)
 // - between: A is on the side of L that faces L2, and on L2's that faces L, along the line of their centres.
 // - on: A's bottom is at L's top (`touching_m`) and their extents overlap in x and y.
 // - under: A's top is not above L's bottom (`touching_m`) and their extents overlap in x and y.
 // - in: A's centre is over L's hollow, and A's bottom in it.
 // - touching: no gap of `contact_m` parts them along any axis.
 // - at: on, in or touching.
-// - beside: seen from above they are apart (`touching_m`), and by less than `beside_m`.
+// - beside: seen from above they are apart (`touching_m`), and by less than `beside_m`. (Roughly: twice, loosely: three
+//   times that; so with near.)
 // - near: seen from above they are apart by less than `near_m`, or not at all.
 //
 // A participant is a landmark with sides of its own: in_front(avatar) is the half of the table at which the avatar
@@ -50,6 +52,9 @@ std::size_t landmarks_of(Relation relation);
 /// "avatar" or "human": the two who talk, as landmarks.
 std::optional<Perspective> participant_named(std::string_view name);
 
+/// How sides are taken: as above, or where nothing would be said of anything in that sense.
+enum class Sides { exact, rough, loose };
+
 /// What something stands in a relation to.
 struct Landmark {
   /// REQUIRES that the object outlives it
@@ -73,6 +78,6 @@ Vec3 side_W(Relation side, Perspective perspective);
 /// By how many metres the relation holds; it does where this is above 0, and fails by as much below. It is -infinity
 /// where no length would make it hold. `landmarks` are as many as landmarks_of(relation) says; otherwise it fails.
 double holds_by(Relation relation, const ObjectState& object, std::span<const Landmark> landmarks, const Box& table,
-                Perspective perspective);
+                Perspective perspective, Sides sides = Sides::exact);
 
 }  // namespace continua

@@ -257,7 +257,7 @@ TEST_CASE("one is the noun that was used last, or anything") {
   Scene scene;
   CHECK(meaning_of(scene.interpreted("the(\\x. green(x) and one(x))")) == "block3");
   CHECK(meaning_of(scene.interpreted("the(\\x. red(x) and one(x))")) == "\\x. x | several e [cup2, block1, block2]");
-  scene.context.topic = scene.read("\\x. cup(x)");
+  scene.context.topics = {scene.read("\\x. cup(x)")};
   const auto red_cup = scene.interpreted("the(\\x. red(x) and one(x))");
   CHECK(meaning_of(red_cup) == "cup2");
   CHECK(red_cup.resolutions[0].reference.ruled_out.back().reason == "not red(block3)");

@@ -50,6 +50,8 @@ const Row rows[] = {
     {"\"stop\": \"t\"", "\"scene\": \"t\"", "the name 'scene' is taken by a fact of the world; expected another"},
     {"\"stop\": \"t\"", "\"stop\": 3", "a.json:2:19: found 3, expected a type, a string"},
     {"volume(x) > 1", "volum(x) > 1", "unknown name 'volum' (did you mean 'volume'?)"},
+    {"\"type\": \"e -> t\", \"term\": \"\\\\x", "\"type\": \"e -> t\", \"compared\": true, \"term\": \"\\\\x",
+     "'big' is of type e -> t; expected e*, objects to compare"},
     {"volume(x) > 1", "volume(x)", "found a function from e to num"},
     {"\"definite\": true", "\"definite\": 1", "a.json:4:37: found 1, expected true or false"},
     {"\"focus\"", "\"fokus\"",

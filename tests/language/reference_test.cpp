@@ -44,7 +44,7 @@ TEST_CASE("a noun phrase means the objects of which its condition is true") {
   SmallTalk talk;
   set_table(talk);
   talk.context.focus = {"red2", "plate"};
-  talk.context.topic = talk.read("\\x. block(x)");
+  talk.context.topics = {talk.read("\\x. block(x)")};
   talk.context.pointed_W = Vec3(-0.21, 0.02, 0);
   const auto [phrase, expected] = GENERATE(table<std::string, std::string>({
       {"the(\\x. plate(x))", "plate"},
