@@ -43,7 +43,7 @@ double toward_by(const Box& a, const Box& b, const Vec3& side, Sides sides) {
   const double aside = std::abs(between.dot(across));
   double by = beyond;
   if (sides == Sides::exact) by = std::min(by, half_along(a, across) + half_along(b, across) - aside);
-  if (sides == Sides::rough) by = std::min(by, between.dot(side) - aside);
+  if (sides == Sides::rough) by = std::min(by, (between.dot(side) - aside) / std::sqrt(2));
   return std::min({by, -rests_by(a, b), -rests_by(b, a)});
 }
 

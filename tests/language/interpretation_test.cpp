@@ -253,7 +253,7 @@ TEST_CASE("a deictic determiner, and a noun alone, count pointing; others do not
   CHECK(meaning_of(scene.interpreted("the(\\x. cup(x))")) == "\\x. x | several e [cup1, cup2]");
 }
 
-TEST_CASE("one is the noun that was used last, or anything") {
+TEST_CASE("one is the first of the nouns used last that has such a thing, or anything") {
   Scene scene;
   CHECK(meaning_of(scene.interpreted("the(\\x. green(x) and one(x))")) == "block3");
   CHECK(meaning_of(scene.interpreted("the(\\x. red(x) and one(x))")) == "\\x. x | several e [cup2, block1, block2]");
@@ -262,6 +262,26 @@ TEST_CASE("one is the noun that was used last, or anything") {
   CHECK(meaning_of(red_cup) == "cup2");
   CHECK(red_cup.resolutions[0].reference.ruled_out.back().reason == "not red(block3)");
   CHECK(meaning_of(scene.interpreted("one")) == "\\x. x | several e [cup1, cup2]");
+  scene.context.topics = {scene.read("\\x. knife_(x)"), scene.read("\\x. cup(x)")};
+  CHECK(meaning_of(scene.interpreted("the(\\x. red(x) and one(x))")) == "cup2");
+  CHECK(meaning_of(scene.interpreted("the(\\x. one(x))")) == "knife");
+  scene.context.among = {"block1", "block3"};
+  CHECK(meaning_of(scene.interpreted("the(\\x. red(x) and one(x))")) == "block1");
+}
+
+TEST_CASE("an answer may name something that was not asked about") {
+  Scene scene;
+  scene.context.among = {"block1", "block2"};
+  CHECK(meaning_of(scene.interpreted("the(\\x. block(x))")) == "\\x. x | several e [block1, block2]");
+  CHECK(meaning_of(scene.interpreted("grasp(the(plate_))")) == "grasp(plate)");
+}
+
+TEST_CASE("that, with nothing pointed at, is what is talked about, or open") {
+  Scene scene;
+  CHECK(meaning_of(scene.interpreted("grasp(that(\\x. true))")) == "\\x. grasp(x) | unsaid e");
+  CHECK(meaning_of(scene.interpreted("grasp(each(those(\\x. true)))")) == "\\x. grasp(x) | unsaid e");
+  scene.context.focus = {"cup2"};
+  CHECK(meaning_of(scene.interpreted("grasp(that(\\x. true))")) == "grasp(cup2)");
 }
 
 TEST_CASE("several objects are a list, or a command for each") {
@@ -272,6 +292,8 @@ TEST_CASE("several objects are a list, or a command for each") {
       {"put(each(all(\\x. block(x) and red(x))), on(the(plate_)))", "[put(block1, on(plate)), put(block2, on(plate))]"},
       {"put(each(all(cup)), on(each(the_two(\\x. block(x) and red(x)))))",
        "[put(cup1, on(block1)), put(cup2, on(block1)), put(cup1, on(block2)), put(cup2, on(block2))]"},
+      {"put(each(all(\\x. block(x) and red(x))), left(each(all(\\x. block(x) and red(x)))))",
+       "[put(block1, left(block1)), put(block2, left(block2))]"},  // to the left, of each
       {"put(the(cup), on(each(all(\\x. block(x) and red(x)))))",
        "\\x. [put(x, on(block1)), put(x, on(block2))] | several e [cup1, cup2]"},
       {"\\v. put(each(all(cup)), v)", "\\v. [put(cup1, v), put(cup2, v)] | unsaid loc"},

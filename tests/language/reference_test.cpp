@@ -85,6 +85,33 @@ TEST_CASE("a noun phrase means the objects of which its condition is true") {
   CHECK(names_of(talk.refer(phrase)) == expected);
 }
 
+TEST_CASE("sides are taken in a rough sense, then in a loose one, where nothing fits") {
+  SmallTalk talk;
+  set_table(talk);
+  const auto [phrase, expected, sides] = GENERATE(table<std::string, std::string, Sides>({
+      {"the(\\x. block(x) and located(x, left(the(\\y. red(y)))))", "green1 red1", Sides::exact},
+      {"the(\\x. block(x) and located(x, left(the(\\y. blue(y)))))", "green1", Sides::rough},
+      {"the(\\x. cup(x) and located(x, in_front(the(\\y. blue(y)))))", "cup", Sides::loose},
+      {"the(\\x. cup(x) and located(x, behind(the(\\y. blue(y)))))", "", Sides::exact},
+      {"the(\\x. red(x) and plate(x))", "", Sides::exact},
+  }));
+  INFO(phrase);
+  const auto reference = talk.refer(phrase);
+  CHECK(names_of(reference) == expected);
+  CHECK(reference.sides == sides);
+}
+
+TEST_CASE("what answers a question is compared with what was asked about") {
+  SmallTalk talk;
+  set_table(talk);
+  const std::string leftmost = "the(\\x. leftmost(\\y. block(y))(x))";
+  CHECK(names_of(talk.refer(leftmost)) == "green1");
+  talk.context.among = {"red1", "red2"};
+  CHECK(names_of(talk.refer(leftmost)) == "red1");
+  CHECK(names_of(talk.refer("the(\\x. red(x) and located(x, right(the(\\y. leftmost(\\z. block(z))(y)))))")) ==
+        "red1 red2");  // what is inside of it is compared with all there is
+}
+
 TEST_CASE("what is ruled out has its reason, in the scene's order") {
   SmallTalk talk;
   set_table(talk);

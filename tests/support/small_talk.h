@@ -43,6 +43,8 @@ class SmallTalk {
     declare({"there"}, "loc");
     declare({"one", "other"}, "e -> t");
     declare({"leftmost"}, "(e -> t) -> e -> t");
+    declare({"compared"}, "e*");
+    operators_.compared = "compared";
     operators_.determiners = {{"the", {.definite = true}},
                               {"a", {}},
                               {"this", {.definite = true, .deictic = true}},
@@ -55,8 +57,9 @@ class SmallTalk {
                            {"other", {Source::other}}, {"you", {Source::avatar}},    {"me", {Source::human}}};
     for (const auto* type : {"block", "plate", "cup", "knife"}) define(type, "type", type);
     for (const auto* color : {"red", "green", "purple", "blue", "white"}) define(color, "color", color);
-    definitions_.emplace("leftmost",
-                         read("\\n x. n(x) and every(filter(scene, n), \\y. offset(y, 'left') <= offset(x, 'left'))"));
+    definitions_.emplace("compared", read("scene"));
+    definitions_.emplace(
+        "leftmost", read("\\n x. n(x) and every(filter(compared, n), \\y. offset(y, 'left') <= offset(x, 'left'))"));
   }
   SmallTalk(const SmallTalk&) = delete;
 

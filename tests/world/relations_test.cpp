@@ -65,6 +65,26 @@ TEST_CASE("relations have names") {
   CHECK_FALSE(participant_named("left"));
 }
 
+TEST_CASE("sides, near and beside have a rough and a loose sense") {
+  const ObjectState base = cube("base", 0, 0);
+  const std::vector<Landmark> landmark = {Landmark::object(base)};
+  const auto holds = [&](const char* relation, const ObjectState& object) {
+    std::string senses;
+    for (const auto sides : {Sides::exact, Sides::rough, Sides::loose})
+      senses += holds_by(relation_named(relation).value(), object, landmark, table, Perspective::human, sides) > 0 ? '+' : '-';
+    return senses;
+  };
+  CHECK(holds("left", cube("a", -0.2, 0.01)) == "+++");
+  CHECK(holds("left", cube("a", -0.2, 0.19)) == "-++");
+  CHECK(holds("left", cube("a", -0.2, 0.21)) == "--+");
+  CHECK(holds("left", cube("a", 0.2, 0)) == "---");
+  CHECK(holds("left", cube("a", -0.04, 0, 0.09)) == "---");  // rests on it
+  CHECK(holds("near", cube("a", 0.24, 0)) == "-++");
+  CHECK(holds("near", cube("a", 0.34, 0)) == "--+");
+  CHECK(holds("beside", cube("a", 0.15, 0)) == "-++");
+  CHECK(holds("touching", cube("a", 0.09, 0)) == "---");
+}
+
 TEST_CASE("relations hold by the lengths that the header tells") {
   struct Row {
     const char* relation;
