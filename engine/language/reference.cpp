@@ -100,7 +100,7 @@ Reference refer(const Term& condition, const Determiner& determiner, const Conte
   for (const auto sides : {Sides::rough, Sides::loose}) {
     if (!reference.referents.empty() || !speaks_of_sides(condition)) break;
     Reference other = refer(condition, determiner, context, meanings, sides);
-    other.margin = std::min(other.margin, reference.margin);
+    other.margin = reference.margin = std::min(other.margin, reference.margin);
     if (!other.referents.empty()) reference = std::move(other);
   }
   return reference;

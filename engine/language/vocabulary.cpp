@@ -58,6 +58,13 @@ const WordEntry* Vocabulary::find(std::string_view words) const {
   return found == lexicon_->words.end() ? nullptr : &found->second;
 }
 
+std::set<std::string> Vocabulary::words() const {
+  std::set<std::string> all;
+  for (const auto* table : {&scene_words_, &lexicon_->words})
+    for (const auto& [words, entry] : *table) all.insert(words);
+  return all;
+}
+
 const Term* Vocabulary::definition(std::string_view name) const {
   if (const auto found = definitions_.find(name); found != definitions_.end()) return &found->second;
   const auto found = lexicon_->definitions.find(name);

@@ -22,6 +22,8 @@ class Vocabulary {
   const Lexicon& lexicon() const { return *lexicon_; }
   /// What a word means, several words with spaces between them; nullptr if it has no meaning.
   const WordEntry* find(std::string_view words) const;
+  /// All that find() knows, in the order of the alphabet.
+  std::set<std::string> words() const;
   /// What words that nobody knows can be: names to be given.
   WordEntry as_name(const std::string& words) const;
   /// Whether the word is one, or a part of several that are one.

@@ -134,18 +134,9 @@ class Counting {
 // The senses of all words: the lexicon's own, and those that its attributes' values make.
 std::vector<CoverageItem> entries_of(const std::shared_ptr<const Lexicon>& lexicon) {
   const Vocabulary vocabulary(lexicon, WorldSnapshot());
-  std::set<std::string> words;
-  for (const auto& [word, entry] : lexicon->words) words.insert(word);
-  for (const auto& attribute : lexicon->attributes)
-    for (const auto& group : attribute.values)
-      for (auto value : group) {
-        std::replace(value.begin(), value.end(), '_', ' ');
-        words.insert(value);
-      }
   std::vector<CoverageItem> entries;
-  for (const auto& word : words) {
+  for (const auto& word : vocabulary.words()) {
     const auto* entry = vocabulary.find(word);
-    if (!entry) continue;
     for (const auto& sense : entry->senses)
       entries.push_back(lexicon_entry(word, sense.category.text(), print(with_nice_variables(sense.term))));
     if (entry->skip) entries.push_back(lexicon_entry(word, "", ""));

@@ -292,8 +292,8 @@ TEST_CASE("several objects are a list, or a command for each") {
       {"put(each(all(\\x. block(x) and red(x))), on(the(plate_)))", "[put(block1, on(plate)), put(block2, on(plate))]"},
       {"put(each(all(cup)), on(each(the_two(\\x. block(x) and red(x)))))",
        "[put(cup1, on(block1)), put(cup2, on(block1)), put(cup1, on(block2)), put(cup2, on(block2))]"},
-      {"put(each(all(\\x. block(x) and red(x))), left(each(all(\\x. block(x) and red(x)))))",
-       "[put(block1, left(block1)), put(block2, left(block2))]"},  // to the left, of each
+      {"put(each(all(\\x. block(x) and red(x))), on(each(all(\\x. block(x) and red(x)))))",
+       "[put(block1, on(block1)), put(block2, on(block2))]"},  // said of each
       {"put(the(cup), on(each(all(\\x. block(x) and red(x)))))",
        "\\x. [put(x, on(block1)), put(x, on(block2))] | several e [cup1, cup2]"},
       {"\\v. put(each(all(cup)), v)", "\\v. [put(cup1, v), put(cup2, v)] | unsaid loc"},

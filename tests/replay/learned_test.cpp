@@ -18,7 +18,7 @@ struct Lessons {
   Lessons() {
     folder.file("m.json", R"json({"machine":1,"name":"m","start":"A","phrases":"english",
       "programs":{"grasp":"e -> t","lift":"e -> t","cup":"e"},"slots":{"acts":"t*"},"bottom":{"acts":"[grasp(cup), lift(cup)]"},
-      "define":{"pending":"''"},"transitions":[
+      "define":{"pending":"''","theme":"if(true, null, cup)","lacks_place":"true"},"transitions":[
       {"id":"teach","from":"A","on":"speech teach","to":"A","do":[{"learn":{"word":"'hoist'","acts":"acts"}}]},
       {"id":"forget","from":"A","on":"speech forget","to":"A","do":[{"forget":"all"}]},
       {"id":"ask","from":"A","on":"speech ask","to":"A","do":[{"say":"{learned('hoist')}"},{"phrase":"ask_thing"}]}]})json");
