@@ -156,7 +156,8 @@ class Teller {
     text += value.empty() || value == "null" ? " may be " + alternatives_text(referents) : " is " + value;
     if ((value.empty() || value == "null") && referents.empty()) text = "“" + words + "” is no object here";
     if (const auto way = way_text(text_of(resolved, "by")); !way.empty()) text += ", " + way;
-    if (const auto sides = text_of(resolved, "sides"); !sides.empty()) text += ", its sides taken in a " + sides + " sense";
+    if (const auto sides = text_of(resolved, "sides"); !sides.empty())
+      text += ", its sides taken in a " + sides + " sense";
     if (const auto& ruled_out = list_of(resolved, "ruled_out"); !ruled_out.empty())
       text += "; not " + ruled_out_text(ruled_out, options_.all);
     tell(text, 3);

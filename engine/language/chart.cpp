@@ -20,7 +20,8 @@ bool is_modifier(const Category& category) { return category.argument() == categ
 
 double cost_of(const Category& function, std::size_t words) {
   if (function.slash() == Slash::backward)
-    return (is_modifier(function) && function.argument().is_atom() ? cost_per_word_modified : cost_per_word_before) * static_cast<double>(words);
+    return (is_modifier(function) && function.argument().is_atom() ? cost_per_word_modified : cost_per_word_before) *
+           static_cast<double>(words);
   return is_modifier(function) ? 0 : cost_per_word * static_cast<double>(words);
 }
 

@@ -114,8 +114,8 @@ void LexiconReader::read_definitions() {
       const auto compared = member(item, "compared");
       if (!truth_of(compared, false)) continue;
       if (declared->second != Type::list(Type::entity()))
-        problem(compared, fmt::format("'{}' is of type {}; expected e*, objects to compare", name,
-                                      declared->second.text()));
+        problem(compared,
+                fmt::format("'{}' is of type {}; expected e*, objects to compare", name, declared->second.text()));
       else if (!lexicon_.operators.compared.empty())
         problem(compared, fmt::format("what is compared is '{}' already", lexicon_.operators.compared));
       else

@@ -42,6 +42,14 @@ Term negated(const Term& condition) {
   return Term::apply(negation, condition);
 }
 
+// condition is `phrase = …` or `… = phrase`
+bool equates(const Term& condition, const Term& phrase) {
+  static const Name equals("=");
+  const auto [head, arguments] = condition.spine();
+  return head.kind() == Term::Kind::constant && head.interned_name() == equals &&
+         std::find(arguments.begin(), arguments.end(), phrase) != arguments.end();
+}
+
 // \x. true, and \x. x != object
 Term everything() { return Term::lambda("x", Type::entity(), Term::truth(true)); }
 Term all_but(const std::string& object) {
@@ -65,7 +73,8 @@ Term pointed_region(const Vec3& p_W) {
 
 }  // namespace
 
-NounPhraseSearch::NounPhraseSearch(const Context& context, const Meanings& meanings, std::optional<Vec3> pointed_W, Sides sides)
+NounPhraseSearch::NounPhraseSearch(const Context& context, const Meanings& meanings, std::optional<Vec3> pointed_W,
+                                   Sides sides)
     : context_(context), meanings_(meanings), pointed_W_(std::move(pointed_W)), sides_(sides) {}
 
 const Determiner* NounPhraseSearch::determiner_of(const Term& phrase) const {
@@ -131,7 +140,7 @@ Fitting NounPhraseSearch::fitting(const std::vector<const ObjectState*>& objects
 }
 
 // The first noun phrase inside stands for each of its referents in turn, until one makes the condition true; for all
-// of them together, where it is said of several.
+// of them together, where it is said of several. Nothing is meant to be left of itself, but all is itself.
 bool NounPhraseSearch::holds(const Term& condition, const std::string& about, const std::string& other) {
   work_ += condition.size();
   if (work_ > most_work) return false;
@@ -149,7 +158,7 @@ bool NounPhraseSearch::holds(const Term& condition, const std::string& about, co
   if (!phrase) return is_true(condition, other);
   std::vector<Term> others;
   for (const auto& each : referents(*phrase, about))
-    if (each.name() != about) others.push_back(each);
+    if (each.name() != about || equates(condition, *phrase)) others.push_back(each);
   if (phrase->type().kind() == Type::Kind::list)
     return holds(with_phrase_as(Term::list(std::move(others), Type::entity())), about, other);
   return std::any_of(others.begin(), others.end(),

@@ -33,8 +33,8 @@ struct Proform {
 struct Operators {
   std::map<std::string, Determiner, std::less<>> determiners;
   std::map<std::string, Proform, std::less<>> proforms;
-  /// The name, of type e*, of what "leftmost" and its like compare. It is defined as all there is; of a noun phrase that
-  /// answers a question it is what was asked about. Empty: there is no such name.
+  /// The name, of type e*, of what "leftmost" and its like compare. It is defined as all there is; of a noun phrase
+  /// that answers a question it is what was asked about. Empty: there is no such name.
   std::string compared;
 };
 

@@ -20,9 +20,7 @@ Type property() { return Type::function(Type::entity(), Type::truth()); }
 
 Term point(const Vec3& p_W) { return Term::point(p_W.x(), p_W.y(), p_W.z()); }
 
-bool is_anything(const Term& condition) {
-  return condition.kind() == Term::Kind::lambda && condition.body().is_true();
-}
+bool is_anything(const Term& condition) { return condition.kind() == Term::Kind::lambda && condition.body().is_true(); }
 
 bool is_plural(const Determiner& determiner) { return determiner.many || determiner.count > 1; }
 
@@ -103,7 +101,8 @@ Meant Referring::meant_by_noun(const Term& noun) const {
 Meant Referring::by_determiner(const Term& phrase, const Term& condition, Determiner determiner,
                                std::size_t occurrence) const {
   const Context context = context_of(phrase, occurrence);
-  if (determiner.deictic && !context.pointed_W && is_anything(condition)) return undefined(phrase, determiner, occurrence);
+  if (determiner.deictic && !context.pointed_W && is_anything(condition))
+    return undefined(phrase, determiner, occurrence);
   Reference reference = found(condition, determiner, context);
   const auto enough = static_cast<std::size_t>(std::max(determiner.count, 1));
   if (determiner.definite && !determiner.deictic && reference.referents.size() > enough &&
@@ -224,8 +223,8 @@ Term Referring::with_topic(const Term& condition, const Term& topic) const {
 // what answers nothing: then "one" stands for the first noun that has such a thing.
 Reference Referring::found(const Term& condition, const Determiner& determiner, Context context) const {
   if (!context.among.empty()) {
-    auto reference =
-        refer(with_topic(condition, Term::lambda("x", Type::entity(), Term::truth(true))), determiner, context, meanings_);
+    auto reference = refer(with_topic(condition, Term::lambda("x", Type::entity(), Term::truth(true))), determiner,
+                           context, meanings_);
     if (!reference.referents.empty()) return reference;
     context.among.clear();
   }

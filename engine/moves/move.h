@@ -20,8 +20,8 @@ struct Move {
   std::vector<Reading> readings;   ///< of speech: the likeliest first
   std::size_t chosen = 0;          ///< the reading that was interpreted
   Interpretation interpretation;   ///< of that reading
-  Term meaning;  ///< what it comes to, in terms that a machine can evaluate; null if nothing was understood
-  Reference reference;  ///< of its noun phrase, one that leaves something open if there is one; or of pointing
+  Term meaning;             ///< what it comes to, in terms that a machine can evaluate; null if nothing was understood
+  Reference reference;      ///< of its noun phrase, one that leaves something open if there is one; or of pointing
   std::vector<Term> nouns;  ///< e -> t: the nouns in it that say what is spoken of, in their order
   std::vector<std::string> unknown;  ///< words near it that the lexicon does not have
   std::vector<std::string> unused;   ///< known words near it that fit nowhere

@@ -72,8 +72,7 @@ double within_by(const Vec3& center, const Box& region) {
   return std::min(inner.x(), inner.y()) + contact_m;
 }
 
-double holds_of_box(Relation relation, const Box& a, const Landmark& landmark, Perspective perspective,
-                    Sides sides) {
+double holds_of_box(Relation relation, const Box& a, const Landmark& landmark, Perspective perspective, Sides sides) {
   const Box& b = landmark.bounds_W;
   const bool place = !landmark.thing;
   switch (relation) {
@@ -94,7 +93,8 @@ double holds_of_box(Relation relation, const Box& a, const Landmark& landmark, P
     case Relation::near:
       return near_m * reach(sides) - gap_above(a, b);
     case Relation::beside:
-      return std::min(beside_m * reach(sides) - gap_above(a, b), touching_m - std::min(depth_of(a, b).x(), depth_of(a, b).y()));
+      return std::min(beside_m * reach(sides) - gap_above(a, b),
+                      touching_m - std::min(depth_of(a, b).x(), depth_of(a, b).y()));
     case Relation::under:
       return below_by(a, b);
     case Relation::between:

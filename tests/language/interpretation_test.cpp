@@ -292,8 +292,6 @@ TEST_CASE("several objects are a list, or a command for each") {
       {"put(each(all(\\x. block(x) and red(x))), on(the(plate_)))", "[put(block1, on(plate)), put(block2, on(plate))]"},
       {"put(each(all(cup)), on(each(the_two(\\x. block(x) and red(x)))))",
        "[put(cup1, on(block1)), put(cup2, on(block1)), put(cup1, on(block2)), put(cup2, on(block2))]"},
-      {"put(each(all(\\x. block(x) and red(x))), on(each(all(\\x. block(x) and red(x)))))",
-       "[put(block1, on(block1)), put(block2, on(block2))]"},  // said of each
       {"put(the(cup), on(each(all(\\x. block(x) and red(x)))))",
        "\\x. [put(x, on(block1)), put(x, on(block2))] | several e [cup1, cup2]"},
       {"\\v. put(each(all(cup)), v)", "\\v. [put(cup1, v), put(cup2, v)] | unsaid loc"},
@@ -352,6 +350,15 @@ TEST_CASE("gaps and resolutions tell the words") {
   CHECK(one.resolutions[0].words == "the blue plate");
   reading.phrases[0].words = {7, 9};  // not of this utterance
   CHECK(scene.interpreted(reading, words).resolutions[0].words.empty());
+}
+
+TEST_CASE("several objects that the words name once are the same ones wherever the reading has them") {
+  const Scene scene;
+  Reading reading;
+  reading.term = scene.read("put(each(all(\\x. block(x) and red(x))), on(each(all(\\x. block(x) and red(x)))))");
+  reading.phrases = {{scene.read("all(\\x. block(x) and red(x))"), {1, 4}}};
+  CHECK(meaning_of(scene.interpreted(reading, {"stack", "the", "red", "blocks"})) ==
+        "[put(block1, on(block1)), put(block2, on(block2))]");
 }
 
 TEST_CASE("a reading that finds something is preferred") {

@@ -78,6 +78,7 @@ TEST_CASE("a noun phrase means the objects of which its condition is true") {
       {"that(\\x. red(x))", "red2 red1"},  // far from what is pointed at: words decide
       {"the(\\x. block(x) and located(x, behind(me)))", ""},
       {"the(\\x. attribute(x, 'color') = attribute(a(\\y. blue(y)), 'color'))", ""},  // none but itself
+      {"the(\\x. block(x) and x = the(\\y. blue(y)))", "blue1"},
       {"the(\\x. null)", ""},
       {"the(\\x. true)", "red2 plate green1 red1 blue1 cup knife"},
   }));

@@ -71,7 +71,9 @@ TEST_CASE("sides, near and beside have a rough and a loose sense") {
   const auto holds = [&](const char* relation, const ObjectState& object) {
     std::string senses;
     for (const auto sides : {Sides::exact, Sides::rough, Sides::loose})
-      senses += holds_by(relation_named(relation).value(), object, landmark, table, Perspective::human, sides) > 0 ? '+' : '-';
+      senses += holds_by(relation_named(relation).value(), object, landmark, table, Perspective::human, sides) > 0
+                    ? '+'
+                    : '-';
     return senses;
   };
   CHECK(holds("left", cube("a", -0.2, 0.01)) == "+++");
