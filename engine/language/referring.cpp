@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "language/pointing.h"
 #include "term/substitution.h"
 
 namespace continua {
@@ -19,6 +20,8 @@ constexpr int most_definitions = 100;
 Type property() { return Type::function(Type::entity(), Type::truth()); }
 
 Term point(const Vec3& p_W) { return Term::point(p_W.x(), p_W.y(), p_W.z()); }
+
+Term anything() { return Term::lambda("x", Type::entity(), Term::truth(true)); }
 
 bool is_anything(const Term& condition) { return condition.kind() == Term::Kind::lambda && condition.body().is_true(); }
 
@@ -208,7 +211,7 @@ std::optional<Term> Referring::single_value(const Proform& proform, const Type& 
 
 std::vector<Term> Referring::topics() const {
   if (!context_.topics.empty()) return context_.topics;
-  return {Term::lambda("x", Type::entity(), Term::truth(true))};
+  return {anything()};
 }
 
 // "the red one" with what "one" stands for, so that the reasons why others are ruled out say it.
@@ -220,21 +223,26 @@ Term Referring::with_topic(const Term& condition, const Term& topic) const {
 }
 
 // An answer is one of those that were asked about, whatever they are. Where none fits, it says something else, as does
-// what answers nothing: then "one" stands for the first noun that has such a thing.
+// what answers nothing: then "one" stands for the first noun that has such a thing, with "this" and "that" such a thing
+// where the human points; whatever is there, if no noun has.
 Reference Referring::found(const Term& condition, const Determiner& determiner, Context context) const {
   if (!context.among.empty()) {
-    auto reference = refer(with_topic(condition, Term::lambda("x", Type::entity(), Term::truth(true))), determiner,
-                           context, meanings_);
+    auto reference = refer(with_topic(condition, anything()), determiner, context, meanings_);
     if (!reference.referents.empty()) return reference;
     context.among.clear();
   }
-  const auto all = topics();
+  const bool shown = determiner.deictic && context.pointed_W;
+  const auto fits = [&](const Reference& reference) {
+    return !reference.referents.empty() &&
+           (!shown || is_pointed_at(*context.pointed_W, *context.world->find(reference.referents.front().object)));
+  };
+  auto all = topics();
+  if (shown) all.push_back(anything());
   const auto first = with_topic(condition, all.front());
   auto reference = refer(first, determiner, context, meanings_);
-  if (!reference.referents.empty() || first == condition) return reference;
+  if (fits(reference) || first == condition) return reference;
   for (std::size_t i = 1; i < all.size(); ++i)
-    if (auto other = refer(with_topic(condition, all[i]), determiner, context, meanings_); !other.referents.empty())
-      return other;
+    if (auto other = refer(with_topic(condition, all[i]), determiner, context, meanings_); fits(other)) return other;
   return reference;
 }
 

@@ -265,6 +265,11 @@ TEST_CASE("one is the first of the nouns used last that has such a thing, or any
   scene.context.topics = {scene.read("\\x. knife_(x)"), scene.read("\\x. cup(x)")};
   CHECK(meaning_of(scene.interpreted("the(\\x. red(x) and one(x))")) == "cup2");
   CHECK(meaning_of(scene.interpreted("the(\\x. one(x))")) == "knife");
+  scene.context.pointed_W = Vec3(0.3, -0.2, 0);  // at cup1
+  CHECK(meaning_of(scene.interpreted("that(\\x. one(x))")) == "cup1");
+  scene.context.topics = {scene.read("\\x. knife_(x)")};
+  CHECK(meaning_of(scene.interpreted("that(\\x. one(x))")) == "cup1");
+  scene.context.pointed_W.reset();
   scene.context.among = {"block1", "block3"};
   CHECK(meaning_of(scene.interpreted("the(\\x. red(x) and one(x))")) == "block1");
 }
