@@ -109,8 +109,9 @@ TEST_CASE("what answers a question is compared with what was asked about") {
   CHECK(names_of(talk.refer(leftmost)) == "green1");
   talk.context.among = {"red1", "red2"};
   CHECK(names_of(talk.refer(leftmost)) == "red1");
-  CHECK(names_of(talk.refer("the(\\x. red(x) and located(x, right(the(\\y. leftmost(\\z. block(z))(y)))))")) ==
-        "red1 red2");  // what is inside of it is compared with all there is
+  // What is inside of it is compared with all there is: none of the two has the color of the leftmost block.
+  CHECK(names_of(talk.refer(
+            "the(\\x. attribute(x, 'color') = attribute(the(\\y. leftmost(\\z. block(z))(y)), 'color'))")) == "");
 }
 
 TEST_CASE("what is ruled out has its reason, in the scene's order") {
