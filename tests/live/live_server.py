@@ -2,6 +2,7 @@
 import contextlib
 import http.client
 import json
+import os
 import pathlib
 import re
 import signal
@@ -16,10 +17,10 @@ QUIET_S = 1      # the server closes a connection that nothing was asked on for 
 class Server:
     """`continua serve` in that folder, or another command that serves; ended where its block ends."""
 
-    def __init__(self, program, folder, *arguments, command="serve"):
+    def __init__(self, program, folder, *arguments, command="serve", environment=None):
         self.process = subprocess.Popen([program, command, *map(str, arguments), "--port", "0"], cwd=folder,
                                         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                        text=True)
+                                        text=True, env={**os.environ, **(environment or {})})
         said = ""
         while not (found := re.search(r"http://([\d.]+):(\d+)", said)):
             line = self.process.stdout.readline()
