@@ -12,7 +12,7 @@ from live_server import PATIENCE_S, Server, Stream
 
 SESSIONS, FIRST = 20, 2  # the first ones leave what is made once: threads of a pool, what was read and is kept
 LAST = 5                 # sessions at the middle and at the end that memory is compared of, by the least of each
-MOST_GROWN_MB = 10       # between those two; ten sessions that were kept would be some 30
+MOST_GROWN_MB = 10       # between those two; ten sessions that were kept would be some 40
 ONE_ARENA = {"MALLOC_ARENA_MAX": "1"}  # else memory also tells in which threads things happened to be made
 SPEECH = ["The plate.", "Put the knife in the white cup.", "Yes."]
 
