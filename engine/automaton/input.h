@@ -37,7 +37,7 @@ struct Input {
   Term choices;    ///< e**: for each argument that `meaning` lacks, the objects it may be
   Term wanted;     ///< text*: for each, the words that were to name it; '' where nothing was said
   Term referents;  ///< e*: what the noun phrase or the pointing can mean, the likeliest first
-  Term named;      ///< (e -> t)*: the nouns of the words that say what is spoken of, in their order
+  Term named;      ///< (e -> t)*: the nouns that say what is spoken of, each with its adjectives, then alone
   Term more;       ///< t: whether the same utterance makes further moves
 };
 

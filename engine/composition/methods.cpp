@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace {
 using Arguments = std::span<const Term>;
 
 constexpr int most_draws = 1000;
+// Where a place is sought: every centimetre, and by how much a relation must hold there.
+constexpr double placing_grid_m = 0.01, least_margin_m = 0.004;
 
 Point point_of(const Vec3& p_W) { return {p_W.x(), p_W.y(), p_W.z()}; }
 Term point(const Vec3& p_W) { return Term::point(p_W.x(), p_W.y(), p_W.z()); }
@@ -53,6 +56,11 @@ Box standing_at(double x, double y, const ObjectState& object, const WorldSnapsh
   const Vec3 size = bounds.max - bounds.min;
   const double floor = world.table.max.z();
   return {{x - size.x() / 2, y - size.y() / 2, floor}, {x + size.x() / 2, y + size.y() / 2, floor + size.z()}};
+}
+
+bool inside_table(const Box& box, const Box& table) {
+  return box.min.x() >= table.min.x() && box.max.x() <= table.max.x() && box.min.y() >= table.min.y() &&
+         box.max.y() <= table.max.y();
 }
 
 }  // namespace
@@ -135,23 +143,59 @@ std::optional<Landmark> Methods::landmark(const Term& term) const {
 }
 
 // `place` is a point or region, or a relation to landmarks: left(plate), between(block1, <0, 0, 0>).
+std::optional<Methods::Where> Methods::where(const Term& place) const {
+  if (!world_) return std::nullopt;
+  if (place.kind() == Term::Kind::place) return Where{Relation::at, {Landmark::place(box_of(place.place_value()))}};
+  const auto [head, arguments] = place.spine();
+  const auto relation = head.kind() == Term::Kind::constant ? relation_named(head.name()) : std::nullopt;
+  if (!relation || arguments.size() != landmarks_of(*relation)) return std::nullopt;
+  Where where{*relation, {}};
+  for (const auto& each : arguments) {
+    auto named = landmark(each);
+    if (!named) return std::nullopt;
+    where.landmarks.push_back(*std::move(named));
+  }
+  return where;
+}
+
 Term Methods::located(const Term& entity, const Term& place, Sides sides, Evaluation& evaluation) const {
   const auto* found = object(entity);
-  if (!found) return Term::null();
-  const auto [head, arguments] = place.spine();
-  auto relation = head.kind() == Term::Kind::constant ? relation_named(head.name()) : std::nullopt;
-  std::vector<Landmark> landmarks;
-  for (const auto& each : arguments)
-    if (auto named = landmark(each)) landmarks.push_back(*named);
-  if (place.kind() == Term::Kind::place) {
-    relation = Relation::at;
-    landmarks = {Landmark::place(box_of(place.place_value()))};
-  } else if (!relation || landmarks.size() != arguments.size() || landmarks.size() != landmarks_of(*relation)) {
-    return Term::null();
-  }
-  const double by = holds_by(*relation, *found, landmarks, world_->table, perspective_, sides);
+  const auto at = where(place);
+  if (!found || !at) return Term::null();
+  const double by = holds_by(at->relation, *found, at->landmarks, world_->table, perspective_, sides);
   evaluation.note_margin(std::abs(by));
   return Term::truth(by > 0);
+}
+
+// The nearest point to the middle between the landmarks, on a grid of the table, where it would be at both places; the
+// sides as exact as they can be.
+Term Methods::common_place(const Term& entity, const Term& first, const Term& second, Evaluation& evaluation) const {
+  const auto* found = object(entity);
+  const auto a = where(first), b = where(second);
+  if (!found || !a || !b) return Term::null();
+  const Vec3 middle = (a->landmarks.front().bounds_W.center() + b->landmarks.front().bounds_W.center()) / 2;
+  const Box& table = world_->table;
+  ObjectState there = *found;
+  for (const auto sides : {Sides::exact, Sides::rough, Sides::loose}) {
+    std::optional<Vec3> best;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (double x = table.min.x(); x <= table.max.x(); x += placing_grid_m)
+      for (double y = table.min.y(); y <= table.max.y(); y += placing_grid_m) {
+        const double distance = std::hypot(x - middle.x(), y - middle.y());
+        if (distance >= nearest || !evaluation.spend(1)) continue;
+        const Box box = standing_at(x, y, *found, *world_);
+        there.p_WO = found->p_WO + box.center() - found->bounds_W().center();
+        const auto holds = [&](const Where& at) {
+          return holds_by(at.relation, there, at.landmarks, table, perspective_, sides) >= least_margin_m;
+        };
+        const bool on_table = inside_table(box, table);
+        if (!on_table || !holds(*a) || !holds(*b) || !is_free(box, *world_, {found}, evaluation)) continue;
+        best = on_grid(Vec3(x, y, table.max.z()));
+        nearest = distance;
+      }
+    if (best) return point(*best);
+  }
+  return Term::null();
 }
 
 Term Methods::offset(const ObjectState& object, const std::string& side) const {
@@ -229,6 +273,8 @@ Signature Methods::add_rules() {
     signature.emplace(name, Type::parse("e -> loc -> t").value());
     rules_[name] = {2, [this, sides](Arguments a, Evaluation& e) { return located(a[0], a[1], sides, e); }};
   }
+  signature.emplace("common_place", Type::parse("e -> loc -> loc -> loc").value());
+  rules_["common_place"] = {3, [this](Arguments a, Evaluation& e) { return common_place(a[0], a[1], a[2], e); }};
   signature.emplace("obstacle", Type::parse("t -> text").value());
   rules_["obstacle"] = {1, [this](Arguments a, Evaluation&) { return obstacle(a[0]); }};
   return signature;

@@ -43,6 +43,13 @@ class Methods {
   Term fits(const Term& entity, const Term& place, const Term& except, Evaluation& evaluation) const;
   Term free_place(const Term& entity, const Term& region, Evaluation& evaluation) const;
   std::optional<Landmark> landmark(const Term& term) const;
+  /// A relation to things, or `at` a point or region.
+  struct Where {
+    Relation relation;
+    std::vector<Landmark> landmarks;
+  };
+  std::optional<Where> where(const Term& place) const;
+  Term common_place(const Term& entity, const Term& first, const Term& second, Evaluation& evaluation) const;
   Term located(const Term& entity, const Term& place, Sides sides, Evaluation& evaluation) const;
   Term affordance(const ObjectState& object, const std::string& what) const;
   Term obstacle(const Term& program) const;

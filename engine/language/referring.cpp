@@ -151,8 +151,13 @@ Meant Referring::chosen(const Term& phrase, Reference reference, const Determine
     meant.gap = Gap{Gap::Why::several, type, {}, std::move(noun)};
     for (const auto& each : reference.referents) meant.gap->choices.push_back(each.object);
   } else {
-    for (std::size_t i = 0; i < (all ? found : least); ++i)
-      meant.values.push_back(Term::entity(reference.referents[i].object));
+    // "Another one on it": rather one that the command does not name otherwise.
+    auto likeliest = reference.referents;
+    if (!all && !determiner.definite)
+      std::stable_partition(likeliest.begin(), likeliest.end(), [this](const Referent& each) {
+        return std::find(named_.begin(), named_.end(), each.object) == named_.end();
+      });
+    for (std::size_t i = 0; i < (all ? found : least); ++i) meant.values.push_back(Term::entity(likeliest[i].object));
     meant.resolution.value = meant.plural ? Term::list(meant.values, Type::entity()) : meant.values.front();
   }
   meant.resolution.reference = std::move(reference);
@@ -292,6 +297,7 @@ Context Referring::context_of(const Term& phrase, std::size_t occurrence) const 
 }
 
 void Referring::named(const std::string& object) {
+  named_.push_back(object);
   const auto last = std::find(context_.focus.begin(), context_.focus.end(), object);
   if (last != context_.focus.end()) std::rotate(last, last + 1, context_.focus.end());
 }
@@ -299,6 +305,7 @@ void Referring::named(const std::string& object) {
 void Referring::not_it(const std::string& object) { std::erase(context_.focus, object); }
 
 void Referring::focus_on(const std::vector<std::string>& objects) {
+  named_.clear();
   for (const auto& object : objects) {
     std::erase(context_.focus, object);
     context_.focus.insert(context_.focus.begin(), object);

@@ -65,6 +65,7 @@ class Referring {
   const std::vector<std::string>& words_;
   Context context_;
   const Meanings& meanings_;
+  std::vector<std::string> named_;  // by the command so far
 };
 
 }  // namespace continua

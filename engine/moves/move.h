@@ -22,7 +22,7 @@ struct Move {
   Interpretation interpretation;   ///< of that reading
   Term meaning;             ///< what it comes to, in terms that a machine can evaluate; null if nothing was understood
   Reference reference;      ///< of its noun phrase, one that leaves something open if there is one; or of pointing
-  std::vector<Term> nouns;  ///< e -> t: the nouns in it that say what is spoken of, in their order
+  std::vector<Term> nouns;  ///< e -> t: what is spoken of, "red block" before "block", in the order of the words
   std::vector<std::string> unknown;  ///< words near it that the lexicon does not have
   std::vector<std::string> unused;   ///< known words near it that fit nowhere
 };

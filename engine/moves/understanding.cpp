@@ -66,6 +66,22 @@ bool is_nested(const Phrase& noun, const Reading& reading) {
   });
 }
 
+// \x. red(x) and block(x)
+bool has_attributes_only(const Term& condition) {
+  if (condition.kind() != Term::Kind::lambda) return condition.kind() == Term::Kind::constant;
+  std::vector<Term> open = {condition.body()};
+  while (!open.empty()) {
+    const auto [head, arguments] = open.back().spine();
+    open.pop_back();
+    if (head.kind() != Term::Kind::constant) return false;
+    if (head.name() == "and" && arguments.size() == 2)
+      open.insert(open.end(), arguments.begin(), arguments.end());
+    else if (arguments.size() != 1 || arguments[0].kind() != Term::Kind::bound)
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Understanding::Understanding(const Language& language, const WorldSnapshot& world, const RuleTable& rules)
@@ -99,16 +115,21 @@ bool Understanding::is_topic(const Term& term) const {
   });
 }
 
-// The nouns before a word, in their order.
+// What "one" can stand for by what was said before a word: each noun with its adjectives, then the noun alone.
 std::vector<Term> Understanding::nouns(const Reading& reading, const Utterance& utterance, std::size_t before) const {
-  std::map<std::size_t, Term> found;
+  std::map<std::size_t, std::vector<Term>> found;
   for (const auto& phrase : reading.phrases) {
     if (!(phrase.term.type() == property()) || phrase.words.end > before || is_nested(phrase, reading)) continue;
-    if (Term noun = noun_in(phrase.words, utterance); !noun.is_null()) found[phrase.words.begin] = std::move(noun);
+    const Term noun = noun_in(phrase.words, utterance);
+    if (noun.is_null()) continue;
+    auto& of_phrase = found[phrase.words.begin];
+    if (has_attributes_only(phrase.term)) of_phrase.insert(of_phrase.begin(), phrase.term);
+    of_phrase.push_back(noun);
   }
   std::vector<Term> nouns;
-  for (const auto& [begin, noun] : found)
-    if (std::find(nouns.begin(), nouns.end(), noun) == nouns.end()) nouns.push_back(noun);
+  for (const auto& [begin, of_phrase] : found)
+    for (const auto& noun : of_phrase)
+      if (std::find(nouns.begin(), nouns.end(), noun) == nouns.end()) nouns.push_back(noun);
   return nouns;
 }
 
