@@ -127,6 +127,16 @@ TEST_CASE("every example of METHODS.md is true, and every method has one") {
   CHECK(documented == names);
 }
 
+TEST_CASE("a place that two relations share is on the table, free, and in as exact a sense as there is") {
+  Seen seen(world_of({cube("a", 0.1, 0, 0, 0.05), cube("b", 0.1, 0.3, 0.3, 0.05), cube("c", 0.06, -0.5, -0.3, 0.03)}));
+  CHECK(seen.value("common_place(c, right(a), in_front(b))") == "<0.23, 0.07, 0>");  // the nearest exact one
+  CHECK(seen.value("common_place(c, left(a), right(b))") == "null");
+  CHECK(seen.value("common_place(c, behind(b), right(b))") == "<0.38, 0.35, 0>");  // loosely: nothing is both exactly
+  CHECK(seen.value("common_place(a, near(b), <0.1, 0.1, 0>)") == "<0.1, 0.1, 0>");
+  CHECK(seen.value("common_place(a, left(c), behind(b))") == "null");  // it would reach over the edge
+  CHECK(seen.value("common_place(ghost, right(a), left(b))") == "null");
+}
+
 TEST_CASE("what is not in the world gives null, and so does no world") {
   Seen seen(documented_world());
   for (const auto* text : {"position(ghost)", "bounds(ghost)", "attribute(ghost, 'type')", "attribute(plate, 'color')",

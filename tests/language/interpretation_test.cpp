@@ -313,6 +313,14 @@ TEST_CASE("several objects are a list, or a command for each") {
   }
 }
 
+TEST_CASE("any one is rather one that the command does not name otherwise") {
+  Scene scene;
+  scene.context.focus = {"block1"};
+  CHECK(meaning_of(scene.interpreted("grasp(a(block))")) == "grasp(block1)");
+  CHECK(meaning_of(scene.interpreted("put(a(block), on(it))")) == "put(block2, on(block1))");
+  CHECK(meaning_of(scene.interpreted("[grasp(it), grasp(a(block))]")) == "[grasp(block1), grasp(block1)]");
+}
+
 TEST_CASE("what a command speaks of is in focus for the next") {
   Scene scene;
   scene.context.focus = {"block1"};
