@@ -50,8 +50,7 @@ bool equates(const Term& condition, const Term& phrase) {
          std::find(arguments.begin(), arguments.end(), phrase) != arguments.end();
 }
 
-// \x. true, and \x. x != object
-Term everything() { return Term::lambda("x", Type::entity(), Term::truth(true)); }
+// \x. x != object
 Term all_but(const std::string& object) {
   static const Term differs = Term::constant("!=", Type::parse("e -> e -> t").value());
   return Term::lambda("x", Type::entity(),
@@ -72,6 +71,8 @@ Term pointed_region(const Vec3& p_W) {
 }
 
 }  // namespace
+
+Term anything() { return Term::lambda("x", Type::entity(), Term::truth(true)); }
 
 NounPhraseSearch::NounPhraseSearch(const Context& context, const Meanings& meanings, std::optional<Vec3> pointed_W,
                                    Sides sides)
@@ -104,7 +105,7 @@ Term NounPhraseSearch::resolved(const Term& term) const {
       case Proform::Source::pointed:
         return context_.pointed_W ? pointed_region(*context_.pointed_W) : Term::null();
       case Proform::Source::topic:
-        return context_.topics.empty() ? everything() : context_.topics.front();
+        return context_.topics.empty() ? anything() : context_.topics.front();
       case Proform::Source::avatar:
         return Term::entity("avatar");
       case Proform::Source::human:
@@ -169,7 +170,7 @@ bool NounPhraseSearch::is_true(const Term& condition, const std::string& other) 
   const Term ready = rewritten(condition, [&](const Term& part) -> std::optional<Term> {
     if (sides_ != Sides::exact && part == located(Sides::exact)) return located(sides_);
     if (!proform_of(part)) return std::nullopt;
-    return other.empty() ? everything() : all_but(other);
+    return other.empty() ? anything() : all_but(other);
   });
   Evaluation evaluation(*meanings_.rules, [this](Name name) -> const Term* {
     if (compared_ && name.text() == meanings_.operators->compared) return &*compared_;

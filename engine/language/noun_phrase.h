@@ -12,6 +12,9 @@
 
 namespace continua {
 
+/// \x. true
+Term anything();
+
 /// The objects that fit a noun phrase's words, in the scene's order.
 struct Fitting {
   std::vector<const ObjectState*> objects;

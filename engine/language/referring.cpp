@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "language/noun_phrase.h"
 #include "language/pointing.h"
 #include "term/substitution.h"
 
@@ -20,8 +21,6 @@ constexpr int most_definitions = 100;
 Type property() { return Type::function(Type::entity(), Type::truth()); }
 
 Term point(const Vec3& p_W) { return Term::point(p_W.x(), p_W.y(), p_W.z()); }
-
-Term anything() { return Term::lambda("x", Type::entity(), Term::truth(true)); }
 
 bool is_anything(const Term& condition) { return condition.kind() == Term::Kind::lambda && condition.body().is_true(); }
 
