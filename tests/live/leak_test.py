@@ -12,8 +12,11 @@ from live_server import PATIENCE_S, Server, Stream
 
 SESSIONS, FIRST = 20, 2  # the first ones leave what is made once: threads of a pool, what was read and is kept
 LAST = 5                 # sessions at the middle and at the end that memory is compared of, by the least of each
-MOST_GROWN_MB = 10       # between those two; ten sessions that were kept would be some 40
-ONE_ARENA = {"MALLOC_ARENA_MAX": "1"}  # else memory also tells in which threads things happened to be made
+MOST_GROWN_MB = 10       # between those two; ten sessions that were kept would be over 50
+# What is freed goes back to the system at once, and threads share one heap: else memory tells most of what happened
+# to be made when, and in which thread.
+GIVES_BACK = {"GLIBC_TUNABLES": "glibc.malloc.arena_max=1:glibc.malloc.mmap_threshold=8192"
+                                ":glibc.malloc.trim_threshold=8192:glibc.malloc.mmap_max=1000000"}
 SPEECH = ["The plate.", "Put the knife in the white cup.", "Yes."]
 
 
@@ -58,13 +61,13 @@ def least_memory(measured):
 def main(program):
     measured = []
     program = pathlib.Path(program).resolve()
-    with tempfile.TemporaryDirectory() as folder, Server(program, folder, environment=ONE_ARENA) as server:
+    with tempfile.TemporaryDirectory() as folder, Server(program, folder, environment=GIVES_BACK) as server:
         client = server.client()
         for number in range(1, SESSIONS + 1):
             use(server, client)
             measured.append(held_soon(server.pid, measured[FIRST - 1] if number > FIRST else (10**9, 10**9)))
             print("session {}: {} threads, {} files, {:.1f} MB".format(number, *measured[-1]), flush=True)
-    # At any one look the allocator may hold more than is in use, and work in the background be under way.
+    # At any one look work in the background may be under way.
     grown = least_memory(measured[-LAST:]) - least_memory(measured[SESSIONS // 2 - LAST : SESSIONS // 2])
     failures = []
     for column, what in enumerate(["threads", "open files"]):
