@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 longest=500
 
 # Files (a pattern over their paths) and what they may include of engine/ and replay/ (folders, or patterns of
-# headers). The first pattern that fits a file counts. A folder of engine/ may include itself, a .cpp its own header.
+# headers). The first pattern that fits a file counts. A folder may include itself.
 floors='
 engine/core/*                 -
 engine/term/*                 core
@@ -22,24 +22,22 @@ engine/composition/*          core term world voxml moves automaton
 engine/behaviour/*            core term world voxml moves composition
 engine/pipeline/*             core term world voxml automaton perception language moves composition behaviour
 engine/simulation/*           core world behaviour/avatar_command.h
-replay/trace_diff*            core world perception replay/trace_* replay/run_* replay/event_changes.h
-replay/trace_*                core world perception replay/trace_*
-replay/session_import*        core world perception replay/trace_* replay/session_notation.h
-replay/session_notation*      core world perception
-replay/run_report*            core replay/run_* replay/exporters/* replay/sequence_alignment.h
-replay/run_*                  core replay/run_* replay/line_scan.h replay/event_changes.h replay/sequence_alignment.h
-replay/event_changes*         core replay/sequence_alignment.h
-replay/sequence_alignment*    core
-replay/line_scan.h            core
-replay/explain*               core replay/run_* replay/line_scan.h replay/explain*
-replay/coverage*              core replay/run_* replay/coverage*
-replay/score*                 core world replay/score* replay/agreement.h replay/episodes.h replay/shell_word.h
-replay/pictures/*             core world simulation/renderer.h replay/run_* replay/pictures/*
-replay/exporters/*            core replay/run_* replay/exporters/*
-replay/inspector_changes*     core replay/run_* replay/inspector_api.h
-replay/inspector_api*         core replay/run_* replay/line_scan.h replay/exporters/* replay/explain.h
-replay/reading_record*        core term language moves
-replay/recorder*              replay/reading_record.h pipeline core term world voxml automaton perception language moves composition behaviour replay/trace_file.h replay/run_* replay/agreement.h
+replay/trace/*                core world perception
+replay/run/*                  core
+replay/views/*                core replay/run
+replay/diff/trace_diff*       core world perception replay/trace replay/run replay/views
+replay/diff/*                 core replay/run replay/views
+replay/explain/*              core replay/run replay/views
+replay/coverage/*             core replay/run replay/views
+replay/exporters/*            core replay/run replay/views
+replay/report/*               core replay/run replay/views replay/diff replay/exporters
+replay/what_if/run_*          core replay/run replay/views
+replay/score/*                core world replay/score/agreement.h replay/score/episodes.h replay/shell_word.h
+replay/pictures/*             core world simulation/renderer.h replay/run replay/views
+replay/inspector/inspector_server* *
+replay/inspector/inspector_*  core replay/run replay/views replay/diff replay/exporters replay/explain replay/what_if/run_*
+replay/inspector/run_*        core replay/run replay/views
+replay/recorder/*             pipeline core term world voxml automaton perception language moves composition behaviour replay/trace replay/run replay/score/agreement.h
 '
 
 # Third-party headers and the only files that may include them.
@@ -47,13 +45,13 @@ wrappers='
 nlohmann/*     engine/core/located_json.h
 xxhash.h       engine/core/digest.cpp
 Eigen/*        engine/world/*.h engine/world/*.cpp engine/simulation/*
-pugixml.hpp    engine/voxml/catalogue* engine/machine_file/jflap* engine/simulation/scene* tests/replay/state_graph_test.cpp tests/replay/run_report_test.cpp
+pugixml.hpp    engine/voxml/catalogue* engine/machine_file/jflap* engine/simulation/scene* tests/replay/exporters/* tests/replay/report/*
 mujoco/*       engine/simulation/*
 EGL/*          engine/simulation/*
 GL/*           engine/simulation/*
 png.h          engine/simulation/*
-httplib.h      replay/inspector_server.cpp replay/http_answer.cpp replay/live/live_routes.cpp
-zlib.h         replay/gzip.cpp
+httplib.h      replay/inspector/inspector_server.cpp replay/inspector/http_answer.cpp replay/live/live_routes.cpp
+zlib.h         replay/inspector/gzip.cpp
 cairo*         replay/pictures/canvas.cpp
 graphviz/*     replay/exporters/graph_layout.cpp
 CLI/*          replay/main.cpp replay/commands/*
@@ -83,7 +81,7 @@ check_ours() {
   while read -r pattern allowed; do
     [[ -n $pattern ]] && fits_any "$file" "$pattern" || continue
     fits_any "engine/$header" "${file%/*}/*" && return
-    [[ "${header%.h}" == "${file%.cpp}" ]] && return
+    fits_any "$header" "${file%/*}/*" && return
     for entry in $allowed; do fits_any "$header" "$entry" "$entry/*" && return; done
     complain "$file:$line: includes \"$header\"; this file may include: ${allowed}"
     return

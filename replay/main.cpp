@@ -25,7 +25,7 @@
 #include "replay/commands/serve.h"
 #include "replay/commands/shrink.h"
 #include "replay/commands/validate.h"
-#include "replay/version.h"
+#include "replay/session/version.h"
 
 namespace continua {
 namespace {

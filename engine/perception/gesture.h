@@ -45,7 +45,8 @@ std::string gesture_symbol(const InputEvent& event, const GestureEntry* entry);
 Result<GestureCatalogue> read_gestures(std::string_view text, const std::string& path);
 
 /// All that is wrong with a file: line, what was found, what was expected, the nearest name; examples that are not true
-/// included. That meanings are terms is for who knows the words that they are made of (replay/language_loading.h).
+/// included. That meanings are terms is for who knows the words that they are made of
+/// (replay/session/language_loading.h).
 std::vector<Error> check_gestures(std::string_view text, const std::string& path);
 
 }  // namespace continua

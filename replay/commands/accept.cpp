@@ -10,7 +10,7 @@
 #include "core/characters.h"
 #include "core/located_json.h"
 #include "replay/commands/named_machine.h"
-#include "replay/run_index.h"
+#include "replay/run/run_index.h"
 
 namespace continua {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "replay/line_scan.h"
+#include "replay/run/line_scan.h"
 
 namespace continua {
 namespace {

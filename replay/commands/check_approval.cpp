@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "replay/run_diff_text.h"
+#include "replay/diff/run_diff_text.h"
 
 namespace continua {
 namespace fs = std::filesystem;

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "replay/commands/command.h"
-#include "replay/run_diff_text.h"
-#include "replay/run_report.h"
+#include "replay/diff/run_diff_text.h"
+#include "replay/report/run_report.h"
 
 namespace continua {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/result.h"
-#include "replay/check.h"
+#include "replay/check/check.h"
 
 namespace continua {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "replay/data_paths.h"
+#include "replay/session/data_paths.h"
 
 namespace continua {
 namespace fs = std::filesystem;

@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include "machine_file/machine_loader.h"
+#include "replay/check/examples.h"
 #include "replay/commands/annotations.h"
 #include "replay/commands/check_failures.h"
 #include "replay/commands/validate.h"
-#include "replay/examples.h"
-#include "replay/language_loading.h"
+#include "replay/session/language_loading.h"
 #include "voxml/program_check.h"
 
 namespace continua {

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "replay/check.h"
+#include "replay/check/check.h"
 #include "replay/commands/check_items.h"
 #include "replay/commands/check_report.h"
 #include "replay/commands/progress.h"
-#include "replay/data_paths.h"
+#include "replay/session/data_paths.h"
 
 namespace continua {
 

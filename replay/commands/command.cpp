@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "replay/whole_file.h"
+#include "replay/trace/whole_file.h"
 
 namespace continua {
 

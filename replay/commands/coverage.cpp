@@ -17,10 +17,10 @@
 #include "language/reduction.h"
 #include "language/vocabulary.h"
 #include "replay/commands/progress.h"
-#include "replay/coverage_text.h"
-#include "replay/data_paths.h"
-#include "replay/language_loading.h"
-#include "replay/session.h"
+#include "replay/coverage/coverage_text.h"
+#include "replay/session/data_paths.h"
+#include "replay/session/language_loading.h"
+#include "replay/session/session.h"
 #include "term/raising_file.h"
 
 namespace continua {

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "replay/line_scan.h"
-#include "replay/run_diff.h"
-#include "replay/run_diff_text.h"
-#include "replay/trace_diff.h"
+#include "replay/diff/run_diff.h"
+#include "replay/diff/run_diff_text.h"
+#include "replay/diff/trace_diff.h"
+#include "replay/run/line_scan.h"
 
 namespace continua {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "core/located_json.h"
 #include "replay/commands/command.h"
-#include "replay/line_scan.h"
 #include "replay/live/live_tail.h"
+#include "replay/run/line_scan.h"
 
 namespace continua {
 namespace {

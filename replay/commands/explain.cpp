@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "replay/explain_text.h"
+#include "replay/explain/explain_text.h"
 
 namespace continua {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "replay/commands/command.h"
-#include "replay/explain.h"
+#include "replay/explain/explain.h"
 
 namespace continua {
 

@@ -10,7 +10,7 @@
 #include "replay/exporters/graph_dot.h"
 #include "replay/exporters/graph_svg.h"
 #include "replay/exporters/json.h"
-#include "replay/page_file.h"
+#include "replay/inspector/page_file.h"
 
 namespace continua {
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@
 
 #include "machine_file/machine_parameters.h"
 #include "replay/commands/named_machine.h"
-#include "replay/session_import.h"
+#include "replay/trace/session_import.h"
 
 namespace continua {
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@
 #include "replay/commands/named_machine.h"
 #include "replay/exporters/graph_dot.h"
 #include "replay/exporters/graph_svg.h"
-#include "replay/recorder.h"
+#include "replay/recorder/recorder.h"
 
 namespace continua {
 namespace {

@@ -1,7 +1,7 @@
 #include "replay/commands/named_machine.h"
 
-#include "replay/data_paths.h"
-#include "replay/language_loading.h"
+#include "replay/session/data_paths.h"
+#include "replay/session/language_loading.h"
 
 namespace continua {
 

@@ -10,7 +10,7 @@
 #include "replay/commands/event_pipe.h"
 #include "replay/commands/serving.h"
 #include "replay/commands/trace_name.h"
-#include "replay/inspector_server.h"
+#include "replay/inspector/inspector_server.h"
 
 namespace continua {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "replay/commands/command.h"
-#include "replay/session.h"
+#include "replay/session/session.h"
 
 namespace continua {
 

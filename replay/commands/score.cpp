@@ -16,8 +16,8 @@
 #include "core/located_json.h"
 #include "replay/commands/progress.h"
 #include "replay/commands/trace_name.h"
-#include "replay/score_report.h"
-#include "replay/trace_file.h"
+#include "replay/score/score_report.h"
+#include "replay/trace/trace_file.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -180,7 +180,7 @@ void add_score_command(CLI::App& program, Run& run) {
                       "folder of machines, lexicon, voxemes; otherwise the program's");
   command->add_option("-j,--jobs", options->jobs, "how many traces at a time")->check(CLI::Range(1, 256));
   command->footer(
-      "Traces are replayed in the kinematic world. replay/SCORE.md says what is counted.\n"
+      "Traces are replayed in the kinematic world. replay/score/SCORE.md says what is counted.\n"
       "Exit status: 0 done, 2 a trace cannot be used (the others are scored all the same).\n"
       "Examples: continua score traces/pilot/*.jsonl -j 2\n"
       "          continua score session.trace.jsonl -o runs --misses\n"

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "replay/commands/serving.h"
-#include "replay/inspector_server.h"
+#include "replay/inspector/inspector_server.h"
 #include "replay/live/live_sessions.h"
 
 namespace continua {

@@ -9,10 +9,10 @@
 #include <CLI/CLI.hpp>
 
 #include "core/located_json.h"
+#include "replay/check/run_approved.h"
 #include "replay/commands/trace_name.h"
-#include "replay/data_paths.h"
-#include "replay/run_approved.h"
-#include "replay/shrink.h"
+#include "replay/session/data_paths.h"
+#include "replay/shrink/shrink.h"
 
 namespace continua {
 namespace fs = std::filesystem;

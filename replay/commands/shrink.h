@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "replay/commands/command.h"
-#include "replay/session.h"
+#include "replay/session/session.h"
 
 namespace continua {
 
 struct ShrinkCommandOptions {
   std::string trace;
-  std::vector<std::string> until;  ///< what it must still do (replay/shrink_goal.h)
+  std::vector<std::string> until;  ///< what it must still do (replay/shrink/shrink_goal.h)
   std::string output;              ///< empty: NAME.shrunk.trace.jsonl in the current folder; "-": standard output
   std::string against;             ///< under `changed`; empty: the approved run beside the trace
   ReplayOptions replay;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/result.h"
-#include "replay/run_index.h"
+#include "replay/run/run_index.h"
 
 namespace continua {
 

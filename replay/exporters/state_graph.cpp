@@ -6,8 +6,8 @@
 #include <set>
 #include <tuple>
 
-#include "replay/run_brief.h"
-#include "replay/run_views.h"
+#include "replay/views/run_brief.h"
+#include "replay/views/run_views.h"
 
 namespace continua {
 namespace {

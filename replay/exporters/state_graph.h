@@ -8,7 +8,7 @@
 
 #include "core/located_json.h"
 #include "core/result.h"
-#include "replay/run_index.h"
+#include "replay/run/run_index.h"
 
 namespace continua {
 

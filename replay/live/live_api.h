@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "replay/inspector_api.h"
+#include "replay/inspector/inspector_api.h"
 #include "replay/live/live_sessions.h"
 
 namespace continua {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "replay/trace_event.h"
+#include "replay/trace/trace_event.h"
 
 namespace continua {
 namespace {

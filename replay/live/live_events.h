@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/located_json.h"
-#include "replay/trace_file.h"
+#include "replay/trace/trace_file.h"
 
 namespace continua {
 

@@ -1,6 +1,6 @@
 #include "replay/live/live_log.h"
 
-#include "replay/line_scan.h"
+#include "replay/run/line_scan.h"
 
 namespace continua {
 

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "replay/http_answer.h"
-#include "replay/line_scan.h"
+#include "replay/inspector/http_answer.h"
 #include "replay/live/live_tail.h"
+#include "replay/run/line_scan.h"
 
 // After Eigen, whose names are macros of a header of the library's.
 #include <httplib.h>

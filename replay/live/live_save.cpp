@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "replay/check.h"
-#include "replay/trace_file.h"
-#include "replay/whole_file.h"
+#include "replay/check/check.h"
+#include "replay/trace/trace_file.h"
+#include "replay/trace/whole_file.h"
 
 namespace continua {
 namespace {

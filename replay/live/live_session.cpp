@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "replay/live/live_setup.h"
-#include "replay/session_loop.h"
+#include "replay/session/session_loop.h"
 
 namespace continua {
 namespace {

@@ -13,7 +13,7 @@
 #include "replay/live/live_clock.h"
 #include "replay/live/live_events.h"
 #include "replay/live/live_log.h"
-#include "replay/session.h"
+#include "replay/session/session.h"
 
 namespace continua {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "replay/trace_file.h"
+#include "replay/trace/trace_file.h"
 
 namespace continua {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/located_json.h"
 #include "core/result.h"
 #include "perception/gesture.h"
-#include "replay/data_paths.h"
+#include "replay/session/data_paths.h"
 
 namespace continua {
 

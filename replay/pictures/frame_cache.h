@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "replay/run_frames.h"
+#include "replay/views/run_frames.h"
 
 namespace continua {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "replay/run_points.h"
+#include "replay/views/run_points.h"
 
 namespace continua {
 namespace {

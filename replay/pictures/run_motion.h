@@ -7,7 +7,7 @@
 
 #include "core/result.h"
 #include "core/sim_time.h"
-#include "replay/run_index.h"
+#include "replay/run/run_index.h"
 #include "world/geometry.h"
 
 namespace continua {

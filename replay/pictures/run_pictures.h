@@ -10,7 +10,7 @@
 #include "replay/pictures/run_motion.h"
 #include "replay/pictures/run_story.h"
 #include "replay/pictures/subtitles.h"
-#include "replay/run_index.h"
+#include "replay/run/run_index.h"
 #include "simulation/renderer.h"
 
 namespace continua {

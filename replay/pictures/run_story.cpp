@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "replay/run_brief.h"
-#include "replay/run_pointing.h"
+#include "replay/views/run_brief.h"
+#include "replay/views/run_pointing.h"
 
 namespace continua {
 namespace {

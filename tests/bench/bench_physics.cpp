@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "replay/session.h"
-#include "replay/session_import.h"
+#include "replay/session/session.h"
+#include "replay/trace/session_import.h"
 #include "simulation/mujoco_model.h"
 #include "simulation/scene.h"
 #include "support/temporary_folder.h"

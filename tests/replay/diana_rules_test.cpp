@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/located_json.h"
-#include "replay/session.h"
+#include "replay/session/session.h"
 #include "support/catch.h"
 
 using namespace continua;

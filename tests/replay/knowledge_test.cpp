@@ -4,8 +4,8 @@
 #include "composition/methods.h"
 #include "core/located_json.h"
 #include "machine_file/machine_loader.h"
-#include "replay/examples.h"
-#include "replay/language_loading.h"
+#include "replay/check/examples.h"
+#include "replay/session/language_loading.h"
 #include "support/catch.h"
 
 using namespace continua;

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <fstream>
 
-#include "replay/check.h"
+#include "replay/check/check.h"
 #include "replay/commands/validate.h"
-#include "replay/data_paths.h"
-#include "replay/session.h"
+#include "replay/session/data_paths.h"
+#include "replay/session/session.h"
 #include "simulation/scene.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"

@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "played.h"
+#include "replay/played.h"
 
 using namespace continua;
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/located_json.h"
-#include "replay/session.h"
+#include "replay/session/session.h"
 #include "support/catch.h"
 
 namespace continua {

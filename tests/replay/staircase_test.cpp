@@ -3,7 +3,7 @@
 #include <map>
 #include <sstream>
 
-#include "replay/session.h"
+#include "replay/session/session.h"
 #include "simulation/physics.h"
 #include "support/catch.h"
 

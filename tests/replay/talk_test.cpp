@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <fstream>
 
-#include "played.h"
 #include "replay/commands/accept.h"
 #include "replay/commands/named_machine.h"
+#include "replay/played.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;

@@ -1,4 +1,4 @@
-// Reads the answer of /api/runs/ID/columns (replay/run_columns.h).
+// Reads the answer of /api/runs/ID/columns (replay/views/run_columns.h).
 #pragma once
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// The derivation that the server tells of (replay/explain_derivation.h) at three depths: in words, as terms, and in
+// The derivation that the server tells of (replay/explain/explain_derivation.h) at three depths: in words, as terms, and in
 // continuation-passing style. Pure; knows no page.
 //
 // A node is {term, type, how, n, rule, children, origin}; its path is '' for the root, '0.1' for the second child of

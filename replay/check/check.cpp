@@ -1,0 +1,140 @@
+#include "replay/check/check.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "core/located_json.h"
+
+namespace continua {
+namespace {
+
+Verdict verdict_of(Sameness sameness) {
+  switch (sameness) {
+    case Sameness::same:
+      return Verdict::same;
+    case Sameness::same_decisions:
+      return Verdict::same_decisions;
+    case Sameness::changed:
+      return Verdict::changed;
+    case Sameness::stale:
+      return Verdict::stale;
+  }
+  return Verdict::broken;
+}
+
+// The first `expect` record that says so: its sentence, and its line in the trace.
+std::pair<std::string, std::size_t> unmet_expectation(const std::string& run, const std::string& trace_path) {
+  std::istringstream lines(run);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("\"met\":false") == std::string::npos) continue;
+    const auto record = parse_json_line(line, trace_path, 1);
+    if (!record || (*record)["kind"] != "expect") continue;
+    return {fmt::format("{}:{}: expected {}, found {}", trace_path, compact((*record)["line"]),
+                        compact((*record)["expected"]), compact((*record)["found"])),
+            (*record)["line"].get<std::size_t>()};
+  }
+  return {trace_path + ": an expectation is not met", 0};
+}
+
+// The line of the trace whose input led to where the runs part; 0: none did.
+std::size_t line_of(const RunDiff& diff, const RunIndex& run) {
+  if (diff.first >= diff.differences.size()) return 0;
+  auto records = diff.led_b;
+  const auto& differing = diff.differences[diff.first].b;
+  records.insert(records.end(), differing.begin(), differing.end());
+  for (const auto n : records) {
+    if (run.kind(n) != "input") continue;
+    const auto input = run.record(n);
+    if (input && input->contains("line") && (*input)["line"].is_number_unsigned())
+      return (*input)["line"].get<std::size_t>();
+  }
+  return 0;
+}
+
+}  // namespace
+
+const char* text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::same:
+      return "same";
+    case Verdict::same_decisions:
+      return "same decisions";
+    case Verdict::unapproved:
+      return "new";
+    case Verdict::changed:
+      return "changed";
+    case Verdict::stale:
+      return "stale";
+    case Verdict::broken:
+      return "broken";
+  }
+  return "";
+}
+
+bool is_failure(Verdict verdict) {
+  return verdict == Verdict::changed || verdict == Verdict::stale || verdict == Verdict::broken;
+}
+
+bool can_be_approved(Verdict verdict) {
+  return verdict == Verdict::unapproved || verdict == Verdict::changed || verdict == Verdict::stale;
+}
+
+TraceCheck check_trace(const std::string& trace_path, const ReplayOptions& options) {
+  TraceCheck check;
+  const auto broken = [&](std::string reason) {
+    std::replace(reason.begin(), reason.end(), '\n', ' ');
+    check.verdict = Verdict::broken;
+    check.reason = std::move(reason);
+    return check;
+  };
+  auto session = Session::load(trace_path, options);
+  if (!session) return broken(session.error().text());
+  check.warning = session->warning();
+  std::ostringstream log;
+  const auto summary = session->run(log);
+  if (const auto problem = session->keep_learned()) return broken(problem->text());
+  check.expectations = summary.expectations;
+  check.run = std::move(log).str();
+
+  auto approved = find_approved_run(trace_path, options.physics ? "physics" : "kinematic");
+  if (approved) check.approved = *std::move(approved);
+  if (summary.expectations_met < summary.expectations) {
+    compare(check);
+    auto [sentence, line] = unmet_expectation(check.run, trace_path);
+    check.line = line;
+    return broken(std::move(sentence));
+  }
+  if (!approved) return broken(approved.error().text());
+  if (!check.approved) {
+    check.verdict = Verdict::unapproved;
+    check.reason = "no run is approved";
+    return check;
+  }
+  auto comparison = compare_to_approved(check.run, *check.approved);
+  if (!comparison) return broken(comparison.error().text());
+  check.verdict = verdict_of(comparison->sameness);
+  check.reason = std::move(comparison->difference);
+  if (check.verdict == Verdict::same) check.run.clear();
+  if (check.verdict == Verdict::changed || check.verdict == Verdict::stale)
+    if (const auto problem = compare(check)) check.reason += ", and where cannot be told: " + problem->text();
+  if (check.verdict == Verdict::changed && check.compared) check.reason = check.compared->diff.sentence;
+  if (check.verdict == Verdict::stale) check.reason = check.approved->path + " was made from another trace";
+  return check;
+}
+
+Outcome compare(TraceCheck& check) {
+  if (check.compared || !check.approved || !is_whole_log(*check.approved) || check.run.empty()) return std::nullopt;
+  auto approved = RunIndex::of_text(check.approved->content, check.approved->path);
+  if (!approved) return approved.error();
+  auto run = RunIndex::of_text(check.run, "the run");
+  if (!run) return run.error();
+  auto diff = diff_runs(*approved, *run);
+  if (!diff) return diff.error();
+  check.line = line_of(*diff, *run);
+  check.compared = ComparedRuns{*std::move(approved), *std::move(run), *std::move(diff)};
+  return std::nullopt;
+}
+
+}  // namespace continua

@@ -1,0 +1,195 @@
+#include "replay/check/run_approved.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/located_json.h"
+#include "replay/run/line_scan.h"
+#include "replay/run/run_log.h"
+
+namespace continua {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view trace_ending = ".trace.jsonl";
+
+std::string beside(const std::string& trace_path, const std::string& ending) {
+  const std::string_view trace = trace_path;
+  const auto stem = trace.ends_with(trace_ending)
+                        ? trace.substr(0, trace.size() - trace_ending.size())
+                        : trace.substr(0, trace.size() - fs::path(trace).extension().string().size());
+  return std::string(stem) + ending;
+}
+
+Json part(const Json& record, const char* pointer) {
+  const Json::json_pointer at(pointer);
+  return record.contains(at) ? record[at] : Json();
+}
+
+// A run log as text, with what its first and last line say. Of poses there may be very many: they are never parsed.
+struct Log {
+  std::vector<std::string_view> lines;
+  Json header, end;
+};
+
+Result<Log> read_log(std::string_view text, const std::string& name) {
+  Log log;
+  while (!text.empty()) {
+    const auto length = std::min(text.find('\n'), text.size());
+    log.lines.push_back(text.substr(0, length));
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  if (log.lines.empty()) return Error{name, "is empty; expected a run log"};
+  auto header = parse_json_line(log.lines.front(), name, 1);
+  if (!header) return header.error();
+  auto end = parse_json_line(log.lines.back(), name, log.lines.size());
+  if (!end) return end.error();
+  log.header = *std::move(header);
+  log.end = *std::move(end);
+  if (part(log.header, "/kind") != "run") return Error{name + ":1", "is no header of a run log"};
+  if (part(log.end, "/kind") != "end")
+    return Error{fmt::format("{}:{}", name, log.lines.size()), "the log is cut short; expected an 'end'"};
+  return log;
+}
+
+bool same_bytes(Log a, Log b) {
+  for (Log* log : {&a, &b}) {
+    log->header.erase("fingerprint");
+    log->end.erase("digest");
+  }
+  return a.lines.size() == b.lines.size() && a.header == b.header && a.end == b.end &&
+         std::equal(a.lines.begin() + 1, a.lines.end() - 1, b.lines.begin() + 1);
+}
+
+// The decisions of a log, one after another; null after the last.
+class Decisions {
+ public:
+  Decisions(const Log& log, const std::string& name) : log_(log), name_(name) {}
+
+  Result<Json> next() {
+    for (; at_ < log_.lines.size(); ++at_) {
+      bool is_pose = false;
+      const auto look = [&](std::string_view key, std::string_view value) {
+        is_pose = is_pose || (key == "\"kind\"" && value == "\"pose\"");
+      };
+      if (scan_members(log_.lines[at_], look) && is_pose) continue;
+      auto record = parse_json_line(log_.lines[at_], name_, at_ + 1);
+      if (!record) return record.error();
+      if (auto decision = order_.next(*record)) {
+        ++at_;
+        return *std::move(decision);
+      }
+    }
+    if (!outcomes_) outcomes_ = order_.outcomes();
+    return told_ < outcomes_->size() ? (*outcomes_)[told_++] : Json();
+  }
+
+ private:
+  const Log& log_;
+  const std::string& name_;
+  std::size_t at_ = 0, told_ = 0;
+  DecisionOrder order_;
+  std::optional<std::vector<Json>> outcomes_;  // once all records are read
+};
+
+Result<RunComparison> compare_logs(const Log& run, const ApprovedRun& approved) {
+  const auto other = read_log(approved.content, approved.path);
+  if (!other) return other.error();
+  const Json approved_trace = part(other->header, "/trace/digest");
+  if (!approved_trace.is_null() && approved_trace != part(run.header, "/trace/digest"))
+    return RunComparison{Sameness::stale, ""};
+  if (same_bytes(run, *other)) return RunComparison{Sameness::same, ""};
+  Decisions now(run, approved.path), before(*other, approved.path);
+  for (;;) {
+    const auto a = now.next(), b = before.next();
+    if (!a) return a.error();
+    if (!b) return b.error();
+    if (*a != *b) return RunComparison{Sameness::changed, "decisions differ"};
+    if (a->is_null()) return RunComparison{Sameness::same_decisions, ""};
+  }
+}
+
+Json digests_of(const Log& run) {
+  return {{"approved", 1},
+          {"trace", part(run.header, "/trace/digest")},
+          {"world", part(run.header, "/world")},
+          {"decisions", part(run.end, "/decisions")},
+          {"digest", part(run.end, "/digest")},
+          {"counts", part(run.end, "/counts")}};
+}
+
+Result<RunComparison> compare_digests(const Log& run, const ApprovedRun& approved) {
+  const auto document = LocatedJson::parse(approved.content, approved.path);
+  if (!document) return document.error();
+  const Json now = digests_of(run), before = document->root();
+  if (!before.is_object() || part(before, "/approved") != 1)
+    return Error{approved.path, "is no approved run; expected \"approved\": 1"};
+  if (now["trace"] != part(before, "/trace")) return RunComparison{Sameness::stale, ""};
+  if (now["digest"] == part(before, "/digest")) return RunComparison{Sameness::same, ""};
+  if (now["decisions"] == part(before, "/decisions")) return RunComparison{Sameness::same_decisions, ""};
+  const auto counts = part(before, "/counts");
+  for (const auto& [kind, count] : now["counts"].items())
+    if (const Json was = counts.is_object() && counts.contains(kind) ? counts[kind] : Json(0);
+        was != count && is_decision(kind))
+      return RunComparison{Sameness::changed,
+                           fmt::format("{} records of {}, approved {}", compact(count), kind, compact(was))};
+  return RunComparison{Sameness::changed, "decisions differ; only their digest was approved"};
+}
+
+std::string world_of(const ApprovedRun& approved) {
+  const auto document = is_whole_log(approved)
+                            ? parse_json_line(approved.content.substr(0, approved.content.find('\n')), approved.path, 1)
+                            : parse_json_line(approved.content, approved.path, 1);
+  const auto world = document ? part(*document, "/world") : Json();
+  return world.is_string() ? world.get<std::string>() : "";
+}
+
+}  // namespace
+
+Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_path, const std::string& world) {
+  for (const auto& of_world : {"." + world, std::string()}) {
+    std::optional<ApprovedRun> found;
+    for (const char* ending : {".run.jsonl", ".run.json"}) {
+      const auto path = beside(trace_path, of_world + ending);
+      if (!fs::exists(path)) continue;
+      if (found) return Error{path, fmt::format("is approved beside {}; expected one of them", found->path)};
+      auto content = read_file(path);
+      if (!content) return content.error();
+      found = ApprovedRun{path, *std::move(content)};
+    }
+    if (found) return found;
+  }
+  return std::optional<ApprovedRun>();
+}
+
+bool is_whole_log(const ApprovedRun& approved) { return approved.path.ends_with(".jsonl"); }
+
+bool takes_place_of(const ApprovedRun& approval, const ApprovedRun& before) {
+  const auto stem = [](const std::string& path) { return path.substr(0, path.rfind(".run.")); };
+  return approval.path != before.path && stem(approval.path) == stem(before.path);
+}
+
+ApprovedRun approval_of(const std::string& trace_path, std::string_view run, const std::optional<ApprovedRun>& before) {
+  const bool whole = before ? is_whole_log(*before) : true;
+  const auto log = read_log(run, trace_path);
+  require(log.ok(), "a run is a run log");
+  const auto world = part(log->header, "/world").get<std::string>();
+  const auto of_before = before ? world_of(*before) : "";
+  const bool elsewhere = before && (before->path.find("." + world + ".run.") != std::string::npos ||
+                                    (!of_before.empty() && of_before != world));
+  const std::string of_world = elsewhere ? "." + world : "";
+  if (whole && run.size() <= longest_approved_log)
+    return {beside(trace_path, of_world + ".run.jsonl"), std::string(run)};
+  return {beside(trace_path, of_world + ".run.json"), digests_of(*log).dump(2) + "\n"};
+}
+
+Result<RunComparison> compare_to_approved(std::string_view run, const ApprovedRun& approved) {
+  const auto log = read_log(run, "the run");
+  require(log.ok(), "a run is a run log");
+  return is_whole_log(approved) ? compare_logs(*log, approved) : compare_digests(*log, approved);
+}
+
+}  // namespace continua

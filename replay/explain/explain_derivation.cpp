@@ -1,0 +1,178 @@
+#include "replay/explain/explain_derivation.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "replay/explain/explain_origin.h"
+#include "replay/explain/explain_term.h"
+#include "replay/views/run_brief.h"
+
+namespace continua {
+namespace {
+
+class Derivation {
+ public:
+  explicit Derivation(ExplainScope& scope) : scope_(scope), applications_(scope.latest("application")) {}
+
+  // The tree of `term` as record `at` has it.
+  Json of(const std::string& term, const std::string& type, std::size_t at, const std::set<std::string>& open) {
+    Json node{{"term", term}, {"type", type.empty() ? Json() : Json(type)}};
+    const bool room = ++nodes_ < most_nodes && deep_ < deepest;
+    const Deeper deeper(deep_);
+    if (const auto made = application(term, at); made && room) return applied(std::move(node), *made, open);
+    if (open.count(term) != 0) return leaf(std::move(node), open_origin(term, at));
+    const auto parts = term_parts(term);
+    if (room && !parts.body.empty()) return abstraction(std::move(node), parts, at, open);
+    if (room && !parts.elements.empty()) {
+      auto origin = origin_of(scope_, term, at);
+      if (is_whole(origin)) return leaf(std::move(node), std::move(origin));
+      node["how"] = "parts";
+      if (const auto kind = text_of(origin, "kind"); kind == "slot" || kind == "memory") node["origin"] = origin;
+      auto& children = node["children"] = Json::array();
+      if (!parts.head.empty()) children.push_back(of(parts.head, "", at, open));
+      for (const auto& element : parts.elements) children.push_back(of(element, "", at, open));
+      return node;
+    }
+    return leaf(std::move(node), settled(origin_of(scope_, term, at), at));
+  }
+
+  // The latest application before `at` that made the term.
+  std::optional<std::size_t> application(const std::string& term, std::size_t at) {
+    for (const auto n : applications_)
+      if (n < at && text_of(scope_.record(n), "result") == term) return n;
+    return std::nullopt;
+  }
+
+  // The application that nothing later in the turn of `at` built upon, or none.
+  std::optional<std::size_t> last_of_turn(std::size_t at) {
+    for (const auto n : applications_)
+      if (n <= at && scope_.input_of(n) == scope_.input_of(at)) return n;
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr int most_nodes = 300, deepest = 60;
+
+  struct Deeper {
+    explicit Deeper(int& depth) : depth_(depth) { ++depth_; }
+    ~Deeper() { --depth_; }
+    Deeper(const Deeper&) = delete;
+    Deeper& operator=(const Deeper&) = delete;
+    int& depth_;
+  };
+
+  // Whether the origin accounts for the whole term, and not only for having it somewhere.
+  static bool is_whole(const Json& origin) {
+    const auto kind = text_of(origin, "kind");
+    return kind == "words" || kind == "gesture" || kind == "pointing" || kind == "choice";
+  }
+
+  // A variable that a lambda above binds.
+  Json open_origin(const std::string& name, std::size_t at) {
+    auto origin = origin_of(scope_, name, at);
+    if (text_of(origin, "kind") == "open") return origin;
+    origin["kind"] = "open";
+    origin["text"] = "left open by the machine";
+    return origin;
+  }
+
+  // One of several is it by what was said or shown since.
+  Json settled(Json origin, std::size_t at) {
+    const auto input = scope_.input_of(at);
+    if (text_of(origin, "kind") != "choice" || !input || origin["input"] == *input) return origin;
+    origin["settled_by"] = *input;
+    origin["text"] = origin["text"].get<std::string>() + "; settled by " + told_input(scope_, *input);
+    return origin;
+  }
+
+  static Json leaf(Json node, Json origin) {
+    node["how"] = "leaf";
+    node["origin"] = std::move(origin);
+    return node;
+  }
+
+  Json applied(Json node, std::size_t n, const std::set<std::string>& open) {
+    const Json& record = scope_.record(n);
+    const auto& types = member_of(record, "types");
+    if (node["type"].is_null() && !text_of(types, "result").empty()) node["type"] = text_of(types, "result");
+    node["how"] = "application";
+    node["n"] = n;
+    node["rule"] = member_of(record, "rule");
+    node["children"] = Json::array();
+    for (const char* part : {"function", "argument"})
+      node["children"].push_back(of(text_of(record, part), text_of(types, part), n, open));
+    return node;
+  }
+
+  Json abstraction(Json node, const TermParts& parts, std::size_t at, std::set<std::string> open) {
+    node["how"] = "abstraction";
+    open.insert(parts.binders.begin(), parts.binders.end());
+    node["children"] = Json::array({of(parts.body, "", at, open)});
+    return node;
+  }
+
+  ExplainScope& scope_;
+  const std::vector<std::size_t> applications_;
+  int nodes_ = 0, deep_ = 0;
+};
+
+// The name of what was taught, where a program is one step of it.
+bool was_taught(ExplainScope& scope, const std::string& name, std::size_t before) {
+  for (const auto n : scope.run().of_kind("learned"))
+    if (n < before && text_of(scope.record(n), "name") == name) return true;
+  return false;
+}
+
+// What of the stack at n the log has an application for.
+std::string composed_on_stack(ExplainScope& scope, Derivation& derivation, std::size_t n) {
+  const auto mark = scope.run().mark_at(n);
+  if (!mark) return {};
+  const auto* top = scope.run().symbol(scope.run().stack_marks()[*mark].top);
+  if (!top) return {};
+  const auto& slots = member_of(scope.record(top->n), "slots");
+  if (!slots.is_object()) return {};
+  for (const auto& [slot, value] : slots.items()) {
+    if (!value.is_string()) continue;
+    const auto term = value.get<std::string>();
+    const auto parts = term_parts(term);
+    if (derivation.application(term, n) || (!parts.body.empty() && derivation.application(parts.body, n))) return term;
+  }
+  return {};
+}
+
+}  // namespace
+
+Json derivation_of(ExplainScope& scope, const std::string& term) {
+  return Derivation(scope).of(term, "", scope.n() + 1, {});
+}
+
+Json derivation_of(ExplainScope& scope) {
+  const auto n = scope.n();
+  const Json& record = scope.record(n);
+  const auto& kind = scope.run().kind(n);
+  Derivation derivation(scope);
+  const auto made_last = derivation.last_of_turn(n);
+  const auto last_result = made_last ? text_of(scope.record(*made_last), "result") : std::string();
+
+  std::string term;
+  if (kind == "act") term = text_of(record, "program");
+  if (kind == "gesture") term = text_of(record, "gesture");
+  if (kind == "learned" || kind == "memory") term = text_of(record, "value");
+  if (kind == "application") term = text_of(record, "result");
+  if (kind == "reading") term = text_of(record, "meaning");
+  if (kind == "act" && !derivation.application(term, n) && was_taught(scope, term_parts(last_result).head, n))
+    return {{"term", term},
+            {"type", nullptr},
+            {"how", "taught"},
+            {"children", Json::array({derivation.of(last_result, "", n, {})})}};
+  if (term.empty()) term = composed_on_stack(scope, derivation, n);
+  if (term.empty()) term = last_result;
+  if (term.empty())
+    for (const auto at : scope.chain())
+      if (term.empty() && scope.run().kind(at) == "reading") term = text_of(scope.record(at), "meaning");
+  if (term.empty()) return nullptr;
+  return derivation.of(term, "", n + (kind == "application" ? 1 : 0), {});
+}
+
+}  // namespace continua

@@ -1,0 +1,248 @@
+#include "replay/explain/explain_headline.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "replay/explain/explain_origin.h"
+#include "replay/views/run_brief.h"
+
+namespace continua {
+namespace {
+
+constexpr std::size_t most_named = 3;  // inputs that contributed, beside the one that is answered
+
+std::string kind_of_input(ExplainScope& scope, std::size_t input) {
+  return text_of(member_of(scope.record(input), "event"), "kind");
+}
+
+// "“Put it there.” (1.0 s), pointing right [0.1,0.2] (2.0 s) and 3 more"; samples of pointing as one.
+std::string listed(ExplainScope& scope, const std::vector<std::size_t>& inputs) {
+  std::vector<std::string> told;
+  std::size_t samples = 0;
+  for (const auto input : inputs)
+    if (kind_of_input(scope, input) == "pointing")
+      ++samples;
+    else
+      told.push_back(told_input(scope, input));
+  if (samples == 1)
+    told.push_back(told_input(scope, *std::find_if(inputs.begin(), inputs.end(), [&](std::size_t input) {
+                                return kind_of_input(scope, input) == "pointing";
+                              })));
+  if (samples > 1) told.push_back(fmt::format("{} samples of pointing", samples));
+  if (told.size() > most_named + 1) {
+    const auto more = told.size() - most_named;
+    told.resize(most_named);
+    told.push_back(fmt::format("{} more", more));
+  }
+  if (told.size() < 2) return told.empty() ? "" : told.front();
+  const auto last = told.back();
+  told.pop_back();
+  return fmt::format("{} and {}", fmt::join(told, ", "), last);
+}
+
+// What the turn's input was and what it drew on: "the human said “Yes.” (7.0 s) after “Take the block.” (1.0 s)".
+std::string due_to(ExplainScope& scope, std::size_t input) {
+  const auto kind = kind_of_input(scope, input);
+  const auto told = told_input(scope, input);
+  auto text = kind == "speech"     ? "the human said " + told
+              : kind == "gesture"  ? "the human made the " + told
+              : kind == "pointing" ? "the human was " + told
+              : kind == "act"      ? "the body reported " + told
+                                   : "there was the input " + told;
+  std::vector<std::size_t> with, after;
+  for (const auto percept : scope.of_turn(input, "percept"))
+    for (const auto other : record_numbers(scope.record(percept), "because", percept))
+      if (other != input && scope.run().kind(other) == "input") with.push_back(other);
+  for (const auto other : scope.inputs())
+    if (other < input && std::find(with.begin(), with.end(), other) == with.end()) after.push_back(other);
+  if (!with.empty()) text += " with " + listed(scope, with);
+  if (!after.empty()) text += (with.empty() ? " after " : ", after ") + listed(scope, after);
+  return text;
+}
+
+// Why the turn's words did not do: what they leave open, or that they mean nothing.
+std::string left_open(ExplainScope& scope, std::size_t input) {
+  const auto readings = scope.of_turn(input, "reading");
+  if (readings.empty()) return {};
+  const Json& reading = scope.record(readings.back());
+  const auto& unknown = member_of(reading, "unknown");
+  if (unknown.is_array() && !unknown.empty())
+    return fmt::format("nobody knows “{}”", alternatives_text(unknown, " and "));
+  if (reading.contains("move") && reading["move"].is_null()) return "nothing of it was understood";
+  if (const auto& missing = member_of(reading, "missing"); missing.is_array() && !missing.empty()) {
+    const auto& first = missing.front();
+    const bool unsaid = text_of(first, "why") == "unsaid";
+    return unsaid ? fmt::format("{} leaves its argument of type {} unsaid", text_of(reading, "meaning"),
+                                text_of(first, "type"))
+                  : missing_text(first);
+  }
+  return {};
+}
+
+std::string quoted(const std::string& text) { return "“" + text + "”"; }
+
+// What happened, without its cause: "the avatar asks “Which block?”".
+std::string happened(ExplainScope& scope) {
+  const auto n = scope.n();
+  const Json& record = scope.record(n);
+  const auto& kind = scope.run().kind(n);
+  const auto of = [&](const char* key) { return text_of(record, key); };
+  if (kind == "utterance") {
+    const auto text = of("text");
+    return fmt::format("the avatar {} {}", text.ends_with('?') ? "asks" : "says", quoted(text));
+  }
+  if (kind == "gesture") return "the avatar gestures " + of("gesture");
+  if (kind == "act")
+    return record.contains("step")
+               ? fmt::format("step {} of act {}, {}, is {}", of("step"), of("act"), of("program"), of("status"))
+           : of("status") == "asked" ? "the avatar does " + of("program")
+                                     : fmt::format("act {}, {}, is {}", of("act"), of("program"), of("status"));
+  if (kind == "transition")
+    return fmt::format("{} goes to {} by the transition ‘{}’, step {}", of("from"), of("to"), of("id"), of("step"));
+  if (kind == "correction")
+    return fmt::format("what was observed takes the dialogue from {} to {}", of("from"), of("to"));
+  if (kind == "rewrite") return fmt::format("entering {} changes the stack", of("state"));
+  if (kind == "refusal")
+    return "the machine refuses an input: " +
+           (of("reason").empty() ? fmt::format("‘{}’ in {}", of("input"), of("state")) : of("reason"));
+  if (kind == "reading") {
+    const auto what = of("words").empty() ? "what was shown" : quoted(of("words"));
+    if (of("move").empty()) return what + " is not understood";
+    const auto& referents = member_of(record, "referents");
+    const auto meaning = !of("meaning").empty()                       ? of("meaning")
+                         : referents.is_array() && !referents.empty() ? alternatives_text(referents)
+                                                                      : std::string();
+    return meaning.empty() ? fmt::format("{} is taken as {}", what, of("move"))
+                           : fmt::format("{} is taken to mean {}, as {}", what, meaning, of("move"));
+  }
+  if (kind == "input") {
+    const auto input = kind_of_input(scope, n);
+    return input == "speech" ? "the human says " + input_text(record) : "there is the input " + input_text(record);
+  }
+  if (kind == "application")
+    return fmt::format("{} is applied to {} and gives {}", of("function"), of("argument"), of("result"));
+  if (kind == "learned")
+    return fmt::format("the avatar learns that the {} {} means {}", of("of"), of("name"), of("value"));
+  if (kind == "forgotten") return fmt::format("the avatar forgets the {} {}", of("of"), of("name"));
+  if (kind == "memory") return fmt::format("the register {} becomes {}", of("register"), of("value"));
+  if (kind == "belief") return fmt::format("{} is certain to {}, before {}", of("concept"), of("value"), of("was"));
+  return fmt::format("there is a record of kind {}: {}", kind, brief(record));
+}
+
+// What an input led to, in the order of its turn.
+std::string led_to(ExplainScope& scope, std::size_t input) {
+  std::vector<std::string> told;
+  const auto& run = scope.run();
+  std::vector<bool> of_turn(run.size() - input, false);
+  of_turn[0] = true;
+  for (auto n = input + 1; n < run.size() && told.size() <= most_named; ++n) {
+    const auto cause = run.cause(n);
+    if (!cause || *cause < input || !of_turn[*cause - input] || run.kind(n) == "input") continue;
+    of_turn[n - input] = true;
+    const Json& record = scope.record(n);
+    const auto& kind = run.kind(n);
+    if (kind == "utterance") told.push_back("the avatar says " + quoted(text_of(record, "text")));
+    if (kind == "gesture") told.push_back("it gestures " + text_of(record, "gesture"));
+    if (kind == "act" && text_of(record, "status") == "asked") told.push_back("it does " + text_of(record, "program"));
+    if (kind == "refusal") told.push_back(fmt::format("{} refuses it", text_of(record, "state")));
+    if (kind == "reading" && !text_of(record, "meaning").empty() && member_of(record, "taken") != false)
+      told.push_back("it is taken to mean " + text_of(record, "meaning"));
+  }
+  // What only came along with another input is bound to that one's words.
+  const auto percepts = run.of_kind("percept");
+  for (auto n = std::upper_bound(percepts.begin(), percepts.end(), input); n != percepts.end() && told.empty(); ++n) {
+    const auto drawn_on = record_numbers(scope.record(*n), "because", *n);
+    const auto other = scope.input_of(*n);
+    if (other && *other != input && std::find(drawn_on.begin(), drawn_on.end(), input) != drawn_on.end())
+      told.push_back("it goes with " + told_input(scope, *other));
+  }
+  return fmt::format("{}", fmt::join(told, "; "));
+}
+
+std::string expectation(ExplainScope& scope, const Json& expect) {
+  const auto& expected = member_of(expect, "expected");
+  const auto& found = member_of(expect, "found");
+  std::string differs;
+  if (expected.is_object())
+    for (const auto& [key, value] : expected.items())
+      if (const auto& seen = member_of(found, key.c_str()); seen != value || member_of(expect, "met") == true)
+        differs += fmt::format("{}{} {}{}", differs.empty() ? "" : "; ", key, compact(value),
+                               seen == value ? "" : ", found " + compact(seen));
+  return fmt::format("At {} the expectation of line {} is {}: {}", time_text(scope.run().entry(scope.n()).t.seconds()),
+                     text_of(expect, "line"), member_of(expect, "met") == false ? "not met" : "met", differs);
+}
+
+}  // namespace
+
+std::string headline(ExplainScope& scope, const Json& act) {
+  const auto n = scope.n();
+  const auto& kind = scope.run().kind(n);
+  if (kind == "expect") return expectation(scope, scope.record(n)) + ".";
+  auto text = fmt::format("At {} {}", time_text(scope.run().entry(n).t.seconds()), happened(scope));
+  const auto end = [](const std::string& told) {
+    return told.ends_with('.') || told.ends_with(".”") || told.ends_with("?”") ? "" : ".";
+  };
+  if (kind == "input") {
+    const auto consequences = led_to(scope, n);
+    text += consequences.empty() ? "; nothing came of it" : ": " + consequences;
+    return text + end(text);
+  }
+  const auto input = scope.input_of(n);
+  if (!input) {
+    text += scope.chain().size() > 1 || kind == "transition" ? ", without any input" : "";
+    return text + end(text);
+  }
+  text += (kind == "refusal" ? "; " : ", because ") + due_to(scope, *input);
+  if (kind == "utterance" || kind == "refusal")
+    if (const auto open = left_open(scope, *input); !open.empty()) text += ": " + open;
+  text += end(text);
+  if (kind == "act") text += " " + text_of(act, "sentence");
+  return text;
+}
+
+Json explained_act(ExplainScope& scope, std::size_t n) {
+  const auto& run = scope.run();
+  if (run.kind(n) != "act") return nullptr;
+  const auto cause = run.cause(n);
+  const auto asked = cause && run.kind(*cause) == "act" ? *cause : n;
+  const Json& first = scope.record(asked);
+  Json records = Json::array(), outcome;
+  std::size_t ended = asked;
+  for (auto at = asked; at < run.size(); ++at) {
+    if (at != asked && (run.cause(at) != asked || run.kind(at) != "act")) continue;
+    const Json& record = scope.record(at);
+    records.push_back({{"n", at}, {"t", run.entry(at).t.seconds()}});
+    for (const char* part : {"status", "step", "program", "result"}) records.back()[part] = member_of(record, part);
+    const auto status = text_of(record, "status");
+    if (record.contains("step") || status == "asked" || status == "started") continue;
+    outcome = status;
+    ended = at;
+  }
+  const Json& last = scope.record(ended);
+  std::string sentence = "It had not ended when the log ends.";
+  if (!outcome.is_null()) {
+    const auto status = outcome.get<std::string>();
+    const auto t = run.entry(ended).t.seconds();
+    const auto& result = member_of(last, "result");
+    sentence = status == "done"      ? fmt::format("It was done at {}", time_text(t))
+               : status == "stopped" ? fmt::format("It was given up at {}", time_text(t))
+                                     : fmt::format("It failed at {}: {}", time_text(t), status);
+    if (const auto reason = text_of(result, "reason"); !reason.empty())
+      sentence += (status == "done" ? ": " : ", ") + reason;
+    if (const auto& retries = member_of(result, "retries"); retries.is_array() && !retries.empty())
+      sentence += fmt::format("; {} had failed before: {}",
+                              retries.size() == 1 ? "one attempt" : fmt::format("{} attempts", retries.size()),
+                              alternatives_text(retries, "; "));
+    if (const auto& aside = member_of(result, "moved_aside"); aside.is_array() && !aside.empty())
+      sentence += fmt::format("; {} had to make room", alternatives_text(aside, " and "));
+    sentence += ".";
+  }
+  return {
+      {"act", member_of(first, "act")}, {"program", member_of(first, "program")}, {"asked", asked},
+      {"records", std::move(records)},  {"outcome", std::move(outcome)},          {"sentence", std::move(sentence)}};
+}
+
+}  // namespace continua

@@ -1,0 +1,110 @@
+#include "replay/explain/explain_scope.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "replay/views/run_brief.h"
+
+namespace continua {
+
+namespace {
+
+// Links of a chain whose records are read: no log of a machine that halts comes near it.
+constexpr std::size_t most_read = 1000;
+
+}  // namespace
+
+ExplainScope::ExplainScope(const RunIndex& run, std::size_t n) : run_(run) {
+  for (std::optional<std::size_t> at = n; at; at = run.cause(*at)) chain_.push_back(*at);
+  const std::vector<std::size_t> near(chain_.begin(), chain_.begin() + std::min(chain_.size(), most_read));
+  for (const auto at : near) {
+    if (run.kind(at) == "input") inputs_.push_back(at);
+    add_inputs_of(at);
+  }
+  // What was applied on the way drew on more than the record itself may name.
+  for (const auto at : run.of_kind("application")) {
+    if (at > n) break;
+    if (const auto cause = run.cause(at); cause && std::binary_search(near.rbegin(), near.rend(), *cause))
+      add_inputs_of(at);
+  }
+  std::sort(inputs_.begin(), inputs_.end());
+  inputs_.erase(std::unique(inputs_.begin(), inputs_.end()), inputs_.end());
+
+  // Which turn each record belongs to, in one pass: a cause comes before what it brings about.
+  std::vector<std::int64_t> turn(n + 1, -1);
+  for (std::size_t at = 0; at <= n; ++at) {
+    if (run.kind(at) == "input")
+      turn[at] = static_cast<std::int64_t>(at);
+    else if (const auto cause = run.cause(at))
+      turn[at] = turn[*cause];
+    if (turn[at] < 0) continue;
+    const auto input = static_cast<std::size_t>(turn[at]);
+    if (std::binary_search(inputs_.begin(), inputs_.end(), input)) turns_[input].push_back(at);
+  }
+}
+
+const Json& ExplainScope::record(std::size_t n) {
+  const auto found = records_.find(n);
+  if (found != records_.end()) return found->second;
+  auto read = run_.record(n);
+  return records_.emplace(n, read ? *std::move(read) : Json::object()).first->second;
+}
+
+void ExplainScope::add_inputs_of(std::size_t n) {
+  for (const auto input : record_numbers(record(n), "because", n))
+    if (run_.kind(input) == "input") inputs_.push_back(input);
+}
+
+std::optional<std::size_t> ExplainScope::input_of(std::size_t n) const {
+  for (std::optional<std::size_t> at = n; at; at = run_.cause(*at))
+    if (run_.kind(*at) == "input") return at;
+  return std::nullopt;
+}
+
+std::vector<std::size_t> ExplainScope::of_turn(std::size_t input, std::string_view kind) const {
+  std::vector<std::size_t> found;
+  if (const auto turn = turns_.find(input); turn != turns_.end())
+    for (const auto at : turn->second)
+      if (run_.kind(at) == kind) found.push_back(at);
+  return found;
+}
+
+std::vector<std::size_t> ExplainScope::latest(std::string_view kind) const {
+  std::vector<std::size_t> found;
+  for (const auto& [input, turn] : turns_)
+    for (const auto at : turn)
+      if (run_.kind(at) == kind) found.push_back(at);
+  std::sort(found.rbegin(), found.rend());
+  return found;
+}
+
+std::vector<std::size_t> record_numbers(const Json& object, const char* key, std::size_t before) {
+  std::vector<std::size_t> numbers;
+  const auto& list = member_of(object, key);
+  if (!list.is_array()) return numbers;
+  for (const auto& one : list)
+    if (one.is_number_unsigned() && one.get<std::size_t>() < before) numbers.push_back(one.get<std::size_t>());
+  return numbers;
+}
+
+std::string time_text(double seconds) {
+  auto text = fmt::format("{:.3f}", seconds);
+  while (text.ends_with('0') && text[text.size() - 2] != '.') text.pop_back();
+  return text + " s";
+}
+
+std::string input_text(const Json& input, std::size_t alternative) {
+  const auto& event = member_of(input, "event");
+  const auto kind = text_of(event, "kind");
+  const bool has_own = member_of(event, kind == "speech" ? "text" : "name").is_string();
+  const auto& others = member_of(event, "alternatives");
+  if (const auto place = alternative - (has_own ? 1 : 0);
+      others.is_array() && !(has_own && alternative == 0) && place < others.size())
+    return fmt::format("{}“{}”", kind == "speech" ? "" : kind + " ", text_of(others[place], "text"));
+  if (kind == "act")
+    return fmt::format("act {}, {}, {}", text_of(event, "act"), text_of(event, "program"), text_of(event, "status"));
+  return kind == "gesture" ? "gesture " + brief(input) : brief(input);
+}
+
+}  // namespace continua

@@ -1,0 +1,64 @@
+// The records of a run that bear on one of them, for what explains it. Each is read at most once, and only when asked
+// for.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/located_json.h"
+#include "replay/run/run_index.h"
+
+namespace continua {
+
+/// A chain of causes, and the turns of the inputs that contributed. A turn is what one input brought about, up to the
+/// next input on the way.
+class ExplainScope {
+ public:
+  /// REQUIRES n < run.size(); `run` must outlive the scope.
+  ExplainScope(const RunIndex& run, std::size_t n);
+
+  const RunIndex& run() const { return run_; }
+  std::size_t n() const { return chain_.front(); }
+
+  /// The record, or an empty object where its line cannot be read.
+  const Json& record(std::size_t n);
+
+  /// n, its cause, the cause of that, and so on.
+  const std::vector<std::size_t>& chain() const { return chain_; }
+
+  /// The input that the turn of record n belongs to: n itself or the nearest among its causes; none before the first.
+  std::optional<std::size_t> input_of(std::size_t n) const;
+
+  /// The inputs in the chain, and those that its records and their percepts and readings say they go back to, in order.
+  const std::vector<std::size_t>& inputs() const { return inputs_; }
+
+  /// Records of a kind, up to n, in the turn of one of `inputs()`, in order.
+  std::vector<std::size_t> of_turn(std::size_t input, std::string_view kind) const;
+
+  /// The same of all those turns, the latest first.
+  std::vector<std::size_t> latest(std::string_view kind) const;
+
+ private:
+  void add_inputs_of(std::size_t n);
+
+  const RunIndex& run_;
+  std::map<std::size_t, Json> records_;
+  std::vector<std::size_t> chain_, inputs_;
+  std::map<std::size_t, std::vector<std::size_t>> turns_;  // input -> records
+};
+
+/// The numbers of records that a member lists, without those that are no record before `before`.
+std::vector<std::size_t> record_numbers(const Json& object, const char* key, std::size_t before);
+
+/// "5.05 s".
+std::string time_text(double seconds);
+
+/// The input as a reader knows it: “Put it there.”, gesture right point stroke, pointing right [0.1,0.2], act 1,
+/// put(…), missed. Of an n-best list the alternative of this number, as in RUNLOG.md.
+std::string input_text(const Json& input, std::size_t alternative = 0);
+
+}  // namespace continua

@@ -1,0 +1,137 @@
+#include "replay/explain/explain_steps.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "replay/explain/explain_origin.h"
+#include "replay/views/run_brief.h"
+#include "replay/views/run_views.h"
+
+namespace continua {
+namespace {
+
+Json records_of(ExplainScope& scope, std::size_t input, const char* kind) {
+  Json records = Json::array();
+  for (const auto n : scope.of_turn(input, kind)) records.push_back(scope.record(n));
+  return records;
+}
+
+// The condition of the machine's edge, and from how many states the transition leaves.
+Json condition_of(const Json& graph, const std::string& id, const std::string& from) {
+  const auto& edges = member_of(graph, "edges");
+  if (!edges.is_array()) return nullptr;
+  for (const auto& edge : edges)
+    if (text_of(edge, "id") == id && text_of(edge, "from") == from) return member_of(edge, "condition");
+  return nullptr;
+}
+
+std::size_t states_left(const Json& graph, const std::string& id) {
+  const auto& edges = member_of(graph, "edges");
+  if (!edges.is_array()) return 0;
+  return static_cast<std::size_t>(
+      std::count_if(edges.begin(), edges.end(), [&](const Json& edge) { return text_of(edge, "id") == id; }));
+}
+
+std::string value_text(const Json& value) {
+  return value.is_null() ? "null" : value.is_string() ? value.get<std::string>() : compact(value);
+}
+
+}  // namespace
+
+Json explained_refusals(const Json& record, const Json& graph) {
+  struct Group {
+    std::string reason;
+    Json ids;
+    std::size_t states;
+  };
+  std::vector<Group> groups;
+  if (const auto& refused = member_of(record, "refused"); refused.is_array())
+    for (const auto& one : refused) {
+      const auto id = text_of(one, "id");
+      auto reason = text_of(one, "reason");
+      if (const auto& of = member_of(one, "alternative"); of != member_of(record, "alternative"))
+        reason += fmt::format(" (of alternative {})", compact(of));
+      auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.reason == reason; });
+      if (group == groups.end()) group = groups.insert(groups.end(), {reason, Json::array(), states_left(graph, id)});
+      if (std::find(group->ids.begin(), group->ids.end(), id) == group->ids.end()) group->ids.push_back(id);
+      group->states = std::min(group->states, states_left(graph, id));
+    }
+  std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.states < b.states; });
+  Json told = Json::array();
+  for (auto& group : groups) told.push_back({{"reason", group.reason}, {"ids", std::move(group.ids)}});
+  return told;
+}
+
+Json explained_inputs(ExplainScope& scope) {
+  Json inputs = Json::array();
+  const auto here = scope.input_of(scope.n());
+  for (const auto n : scope.inputs()) {
+    const Json& record = scope.record(n);
+    const auto t = scope.run().entry(n).t.seconds();
+    const auto& event = member_of(record, "event");
+    const auto kind = text_of(event, "kind");
+    if (kind == "pointing" && n != here && !inputs.empty() && inputs.back()["kind"] == kind &&
+        inputs.back()["hand"] == text_of(event, "hand") && inputs.back()["here"] == false) {
+      inputs.back()["count"] = inputs.back()["count"].get<std::size_t>() + 1;
+      inputs.back()["until"] = t;
+      continue;
+    }
+    inputs.push_back({{"n", n},
+                      {"t", t},
+                      {"kind", kind},
+                      {"told", input_text(record)},
+                      {"symbol", member_of(record, "symbol")},
+                      {"here", n == here},
+                      {"percepts", records_of(scope, n, "percept")},
+                      {"readings", records_of(scope, n, "reading")}});
+    if (kind == "pointing") {
+      inputs.back()["hand"] = text_of(event, "hand");
+      inputs.back()["count"] = 1;
+      inputs.back()["until"] = t;
+    }
+  }
+  return inputs;
+}
+
+Json explained_steps(ExplainScope& scope, const Json& graph) {
+  Json steps = Json::array();
+  const auto& chain = scope.chain();
+  for (auto n = chain.rbegin(); n != chain.rend(); ++n) {
+    if (scope.run().kind(*n) != "transition") continue;
+    const Json& record = scope.record(*n);
+    Json step{{"n", *n}, {"t", scope.run().entry(*n).t.seconds()}};
+    for (const char* part : {"step", "id", "from", "to", "input"}) step[part] = member_of(record, part);
+    step["condition"] = condition_of(graph, text_of(record, "id"), text_of(record, "from"));
+    for (const char* part : {"operation", "weight", "probability", "draw", "forced", "candidates", "gates"})
+      step[part] = member_of(record, part);
+    step["refused"] = explained_refusals(record, graph);
+    steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+Json brought_about(ExplainScope& scope, std::size_t n) {
+  const auto& run = scope.run();
+  Json records = Json::array();
+  for (std::size_t at = n + 1; at < run.size(); ++at)
+    if (run.cause(at) == n && run.kind(at) != "symbol")
+      records.push_back({{"n", at}, {"kind", run.kind(at)}, {"brief", brief(scope.record(at))}});
+  return records;
+}
+
+std::string operation_text(const Json& operation) {
+  if (!operation.is_object() || operation.empty()) return operation.is_string() ? operation.get<std::string>() : "";
+  const auto name = operation.begin().key();
+  const auto& content = operation.begin().value();
+  if (name == "none") return "leave the stack";
+  if (!content.is_object()) return fmt::format("{} {}", name, value_text(content));
+  if (content.empty()) return name;
+  std::string text;
+  for (const auto& [slot, value] : content.items())
+    text += fmt::format("{}{} ← {}", text.empty() ? " " : ", ", slot, value_text(value));
+  return name + text;
+}
+
+}  // namespace continua

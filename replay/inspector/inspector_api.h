@@ -1,0 +1,123 @@
+// The inspector's addresses as a function: a request's path and query in, status and JSON out. Knows no server.
+#pragma once
+
+#include <atomic>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "replay/inspector/run_library.h"
+#include "replay/inspector/run_listings.h"
+#include "replay/run/run_index.h"
+#include "replay/views/run_frames.h"
+#include "replay/views/run_world.h"
+#include "replay/what_if/run_temporary.h"
+#include "replay/what_if/run_what_if.h"
+
+namespace continua {
+
+struct ApiResponse {
+  int status = 200;
+  std::string content_type = "application/json";
+  std::string body;
+};
+
+/// Query parameters by name, already decoded. The first of a name counts.
+using Query = std::map<std::string, std::string>;
+
+/// A request's target split at '?' and percent-decoded.
+struct Target {
+  std::string path;
+  Query query;
+};
+Target split_target(std::string_view target);
+
+/// Answers requests below /api. Safe to use from several threads.
+class InspectorApi {
+ public:
+  /// Without `frames` no pictures are served, without `what_if` no runs replayed.
+  explicit InspectorApi(std::vector<std::string> paths, std::shared_ptr<RunFrames> frames = nullptr,
+                        std::shared_ptr<RunWhatIf> what_if = nullptr)
+      : library_(std::move(paths)), frames_(std::move(frames)), what_if_(std::move(what_if)) {}
+
+  /// From now on a thread reads all runs, the newest first, so that the first look at one finds it read. Until it has,
+  /// "/api/runs" tells of a run that it is `pending`.
+  void start_preparing();
+  /// Waits for the run that is being read. Implied by the end of this object.
+  void stop_preparing() { listings_.stop(); }
+
+  /// `target` as it stands in the request line: "/api/runs/ID/stack?n=137". Errors are {"error": {"message": …}}.
+  /// "/api/runs/ID/frame?t=SECONDS&size=WxH" is a PNG of the scene at that instant (size: 640x360 if not given); 400
+  /// for a t outside the run or a bad size, 422 where the log has nothing that can be drawn, 501 where this machine
+  /// cannot draw.
+  /// "/api/runs/ID/stack?n=N" is run_stack, with "&branch=ID" run_branch_stack (run_views.h).
+  /// "/api/runs/ID/scene" is run_scene, "/api/runs/ID/poses?from=SECONDS&to=SECONDS" RunWorld::window (run_world.h).
+  /// "/api/runs/ID/notes" is {"notes": [{"id", "n", "to", "text"}], "version"} (run_notes.h).
+  /// "/api/runs/ID/columns" (run_columns.h), "/labels?n=5,17" or "?from=N&limit=K" (run_labels.h) and
+  /// "/find?text=WORDS&kind=KIND" (run_find.h; the numbers as u32, little endian) are what a page draws all records
+  /// from.
+  /// "/api/diff?a=ID&b=ID&tolerance=METRES" is what diff_json (run_diff_text.h) tells of two runs,
+  /// as `markdown` what diff_markdown does, and `pairs`: [[n of a, n of b], …].
+  ApiResponse get(std::string_view target);
+
+  /// One more run, by its log; gives its id.
+  std::string add(const std::string& name, const std::string& log_path) { return library_.add(name, log_path); }
+  /// See RunLibrary.
+  void ask_whether_open(RunLibrary::IsOpen is_open) { library_.ask_whether_open(std::move(is_open)); }
+
+  /// How far a run that is being written has come: {records, t (seconds), complete, live: whether it still is}.
+  ApiResponse growth(const std::string& id);
+
+  /// "/api/runs/ID/notes": keeps the notes beside the run, if nobody else has written them since `version`, else 409.
+  ApiResponse put(std::string_view target, std::string_view content_type, std::string_view body);
+
+  /// "/api/what-if": replays a run otherwise (what_if_request) and serves the new run as long as this lives. Gives
+  /// {"run": its id, "same": whether nothing that happened differs, "sentence": where they part and why, "warning"
+  /// where they may differ for other reasons}. 400 for what cannot be, 503 while two are being replayed.
+  ApiResponse post(std::string_view target, std::string_view content_type, std::string_view body);
+
+  /// Gives up what is being replayed.
+  void stop() { stopped_ = true; }
+
+ private:
+  ApiResponse run(const std::string& id, const std::string& view, const Query& query);
+  ApiResponse kept(const std::shared_ptr<const RunIndex>& run, const std::string& id, const std::string& view);
+  ApiResponse diff(const Query& query);
+  Result<std::shared_ptr<RunWorld>> world_of(const std::shared_ptr<const RunIndex>& run);
+  ApiResponse poses(const std::shared_ptr<const RunIndex>& run, const Query& query);
+  ApiResponse frame(const std::shared_ptr<const RunIndex>& run, const Query& query);
+  // inspector_changes.cpp
+  ApiResponse notes(const RunIndex& run);
+  ApiResponse replay(const RunIndex& run, const WhatIfRequest& request, int number);
+
+  RunLibrary library_;
+  std::shared_ptr<RunFrames> frames_;
+  std::shared_ptr<RunWhatIf> what_if_;
+  RunTemporary temporary_;  // what the replays write
+  std::atomic<int> replays_ = 0, what_ifs_ = 0;
+  std::atomic<bool> stopped_ = false;
+  std::mutex notes_mutex_;
+  std::mutex mutex_;
+  // What was worked out from an index stays true as long as that index lives.
+  struct Kept {
+    std::pair<std::string, std::string> key;  // id, view
+    std::weak_ptr<const RunIndex> run;
+    std::string body;
+  };
+  struct KeptWorld {
+    std::shared_ptr<const RunIndex> run;
+    std::shared_ptr<RunWorld> world;
+  };
+  std::list<KeptWorld> worlds_;     // the last used first
+  std::list<Kept> kept_;            // the last used first
+  RunListings listings_{library_};  // last: its thread uses all of the above
+};
+
+/// {"error": {"message": …}}
+ApiResponse api_error(int status, const std::string& message);
+
+}  // namespace continua

@@ -1,0 +1,56 @@
+// The start page's lines: what is in each run of a library, worked out once for each state of its file.
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/located_json.h"
+#include "replay/inspector/run_library.h"
+
+namespace continua {
+
+/// Safe to use from several threads.
+class RunListings {
+ public:
+  explicit RunListings(RunLibrary& library) : library_(library) {}
+  ~RunListings() { stop(); }
+
+  /// From now on a thread reads what is not yet known, the newest runs first, and calls `prepare` for the newest two.
+  void start(std::function<void(const std::string& id)> prepare);
+  /// Waits for the run that is being read.
+  void stop();
+
+  /// All runs, the newest first: {id, name, changed (seconds since 1970), live, bytes} and what run_listing() tells, or
+  /// `error`. `live`: without its end, and being written. While the thread has yet to read a run it is
+  /// `pending`, with what was known of it before; without a thread all are read at once.
+  Json all();
+
+ private:
+  struct Known {
+    FileState state;
+    Json line;
+  };
+  struct Listed {
+    RunFile file;
+    FileState state;
+  };
+  std::vector<Listed> newest_first();
+  bool is_known(const Listed& one);
+  void look_into(const Listed& one);
+  void work();
+
+  RunLibrary& library_;
+  std::function<void(const std::string& id)> prepare_;
+  std::thread thread_;
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable wanted_changed_, known_changed_;
+  bool wanted_ = false, stopping_ = false;
+  std::map<std::string, Known> known_;  // by path
+};
+
+}  // namespace continua

@@ -1,0 +1,103 @@
+// Turns what the engine and the world did into lines of the run log, with the number of what caused each.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pipeline/pipeline.h"
+#include "replay/run/run_log.h"
+#include "replay/score/agreement.h"
+#include "replay/trace/trace_file.h"
+
+namespace continua {
+
+/// The machine's states and transitions as the header carries them (RUNLOG.md, `graph`).
+Json graph_of(const Machine& machine);
+
+class Recorder {
+ public:
+  /// Both must outlive the recorder.
+  Recorder(RunLog& log, const Machine& machine) : log_(log), machine_(&machine) {}
+
+  /// What comes is of this machine, which must outlive the recorder.
+  void go_on_with(const Machine& machine) { machine_ = &machine; }
+
+  /// These return the number of their record.
+  int input(const TraceEvent& event, const std::string& symbol);
+  int observed(const TraceEvent& event, const Observed& observed);
+  void engine(const std::vector<EngineEvent>& events, SimTime t);
+  /// Acts, poses and rests in order of their times. A rest is one record, however many reports it lasts for.
+  void world(const WorldReport& report);
+  /// Writes what is still held back: a rest that lasts.
+  void finish();
+  void expectation(const TraceEvent& event, bool met, const Json& found);
+  void problem(std::size_t line, const std::string& message, SimTime t);
+
+  /// An act that was asked for.
+  struct Act {
+    int record = 0;  ///< in which it was asked for
+    std::string program;
+    ActReport::Status status = ActReport::Status::started;
+    int ended = 0;  ///< record in which it ended
+  };
+  /// By number.
+  const std::map<int, Act>& acts() const { return acts_; }
+  const std::string& last_utterance() const { return last_utterance_; }
+  const std::string& last_act() const { return last_act_; }
+  /// What the avatar did since this was asked last.
+  std::vector<AvatarMove> take_moves() { return std::exchange(moves_, {}); }
+  /// What the last noun phrase or pointing can mean, the likeliest first.
+  const std::vector<std::string>& last_referents() const { return last_referents_; }
+
+ private:
+  void one(const Perceived& perceived);
+  void one(const Attended& attended);
+  void one(const Understood& understood);
+  void one(const BeliefChange& change);
+  void one(const StepEvent& step);
+  void one(const Explored& explored);
+  void one(const Corrected& corrected);
+  void one(const GestureCommand&) {}
+  void one(const Unplanned& unplanned);
+  void one(const ActStep& step);
+  void one(const ActEnd& end);
+  void one(const Fired& fired);
+  void one(const MadeSymbol& made);
+  void one(const Rewrote& rewrote);
+  void one(const Applied& applied);
+  void one(const Said& said);
+  void one(const Gestured& gestured);
+  void one(const Acted& acted);
+  void one(const Remembered& remembered);
+  void one(const Taught& taught);
+  void one(const Forgotten& forgotten);
+  void one(const RefusedInput& refused);
+  void one(const Trouble& trouble);
+
+  void report(const ActReport& act);
+  void pose(const PoseSample& sample);
+  void rest(const RestSpan& span);
+  Json refusals(const std::vector<Refused>& refused, std::size_t alternatives) const;
+  Json inputs(const std::vector<int>& because) const;
+  static Json fields_of(const Deixis& pointing);
+  int write(std::string_view kind, Json fields);
+  void write_act(int number, const std::string& status, Json more, SimTime t);
+
+  RunLog& log_;
+  const Machine* machine_;
+  SimTime now_;
+  std::optional<int> cause_;         ///< number of the record that brought about the next one
+  std::map<int, int> input_record_;  ///< serial of an input → number of its record
+  std::vector<AvatarMove> moves_;
+  int latest_input_ = 0;
+  bool measured_ = false;  ///< the time of what is written depends on how long an act took
+  std::map<int, Act> acts_;
+  std::map<int, ActStep> steps_;  ///< by command
+  std::optional<RestSpan> lasting_rest_;
+  std::string last_utterance_, last_act_;
+  std::vector<std::string> last_referents_;
+};
+
+}  // namespace continua

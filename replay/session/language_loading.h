@@ -1,0 +1,43 @@
+// Loads machines with what belongs to them: the facts of the world, what they say, and what they understand speech and
+// gestures by: a lexicon, a catalogue of gestures, the raising rules, and the voxemes.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "automaton/machine.h"
+#include "core/result.h"
+#include "moves/understanding.h"
+#include "replay/session/data_paths.h"
+
+namespace continua {
+
+/// What the terms of lexicons and raising rules may use: the language's names and facts of the world.
+Signature names_of_terms();
+
+/// A machine with this data's phrases. `path` and errors as machine_file/machine_loader.h has them.
+Result<Machine> load_machine(const std::string& path, const DataPaths& data);
+
+/// Lexicon and gestures are null for a machine that names none; the voxemes are none without a folder of them. The
+/// error is the first problem of a file, or that there is no such lexicon or such gestures.
+Result<Language> load_language(const DataPaths& data, const Machine& machine);
+
+/// What load_language reads for this machine, as a run's header has it: {"lexicon/NAME/FILE": digest of its bytes, …},
+/// the machine's gestures, the raising rules and all voxemes likewise. Files that cannot be read are left out.
+Json knowledge_digests(const DataPaths& data, const Machine& machine);
+
+/// A lexicon by its name in knowledge/lexicon, or by its path. `where` is the error's place.
+Result<std::shared_ptr<const Lexicon>> load_named_lexicon(const DataPaths& data, const std::string& name,
+                                                          const std::string& where);
+
+/// Gestures by their name in knowledge/gestures, or by a path, whose meanings are terms of `lexicon`'s words (null: of
+/// the term language's and facts of the world). `where` is the error's place.
+Result<std::shared_ptr<const GestureCatalogue>> load_gestures(const DataPaths& data, const std::string& name,
+                                                              const std::shared_ptr<const Lexicon>& lexicon,
+                                                              const std::string& where);
+
+/// The meanings that are no terms of the lexicon's words.
+std::vector<Error> check_meanings(const GestureCatalogue& gestures, const std::shared_ptr<const Lexicon>& lexicon);
+
+}  // namespace continua

@@ -1,0 +1,47 @@
+#include "replay/session/learned_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "composition/learning_file.h"
+#include "core/located_json.h"
+#include "pipeline/lessons.h"
+#include "replay/session/language_loading.h"
+
+namespace continua {
+namespace fs = std::filesystem;
+
+Result<Learned> read_learned(const std::string& path, const Machine& machine, const Language& language) {
+  std::error_code unknown;
+  if (!fs::exists(path, unknown)) return Learned();
+  const auto text = read_file(path);
+  if (!text) return text.error();
+  auto names = names_of_terms();
+  names.insert(machine.programs.begin(), machine.programs.end());
+  if (language.lexicon) names.insert(language.lexicon->names.begin(), language.lexicon->names.end());
+  auto learned = parse_learned(*text, path, names);
+  if (!learned) return learned;
+  for (const auto& [name, program] : learned->programs)
+    if (is_taken(name, machine))
+      return Error{path, fmt::format("found the word {}, which means something else in the machine {}", in_quotes(name),
+                                     machine.name)};
+  return learned;
+}
+
+Outcome write_learned(const std::string& path, const Learned& learned) {
+  const auto fresh = path + ".new";
+  std::ofstream file(fresh, std::ios::binary);
+  file << print_learned(learned);
+  file.close();
+  if (!file) return Error{fresh, fmt::format("cannot be written: {}", std::strerror(errno))};
+  std::error_code problem;
+  fs::rename(fresh, path, problem);
+  if (problem) return Error{path, fmt::format("cannot be replaced: {}", problem.message())};
+  return std::nullopt;
+}
+
+}  // namespace continua

@@ -1,0 +1,119 @@
+// A trace with all that it needs, loaded once, and the runs of it.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "automaton/machine.h"
+#include "core/result.h"
+#include "core/sim_time.h"
+#include "replay/score/episodes.h"
+
+namespace continua {
+
+/// How far a replay follows what the trace has observed of another avatar.
+enum class Variant {
+  free,     ///< not at all: the run is the engine's own
+  world,    ///< the observed acts move the world, and the engine's own do not
+  teacher,  ///< also, where the engine did otherwise, it goes on as if it had done what was observed
+};
+
+std::string text(Variant variant);
+/// Nothing, if there is none of that name.
+std::optional<Variant> parse_variant(std::string_view name);
+
+struct ReplayOptions {
+  std::optional<std::uint64_t> seed;  ///< else the trace's
+  std::optional<Choice> choice;       ///< else the machine's
+  std::string scene, machine;         ///< names or paths; empty: the trace's
+  std::string knowledge;              ///< folder; empty: the program's own
+  std::string learned;                ///< file of what was taught in earlier runs; empty: none
+  /// What if: seed, choice, machine, knowledge, forced and `with` count from this instant of the run on, seconds; until
+  /// then it is the trace's own run. The configuration goes over by names.
+  std::optional<double> from;
+  /// With `from`: what counts until then, instead of what makes the trace's own run.
+  std::shared_ptr<const ReplayOptions> before;
+  std::string with;                           ///< with `from`: the trace whose events count from then on; else empty
+  std::map<int, std::string> forced;          ///< step → id of the transition to take there
+  std::size_t most_branches = 0;              ///< under `explore`; 0: the engine's own bound
+  bool physics = true;                        ///< else the kinematic world
+  Variant variant = Variant::free;            ///< others than free need the kinematic world
+  bool live = false;                          ///< the trace is still being written: its digest is not known
+  std::function<void(double done)> progress;  ///< called now and then with the part of the trace that is done
+};
+
+/// What a person wants to know of a run at a glance.
+struct ReplaySummary {
+  SimTime end;
+  int inputs = 0, refusals = 0, utterances = 0, acts = 0, acts_done = 0;
+  int expectations = 0, expectations_met = 0;
+  int problems = 0;
+  int fragile = 0;                        ///< decisions that the smallest step of the world could have changed
+  int pruned = 0;                         ///< configurations given up under `explore`
+  std::map<int, std::string> not_forced;  ///< of ReplayOptions::forced, those that did not apply at their step
+  bool changed = false;                   ///< ReplayOptions::from was reached
+  std::vector<Episode> episodes;          ///< what the human did, what was observed to come of it, and what did
+  std::optional<Error> stopped = {};      ///< why what is changed then cannot go on with the run; the log ends there
+};
+
+struct GestureCatalogue;
+struct LoadedSession;
+struct Note;
+struct Situation;
+struct Trace;
+class SessionLoop;
+
+/// Looks on: called after all that the engine did at an instant, with what it left. Where it returns true the replay
+/// ends, and its log with it.
+using Watch = std::function<bool(const Situation&)>;
+
+/// A trace with its machine and its scene, ready to be replayed.
+class Session {
+ public:
+  /// Errors: the trace, its scene or its machine cannot be used; a forced transition is none of the machine's.
+  static Result<Session> load(const std::string& trace_path, ReplayOptions options);
+  ~Session();
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+
+  /// What of the scene is not known; it can be used all the same.
+  const std::optional<Error>& warning() const;
+
+  /// The trace; where ReplayOptions::with is given, with its events from then on.
+  const Trace& trace() const;
+  const Machine& machine() const;
+  /// What the names of its scene's objects and attributes are.
+  Blanks blanks() const;
+  /// Those that the machine knows by what they say; null: it knows gestures by their names.
+  const GestureCatalogue* gestures() const;
+  const ReplayOptions& options() const;
+
+  /// Replays the trace and writes its run log. Every run begins anew.
+  ReplaySummary run(std::ostream& log);
+
+  /// The same of another trace, over what is loaded: its events and notes count, and the `objects` of its header; of
+  /// what else its header says nothing does. Errors: the scene cannot be set out like that.
+  Result<ReplaySummary> run(const Trace& trace, const Watch& watch, std::ostream& log);
+
+  /// A run whose events are not known beforehand: see session_loop.h. All must outlive it. Errors: the scene's avatar
+  /// is incomplete.
+  Result<std::unique_ptr<SessionLoop>> begin(const Watch& watch, std::ostream& log,
+                                             const std::vector<Note>& notes = {});
+  /// Nothing more happens in that run.
+  ReplaySummary end(SessionLoop& loop);
+
+  /// Writes ReplayOptions::learned, if the run taught or forgot something; what if does not count. REQUIRES that it has
+  /// run.
+  Outcome keep_learned() const;
+
+ private:
+  explicit Session(std::unique_ptr<LoadedSession> loaded);
+  std::unique_ptr<LoadedSession> loaded_;
+};
+
+}  // namespace continua

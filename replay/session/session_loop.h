@@ -1,0 +1,91 @@
+// The only loop there is: events go to the engine and time to the world; what both did goes to the log. A replay knows
+// all events beforehand, a live session does not; how time is cut into pieces makes no difference.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "behaviour/kinematic_body.h"
+#include "pipeline/pipeline.h"
+#include "replay/recorder/recorder.h"
+#include "replay/session/following.h"
+#include "replay/session/session_parts.h"
+
+namespace continua {
+
+struct Replayed {
+  ReplaySummary summary;
+  Learned learned;  ///< when the run has ended
+};
+
+class SessionLoop {
+ public:
+  /// All but the body must outlive the loop.
+  SessionLoop(const LoadedSession& loaded, std::unique_ptr<Body> body, const Watch& watch, std::ostream& log);
+
+  /// What is before the first event; `notes` are on the trace as far as it is known.
+  void begin(const std::vector<Note>& notes);
+  /// Lets time go on; what has waited long enough on the way is attended to. What is in the past does nothing.
+  void wait_until(SimTime t);
+  /// REQUIRES wait_until(event.t). In order of time.
+  void take(const TraceEvent& event);
+  /// Attends to all that waits, finishes acts that are under way, and writes the log's last line.
+  Replayed finish();
+
+  SimTime now() const { return now_; }
+  /// Nothing more is to happen.
+  bool is_over() const { return over_; }
+  /// The world stands still until it is told something.
+  bool is_at_rest() const { return body_->at_rest(); }
+  /// When what waits is attended to at the latest; nothing waits if there is none.
+  std::optional<SimTime> due() const { return pipeline_->due(*state_); }
+  /// The name of that which the machine is in.
+  const std::string& state() const { return pipeline_->machine().states[state_->configuration.state].name; }
+
+ private:
+  void use(const EngineParts& parts);
+  Chooser chooser() const { return {parts_->choice, Random(parts_->seed), parts_->forced, 0}; }
+  bool ready(SimTime t);
+  Situation situation() const;
+  void look_on();
+  void take(const TraceEvent& event, const InputEvent& input);
+  void take(const TraceEvent& event, const Observed& observed);
+  void take(const TraceEvent& event, const Expectation& expectation);
+  void take(const TraceEvent&, const End&) {}
+  void take(const TraceEvent&, const UnknownKind&) {}
+  void follow_observed();
+  void check_expectations();
+  void take(Tick tick, SimTime t);
+  void obey(Tick tick, SimTime t);
+  void tell(const std::vector<ActReport>& acts);
+  void go_on(SimTime t);
+  void attend();
+  void settle();
+  void write_end();
+
+  const LoadedSession& loaded_;
+  const Watch& watch_;
+  RunLog log_;
+  Episodes episodes_;
+  bool open_ = false;                     // something may still be observed of the last input
+  std::unique_ptr<Following> following_;  // of what was observed, unless the run is free
+  Recorder recorder_;
+  const EngineParts* parts_ = nullptr;  // those that answer now
+  std::unique_ptr<Pipeline> pipeline_;  // of these
+  std::optional<EngineState> state_;    // once the run has begun
+  std::unique_ptr<Body> body_;
+  SimTime now_;
+  bool over_ = false;
+  std::vector<std::string> said_since_input_;
+  struct Expected {
+    TraceEvent event;
+    int inputs;  // that it comes after
+  };
+  std::deque<Expected> expected_;
+  ReplaySummary summary_;
+};
+
+}  // namespace continua

@@ -1,0 +1,57 @@
+// What a replay is made of: loaded once, shared by every replay of a session.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "behaviour/avatar_command.h"
+#include "composition/learning.h"
+#include "core/located_json.h"
+#include "pipeline/pipeline.h"
+#include "replay/session/session.h"
+#include "replay/trace/trace_file.h"
+#include "simulation/scene.h"
+
+namespace continua {
+
+/// What answers the human. It may change in mid-run; scene, world and what was taught before the run may not.
+struct EngineParts {
+  std::shared_ptr<const Machine> machine;
+  std::shared_ptr<const Language> language;
+  Choice choice = Choice::likeliest;
+  Perspective perspective = Perspective::human;
+  std::uint64_t seed = 0;
+  std::map<int, std::size_t> forced;  ///< step → transition
+  Json knowledge;                     ///< digests of its files
+};
+
+/// What counts from an instant of the run on.
+struct WhatIf {
+  SimTime from;
+  EngineParts parts;
+  std::optional<std::pair<std::string, std::string>> trace;  ///< name and digest of that of the events from then on
+  std::vector<Note> notes;                                   ///< on its lines, but those on the trace's own
+};
+
+struct LoadedSession {
+  ReplayOptions options;
+  Trace trace;  ///< with the events of WhatIf from then on
+  EngineParts parts;
+  std::optional<WhatIf> what_if;
+  Scene scene;
+  Learned learned;  ///< when the run begins
+  std::optional<Error> warning;
+  Json header;  ///< header_of() the rest
+  std::optional<Learned> learned_at_end;
+
+  std::size_t most_branches() const { return options.most_branches ? options.most_branches : default_most_branches; }
+};
+
+/// The fields of the run log's header (RUNLOG.md, `run`).
+Json header_of(const LoadedSession& loaded);
+
+/// A world as the scene has it at the beginning. Errors: the scene's avatar is incomplete.
+Result<std::unique_ptr<Body>> body_of(const Scene& scene, bool physics);
+
+}  // namespace continua

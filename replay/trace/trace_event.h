@@ -1,0 +1,32 @@
+// One event of a trace from and to its JSON; what trace_file.h offers is made of these.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "replay/trace/trace_file.h"
+
+namespace continua {
+
+/// The largest time, seconds: what SimTime's microseconds hold with room to add.
+inline constexpr double trace_time_limit_s = 1e9;
+
+/// A coordinate that a recogniser may report, metres. Real logs hold pointing samples 13 km away; they mean "not on
+/// the table" and are kept.
+inline constexpr double trace_coordinate_limit_m = 1e9;
+
+/// The fields that `kind` has; empty for an unknown kind.
+const std::vector<std::string>& fields_of_kind(const std::string& kind);
+
+/// The kinds of events.
+const std::vector<std::string>& event_kinds();
+
+/// The event on line `line` of `name`. What is wrong with it is added to `problems`, what is merely odd to `notes`;
+/// with a problem the event is not to be used.
+TraceEvent event_from_json(Json json, const std::string& name, std::size_t line, std::vector<Error>& problems,
+                           std::vector<Note>& notes);
+
+/// The event's own fields in their fixed order, followed by those of `event.json` that its kind does not have.
+Json json_of(const TraceEvent& event);
+
+}  // namespace continua

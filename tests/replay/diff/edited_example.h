@@ -1,0 +1,90 @@
+// A worked example in a folder of its own, in which one thing can be edited: its trace, machine, words or scene.
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/located_json.h"
+#include "replay/run/run_index.h"
+#include "replay/session/session.h"
+#include "support/catch.h"
+#include "support/temporary_folder.h"
+
+namespace continua {
+
+class EditedExample {
+ public:
+  explicit EditedExample(const std::filesystem::path& trace) {
+    namespace fs = std::filesystem;
+    std::istringstream text(*read_file(trace.string()));
+    for (std::string line; std::getline(text, line);) lines.push_back(Json::parse(line));
+    header()["machine"] = header().value("machine", std::string("interaction"));
+    const auto known = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge";
+    machine =
+        Json::parse(*read_file((known / "machines" / (header()["machine"].get<std::string>() + ".json")).string()));
+  }
+
+  Json& header() { return lines.front(); }
+
+  /// Places in `lines` of what the human does.
+  std::vector<std::size_t> inputs() const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 1; i < lines.size(); ++i)
+      if (const auto& kind = lines[i]["kind"]; kind == "speech" || kind == "gesture" || kind == "pointing")
+        found.push_back(i);
+    return found;
+  }
+
+  /// The log of its run in the kinematic world.
+  RunIndex run() const {
+    const TemporaryFolder folder;
+    folder.file("machine.json", machine.dump());
+    auto trace = lines;
+    trace.front()["machine"] = folder.at("machine.json");
+    std::stable_sort(trace.begin() + 1, trace.end(),
+                     [](const Json& a, const Json& b) { return a["t"].get<double>() < b["t"].get<double>(); });
+    std::string text;
+    for (const auto& line : trace) text += compact(line) + "\n";
+    ReplayOptions options;
+    options.physics = false;
+    if (lexicon) options.knowledge = knowledge_with(*lexicon, folder);
+    auto session = Session::load(folder.file("example.trace.jsonl", text), options);
+    if (!session) FAIL(session.error().text());
+    std::ostringstream log;
+    session->run(log);
+    auto index = RunIndex::of_text(log.str(), "example.run.jsonl");
+    if (!index) FAIL(index.error().text());
+    return *std::move(index);
+  }
+
+  std::vector<Json> lines;  ///< of the trace
+  Json machine;
+  /// A file of the lexicon and what is in it instead.
+  struct LexiconFile {
+    std::string name;
+    Json content;
+  };
+  std::optional<LexiconFile> lexicon;
+
+ private:
+  // The program's knowledge but for one file.
+  static std::string knowledge_with(const LexiconFile& file, const TemporaryFolder& folder) {
+    namespace fs = std::filesystem;
+    const auto from = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge", to = fs::path(folder.at("knowledge"));
+    fs::create_directories(to / "lexicon/english");
+    for (const auto& part : fs::directory_iterator(from))
+      if (part.path().filename() != "lexicon") fs::create_symlink(part.path(), to / part.path().filename());
+    for (const auto& part : fs::directory_iterator(from / "lexicon/english"))
+      if (part.path().filename() != file.name)
+        fs::create_symlink(part.path(), to / "lexicon/english" / part.path().filename());
+    folder.file("knowledge/lexicon/english/" + file.name, file.content.dump());
+    return to.string();
+  }
+};
+
+}  // namespace continua

@@ -1,0 +1,319 @@
+#include "replay/explain/explain.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <vector>
+
+#include "replay/explain/explain_lines.h"
+#include "replay/explain/explain_term.h"
+#include "replay/explain/explain_text.h"
+#include "replay/inspector/inspector_log.h"
+#include "replay/views/run_brief.h"
+#include "support/catch.h"
+
+using namespace continua;
+namespace fs = std::filesystem;
+
+namespace {
+
+const auto traces = fs::path(CONTINUA_SOURCE_DIR) / "traces";
+
+RunIndex opened(const fs::path& path) {
+  auto run = RunIndex::open(path.string());
+  if (!run) FAIL(run.error().text());
+  return *std::move(run);
+}
+
+Json explained(const RunIndex& run, const ExplainQuestion& question) {
+  const auto n = asked_record(run, question);
+  if (!n) FAIL(n.error().text());
+  auto told = explain(run, *n);
+  if (!told) FAIL(told.error().text());
+  return *std::move(told);
+}
+
+std::string error_of(const RunIndex& run, const ExplainQuestion& question) {
+  const auto n = asked_record(run, question);
+  REQUIRE(!n.ok());
+  return n.error().sentence;
+}
+
+ExplainQuestion at(double t) { return {t, {}, {}, {}}; }
+ExplainQuestion step(int number) { return {{}, number, {}, {}}; }
+ExplainQuestion act(int number) { return {{}, {}, number, {}}; }
+ExplainQuestion record(std::size_t n) { return {{}, {}, {}, n}; }
+
+std::string text(const Json& told, bool all = false) {
+  ExplainTextOptions options;
+  options.all = all;
+  return explain_text(told, options);
+}
+
+std::string tree(const Json& told, std::size_t width = 200) {
+  ExplainTextOptions options;
+  options.width = width;
+  return explain_tree(told, options);
+}
+
+std::vector<fs::path> approved_runs() {
+  std::vector<fs::path> runs;
+  for (const auto& file : fs::recursive_directory_iterator(traces))
+    if (file.path().string().ends_with(".run.jsonl")) runs.push_back(file.path());
+  std::sort(runs.begin(), runs.end());
+  return runs;
+}
+
+void each_leaf(const Json& node, const auto& visit) {
+  if (!node.contains("children")) return visit(node);
+  for (const auto& child : node["children"]) each_leaf(child, visit);
+}
+
+}  // namespace
+
+TEST_CASE("the headline tells what the avatar did and what it is due to") {
+  struct Row {
+    const char* run;
+    ExplainQuestion question;
+    const char* headline;
+  };
+  const auto row = GENERATE(values<Row>({
+      {"paper/disambiguation",
+       {},
+       "At 1.0 s the avatar asks “Which block do you mean? The yellow block?”, because the human said “Take the "
+       "block.” (1.0 s): “block” may mean block1, block4 or block6."},
+      {"paper/disambiguation", at(6.5),
+       "At 5.0 s the avatar asks “The red block?”, because the human made the gesture negack stroke (5.0 s) after "
+       "“Take the block.” (1.0 s)."},
+      {"paper/dialogue_gesture", act(1),
+       "At 5.05 s the avatar does put(plate, <-0.1, -0.15, 0>), because the human said “Put it there.” (4.0 s) with "
+       "pointing right [-0.1,-0.15] (3.8 s), after “The plate.” (1.0 s). It was done at 5.05 s."},
+      {"paper/predicate_first", act(1),
+       "At 4.0 s the avatar does put(plate, <-0.1, -0.15, 0>), because the human said “The plate.” (4.0 s) after "
+       "“Put it there.” (1.0 s) and pointing right [-0.1,-0.15] (0.9 s). It was done at 4.0 s."},
+      {"paper/one_shot_learning", act(3),
+       "At 30.0 s the avatar does put(cup, on(plate)), because the human made the gesture left two_fingers stroke "
+       "(30.0 s) after gesture right two_fingers stroke (1.0 s), “Grasp the cup.” (3.0 s) and “Put on the plate.” "
+       "(26.0 s). It was done at 30.0 s."},
+      {"paper/one_shot_learning", at(27),
+       "At 26.0 s the avatar asks “What should I put there?”, because the human said “Put on the plate.” (26.0 s): "
+       "\\x. put(x, on(plate)) leaves its argument of type e unsaid."},
+      {"paper/correction.physics", act(1),
+       "At 2.2 s the avatar does put(cup, <-0.05, -0.18, 0>), because the human said “Put the white cup there.” (1.0 "
+       "s) with gesture right point stroke (1.2 s). It was given up at 4.1 s."},
+      {"corner/never_engaged", at(1),
+       "At 1.0 s the machine refuses an input: no transition from StartState takes 'speech yes'; the human said “YES” "
+       "(1.0 s)."},
+      {"paper/region_place", record(14),
+       "At 4.2 s there is the input gesture right point stroke: it goes with “In that blue cup.” (4.0 s)."},
+      {"paper/disambiguation", record(2),
+       "At 1.0 s the human says “Take the block.”: it is taken to mean \\x. grasp(x); the avatar says “Which block do "
+       "you "
+       "mean? The yellow block?”; it gestures point(block1)."},
+      {"talk/n_best",
+       {},
+       "At 1.0 s the avatar asks “Which cup do you mean? The white cup?”, because the human said “put the knife in "
+       "the cup” (1.0 s, alternative 1): “cup” may mean cup or cup_blue."},
+      {"paper/disambiguation", step(3),
+       "At 3.0 s Choose goes to Choose by the transition ‘no, the next’, step 3, because the human said “No.” (3.0 s) "
+       "after “Take the block.” (1.0 s)."},
+  }));
+  CAPTURE(row.run);
+  const auto run = opened(traces / (std::string(row.run) + ".run.jsonl"));
+  CHECK(explained(run, row.question)["headline"] == row.headline);
+}
+
+TEST_CASE("the derivation goes from the act down to words, a gesture and a pointing") {
+  CHECK(tree(explained(opened(traces / "paper/dialogue_gesture.run.jsonl"), act(1))) ==
+        R"j(  put(plate, <-0.1, -0.15, 0>) : t  #19
+  ├─ put(plate) : loc -> t  #18
+  │  ├─ put : e -> loc -> t  ← “put” in “Put it there.” (4.0 s)
+  │  └─ plate : e  ← “it” in “Put it there.” (4.0 s), what was talked about: “the plate” in “The plate.” (1.0 s)
+  └─ <-0.1, -0.15, 0> : loc  ← “there” in “Put it there.” (4.0 s), what was pointed at: the right hand’s pointing (3.8 s)
+)j");
+  CHECK_THAT(tree(explained(opened(traces / "paper/one_shot_learning.run.jsonl"), act(3))),
+             Contains("raised by event_to_theme") &&
+                 Contains("x : e  ← left open: it was not said, in “Put on the plate.” (26.0 s)") &&
+                 Contains("grasp : e -> t  ← gesture left two_fingers stroke (30.0 s), taught at 3.0 s as "
+                          "grasp(the(\\x. cup(x))) (#11)"));
+  CHECK_THAT(tree(explained(opened(traces / "paper/live_composition.run.jsonl"), act(5))),
+             Contains("lift(cup_blue)  one step of\n  └─ hoist(cup_blue) : t") &&
+                 Contains("taught at 25.0 s as \\x: e. [grasp(x), lift(x)] (#56)"));
+}
+
+TEST_CASE(
+    "the text names each slot that changed, who set it and where its value is from, and what was refused and why") {
+  const auto told = text(explained(opened(traces / "paper/disambiguation.run.jsonl"), {}));
+  for (const char* part :
+       {"1.0 s  “Take the block.”  #2", "“the block” may be block1, block4 or block6",
+        "1.0 s  Compose → Choose by ‘several’, without input, step 2  #12", "since lacks != null and size(seen) > 1",
+        "chosen (likeliest) of 3: ‘several’ 1.0, ‘thing missing’ 1.0, ‘of no use’ 0.001; probability 0.5",
+        "not ‘thing known’: not indicated != null: indicated is null", "The stack, 1 symbol before, 5 symbols after",
+        "* command \\x. grasp(x) ← meaning (#6); from “take” in “Take the block.” (1.0 s)",
+        "as the one below: command, candidates, nouns, sure", "What came along with it\n  gesture point(block1) #14"})
+    CHECK_THAT(told, Contains(part));
+  CHECK_THAT(text(explained(opened(traces / "paper/disambiguation.run.jsonl"), step(2))),
+             Contains("utterance “Which block do you mean? The yellow block?” #13"));
+}
+
+TEST_CASE("all of a long list is told when it is asked for") {
+  const auto told = explained(opened(traces / "paper/disambiguation.run.jsonl"), {});
+  CHECK_THAT(text(told), Contains("others (--all)"));
+  CHECK_THAT(text(told, true), !Contains("--all"));
+}
+
+TEST_CASE("what a log does not have is answered by what it has") {
+  const auto run = opened(traces / "paper/disambiguation.run.jsonl");
+  CHECK(error_of(run, step(99)) == "there is no step 99; the log has steps 1 to 7");
+  CHECK(error_of(run, act(2)) == "there is no act 2; the log has act 1 alone");
+  CHECK_THAT(error_of(run, record(1000)), Contains("there is no record 1000; the log has records 0 to "));
+  CHECK(error_of(run, at(0.5)) == "the avatar did and refused nothing until 0.5 s; the first is at 1.0 s");
+  CHECK(error_of(opened(traces / "corner/header_only.run.jsonl"), act(1)) == "found no acts; expected act 1");
+  CHECK(error_of(opened(traces / "corner/header_only.run.jsonl"), at(1)) ==
+        "the avatar did and refused nothing in this log");
+}
+
+TEST_CASE("an expectation that was not met comes first, and is traced to what was found instead") {
+  const ScratchFolder folder;
+  auto log = small_log();
+  log.add("expect", 10,
+          {{"line", 9}, {"met", false}, {"expected", {{"says", "Okay."}}}, {"found", {{"says", "Which block?"}}}});
+  const auto told = explained(opened(folder.write("unmet.run.jsonl", log.text())), {});
+  CHECK(told["kind"] == "expect");
+  CHECK(told["about"] == 6);
+  CHECK(told["headline"] ==
+        "At 10.0 s the expectation of line 9 is not met: says \"Okay.\", found \"Which block?\". At 1.5 s the avatar "
+        "asks "
+        "“Which block?”, because the human said “Put it there.” (1.5 s).");
+}
+
+TEST_CASE("how an act went is told with its retries, its reason and what had to make room") {
+  struct Row {
+    const char* status;
+    Json result;
+    const char* sentence;
+  };
+  const auto row = GENERATE(values<Row>({
+      {"done",
+       {{"retries", {"slipped", "slipped"}}},
+       "It was done at 9.0 s; 2 attempts had failed before: slipped; slipped."},
+      {"done", {{"moved_aside", {"cup"}}}, "It was done at 9.0 s; cup had to make room."},
+      {"unreachable", {{"reason", "too far"}}, "It failed at 9.0 s: unreachable, too far."},
+      {"stopped", Json::object(), "It was given up at 9.0 s."},
+  }));
+  const ScratchFolder folder;
+  auto log = small_log();
+  const auto n = static_cast<int>(log.add("act", 8, {{"act", 2}, {"program", "lift(a)"}, {"status", "asked"}}, 13));
+  log.add("act", 8.5, {{"act", 2}, {"program", "grasp(a)"}, {"status", "done"}, {"step", 1}}, n);
+  const auto unended = folder.write("unended.run.jsonl", log.text());
+  CHECK(explained(opened(unended), act(2))["act"]["sentence"] == "It had not ended when the log ends.");
+  log.add("act", 9, {{"act", 2}, {"program", "lift(a)"}, {"status", row.status}, {"result", row.result}}, n);
+  const auto told = explained(opened(folder.write("ended.run.jsonl", log.text())), act(2));
+  CHECK(told["act"]["sentence"] == row.sentence);
+  CHECK(told["act"]["records"].size() == 3);
+}
+
+TEST_CASE("every record of the approved runs can be explained, from an input or the run's beginning down to origins") {
+  std::size_t deeds = 0, leaves = 0;
+  for (const auto& path : approved_runs()) {
+    const auto run = opened(path);
+    for (std::size_t n = 0; n < run.size(); ++n) {
+      const auto& kind = run.kind(n);
+      if (kind != "utterance" && kind != "act" && kind != "refusal" && n % 29 != 0) continue;
+      CAPTURE(path, n, kind);
+      const auto told = explain(run, n);
+      REQUIRE(told.ok());
+      CHECK_FALSE(text(*told).empty());
+      if (kind != "utterance" && kind != "act" && kind != "refusal") continue;
+      ++deeds;
+      const auto root = (*told)["chain"].back()["kind"];
+      CHECK((root == "input" || run.of_kind("input").empty() || run.of_kind("input").front() > n));
+      if ((*told)["derivation"].is_null()) continue;
+      each_leaf((*told)["derivation"], [&](const Json& leaf) {
+        ++leaves;
+        INFO(compact(leaf));
+        REQUIRE(leaf.contains("origin"));
+        CHECK_FALSE(text_of(leaf["origin"], "text").empty());
+        const auto& input = leaf["origin"]["input"];
+        CHECK((leaf["origin"]["kind"] == "machine" ||
+               (input.is_number() && run.kind(input.get<std::size_t>()) == "input")));
+      });
+    }
+  }
+  CHECK(deeds > 200);
+  CHECK(leaves > 200);
+}
+
+TEST_CASE("a log cut anywhere, and one whose members are of other types, is explained as far as it goes") {
+  const ScratchFolder folder;
+  const auto whole = small_log().text();
+  for (std::size_t bytes = whole.find('\n') + 1; bytes < whole.size(); bytes += 13) {
+    const auto run = RunIndex::open(folder.write("cut.run.jsonl", whole.substr(0, bytes)));
+    REQUIRE(run.ok());
+    for (std::size_t n = 0; n < run->size(); ++n) CHECK(explain(*run, n).ok());
+  }
+  const std::vector<Json> wrong{nullptr, 7, -1, "text", Json::array({1, nullptr}), {{"kind", 3}}, true};
+  for (const auto& path : {traces / "paper/correction.physics.run.jsonl", traces / "talk/n_best.run.jsonl",
+                           traces / "paper/one_shot_learning.run.jsonl"}) {
+    const auto run = opened(path);
+    std::vector<Json> records;
+    for (std::size_t n = 0; n < run.size(); ++n)
+      if (run.kind(n) != "pose") records.push_back(*run.record(n));
+    for (const char* long_text : {"scene", "machine", "phrases"}) records.front().erase(long_text);
+    std::set<std::string> keys;
+    for (const auto& one : records)
+      for (const auto& [key, value] : one.items()) keys.insert(key);
+    for (const char* key : {"kind", "n", "t", "version"}) keys.erase(key);
+    std::size_t turn = 0;
+    for (const auto& key : keys) {
+      std::string log;
+      for (std::size_t n = 0; n < records.size(); ++n) {
+        auto one = records[n];
+        one["n"] = n;
+        if (one.contains(key)) one[key] = wrong[turn++ % wrong.size()];
+        log += compact(one) + "\n";
+      }
+      const auto broken = opened(folder.write("broken.run.jsonl", log));
+      CAPTURE(path, key);
+      for (std::size_t n = 0; n < broken.size(); n += 5) {
+        const auto told = explain(broken, n);
+        REQUIRE(told.ok());
+        CHECK_FALSE(text(*told, true).empty());
+      }
+      for (const auto& question : {ExplainQuestion{}, at(4), step(2), act(1)})
+        if (const auto n = asked_record(broken, question)) CHECK(explain(broken, *n).ok());
+    }
+  }
+}
+
+TEST_CASE("terms are taken apart as they are written") {
+  struct Row {
+    const char* term;
+    std::vector<std::string> binders, elements;
+    const char* head;
+  };
+  const auto row = GENERATE(values<Row>({
+      {"put(plate, <-0.1, -0.15, 0>)", {}, {"plate", "<-0.1, -0.15, 0>"}, "put"},
+      {"\\x v. put(x, v)", {"x", "v"}, {}, ""},
+      {"\\x: e v: loc. put(x, v)", {"x", "v"}, {}, ""},
+      {"[a, f(b, c)]", {}, {"a", "f(b, c)"}, ""},
+      {"plate", {}, {}, ""},
+      {"f(a) and g(b)", {}, {}, ""},
+      {"call('a, (b')", {}, {"'a, (b'"}, "call"},
+      {"<0.1, 0, 0>", {}, {}, ""},
+      {"f(", {}, {}, ""},
+      {"", {}, {}, ""},
+  }));
+  CAPTURE(row.term);
+  const auto parts = term_parts(row.term);
+  CHECK(parts.binders == row.binders);
+  CHECK(parts.elements == row.elements);
+  CHECK(parts.head == row.head);
+}
+
+TEST_CASE("lines are broken at words, and a number stays with its unit") {
+  CHECK(wrapped("one two three", "- ", "  ", 9) == "- one two\n  three\n");
+  CHECK(wrapped("said (1.0 s), then", "", "", 11) == "said\n(1.0 s),\nthen\n");
+  CHECK(wrapped("“äöü” x", "", "", 7) == "“äöü” x\n");
+  CHECK(wrapped("", "  ", "", 9) == "  \n");
+}
