@@ -22,7 +22,8 @@ std::span<const Carried> carried_terms() {
       Carried{"wanted", "text*", &Input::wanted, true},
       Carried{"referents", "e*", &Input::referents, true},
       Carried{"named", "(e -> t)*", &Input::named, true},
-      Carried{"more", "t", &Input::more, true},
+      Carried{"next", "text", &Input::next, true},
+      Carried{"unknown", "text*", &Input::unknown, true},
   };
   return terms;
 }

@@ -38,7 +38,8 @@ struct Input {
   Term wanted;     ///< text*: for each, the words that were to name it; '' where nothing was said
   Term referents;  ///< e*: what the noun phrase or the pointing can mean, the likeliest first
   Term named;      ///< (e -> t)*: the nouns that say what is spoken of, each with its adjectives, then alone
-  Term more;       ///< t: whether the same utterance makes further moves
+  Term next;       ///< text: what kind of move the same utterance makes after this one; null if it makes none
+  Term unknown;    ///< text*: words near it that the lexicon does not have
 };
 
 /// A term that inputs carry, as machines know it.

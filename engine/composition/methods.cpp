@@ -167,6 +167,16 @@ Term Methods::located(const Term& entity, const Term& place, Sides sides, Evalua
   return Term::truth(by > 0);
 }
 
+// They face each other: what is left of a thing for one is right of it for the other.
+Term Methods::as_seen_by(const Term& who, const Term& place) const {
+  const auto at = where(place);
+  const auto viewer = who.kind() == Term::Kind::constant ? participant_named(who.name()) : std::nullopt;
+  if (!at || !viewer) return Term::null();
+  if (!is_side(at->relation) || at->landmarks.front().who || *viewer == perspective_) return place;
+  const auto [head, arguments] = place.spine();
+  return Term::apply(Term::constant(text(opposite(at->relation)), head.type()), arguments[0]);
+}
+
 // The nearest point to the middle between the landmarks, on a grid of the table, where it would be at both places; the
 // sides as exact as they can be.
 Term Methods::common_place(const Term& entity, const Term& first, const Term& second, Evaluation& evaluation) const {
@@ -275,6 +285,8 @@ Signature Methods::add_rules() {
   }
   signature.emplace("common_place", Type::parse("e -> loc -> loc -> loc").value());
   rules_["common_place"] = {3, [this](Arguments a, Evaluation& e) { return common_place(a[0], a[1], a[2], e); }};
+  signature.emplace("as_seen_by", Type::parse("e -> loc -> loc").value());
+  rules_["as_seen_by"] = {2, [this](Arguments a, Evaluation&) { return as_seen_by(a[0], a[1]); }};
   signature.emplace("obstacle", Type::parse("t -> text").value());
   rules_["obstacle"] = {1, [this](Arguments a, Evaluation&) { return obstacle(a[0]); }};
   return signature;

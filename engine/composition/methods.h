@@ -49,6 +49,7 @@ class Methods {
     std::vector<Landmark> landmarks;
   };
   std::optional<Where> where(const Term& place) const;
+  Term as_seen_by(const Term& who, const Term& place) const;
   Term common_place(const Term& entity, const Term& first, const Term& second, Evaluation& evaluation) const;
   Term located(const Term& entity, const Term& place, Sides sides, Evaluation& evaluation) const;
   Term affordance(const ObjectState& object, const std::string& what) const;

@@ -42,12 +42,15 @@ Term negated(const Term& condition) {
   return Term::apply(negation, condition);
 }
 
-// condition is `phrase = …` or `… = phrase`
+// condition is `phrase = …` or `… = phrase`, or one of several of which one is to hold
 bool equates(const Term& condition, const Term& phrase) {
-  static const Name equals("=");
+  static const Name equals("="), either("or");
   const auto [head, arguments] = condition.spine();
-  return head.kind() == Term::Kind::constant && head.interned_name() == equals &&
-         std::find(arguments.begin(), arguments.end(), phrase) != arguments.end();
+  if (head.kind() != Term::Kind::constant) return false;
+  if (head.interned_name() == equals) return std::find(arguments.begin(), arguments.end(), phrase) != arguments.end();
+  return head.interned_name() == either && std::any_of(arguments.begin(), arguments.end(), [&](const Term& each) {
+           return equates(each, phrase);
+         });
 }
 
 // \x. x != object

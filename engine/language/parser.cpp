@@ -159,8 +159,9 @@ class Segment {
       const bool known = std::any_of(reading.phrases.begin(), reading.phrases.end(), [&](const Phrase& other) {
         return other.words.begin == words.begin && other.words.end == words.end && other.term == entry.term;
       });
-      if (!known && occurs(entry.term, reading.term))
-        reading.phrases.push_back({with_nice_variables(entry.term), words});
+      const bool meant = occurs(entry.term, reading.term);
+      if (!meant && entry.term.type() == Type::entity()) return;  // taken back: "the cup, I mean the plate"
+      if (!known && meant) reading.phrases.push_back({with_nice_variables(entry.term), words});
     }
     if (entry.rule == Chart::Rule::word) return;
     collect_phrases(entry.left, reading);

@@ -226,9 +226,22 @@ Term Referring::with_topic(const Term& condition, const Term& topic) const {
   return with;
 }
 
+// Whether it says more than "one", "the other one".
+bool Referring::describes(const Term& condition) const {
+  const auto is = [&](const Term& part, Proform::Source source) {
+    if (part.kind() != Term::Kind::constant) return false;
+    const auto found = meanings_.operators->proforms.find(part.name());
+    return found != meanings_.operators->proforms.end() && found->second.source == source;
+  };
+  if (condition.kind() != Term::Kind::lambda || is(condition.body().spine().head, Proform::Source::topic)) return false;
+  for (const auto& [name, pro] : meanings_.operators->proforms)
+    if (pro.source == Proform::Source::other && contains(condition, Term::constant(name, property()))) return false;
+  return true;
+}
+
 // An answer is one of those that were asked about, whatever they are. Where none fits, it says something else, as does
 // what answers nothing: then "one" stands for the first noun that has such a thing, with "this" and "that" such a thing
-// where the human points; whatever is there, if no noun has.
+// where the human points; if no noun has, for whatever is there or is so described: "the red one".
 Reference Referring::found(const Term& condition, const Determiner& determiner, Context context) const {
   if (!context.among.empty()) {
     auto reference = refer(with_topic(condition, anything()), determiner, context, meanings_);
@@ -241,7 +254,7 @@ Reference Referring::found(const Term& condition, const Determiner& determiner, 
            (!shown || is_pointed_at(*context.pointed_W, *context.world->find(reference.referents.front().object)));
   };
   auto all = topics();
-  if (shown) all.push_back(anything());
+  if (shown || describes(condition)) all.push_back(anything());
   const auto first = with_topic(condition, all.front());
   auto reference = refer(first, determiner, context, meanings_);
   if (fits(reference) || first == condition) return reference;

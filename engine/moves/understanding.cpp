@@ -66,20 +66,34 @@ bool is_nested(const Phrase& noun, const Reading& reading) {
   });
 }
 
-// \x. red(x) and block(x)
-bool has_attributes_only(const Term& condition) {
-  if (condition.kind() != Term::Kind::lambda) return condition.kind() == Term::Kind::constant;
-  std::vector<Term> open = {condition.body()};
-  while (!open.empty()) {
-    const auto [head, arguments] = open.back().spine();
-    open.pop_back();
-    if (head.kind() != Term::Kind::constant) return false;
-    if (head.name() == "and" && arguments.size() == 2)
-      open.insert(open.end(), arguments.begin(), arguments.end());
-    else if (arguments.size() != 1 || arguments[0].kind() != Term::Kind::bound)
-      return false;
+// What a condition says of the thing itself, in the order of its words: of "the leftmost red block behind the cup" that it
+// is red and a block.
+void collect_attributes(const Term& condition, std::vector<Term>& attributes) {
+  if (condition.kind() == Term::Kind::constant) attributes.push_back(condition);
+  if (condition.kind() == Term::Kind::lambda) return collect_attributes(condition.body(), attributes);
+  const auto [head, arguments] = condition.spine();
+  if (head.kind() != Term::Kind::constant || arguments.empty()) return;
+  if (head.name() == "and" || arguments.size() > 1) {
+    for (const auto& each : arguments)
+      if (head.name() == "and" || each.type() == property()) collect_attributes(each, attributes);
+  } else if (arguments[0].kind() == Term::Kind::bound) {
+    attributes.push_back(head);
   }
-  return true;
+}
+
+// \x. red(x) and block(x); null if it says nothing of the thing itself.
+Term attributes_in(const Term& condition) {
+  static const Term both = Term::constant("and", Type::parse("t -> t -> t").value());
+  std::vector<Term> attributes;
+  collect_attributes(condition, attributes);
+  if (attributes.empty()) return Term::null();
+  const auto holds = [](const Term& attribute) {
+    return Term::apply(attribute, Term::bound(0, Type::entity()));
+  };
+  Term all = holds(attributes.front());
+  for (std::size_t i = 1; i < attributes.size(); ++i)
+    all = Term::apply(Term::apply(both, std::move(all)), holds(attributes[i]));
+  return Term::lambda("x", Type::entity(), std::move(all));
 }
 
 }  // namespace
@@ -123,7 +137,7 @@ std::vector<Term> Understanding::nouns(const Reading& reading, const Utterance& 
     const Term noun = noun_in(phrase.words, utterance);
     if (noun.is_null()) continue;
     auto& of_phrase = found[phrase.words.begin];
-    if (has_attributes_only(phrase.term)) of_phrase.insert(of_phrase.begin(), phrase.term);
+    if (Term kind = attributes_in(phrase.term); !kind.is_null()) of_phrase.insert(of_phrase.begin(), std::move(kind));
     of_phrase.push_back(noun);
   }
   std::vector<Term> nouns;
@@ -143,21 +157,22 @@ Context Understanding::within(const Reading& reading, const Utterance& utterance
   return context;
 }
 
-// Of "is the block red?" what is asked, in terms that the machine knows: words for attributes are the lexicon's.
-Term Understanding::explicit_condition(const Term& question) const {
-  const auto arguments = question.spine().arguments;
-  if (arguments.size() != 1 || !(arguments[0].type() == Type::truth()) || !question.closed()) return question;
-  Term condition = arguments[0];
+// In terms that the machine knows: words for attributes are the lexicon's. What a question asks for by a condition is
+// told by its referents.
+Term Understanding::in_machine_terms(const Term& meaning) const {
+  const auto arguments = meaning.spine().arguments;
+  if (!arguments.empty() && arguments[0].type() == property()) return meaning;
+  Term term = meaning;
   for (int definitions = 0; definitions < most_definitions; ++definitions) {
-    const Term before = condition;
-    condition = normal(rewritten(before, [this](const Term& part) -> std::optional<Term> {
+    const Term before = term;
+    term = normal(rewritten(before, [this](const Term& part) -> std::optional<Term> {
       const auto* known = part.kind() == Term::Kind::constant ? vocabulary_.definition(part.name()) : nullptr;
       return known && known->type() == part.type() ? std::optional(*known) : std::nullopt;
     }));
-    if (condition.is_null()) return question;
-    if (condition.same_node(before) || condition == before) break;
+    if (term.is_null()) return meaning;
+    if (term.same_node(before) || term == before) break;
   }
-  return Term::apply(question.function(), condition);
+  return term;
 }
 
 Meanings Understanding::meanings() const {
@@ -180,7 +195,7 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
   if (const auto* phrase = noun_phrase(move.interpretation)) move.reference = phrase->reference;
   if (const auto question = asked_for(reading))
     move.reference = refer(*question, Determiner{}, within(reading, utterance, context), meanings());
-  move.meaning = explicit_condition(move.interpretation.meaning);
+  move.meaning = in_machine_terms(move.interpretation.meaning);
   for (auto word = part.words.begin; word < part.words.end; ++word) move.words.push_back(utterance.words[word]);
   const auto around = surroundings(utterance, fragment);
   move.unknown = words_at(utterance, utterance.unknown, around);

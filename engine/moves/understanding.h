@@ -53,7 +53,7 @@ class Understanding {
   bool is_topic(const Term& term) const;
   Term noun_in(const WordSpan& words, const Utterance& utterance) const;
   std::vector<Term> nouns(const Reading& reading, const Utterance& utterance, std::size_t before) const;
-  Term explicit_condition(const Term& question) const;
+  Term in_machine_terms(const Term& meaning) const;
   Context within(const Reading& reading, const Utterance& utterance, Context context) const;
 
   const Language& language_;

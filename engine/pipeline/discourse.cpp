@@ -1,15 +1,18 @@
 #include "pipeline/discourse.h"
 
+#include <algorithm>
 #include <set>
 
 namespace continua {
 namespace {
 
+// Each once, where it comes first.
 std::vector<std::string> names(const Term& list) {
   std::vector<std::string> names;
   if (list.kind() != Term::Kind::list) return names;
   for (const auto& each : list.elements())
-    if (each.kind() == Term::Kind::constant) names.push_back(each.name());
+    if (each.kind() == Term::Kind::constant && std::find(names.begin(), names.end(), each.name()) == names.end())
+      names.push_back(each.name());
   return names;
 }
 

@@ -31,6 +31,9 @@ void carry(const Move& move, Input& input) {
   std::vector<std::string> referents;
   for (const auto& referent : move.reference.referents) referents.push_back(referent.object);
   input.referents = entities(referents);
+  std::vector<Term> unknown;
+  for (const auto& word : move.unknown) unknown.push_back(Term::text(word));
+  input.unknown = Term::list(std::move(unknown), Type::text_type());
   if (move.readings.empty()) return;
   input.reading = move.readings[move.chosen].term;
   input.meaning = move.meaning;

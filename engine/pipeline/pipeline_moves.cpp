@@ -112,7 +112,9 @@ void Pipeline::understand(Heard& heard, std::size_t fragment, const EngineState&
   heard.because = because_of(heard, state);
   heard.input.because = heard.because;
   heard.input.symbol = text(Modality::speech) + " " + heard.move.kind;
-  heard.input.more = Term::truth(fragment + 1 < heard.utterance.fragments.size());
+  const auto& fragments = heard.utterance.fragments;
+  heard.input.next =
+      fragment + 1 < fragments.size() ? Term::text(fragments[fragment + 1].readings.front().move) : Term::null();
 }
 
 // Words and gestures that were taught draw on what was said then.

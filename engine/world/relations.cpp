@@ -43,7 +43,7 @@ double toward_by(const Box& a, const Box& b, const Vec3& side, Sides sides) {
   const double aside = std::abs(between.dot(across));
   double by = beyond;
   if (sides == Sides::exact) by = std::min(by, half_along(a, across) + half_along(b, across) - aside);
-  if (sides == Sides::rough) by = std::min(by, (between.dot(side) - aside) / std::sqrt(2));
+  if (sides == Sides::rough) by = std::min(by, (between.dot(side) - aside) / std::sqrt(2) + position_grid_m);
   return std::min({by, -rests_by(a, b), -rests_by(b, a)});
 }
 
@@ -55,6 +55,7 @@ double between_by(const Box& a, const Box& first, const Box& second, Sides sides
   line.z() = 0;
   if (line.norm() < position_grid_m) return never;
   line.normalize();
+  if (sides == Sides::loose) sides = Sides::rough;
   return std::min(toward_by(a, first, line, sides), toward_by(a, second, -line, sides));
 }
 
@@ -153,6 +154,12 @@ std::optional<Landmark> Landmark::named(std::string_view name, const WorldSnapsh
 }
 
 bool is_side(Relation relation) { return relation <= Relation::behind; }
+
+Relation opposite(Relation side) {
+  require(is_side(side), "only sides have an opposite");
+  constexpr std::array opposites = {Relation::right, Relation::left, Relation::behind, Relation::in_front};
+  return opposites[static_cast<std::size_t>(side)];
+}
 
 Vec3 side_W(Relation side, Perspective perspective) {
   const double human = perspective == Perspective::human ? 1 : -1;

@@ -6,7 +6,8 @@
 // - left, right, in_front, behind: on that side, A's centre is beyond L's by more than half of what parts them side by
 //   side, across it their extents overlap, and neither rests on the other. (Roughly: it is at least as far beyond as
 //   it is to the side of that. Loosely: beyond is enough.)
-// - between: A is on the side of L that faces L2, and on L2's that faces L, along the line of their centres.
+// - between: A is on the side of L that faces L2, and on L2's that faces L, along the line of their centres. (Loosely
+//   as roughly: what is off the line is not between.)
 // - on: A's bottom is at L's top (`touching_m`) and their extents overlap in x and y.
 // - under: A's top is not above L's bottom (`touching_m`) and their extents overlap in x and y.
 // - in: A's centre is over L's hollow, and A's bottom in it.
@@ -71,6 +72,8 @@ struct Landmark {
 
 /// left, right, in_front or behind
 bool is_side(Relation relation);
+/// Of left right, of in_front behind, and the reverse. REQUIRES is_side(side)
+Relation opposite(Relation side);
 /// Unit vector toward the side that a perspective calls left, right, in front or behind. What is in front of something
 /// is nearer to whose perspective it is. REQUIRES is_side(side)
 Vec3 side_W(Relation side, Perspective perspective);

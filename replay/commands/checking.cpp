@@ -31,7 +31,8 @@ CheckCase cannot_be_used(const Error& error) { return cannot_be_used("cannot be 
 CheckCase examples(std::size_t count, std::vector<Error> problems) {
   const auto all = counted(count, "example");
   if (problems.empty()) return holds(all);
-  return does_not_hold(fmt::format("{} of {} not true", problems.size(), all), std::move(problems));
+  auto sentence = fmt::format("{} of {} not true", problems.size(), all);
+  return does_not_hold(std::move(sentence), std::move(problems));
 }
 
 CheckCase check_lexicon_at(const fs::path& path, const DataPaths& data) {

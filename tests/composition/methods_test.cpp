@@ -137,6 +137,18 @@ TEST_CASE("a place that two relations share is on the table, free, and in as exa
   CHECK(seen.value("common_place(ghost, right(a), left(b))") == "null");
 }
 
+TEST_CASE("who sits on the other side calls sides of things the other way round, but not their own") {
+  Seen seen(world_of({cube("a", 0.1, 0, 0, 0.05)}));
+  CHECK(seen.value("as_seen_by(avatar, left(a))") == "right(a)");
+  CHECK(seen.value("as_seen_by(avatar, behind(a))") == "in_front(a)");
+  CHECK(seen.value("as_seen_by(human, left(a))") == "left(a)");
+  CHECK(seen.value("as_seen_by(avatar, near(a))") == "near(a)");
+  CHECK(seen.value("as_seen_by(avatar, left(avatar))") == "left(avatar)");
+  CHECK(seen.value("as_seen_by(avatar, <0.1, 0.2, 0>)") == "<0.1, 0.2, 0>");
+  CHECK(seen.value("as_seen_by(a, left(a))") == "null");
+  CHECK(seen.value("as_seen_by(avatar, left(ghost))") == "null");
+}
+
 TEST_CASE("what is not in the world gives null, and so does no world") {
   Seen seen(documented_world());
   for (const auto* text : {"position(ghost)", "bounds(ghost)", "attribute(ghost, 'type')", "attribute(plate, 'color')",

@@ -270,6 +270,7 @@ TEST_CASE("one is the first of the nouns used last that has such a thing, or any
   scene.context.topics = {scene.read("\\x. knife_(x)")};
   CHECK(meaning_of(scene.interpreted("that(\\x. one(x))")) == "cup1");
   scene.context.pointed_W.reset();
+  CHECK(meaning_of(scene.interpreted("the(\\x. green(x) and one(x))")) == "block3");  // there is no green knife
   scene.context.among = {"block1", "block3"};
   CHECK(meaning_of(scene.interpreted("the(\\x. red(x) and one(x))")) == "block1");
 }

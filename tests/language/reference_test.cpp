@@ -79,6 +79,7 @@ TEST_CASE("a noun phrase means the objects of which its condition is true") {
       {"the(\\x. block(x) and located(x, behind(me)))", ""},
       {"the(\\x. attribute(x, 'color') = attribute(a(\\y. blue(y)), 'color'))", ""},  // none but itself
       {"the(\\x. block(x) and x = the(\\y. blue(y)))", "blue1"},
+      {"the(\\x. x = the(\\y. blue(y)) or x = the(\\y. plate(y)))", "plate blue1"},
       {"the(\\x. null)", ""},
       {"the(\\x. true)", "red2 plate green1 red1 blue1 cup knife"},
   }));

@@ -78,6 +78,8 @@ TEST_CASE("sides, near and beside have a rough and a loose sense") {
   };
   CHECK(holds("left", cube("a", -0.2, 0.01)) == "+++");
   CHECK(holds("left", cube("a", -0.2, 0.19)) == "-++");
+  CHECK(holds("left", cube("a", -0.2, 0.2)) == "-++");  // as far to the left as behind
+  CHECK(holds("behind", cube("a", -0.2, 0.2)) == "-++");
   CHECK(holds("left", cube("a", -0.2, 0.21)) == "--+");
   CHECK(holds("left", cube("a", 0.2, 0)) == "---");
   CHECK(holds("left", cube("a", -0.04, 0, 0.09)) == "---");  // rests on it
@@ -140,6 +142,9 @@ TEST_CASE("between is on the way from one to the other") {
   CHECK(by("between", cube("a", 0, 0), {second, first}) > 0.05);
   CHECK(by("between", cube("a", -0.2, 0.1), {first, second}) < -0.05);
   CHECK(by("between", cube("a", 0.4, 0.2), {first, second}) < -0.1);
+  const Landmark both[] = {first, second};
+  CHECK(holds_by(Relation::between, cube("a", -0.1, 0.1), both, table, Perspective::human, Sides::loose) > 0);
+  CHECK(holds_by(Relation::between, cube("a", -0.2, 0.4), both, table, Perspective::human, Sides::loose) < -0.05);
   CHECK(by("between", cube("a", 0, 0), {first, first}) == never);
   CHECK(by("between", cube("a", 0, 0), {first}) == never);
 }
