@@ -48,9 +48,8 @@ bool equates(const Term& condition, const Term& phrase) {
   const auto [head, arguments] = condition.spine();
   if (head.kind() != Term::Kind::constant) return false;
   if (head.interned_name() == equals) return std::find(arguments.begin(), arguments.end(), phrase) != arguments.end();
-  return head.interned_name() == either && std::any_of(arguments.begin(), arguments.end(), [&](const Term& each) {
-           return equates(each, phrase);
-         });
+  return head.interned_name() == either &&
+         std::any_of(arguments.begin(), arguments.end(), [&](const Term& each) { return equates(each, phrase); });
 }
 
 // \x. x != object

@@ -66,8 +66,8 @@ bool is_nested(const Phrase& noun, const Reading& reading) {
   });
 }
 
-// What a condition says of the thing itself, in the order of its words: of "the leftmost red block behind the cup" that it
-// is red and a block.
+// What a condition says of the thing itself, in the order of its words: of "the leftmost red block behind the cup" that
+// it is red and a block.
 void collect_attributes(const Term& condition, std::vector<Term>& attributes) {
   if (condition.kind() == Term::Kind::constant) attributes.push_back(condition);
   if (condition.kind() == Term::Kind::lambda) return collect_attributes(condition.body(), attributes);
@@ -87,9 +87,7 @@ Term attributes_in(const Term& condition) {
   std::vector<Term> attributes;
   collect_attributes(condition, attributes);
   if (attributes.empty()) return Term::null();
-  const auto holds = [](const Term& attribute) {
-    return Term::apply(attribute, Term::bound(0, Type::entity()));
-  };
+  const auto holds = [](const Term& attribute) { return Term::apply(attribute, Term::bound(0, Type::entity())); };
   Term all = holds(attributes.front());
   for (std::size_t i = 1; i < attributes.size(); ++i)
     all = Term::apply(Term::apply(both, std::move(all)), holds(attributes[i]));

@@ -7,6 +7,8 @@
 #include <iostream>
 
 #include "replay/commands/progress.h"
+#include "replay/exporters/chrome.h"
+#include "replay/exporters/csv.h"
 #include "replay/exporters/graph_dot.h"
 #include "replay/exporters/graph_svg.h"
 #include "replay/exporters/json.h"
@@ -50,6 +52,8 @@ constexpr std::array exporters = {
              [](const RunIndex& run, std::ostream& out) { return export_json(run, out); }},
     Exporter{"dot", "the state graph with what the run visited, for Graphviz", export_dot},
     Exporter{"svg", "the same as a picture", export_svg},
+    Exporter{"csv", "a table: a row a record, a column for all that records have", export_csv},
+    Exporter{"chrome", "trace events on a time line, for Perfetto, chrome://tracing and speedscope", export_chrome},
     Exporter{"html", "the inspector's page with this run in it, one file that opens offline", export_html},
 };
 
@@ -99,6 +103,8 @@ void add_export_command(CLI::App& program, Run& run) {
   command->footer(
       "Examples: continua export talk.run.jsonl --to json -o talk.json\n"
       "          continua export talk.run.jsonl --to svg -o talk.svg\n"
+      "          continua export talk.run.jsonl --to csv -o talk.csv\n"
+      "          continua export talk.run.jsonl --to chrome -o talk.trace.json\n"
       "          continua export talk.run.jsonl --to html -o talk.html");
   command->callback([options, &run] { run = [options] { return run_export(*options); }; });
 }

@@ -139,15 +139,18 @@ std::optional<Named> change_target(EditedExample& example, const RunIndex& origi
   });
 }
 
-// Takes a word of the run out of the lexicon.
+// Takes a word of the run out of the lexicon's file that has it in the sense in which it is used.
 std::optional<Named> drop_entry(EditedExample& example, const RunIndex& original, std::size_t which) {
-  std::vector<std::string> words;
+  std::vector<std::pair<std::string, Json>> words;  // with their categories
   for (const auto n : original.of_kind("reading")) {
     const auto record = *original.record(n);
     if (!record.contains("entries")) continue;
-    for (const auto& entry : record["entries"]) words.push_back(entry["words"].get<std::string>());
+    for (const auto& entry : record["entries"]) words.emplace_back(entry["words"], entry["category"]);
   }
   if (which >= words.size()) return std::nullopt;
+  const auto has_category = [](const Json& senses, const Json& category) {
+    return std::any_of(senses.begin(), senses.end(), [&](const Json& sense) { return sense[0] == category; });
+  };
   const auto folder = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge/lexicon/english";
   for (const auto& file : fs::directory_iterator(folder)) {
     auto content = Json::parse(*read_file(file.path().string()));
@@ -159,7 +162,7 @@ std::optional<Named> drop_entry(EditedExample& example, const RunIndex& original
       for (std::size_t at = 0; at < key.size();) {
         const auto end = std::min(key.find(" | ", at), key.size());
         const auto one = key.substr(at, end - at);
-        if (one == words[which])
+        if (one == words[which].first && has_category(senses, words[which].second))
           found = true;
         else
           kept += (kept.empty() ? "" : " | ") + one;
@@ -170,7 +173,7 @@ std::optional<Named> drop_entry(EditedExample& example, const RunIndex& original
     if (!found) continue;
     content["words"] = without;
     example.lexicon = {file.path().filename().string(), content};
-    return Named{"lexicon", words[which]};
+    return Named{"lexicon", words[which].first};
   }
   return std::nullopt;
 }
