@@ -215,14 +215,23 @@ class Interpreter {
     });
   }
 
-  // each(those(\x. block(x))) gives them to the rest of the sentence one after the other; so does a list.
+  // each(those(\x. block(x))) gives them to the rest of the sentence one after the other; so does a list, which the
+  // reading may use in two places as well.
   Meaning each(const Term& group, const Type& wanted) {
     if (referring_.is_phrase(group, enclosing_)) return meaning_of(group, wanted);
-    return [this, all = meaning_of(group, group.type()), type = group.type()](const Rest& k) {
-      return all([this, k, type](const Value& value) {
+    auto& now = each_now_[group];
+    if (!now) now = std::make_shared<std::optional<Value>>();
+    return [this, all = meaning_of(group, group.type()), type = group.type(), now](const Rest& k) {
+      if (*now) return k(**now);
+      return all([this, k, type, now](const Value& value) {
         if (value.term.kind() == Term::Kind::list && !value.term.elements().empty() &&
             affords(value.term.elements().size()))
-          return for_each(value.term.elements(), value.by, k);
+          return for_each(value.term.elements(), value.by, [now, &k](const Value& one) {
+            const auto before = std::exchange(*now, one);
+            Answer answer = k(one);
+            *now = before;
+            return answer;
+          });
         const Type element = type.kind() == Type::Kind::list ? Type(type.element()) : Type::term();
         return k(Value{Term::apply(Term::constant("each", Type::function(type, element)), value.term), value.by});
       });
@@ -322,6 +331,7 @@ class Interpreter {
   const RaisingRules& raising_;
   std::unordered_map<Term, std::shared_ptr<Found>, Term::Hash> found_;
   std::unordered_map<Term, std::size_t, Term::Hash> occurrences_;
+  std::unordered_map<Term, std::shared_ptr<std::optional<Value>>, Term::Hash> each_now_;  // as Found::now, of a list
   std::set<std::string> names_;         // taken, so that no variable has them
   std::vector<Term> enclosing_;         // variables of the lambdas around
   std::vector<std::string> spoken_of_;  // objects, since the command began
@@ -337,11 +347,17 @@ Interpretation interpret(const Reading& reading, const std::vector<std::string>&
 }
 
 std::size_t preferred(const std::vector<Interpretation>& interpretations) {
-  const auto found_all = [](const Interpretation& one) {
-    return std::none_of(one.gaps.begin(), one.gaps.end(), [](const Gap& gap) { return gap.why == Gap::Why::none; });
+  // How far words had to be stretched for something to be found.
+  const auto stretched = [](const Interpretation& one) {
+    const bool in_vain =
+        std::any_of(one.gaps.begin(), one.gaps.end(), [](const Gap& gap) { return gap.why == Gap::Why::none; });
+    Sides most = Sides::exact;
+    for (const auto& resolution : one.resolutions) most = std::max(most, resolution.reference.sides);
+    return std::pair(in_vain, in_vain ? Sides::exact : most);
   };
-  const auto first = std::find_if(interpretations.begin(), interpretations.end(), found_all);
-  return first == interpretations.end() ? 0 : static_cast<std::size_t>(first - interpretations.begin());
+  const auto least = std::min_element(interpretations.begin(), interpretations.end(),
+                                      [&](const auto& a, const auto& b) { return stretched(a) < stretched(b); });
+  return least == interpretations.end() ? 0 : static_cast<std::size_t>(least - interpretations.begin());
 }
 
 }  // namespace continua

@@ -63,8 +63,8 @@ struct Interpretation {
 Interpretation interpret(const Reading& reading, const std::vector<std::string>& utterance_words,
                          const Context& context, const Meanings& meanings, const RaisingRules& raising);
 
-/// The first of readings of one fragment whose noun phrases all find something, else the first: the world decides
-/// between "the block on the plate" as one thing and as a thing and a place.
+/// Of readings of one fragment whose noun phrases all find something the first that takes sides least loosely (Sides),
+/// else the first: the world decides between "the block on the plate" as one thing and as a thing and a place.
 std::size_t preferred(const std::vector<Interpretation>& interpretations);
 
 }  // namespace continua

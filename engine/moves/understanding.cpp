@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "language/anaphora.h"
 #include "language/reduction.h"
 #include "term/substitution.h"
 
@@ -181,8 +182,8 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
   const auto& part = utterance.fragments[fragment];
   std::vector<Interpretation> interpretations;
   for (const auto& reading : part.readings)
-    interpretations.push_back(
-        interpret(reading, utterance.words, within(reading, utterance, context), meanings(), language_.raising));
+    interpretations.push_back(interpret(with_antecedent(reading, language_.lexicon->operators), utterance.words,
+                                        within(reading, utterance, context), meanings(), language_.raising));
   Move move;
   move.chosen = preferred(interpretations);
   move.readings = part.readings;

@@ -271,6 +271,8 @@ TEST_CASE("one is the first of the nouns used last that has such a thing, or any
   CHECK(meaning_of(scene.interpreted("that(\\x. one(x))")) == "cup1");
   scene.context.pointed_W.reset();
   CHECK(meaning_of(scene.interpreted("the(\\x. green(x) and one(x))")) == "block3");  // there is no green knife
+  scene.context.topics = {scene.read("\\x. knife_(x) and green(x)")};
+  CHECK(meaning_of(scene.interpreted("the(\\x. one(x))")) == "\\x. x | none e");
   scene.context.among = {"block1", "block3"};
   CHECK(meaning_of(scene.interpreted("the(\\x. red(x) and one(x))")) == "block1");
 }
@@ -382,6 +384,19 @@ TEST_CASE("a reading that finds something is preferred") {
   CHECK(preferred({several, none}) == 0);
   CHECK(preferred({none, none}) == 0);
   CHECK(preferred({}) == 0);
+  auto loose = several, rough = several;
+  loose.resolutions.front().reference.sides = Sides::loose;
+  rough.resolutions.front().reference.sides = Sides::rough;
+  CHECK(preferred({none, loose, rough, several}) == 3);
+  CHECK(preferred({loose, rough, rough}) == 1);
+  CHECK(preferred({none, loose}) == 1);
+}
+
+TEST_CASE("a list that a reading uses in two places stands for each of its things in both") {
+  const Scene scene;
+  const std::string both = "each([plate, knife])";
+  CHECK(meaning_of(scene.interpreted("put(" + both + ", beside(" + both + "))")) ==
+        "[put(plate, beside(plate)), put(knife, beside(knife))]");
 }
 
 TEST_CASE("what is too much is not interpreted, and ends") {
