@@ -204,6 +204,20 @@ TEST_CASE("the decisions of a log are those whose digest its end states") {
   CHECK(decisions.text() == last["decisions"]);
 }
 
+TEST_CASE("of examples it is told how many do not hold, and which") {
+  TemporaryFolder folder;
+  const auto machine = folder.file("one.machine.json", R"({"machine": 1, "name": "one", "start": "a", "transitions": [
+    {"id": "go", "from": "a", "on": "x", "to": "b"}],
+    "examples": [{"input": "x", "ends": "b"}, {"input": "x", "ends": "a"}, {"input": "x, x", "ends": "a"}]})");
+  CheckOptions options;
+  options.paths = {machine};
+  options.report = folder.at("report.json");
+  CHECK(run_check(options) == exit_no);
+  const auto report = Json::parse(read_file(options.report).value());
+  CHECK(report["cases"][0]["sentence"] == "2 of 3 examples not true");
+  CHECK(report["cases"][0]["problems"].size() == 2);
+}
+
 TEST_CASE("to approve is to write the runs that are not as they were approved") {
   TemporaryFolder folder;
   const auto fresh = folder.file("a.trace.jsonl", conversation);

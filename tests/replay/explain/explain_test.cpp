@@ -148,7 +148,8 @@ TEST_CASE(
        {"1.0 s  “Take the block.”  #2", "“the block” may be block1, block4 or block6",
         "1.0 s  Compose → Choose by ‘several’, without input, step 2  #12", "since lacks != null and size(seen) > 1",
         "chosen (likeliest) of 3: ‘several’ 1.0, ‘thing missing’ 1.0, ‘of no use’ 0.001; probability 0.5",
-        "not ‘thing known’: not indicated != null: indicated is null", "The stack, 1 symbol before, 5 symbols after",
+        "not ‘the one in the hand’: not pending = 'ungrasp': pending is 'grasp'",
+        "The stack, 1 symbol before, 5 symbols after",
         "* command \\x. grasp(x) ← meaning (#6); from “take” in “Take the block.” (1.0 s)",
         "as the one below: command, candidates, nouns, sure", "What came along with it\n  gesture point(block1) #14"})
     CHECK_THAT(told, Contains(part));
