@@ -207,8 +207,8 @@ TEST_CASE("the decisions of a log are those whose digest its end states") {
 TEST_CASE("of examples it is told how many do not hold, and which") {
   TemporaryFolder folder;
   const auto machine = folder.file("one.machine.json", R"({"machine": 1, "name": "one", "start": "a", "transitions": [
-    {"id": "go", "from": "a", "on": "x", "to": "b"}],
-    "examples": [{"input": "x", "ends": "b"}, {"input": "x", "ends": "a"}, {"input": "x, x", "ends": "a"}]})");
+    {"id": "go", "from": "a", "on": "speech x", "to": "b"}],
+    "examples": [{"input": "speech x", "ends": "b"}, {"input": "speech x", "ends": "a"}, {"input": "speech x, speech x", "ends": "a"}]})");
   CheckOptions options;
   options.paths = {machine};
   options.report = folder.at("report.json");
