@@ -1,18 +1,19 @@
 #include "language/anaphora.h"
 
 #include <algorithm>
-#include <optional>
+#include <set>
 #include <string>
 
+#include "language/reduction.h"
 #include "term/substitution.h"
 
 namespace continua {
 namespace {
 
-bool is_it(const Phrase& phrase, const Operators& operators) {
-  if (phrase.term.kind() != Term::Kind::constant || !(phrase.term.type() == Type::entity())) return false;
-  const auto found = operators.proforms.find(phrase.term.name());
-  return found != operators.proforms.end() && found->second.source == Proform::Source::focus;
+const Proform* proform_of(const Term& term, const Operators& operators) {
+  if (term.kind() != Term::Kind::constant) return nullptr;
+  const auto found = operators.proforms.find(term.name());
+  return found == operators.proforms.end() ? nullptr : &found->second;
 }
 
 bool is_noun_phrase(const Phrase& phrase) {
@@ -21,34 +22,101 @@ bool is_noun_phrase(const Phrase& phrase) {
 
 bool inside(const WordSpan& a, const WordSpan& b) { return a.begin >= b.begin && a.end <= b.end; }
 
-}  // namespace
+// The noun phrase that begins last of those that end before a word and are `fit`.
+template <typename Fit>
+const Phrase* last_before(std::size_t word, const Reading& reading, Fit fit) {
+  const Phrase* last = nullptr;
+  for (const auto& phrase : reading.phrases)
+    if (is_noun_phrase(phrase) && phrase.words.end <= word && fit(phrase) &&
+        (!last || phrase.words.begin > last->words.begin))
+      last = &phrase;
+  return last;
+}
 
-Reading with_antecedent(const Reading& reading, const Operators& operators) {
-  const auto& phrases = reading.phrases;
-  const auto says_it = [&](const Phrase& phrase) { return is_it(phrase, operators); };
-  if (std::count_if(phrases.begin(), phrases.end(), says_it) != 1) return reading;
-  const Phrase it = *std::find_if(phrases.begin(), phrases.end(), says_it);
-
+const Phrase* smallest_around(const WordSpan& words, const Reading& reading) {
   const Phrase* around = nullptr;
-  for (const auto& phrase : phrases)
-    if (is_noun_phrase(phrase) && inside(it.words, phrase.words) &&
+  for (const auto& phrase : reading.phrases)
+    if (is_noun_phrase(phrase) && inside(words, phrase.words) &&
         (!around || phrase.words.size() < around->words.size()))
       around = &phrase;
-  if (!around) return reading;
-  const Phrase* antecedent = nullptr;
-  for (const auto& phrase : phrases)
-    if (is_noun_phrase(phrase) && phrase.words.end <= it.words.begin &&
-        (!antecedent || phrase.words.begin > antecedent->words.begin))
-      antecedent = &phrase;
-  if (!antecedent) return reading;
+  return around;
+}
 
+Reading with(const Term& part, const Term& meant, Reading reading) {
+  reading.term = normal(replaced(reading.term, part, meant));
+  for (auto& phrase : reading.phrases) phrase.term = normal(replaced(phrase.term, part, meant));
+  return reading;
+}
+
+Reading with_it(Reading reading, const Operators& operators) {
+  const auto says_it = [&](const Phrase& phrase) {
+    const auto* proform = proform_of(phrase.term, operators);
+    return proform && proform->source == Proform::Source::focus && phrase.term.type() == Type::entity();
+  };
+  const auto& phrases = reading.phrases;
+  if (std::count_if(phrases.begin(), phrases.end(), says_it) != 1) return reading;
+  const Phrase it = *std::find_if(phrases.begin(), phrases.end(), says_it);
+  if (!smallest_around(it.words, reading)) return reading;
+  const auto* antecedent = last_before(it.words.begin, reading, [](const Phrase&) { return true; });
+  if (!antecedent) return reading;
   const Term meant = antecedent->term;
-  Reading bound = reading;
-  bound.term = replaced(reading.term, it.term, meant);
-  std::erase_if(bound.phrases, says_it);
-  for (auto& phrase : bound.phrases)
-    if (inside(it.words, phrase.words)) phrase.term = replaced(phrase.term, it.term, meant);
-  return bound;
+  std::erase_if(reading.phrases, says_it);
+  return with(it.term, meant, std::move(reading));
+}
+
+// The names of what things are: cup, white.
+void collect_kinds(const Term& term, const Operators& operators, std::set<std::string>& kinds, bool& any) {
+  switch (term.kind()) {
+    case Term::Kind::constant:
+      if (const auto* proform = proform_of(term, operators))
+        any = any || proform->source == Proform::Source::topic;
+      else if (term.type() == property())
+        kinds.insert(term.name());
+      break;
+    case Term::Kind::lambda:
+      return collect_kinds(term.body(), operators, kinds, any);
+    case Term::Kind::apply:
+      collect_kinds(term.function(), operators, kinds, any);
+      return collect_kinds(term.argument(), operators, kinds, any);
+    default:
+      break;
+  }
+}
+
+bool of_one_kind(const Term& a, const Term& b, const Operators& operators) {
+  std::set<std::string> of_a, of_b;
+  bool any = false;
+  collect_kinds(a, operators, of_a, any);
+  collect_kinds(b, operators, of_b, any);
+  return any || std::any_of(of_a.begin(), of_a.end(), [&](const auto& kind) { return of_b.contains(kind); });
+}
+
+Reading with_other(Reading reading, const Operators& operators) {
+  static const Term differs = Term::constant("!=", Type::parse("e -> e -> t").value());
+  for (const auto& [name, proform] : operators.proforms) {
+    const Term other = Term::constant(name, property());
+    if (proform.source != Proform::Source::other || !contains(reading.term, other)) continue;
+    const Phrase* around = nullptr;
+    for (const auto& phrase : reading.phrases)
+      if (is_noun_phrase(phrase) && contains(phrase.term, other) &&
+          (!around || phrase.words.size() < around->words.size()))
+        around = &phrase;
+    if (!around) continue;
+    const auto* antecedent = last_before(around->words.begin, reading, [&](const Phrase& phrase) {
+      return of_one_kind(phrase.term, around->term, operators);
+    });
+    if (!antecedent) continue;
+    const Term not_that = Term::lambda(
+        "x", Type::entity(), Term::apply(Term::apply(differs, Term::bound(0, Type::entity())), antecedent->term));
+    return with(other, not_that, std::move(reading));
+  }
+  return reading;
+}
+
+}  // namespace
+
+Reading with_antecedents(const Reading& reading, const Operators& operators) {
+  return with_other(with_it(reading, operators), operators);
 }
 
 }  // namespace continua

@@ -5,7 +5,15 @@
 #include <map>
 #include <string>
 
+#include "term/type.h"
+
 namespace continua {
+
+/// e -> t: what is said of things.
+inline const Type& property() {
+  static const Type type = Type::function(Type::entity(), Type::truth());
+  return type;
+}
 
 /// A determiner: a constant of type (e -> t) -> e, or (e -> t) -> e* for several objects.
 struct Determiner {

@@ -18,8 +18,6 @@ using By = Resolution::By;
 // A definition that leads to another, and so on: no longer than this.
 constexpr int most_definitions = 100;
 
-Type property() { return Type::function(Type::entity(), Type::truth()); }
-
 Term point(const Vec3& p_W) { return Term::point(p_W.x(), p_W.y(), p_W.z()); }
 
 bool is_anything(const Term& condition) { return condition.kind() == Term::Kind::lambda && condition.body().is_true(); }

@@ -29,11 +29,6 @@ WordSpan surroundings(const Utterance& utterance, std::size_t fragment) {
           fragment + 1 == fragments.size() ? utterance.words.size() : fragments[fragment + 1].words.begin};
 }
 
-const Type& property() {
-  static const Type type = Type::function(Type::entity(), Type::truth());
-  return type;
-}
-
 // The noun phrase that matters most: the one that is asked about first, else the last of the words. Referents are
 // looked for from the last argument to the first.
 const Resolution* noun_phrase(const Interpretation& interpretation) {
@@ -128,8 +123,9 @@ bool Understanding::is_topic(const Term& term) const {
   });
 }
 
-// What "one" can stand for by what was said before a word: each noun with its adjectives, then the noun alone.
-std::vector<Term> Understanding::nouns(const Reading& reading, const Utterance& utterance, std::size_t before) const {
+// What "one" can stand for by what was said before a word, for each noun: with its adjectives, then alone.
+std::vector<std::vector<Term>> Understanding::nouns(const Reading& reading, const Utterance& utterance,
+                                                    std::size_t before) const {
   std::map<std::size_t, std::vector<Term>> found;
   for (const auto& phrase : reading.phrases) {
     if (!(phrase.term.type() == property()) || phrase.words.end > before || is_nested(phrase, reading)) continue;
@@ -139,10 +135,8 @@ std::vector<Term> Understanding::nouns(const Reading& reading, const Utterance& 
     if (Term kind = attributes_in(phrase.term); !kind.is_null()) of_phrase.insert(of_phrase.begin(), std::move(kind));
     of_phrase.push_back(noun);
   }
-  std::vector<Term> nouns;
-  for (const auto& [begin, of_phrase] : found)
-    for (const auto& noun : of_phrase)
-      if (std::find(nouns.begin(), nouns.end(), noun) == nouns.end()) nouns.push_back(noun);
+  std::vector<std::vector<Term>> nouns;
+  for (auto& [begin, of_phrase] : found) nouns.push_back(std::move(of_phrase));
   return nouns;
 }
 
@@ -150,8 +144,8 @@ std::vector<Term> Understanding::nouns(const Reading& reading, const Utterance& 
 Context Understanding::within(const Reading& reading, const Utterance& utterance, Context context) const {
   for (const auto& phrase : reading.phrases) {
     if (!is_topic(phrase.term)) continue;
-    const auto said = nouns(reading, utterance, phrase.words.begin);
-    context.topics.insert(context.topics.begin(), said.rbegin(), said.rend());
+    for (const auto& noun : nouns(reading, utterance, phrase.words.begin))
+      context.topics.insert(context.topics.begin(), noun.begin(), noun.end());
   }
   return context;
 }
@@ -182,7 +176,7 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
   const auto& part = utterance.fragments[fragment];
   std::vector<Interpretation> interpretations;
   for (const auto& reading : part.readings)
-    interpretations.push_back(interpret(with_antecedent(reading, language_.lexicon->operators), utterance.words,
+    interpretations.push_back(interpret(with_antecedents(reading, language_.lexicon->operators), utterance.words,
                                         within(reading, utterance, context), meanings(), language_.raising));
   Move move;
   move.chosen = preferred(interpretations);
@@ -190,7 +184,9 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
   move.interpretation = std::move(interpretations[move.chosen]);
   const auto& reading = move.readings[move.chosen];
   move.kind = reading.move;
-  move.nouns = nouns(reading, utterance, part.words.end);
+  for (const auto& noun : nouns(reading, utterance, part.words.end))
+    for (const auto& each : noun)
+      if (std::find(move.nouns.begin(), move.nouns.end(), each) == move.nouns.end()) move.nouns.push_back(each);
   if (const auto* phrase = noun_phrase(move.interpretation)) move.reference = phrase->reference;
   if (const auto question = asked_for(reading))
     move.reference = refer(*question, Determiner{}, within(reading, utterance, context), meanings());

@@ -7,6 +7,23 @@
 
 using namespace continua;
 
+namespace {
+
+void check_bound(const std::string& said, const std::string& meant) {
+  INFO(said);
+  const auto utterance = read(said, english_words());
+  REQUIRE(utterance.fragments.size() == 1);
+  const auto bound = with_antecedents(utterance.fragments[0].readings.front(), english()->operators);
+  INFO(print(bound.term));
+  CHECK(bound.term == parse_term(meant, english_words().names()).value());
+  for (const auto& phrase : bound.phrases) {
+    INFO(print(phrase.term));
+    CHECK(contains(bound.term, phrase.term));
+  }
+}
+
+}  // namespace
+
 TEST_CASE("it, inside of a noun phrase, is the noun phrase before it") {
   const auto [said, meant] = GENERATE(table<std::string, std::string>({
       {"take the cup right of the knife and behind it",
@@ -22,13 +39,20 @@ TEST_CASE("it, inside of a noun phrase, is the noun phrase before it") {
       {"take the cup right of the knife", "grasp(the(\\x. cup(x) and located(x, right(the(\\y. knife(y))))))"},
       {"put it on the plate left of it", "put(it, on(the(\\x. plate(x) and located(x, left(it)))))"},
   }));
-  const auto utterance = read(said, english_words());
-  REQUIRE(utterance.fragments.size() == 1);
-  const auto bound = with_antecedent(utterance.fragments[0].readings.front(), english()->operators);
-  INFO(said);
-  CHECK(bound.term == parse_term(meant, english_words().names()).value());
-  for (const auto& phrase : bound.phrases) {
-    INFO(print(phrase.term));
-    CHECK(contains(bound.term, phrase.term));
-  }
+  check_bound(said, meant);
+}
+
+TEST_CASE("other, after a thing of the same kind in the same sentence, is not that one") {
+  const auto [said, meant] = GENERATE(table<std::string, std::string>({
+      {"put the white cup next to the other cup",
+       "put(the(\\x. white(x) and cup(x)), beside(the(\\x. x != the(\\y. white(y) and cup(y)) and cup(x))))"},
+      {"put the red block on the left on the other one",
+       "put(the(\\x. red(x) and leftmost(\\y. block(y), x)), "
+       "on(the(\\x. x != the(\\y. red(y) and leftmost(\\z. block(z), y)) and one(x))))"},
+      // what goes by the focus
+      {"put the knife in the other cup", "put(the(\\x. knife(x)), in(the(\\x. other(x) and cup(x))))"},
+      {"put the other cup next to the white cup",
+       "put(the(\\x. other(x) and cup(x)), beside(the(\\x. white(x) and cup(x))))"},
+  }));
+  check_bound(said, meant);
 }
