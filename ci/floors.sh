@@ -34,7 +34,6 @@ replay/report/*               core replay/run replay/views replay/diff replay/ex
 replay/what_if/run_*          core replay/run replay/views
 replay/score/*                core world replay/score/agreement.h replay/score/episodes.h replay/shell_word.h
 replay/pictures/*             core world simulation/renderer.h replay/run replay/views
-replay/inspector/inspector_server* *
 replay/inspector/inspector_*  core replay/run replay/views replay/diff replay/exporters replay/explain replay/what_if/run_*
 replay/inspector/run_*        core replay/run replay/views
 replay/recorder/*             pipeline core term world voxml automaton perception language moves composition behaviour replay/trace replay/run replay/score/agreement.h
@@ -50,7 +49,7 @@ mujoco/*       engine/simulation/*
 EGL/*          engine/simulation/*
 GL/*           engine/simulation/*
 png.h          engine/simulation/*
-httplib.h      replay/inspector/inspector_server.cpp replay/inspector/http_answer.cpp replay/live/live_routes.cpp
+httplib.h      replay/server/*
 zlib.h         replay/inspector/gzip.cpp
 cairo*         replay/pictures/canvas.cpp
 graphviz/*     replay/exporters/graph_layout.cpp

@@ -9,8 +9,8 @@
 
 #include "replay/commands/event_pipe.h"
 #include "replay/commands/serving.h"
-#include "replay/commands/trace_name.h"
-#include "replay/inspector/inspector_server.h"
+#include "replay/server/inspector_server.h"
+#include "replay/trace/trace_name.h"
 
 namespace continua {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "core/located_json.h"
 #include "replay/commands/progress.h"
-#include "replay/commands/trace_name.h"
 #include "replay/shell_word.h"
+#include "replay/trace/trace_name.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

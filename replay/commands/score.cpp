@@ -15,9 +15,9 @@
 
 #include "core/located_json.h"
 #include "replay/commands/progress.h"
-#include "replay/commands/trace_name.h"
 #include "replay/score/score_report.h"
 #include "replay/trace/trace_file.h"
+#include "replay/trace/trace_name.h"
 
 namespace continua {
 namespace fs = std::filesystem;

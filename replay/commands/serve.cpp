@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "replay/commands/serving.h"
-#include "replay/inspector/inspector_server.h"
 #include "replay/live/live_sessions.h"
+#include "replay/server/inspector_server.h"
 
 namespace continua {
 

@@ -10,9 +10,9 @@
 
 #include "core/located_json.h"
 #include "replay/check/run_approved.h"
-#include "replay/commands/trace_name.h"
 #include "replay/session/data_paths.h"
 #include "replay/shrink/shrink.h"
+#include "replay/trace/trace_name.h"
 
 namespace continua {
 namespace fs = std::filesystem;

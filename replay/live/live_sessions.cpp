@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "replay/commands/trace_name.h"
 #include "replay/live/live_setup.h"
+#include "replay/trace/trace_name.h"
 
 namespace continua {
 namespace {

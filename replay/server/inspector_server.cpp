@@ -1,4 +1,4 @@
-#include "replay/inspector/inspector_server.h"
+#include "replay/server/inspector_server.h"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "replay/inspector/gzip.h"
-#include "replay/inspector/http_answer.h"
 #include "replay/inspector/inspector_api.h"
-#include "replay/live/live_routes.h"
 #include "replay/pictures/frame_cache.h"
+#include "replay/server/http_answer.h"
+#include "replay/server/live_routes.h"
 #include "replay/what_if/what_if_session.h"
 #include "web/assets.h"
 

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "replay/inspector/inspector_log.h"
-#include "replay/inspector/inspector_server.h"
+#include "replay/server/inspector_server.h"
 #include "support/catch.h"
 
 using namespace continua;

@@ -1,8 +1,8 @@
 #include <thread>
 
-#include "replay/inspector/inspector_server.h"
-#include "replay/inspector/plain_client.h"
 #include "replay/live/live_sessions.h"
+#include "replay/server/inspector_server.h"
+#include "replay/server/plain_client.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 

@@ -1,8 +1,8 @@
-#include "replay/inspector/inspector_server.h"
+#include "replay/server/inspector_server.h"
 #include <thread>
 
 #include "replay/inspector/inspector_log.h"
-#include "replay/inspector/plain_client.h"
+#include "replay/server/plain_client.h"
 #include "support/catch.h"
 
 using namespace continua;

@@ -1,4 +1,4 @@
-#include "replay/inspector/http_answer.h"
+#include "replay/server/http_answer.h"
 
 #include <algorithm>
 
