@@ -30,6 +30,9 @@ TEST_CASE("it, inside of a noun phrase, is the noun phrase before it") {
        "grasp(the(\\x. cup(x) and located(x, right(the(\\y. knife(y)))) and located(x, behind(the(\\z. knife(z))))))"},
       {"grab the plate and the block behind it",
        "grasp(each([the(\\x. plate(x)), the(\\x. block(x) and located(x, behind(the(\\y. plate(y)))))]))"},
+      {"grab the plate , the cup and the block behind it",  // the last of them
+       "grasp(each([the(\\x. plate(x)), the(\\x. cup(x)), "
+       "the(\\x. block(x) and located(x, behind(the(\\y. cup(y)))))]))"},
       {"is the cup left of the block behind it",
        "whether(located_roughly(the(\\x. cup(x)), left(the(\\x. block(x) and located(x, behind(the(\\y. cup(y))))))))"},
       // what goes by the focus
