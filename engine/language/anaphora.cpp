@@ -10,12 +10,6 @@
 namespace continua {
 namespace {
 
-const Proform* proform_of(const Term& term, const Operators& operators) {
-  if (term.kind() != Term::Kind::constant) return nullptr;
-  const auto found = operators.proforms.find(term.name());
-  return found == operators.proforms.end() ? nullptr : &found->second;
-}
-
 bool is_noun_phrase(const Phrase& phrase) {
   return phrase.term.kind() == Term::Kind::apply && phrase.term.type() == Type::entity() && phrase.term.closed();
 }

@@ -6,16 +6,9 @@
 namespace continua {
 namespace {
 
-const Determiner* determiner_of(const Term& term, const Operators& operators) {
-  if (term.kind() != Term::Kind::apply || term.function().kind() != Term::Kind::constant) return nullptr;
-  const auto found = operators.determiners.find(term.function().name());
-  return found == operators.determiners.end() ? nullptr : &found->second;
-}
-
 bool is_shown(const Term& term, const Operators& operators) {
-  if (term.kind() != Term::Kind::constant) return false;
-  const auto found = operators.proforms.find(term.name());
-  return found != operators.proforms.end() && found->second.source == Proform::Source::pointed;
+  const auto* proform = proform_of(term, operators);
+  return proform && proform->source == Proform::Source::pointed;
 }
 
 // Whether something in the term asks for pointing.

@@ -80,21 +80,9 @@ NounPhraseSearch::NounPhraseSearch(const Context& context, const Meanings& meani
                                    Sides sides)
     : context_(context), meanings_(meanings), pointed_W_(std::move(pointed_W)), sides_(sides) {}
 
-const Determiner* NounPhraseSearch::determiner_of(const Term& phrase) const {
-  if (phrase.kind() != Term::Kind::apply || phrase.function().kind() != Term::Kind::constant) return nullptr;
-  const auto found = meanings_.operators->determiners.find(phrase.function().name());
-  return found == meanings_.operators->determiners.end() ? nullptr : &found->second;
-}
-
-const Proform* NounPhraseSearch::proform_of(const Term& constant) const {
-  if (constant.kind() != Term::Kind::constant) return nullptr;
-  const auto found = meanings_.operators->proforms.find(constant.name());
-  return found == meanings_.operators->proforms.end() ? nullptr : &found->second;
-}
-
 Term NounPhraseSearch::resolved(const Term& term) const {
   return rewritten(term, [this](const Term& part) -> std::optional<Term> {
-    const auto* proform = proform_of(part);
+    const auto* proform = proform_of(part, *meanings_.operators);
     if (!proform) return std::nullopt;
     switch (proform->source) {
       case Proform::Source::focus: {
@@ -151,7 +139,7 @@ bool NounPhraseSearch::holds(const Term& condition, const std::string& about, co
   const auto with_phrase_as = [&](const Term& value) {
     bool replaced = false;
     return rewritten(condition, [&](const Term& part) -> std::optional<Term> {
-      if (replaced || !part.closed() || !determiner_of(part)) return std::nullopt;
+      if (replaced || !part.closed() || !determiner_of(part, *meanings_.operators)) return std::nullopt;
       replaced = true;
       phrase = part;
       return value;
@@ -171,7 +159,7 @@ bool NounPhraseSearch::holds(const Term& condition, const std::string& about, co
 bool NounPhraseSearch::is_true(const Term& condition, const std::string& other) {
   const Term ready = rewritten(condition, [&](const Term& part) -> std::optional<Term> {
     if (sides_ != Sides::exact && part == located(Sides::exact)) return located(sides_);
-    if (!proform_of(part)) return std::nullopt;
+    if (!proform_of(part, *meanings_.operators)) return std::nullopt;
     return other.empty() ? anything() : all_but(other);
   });
   Evaluation evaluation(*meanings_.rules, [this](Name name) -> const Term* {
@@ -191,7 +179,7 @@ const std::vector<Term>& NounPhraseSearch::referents(const Term& phrase, const s
   auto& referents = found->second;
   ++depth_;
   const auto compared = std::exchange(compared_, std::nullopt);
-  const Determiner& determiner = *determiner_of(phrase);
+  const Determiner& determiner = *determiner_of(phrase, *meanings_.operators);
   std::vector<const ObjectState*> objects;
   for (const auto& each : context_.world->objects)
     if (!determiner.other || each.name != about) objects.push_back(&each);

@@ -42,8 +42,6 @@ class NounPhraseSearch {
   double margin() const { return margin_; }
 
  private:
-  const Determiner* determiner_of(const Term& phrase) const;
-  const Proform* proform_of(const Term& constant) const;
   bool holds(const Term& condition, const std::string& about, const std::string& other);
   bool is_true(const Term& condition, const std::string& other);
   const std::vector<Term>& referents(const Term& phrase, const std::string& about);

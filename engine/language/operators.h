@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "term/type.h"
+#include "term/term.h"
 
 namespace continua {
 
@@ -45,5 +45,12 @@ struct Operators {
   /// that answers a question it is what was asked about. Empty: there is no such name.
   std::string compared;
 };
+
+/// Of a noun phrase, determiner(condition); null if the term is none.
+const Determiner* determiner_of(const Term& term, const Operators& operators);
+/// Of the constant; null if the term is none that stands for something.
+const Proform* proform_of(const Term& term, const Operators& operators);
+/// Whether a pro-form of type e -> t with this source ("one", "other") occurs in it.
+bool says(const Term& term, Proform::Source source, const Operators& operators);
 
 }  // namespace continua

@@ -42,17 +42,9 @@ By by_of(Proform::Source source) {
 
 }  // namespace
 
-const Determiner* Referring::determiner(const Term& term) const {
-  if (term.kind() != Term::Kind::apply || term.function().kind() != Term::Kind::constant) return nullptr;
-  const auto found = meanings_.operators->determiners.find(term.function().name());
-  return found == meanings_.operators->determiners.end() ? nullptr : &found->second;
-}
+const Determiner* Referring::determiner(const Term& term) const { return determiner_of(term, *meanings_.operators); }
 
-const Proform* Referring::proform(const Term& term) const {
-  if (term.kind() != Term::Kind::constant) return nullptr;
-  const auto found = meanings_.operators->proforms.find(term.name());
-  return found == meanings_.operators->proforms.end() ? nullptr : &found->second;
-}
+const Proform* Referring::proform(const Term& term) const { return proform_of(term, *meanings_.operators); }
 
 bool Referring::is_phrase(const Term& term, const std::vector<Term>& open) const {
   if (const auto* pro = proform(term)) return pro->source != Proform::Source::other;
@@ -226,15 +218,10 @@ Term Referring::with_topic(const Term& condition, const Term& topic) const {
 
 // Whether it says more than "one", "the other one".
 bool Referring::describes(const Term& condition) const {
-  const auto is = [&](const Term& part, Proform::Source source) {
-    if (part.kind() != Term::Kind::constant) return false;
-    const auto found = meanings_.operators->proforms.find(part.name());
-    return found != meanings_.operators->proforms.end() && found->second.source == source;
-  };
-  if (condition.kind() != Term::Kind::lambda || is(condition.body().spine().head, Proform::Source::topic)) return false;
-  for (const auto& [name, pro] : meanings_.operators->proforms)
-    if (pro.source == Proform::Source::other && contains(condition, Term::constant(name, property()))) return false;
-  return true;
+  if (condition.kind() != Term::Kind::lambda) return false;
+  const auto* pro = proform(condition.body().spine().head);
+  return !(pro && pro->source == Proform::Source::topic) &&
+         !says(condition, Proform::Source::other, *meanings_.operators);
 }
 
 // An answer is one of those that were asked about, whatever they are. Where none fits, it says something else, as does

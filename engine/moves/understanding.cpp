@@ -117,10 +117,7 @@ Term Understanding::noun_in(const WordSpan& words, const Utterance& utterance) c
 }
 
 bool Understanding::is_topic(const Term& term) const {
-  const auto& proforms = language_.lexicon->operators.proforms;
-  return std::any_of(proforms.begin(), proforms.end(), [&](const auto& entry) {
-    return entry.second.source == Proform::Source::topic && contains(term, Term::constant(entry.first, property()));
-  });
+  return says(term, Proform::Source::topic, language_.lexicon->operators);
 }
 
 // What "one" can stand for by what was said before a word, for each noun: with its adjectives, then alone.
