@@ -1,6 +1,5 @@
 #include "replay/exporters/chrome.h"
 
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <ostream>
@@ -41,8 +40,9 @@ class TraceEvents {
 
   void add(const Json& record) {
     const auto kind = text_of(record, "kind");
-    if (const auto& t = member_of(record, "t"); t.is_number()) now_us_ = std::llround(t.get<double>() * 1e6);
-    if (kind == "input" && !run_.entry(number_of(record)).sample)
+    const auto& entry = run_.entry(static_cast<std::size_t>(integer_of(record, "n")));
+    now_us_ = entry.t.us;
+    if (kind == "input" && !entry.sample)
       at_once(human, brief(record), record);
     else if (kind == "utterance" || kind == "gesture")
       at_once(avatar, brief(record), record);
@@ -67,7 +67,6 @@ class TraceEvents {
     const auto& value = member_of(record, key);
     return value.is_number_integer() ? value.get<std::int64_t>() : 0;
   }
-  static std::size_t number_of(const Json& record) { return static_cast<std::size_t>(integer_of(record, "n")); }
 
   // What a viewer shows beside an event.
   static Json shown(const Json& record) {
