@@ -1,8 +1,10 @@
-// For what is too dear to do on every frame of scrubbing.
+// Slows down work that is too expensive for every frame of scrubbing.
 
-/** `act`, done at once when it was not for `ms`; else when that long has passed, with what it was last called with. */
+/** `act` as a function that runs at most once in `ms`: at once if it can, else later with its latest arguments. */
 export function calmly(act, ms) {
-  let last = -Infinity, timer = 0, latest = null;
+  let last = -Infinity;
+  let timer = 0;
+  let latest = null;
   return (...values) => {
     latest = values;
     if (timer) return;
@@ -12,6 +14,7 @@ export function calmly(act, ms) {
       last = performance.now();
       act(...latest);
     };
-    if (wait <= 0) now(); else timer = setTimeout(now, wait);
+    if (wait <= 0) now();
+    else timer = setTimeout(now, wait);
   };
 }

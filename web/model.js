@@ -1,5 +1,5 @@
-// What is looked at: the run (and the one it is compared with), the record, the branch, the cell, the term, the stretch
-// of time, the filter, the panel. The address is this state, written out; a link restores everything.
+// The selection: the run (and the run it is compared with), the record, the branch, the cell, the term, the stretch of
+// time, the filter, the panel. The address is the selection, written out; a link restores everything.
 
 /**
  * @typedef {{run: string|null, other: string|null, live?: string, n: number|null, branch: number|null, cell: string, term: string,
@@ -13,29 +13,69 @@ const whole = (text) => (/^\d+$/.test(text ?? '') ? Number(text) : null);
 
 /** @returns {Selection} */
 export function parseAddress(address) {
-  const url = new URL(address, 'http://localhost'), query = url.searchParams;
-  const path = /^\/(?:r\/([^/]+)|diff\/([^/]+)\/([^/]+))\/?$/.exec(url.pathname), live = /^\/live(?:\/([^/]*))?\/?$/.exec(url.pathname);
+  const url = new URL(address, 'http://localhost');
+  const query = url.searchParams;
+  const path = /^\/(?:r\/([^/]+)|diff\/([^/]+)\/([^/]+))\/?$/.exec(url.pathname);
+  const live = /^\/live(?:\/([^/]*))?\/?$/.exec(url.pathname);
   const part = (i) => (path?.[i] ? decoded(path[i]) : null);
   const zoom = /^(-?\d+(?:\.\d+)?)\.\.(-?\d+(?:\.\d+)?)$/.exec(query.get('z') ?? '');
   return {
-    run: part(1) ?? part(2), other: part(3), ...live && {live: decoded(live[1] ?? '')},
-    n: whole(query.get('n')), branch: whole(query.get('b')), cell: query.get('cell') ?? '', term: query.get('term') ?? '',
-    zoom: zoom && Number(zoom[1]) < Number(zoom[2]) ? [Number(zoom[1]), Number(zoom[2])] : null, gaps: query.get('gaps') === 'full',
-    filter: query.get('filter') ?? '', kind: query.get('kind') ?? '', panel: query.get('panel') ?? '', tab: query.get('tab') ?? '', hunk: whole(query.get('h')),
+    run: part(1) ?? part(2),
+    other: part(3),
+    ...(live && {live: decoded(live[1] ?? '')}),
+    n: whole(query.get('n')),
+    branch: whole(query.get('b')),
+    cell: query.get('cell') ?? '',
+    term: query.get('term') ?? '',
+    zoom: zoom && Number(zoom[1]) < Number(zoom[2]) ? [Number(zoom[1]), Number(zoom[2])] : null,
+    gaps: query.get('gaps') === 'full',
+    filter: query.get('filter') ?? '',
+    kind: query.get('kind') ?? '',
+    panel: query.get('panel') ?? '',
+    tab: query.get('tab') ?? '',
+    hunk: whole(query.get('h')),
     search: query.get('q') ?? '',
   };
 }
 
 function decoded(text) {
-  try { return decodeURIComponent(text); } catch { return text; }
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
 }
 
 /** @param {Selection} selection */
-export function formatAddress({run, other, live, n, branch, cell, term, zoom, gaps, filter, kind, panel, tab, hunk, search}) {
+export function formatAddress({
+  run,
+  other,
+  live,
+  n,
+  branch,
+  cell,
+  term,
+  zoom,
+  gaps,
+  filter,
+  kind,
+  panel,
+  tab,
+  hunk,
+  search,
+}) {
   if (live !== undefined) return live ? `/live/${encodeURIComponent(live)}` : '/live';
   const parts = [];
-  const add = (name, value) => { if (value !== null && value !== '' && value !== undefined) parts.push(`${name}=${encodeURIComponent(value).replaceAll('%2C', ',')}`); };
-  const path = run === null ? '/' : other === null ? `/r/${encodeURIComponent(run)}` : `/diff/${encodeURIComponent(run)}/${encodeURIComponent(other)}`;
+  const add = (name, value) => {
+    if (value !== null && value !== '' && value !== undefined)
+      parts.push(`${name}=${encodeURIComponent(value).replaceAll('%2C', ',')}`);
+  };
+  const path =
+    run === null
+      ? '/'
+      : other === null
+        ? `/r/${encodeURIComponent(run)}`
+        : `/diff/${encodeURIComponent(run)}/${encodeURIComponent(other)}`;
   if (run === null) add('q', search);
   else {
     add('h', hunk);
@@ -53,12 +93,24 @@ export function formatAddress({run, other, live, n, branch, cell, term, zoom, ga
   return path + (parts.length ? `?${parts.join('&')}` : '');
 }
 
-/** What a page that has just been opened shows of a run, or of two. @returns {Partial<Selection>} */
-export const fresh = (run, other = null) =>
-  ({run, other, n: null, branch: null, cell: '', term: '', zoom: null, filter: '', kind: '', panel: '', tab: '', hunk: null});
+/** The selection of a page that has just been opened on a run, or on two. @returns {Partial<Selection>} */
+export const fresh = (run, other = null) => ({
+  run,
+  other,
+  n: null,
+  branch: null,
+  cell: '',
+  term: '',
+  zoom: null,
+  filter: '',
+  kind: '',
+  panel: '',
+  tab: '',
+  hunk: null,
+});
 
-const quiet_ms = 1500;   // steps closer together than this are one entry of the history
-const write_ms = 250;    // the address is rewritten at most this often
+const quiet_ms = 1500; // steps closer together than this are one entry of the history
+const write_ms = 250; // the address is rewritten at most this often
 
 // An exported page is opened from a file, whose address has no place for all this but behind its '#'.
 const from_file = globalThis.location?.protocol === 'file:';
@@ -100,6 +152,15 @@ export class Model {
     }
     if (how === 'step') this.#last_step = now;
     this.#listener(before);
+  }
+
+  /** Opens a run, or the comparison of two; null: the start page. */
+  open(run, other = null) {
+    this.go(fresh(run, other));
+  }
+  /** Lets the panel fill the page; if it does already, shows all again. */
+  enlarge(panel) {
+    this.go({panel: this.selection.panel === panel ? '' : panel});
   }
 
   /** Fills in what the address left open, without a trace in the history. */

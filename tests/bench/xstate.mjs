@@ -25,14 +25,21 @@ const machineOf = ({start, transitions}) => {
 
 const word = read('word').map((type) => ({type}));
 const perSecond = (machine) => {
-  const run = () => { const actor = createActor(machine).start(); for (const event of word) actor.send(event); };
+  const run = () => {
+    const actor = createActor(machine).start();
+    for (const event of word) actor.send(event);
+  };
   const during = (milliseconds) => {
     const begin = performance.now();
     let runs = 0;
     for (; performance.now() - begin < milliseconds; ++runs) run();
-    return runs * word.length / (performance.now() - begin) * 1000;
+    return ((runs * word.length) / (performance.now() - begin)) * 1000;
   };
-  during(500);  // until the compiler has seen it
+  during(500); // until the compiler has seen it
   return during(500);
 };
-console.log(JSON.stringify(Object.fromEntries(['finite', 'stack', 'guarded'].map((name) => [name, perSecond(machineOf(read(name)))]))));
+console.log(
+  JSON.stringify(
+    Object.fromEntries(['finite', 'stack', 'guarded'].map((name) => [name, perSecond(machineOf(read(name)))])),
+  ),
+);

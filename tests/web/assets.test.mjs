@@ -5,16 +5,20 @@ import {after, before, test} from 'node:test';
 import {root, serve, Visitor} from './support.mjs';
 
 const most_compressed = 700e3;
-const namespaces = /^http:\/\/(www\.w3\.org\/|localhost$)/;  // names, and the base of addresses without one: never asked for
+const namespaces = /^http:\/\/(www\.w3\.org\/|localhost$)/; // names, and the base of addresses without one: never asked for
 
 let server, visitor, loaded;
 before(async () => {
   server = await serve(join(root, 'traces/paper/correction.physics.run.jsonl'));
   visitor = await Visitor.start(server.address, {webgl: true});
   await visitor.visit('/r/correction.physics');
-  await visitor.page.waitForFunction(() => window.continua.scene.stage.drawing);
-  loaded = await visitor.page.evaluate(() => performance.getEntriesByType('resource')
-    .map(({name, encodedBodySize}) => ({path: new URL(name).pathname, size: encodedBodySize})).filter(({path}) => !path.startsWith('/api/')));
+  await visitor.page.waitForFunction(() => window.continua.page.parts.scene.stage.drawing);
+  loaded = await visitor.page.evaluate(() =>
+    performance
+      .getEntriesByType('resource')
+      .map(({name, encodedBodySize}) => ({path: new URL(name).pathname, size: encodedBodySize}))
+      .filter(({path}) => !path.startsWith('/api/')),
+  );
 });
 after(async () => {
   await visitor?.close();

@@ -25,13 +25,19 @@ test('three clicks from the start page to the cause', async () => {
   await at('compare-chosen').click();
   await visitor.page.waitForURL(/\/diff\//);
   await at('verdict').waitFor();
-  assert.match(await at('verdict').innerText(), /^≠ They part at 5 s \(B #\d+\): “No\.” \(speech at 5 s\) is only in B/);
+  assert.match(
+    await at('verdict').innerText(),
+    /^≠ They part at 5 s \(B #\d+\): “No\.” \(speech at 5 s\) is only in B/,
+  );
   assert.deepEqual(visitor.complaints, []);
 });
 
 test('a comparison opens at the first difference; n and p go on and back, and the address holds it', async () => {
   await visitor.visit(both);
-  const told = await visitor.page.evaluate(() => ({first: window.continua.comparison.first, count: window.continua.comparison.hunks.length}));
+  const told = await visitor.page.evaluate(() => ({
+    first: window.continua.page.comparison.first,
+    count: window.continua.page.comparison.hunks.length,
+  }));
   assert.ok(told.count > 2);
   await visitor.addressSays('h', told.first);
   assert.equal(await visitor.page.locator('.hunk.current').count(), 1);
@@ -57,10 +63,12 @@ test('differences are told with what each run has, and why', async () => {
 
 test('lanes are doubled, and the graph tells whose way was whose', async () => {
   await visitor.visit(both);
-  const rows = await visitor.page.evaluate(() => window.continua.lanes.rows.map(({name, side}) => `${side} ${name}`));
+  const rows = await visitor.page.evaluate(() =>
+    window.continua.page.parts.lanes.rows.map(({name, side}) => `${side} ${name}`),
+  );
   assert.equal(rows.filter((name) => name.startsWith('b')).length, rows.length / 2);
-  assert.ok(await visitor.page.locator('.edge.only-a').count() > 0);
-  assert.ok(await visitor.page.locator('.edge.only-b').count() > 0);
+  assert.ok((await visitor.page.locator('.edge.only-a').count()) > 0);
+  assert.ok((await visitor.page.locator('.edge.only-b').count()) > 0);
   assert.match(await visitor.page.locator('.edge.only-b .count').first().textContent(), /A 0 B 1/);
 });
 
@@ -68,7 +76,8 @@ test('the stacks of both stand side by side, and what differs is marked', async 
   await visitor.visit(`${both}?n=33`);
   assert.ok(await at('panel-stack').isVisible());
   assert.ok(await at('panel-stack_b').isVisible());
-  for (const panel of ['stack', 'stack_b']) assert.ok(await at(`panel-${panel}`).locator('.cell.differs').count() > 0, panel);
+  for (const panel of ['stack', 'stack_b'])
+    assert.ok((await at(`panel-${panel}`).locator('.cell.differs').count()) > 0, panel);
 });
 
 test('the comparison can be copied as Markdown', async () => {

@@ -7,10 +7,18 @@ import {after, before, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import {program, root, temporaryFolder, Visitor} from './support.mjs';
 
-const folder = temporaryFolder(), file = join(folder, 'correction.html');
+const folder = temporaryFolder();
+const file = join(folder, 'correction.html');
 let visitor;
 before(async () => {
-  execFileSync(program, ['export', join(root, 'traces/paper/correction.physics.run.jsonl'), '--to', 'html', '-o', file]);
+  execFileSync(program, [
+    'export',
+    join(root, 'traces/paper/correction.physics.run.jsonl'),
+    '--to',
+    'html',
+    '-o',
+    file,
+  ]);
   visitor = await Visitor.start(pathToFileURL(folder).href, {webgl: true});
 });
 after(() => visitor?.close());
@@ -18,12 +26,19 @@ const at = (id) => visitor.at(id);
 
 test('it shows every panel, offline, and complains of nothing', async () => {
   await visitor.visit('/correction.html', {offline: true});
-  for (const name of ['dialogue', 'graph', 'scene', 'lanes', 'stack', 'derivation', 'why']) assert.ok(await at(`panel-${name}`).isVisible(), name);
+  for (const name of ['dialogue', 'graph', 'scene', 'lanes', 'stack', 'derivation', 'why'])
+    assert.ok(await at(`panel-${name}`).isVisible(), name);
   assert.match(await at('verdict').innerText(), /2 utterances/);
   assert.match(await at('panel-dialogue').innerText(), /Put the white cup there/);
   assert.match(await at('panel-why').innerText(), /Why|because|put/);
-  await visitor.page.waitForFunction(() => /cup/.test(document.querySelector('.stage').getAttribute('aria-label') ?? document.querySelector('.stage [role=img]')?.getAttribute('aria-label') ?? ''));
-  assert.ok(await visitor.page.evaluate(() => window.continua.scene.stage.drawing !== null));
+  await visitor.page.waitForFunction(() =>
+    /cup/.test(
+      document.querySelector('.stage').getAttribute('aria-label') ??
+        document.querySelector('.stage [role=img]')?.getAttribute('aria-label') ??
+        '',
+    ),
+  );
+  assert.ok(await visitor.page.evaluate(() => window.continua.page.parts.scene.stage.drawing !== null));
   for (const name of ['records', 'notes']) {
     await at(`tab-${name}`).click();
     assert.ok(await at(`panel-${name}`).isVisible(), name);

@@ -3,7 +3,31 @@ import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {dirname} from 'node:path';
 import {after, before, test} from 'node:test';
-import {answered, api, asked, at, begin, beginWith, click, close, drawing, eventsOf, flat, folder, idOf, lines, open, placeOf, ready, server, type, typeAndClick, until, use, visitor} from './live_support.mjs';
+import {
+  answered,
+  api,
+  asked,
+  at,
+  begin,
+  beginWith,
+  click,
+  close,
+  drawing,
+  eventsOf,
+  flat,
+  folder,
+  idOf,
+  lines,
+  open,
+  placeOf,
+  ready,
+  server,
+  type,
+  typeAndClick,
+  until,
+  use,
+  visitor,
+} from './live_support.mjs';
 import {program, Visitor} from './support.mjs';
 
 const moved = {objects: {cup: {position: [-0.02, 0.05, 0.05]}, knife: {position: [0.3, -0.1, 0.005]}}};
@@ -38,7 +62,8 @@ test('words and a click in 3D: put it there', async () => {
   await begin(drawing);
   await answered(() => type('The plate.'), 'Okay, go on.');
   await answered(() => typeAndClick('Put it there.', [-0.1, -0.15]), 'Okay.');
-  const does = await lines('avatar', 'does').locator('.words').innerText(), [, x, y] = /put\(plate, <(-?[\d.]+), (-?[\d.]+), 0>\)/.exec(does);
+  const does = await lines('avatar', 'does').locator('.words').innerText();
+  const [, x, y] = /put\(plate, <(-?[\d.]+), (-?[\d.]+), 0>\)/.exec(does);
   assert.ok(Math.abs(Number(x) + 0.1) < 0.01 && Math.abs(Number(y) + 0.15) < 0.01, does);
   await saveAsTest('put_it_there');
   assert.deepEqual(visitor.complaints, []);
@@ -61,8 +86,7 @@ test('a click while typing: that cup', async () => {
 test('a click while typing: in that blue cup', async () => {
   await beginWith(flat, {...moved, ...kinematic});
   await answered(() => type('The knife.'), 'Okay, go on.');
-  await typeAndClick('In that blue cup.', [0.29, -0.05]);
-  await lines('human', 'says').filter({hasText: 'In that blue cup.'}).waitFor();
+  await answered(() => typeAndClick('In that blue cup.', [0.29, -0.05]), 'Okay, go on.');
   await answered(() => type('Put it there.'), 'Okay.');
   await asked('put(knife, in(cup_blue))');
   await saveAsTest('in_that_blue_cup');
@@ -98,12 +122,16 @@ test('pause stops the engine’s time, and going on lets it run', async () => {
   const id = await idOf();
   await at('talk').press('Escape');
   await visitor.page.keyboard.press(' ');
-  await visitor.page.waitForFunction(() => /paused/.test(document.querySelector('[data-testid=live-mode]').textContent));
+  await visitor.page.waitForFunction(() =>
+    /paused/.test(document.querySelector('[data-testid=live-mode]').textContent),
+  );
   const {t, paused} = await api(`/${id}`);
   assert.ok(paused);
   for (let i = 0; i < 20; ++i) assert.equal((await api(`/${id}`)).t, t);
   await at('live-pause').click();
-  await visitor.page.waitForFunction(() => /recording/.test(document.querySelector('[data-testid=live-mode]').textContent));
+  await visitor.page.waitForFunction(() =>
+    /recording/.test(document.querySelector('[data-testid=live-mode]').textContent),
+  );
   await until(async () => (await api(`/${id}`)).t > t, 'time goes on');
 });
 
@@ -118,14 +146,19 @@ test('a held button is a hold, a moving mouse samples', async () => {
   await lines('human', 'shows').filter({hasText: 'point ends'}).waitFor();
   const {trace} = await api(`/${await idOf()}`);
   const samples = eventsOf(trace).filter(({kind}) => kind === 'pointing');
-  assert.ok(samples.length && samples.every(({hand, target: [a, b]}) => hand === 'right' && a > 0.09 && Math.abs(b - 0.05) < 0.002), JSON.stringify(samples));
+  assert.ok(
+    samples.length &&
+      samples.every(({hand, target: [a, b]}) => hand === 'right' && a > 0.09 && Math.abs(b - 0.05) < 0.002),
+    JSON.stringify(samples),
+  );
 });
 
 test('by keyboard alone: the cross points, and the avatar answers', async () => {
   await begin(flat);
   await at('talk').press('Escape');
   await at('table-map').focus();
-  for (const key of ['Shift+ArrowLeft', 'Shift+ArrowLeft', 'Shift+ArrowLeft', 'Shift+ArrowLeft', 'ArrowUp']) await visitor.page.keyboard.press(key);
+  for (const key of ['Shift+ArrowLeft', 'Shift+ArrowLeft', 'Shift+ArrowLeft', 'Shift+ArrowLeft', 'ArrowUp'])
+    await visitor.page.keyboard.press(key);
   assert.match(await at('live-caption').innerText(), /plate/);
   await answered(() => visitor.page.keyboard.press('Enter'), 'Okay, go on.');
   assert.match(await lines('human', 'shows').innerText(), /point at \(−0\.20, 0\.01\)/);
@@ -142,7 +175,9 @@ test('who comes later watches, and cannot send', async () => {
   await guest.at('live-watching').waitFor();
   assert.equal(await guest.at('talk').count(), 0);
   await guest.page.locator('[data-testid=conversation] >> text=“Okay, go on.”').waitFor();
-  await visitor.page.waitForFunction(() => /1 watching/.test(document.querySelector('[data-testid=live-viewers]').textContent));
+  await visitor.page.waitForFunction(() =>
+    /1 watching/.test(document.querySelector('[data-testid=live-viewers]').textContent),
+  );
   for (const key of ['y', '1']) await guest.page.keyboard.press(key);
   await guest.page.mouse.click(300, 300);
   await type('The knife.');
@@ -156,7 +191,9 @@ test('what was typed while the connection was lost is sent when it is back', asy
   await begin(flat);
   await visitor.context.setOffline(true);
   await type('The plate.');
-  await visitor.page.waitForFunction(() => /Connection lost/.test(document.querySelector('[data-testid=live-notice]').textContent));
+  await visitor.page.waitForFunction(() =>
+    /Connection lost/.test(document.querySelector('[data-testid=live-notice]').textContent),
+  );
   await answered(() => visitor.context.setOffline(false), 'Okay, go on.');
   await visitor.page.waitForFunction(() => document.querySelector('[data-testid=live-notice]').textContent === '');
 });
@@ -165,17 +202,41 @@ test('the browser’s recogniser talks to the avatar', async () => {
   use(flat);
   await visitor.visit('/live');
   await visitor.page.addInitScript(() => {
-    window.SpeechRecognition = class { start() { window.recogniser = this; } stop() {} };
+    window.SpeechRecognition = class {
+      start() {
+        window.recogniser = this;
+      }
+      stop() {}
+    };
   });
   await visitor.page.reload();
   await at('live-start').click();
   await ready();
   await at('microphone').click();
-  await answered(() => visitor.page.evaluate(() => window.recogniser.onresult({resultIndex: 0,
-    results: [Object.assign([{transcript: 'the plate', confidence: 0.9}, {transcript: 'the play', confidence: 0.4}], {isFinal: true})]})), 'Okay, go on.');
+  await answered(
+    () =>
+      visitor.page.evaluate(() =>
+        window.recogniser.onresult({
+          resultIndex: 0,
+          results: [
+            Object.assign(
+              [
+                {transcript: 'the plate', confidence: 0.9},
+                {transcript: 'the play', confidence: 0.4},
+              ],
+              {isFinal: true},
+            ),
+          ],
+        }),
+      ),
+    'Okay, go on.',
+  );
   const {trace} = await api(`/${await idOf()}`);
   const {text, confidence, alternatives} = eventsOf(trace).find(({kind}) => kind === 'speech');
-  assert.deepEqual({text, confidence, alternatives}, {text: 'the plate', confidence: 0.9, alternatives: [{text: 'the play', confidence: 0.4}]});
+  assert.deepEqual(
+    {text, confidence, alternatives},
+    {text: 'the plate', confidence: 0.9, alternatives: [{text: 'the play', confidence: 0.4}]},
+  );
   await visitor.page.evaluate(() => window.recogniser.onerror({error: 'not-allowed'}));
   assert.match(await at('live-notice').innerText(), /microphone may not be used/);
 });
@@ -197,17 +258,22 @@ test('closing the page ends the session; what was recorded is whole', async () =
 
 test('light or dark: the scene goes along', async () => {
   await begin(drawing);
-  const background = () => visitor.page.evaluate(() => window.continua.live_page.shown.place.view.stage.drawing.colours.background);
-  await visitor.page.waitForFunction(() => window.continua.live_page.shown.place.view.stage.draws > 0);
+  const background = () =>
+    visitor.page.evaluate(() => window.continua.page.shown.place.view.stage.drawing.colours.background);
+  await visitor.page.waitForFunction(() => window.continua.page.shown.place.view.stage.draws > 0);
   const light = await background();
   await at('talk').press('Escape');
   await visitor.page.keyboard.press('t');
-  await visitor.page.waitForFunction((was) => window.continua.live_page.shown.place.view.stage.drawing.colours.background !== was, light);
+  await visitor.page.waitForFunction(
+    (was) => window.continua.page.shown.place.view.stage.drawing.colours.background !== was,
+    light,
+  );
 });
 
 test('a session that goes on can be followed from both start pages', async () => {
   use(flat);
-  const {id} = await api('', {recorder: 'somebody else'}), link = () => visitor.page.locator(`a[href="/live/${id}"]`, {hasText: 'Follow'});
+  const {id} = await api('', {recorder: 'somebody else'});
+  const link = () => visitor.page.locator(`a[href="/live/${id}"]`, {hasText: 'Follow'});
   for (const path of ['/', '/live']) {
     await visitor.visit(path);
     await link().waitFor();
@@ -229,7 +295,10 @@ test('the start page leads here, and a session that is not there says so', async
 });
 
 for (const colorScheme of ['light', 'dark'])
-  for (const [how, start] of [['in 3D', () => begin(drawing, {colorScheme, bypassCSP: true})], ['as a map', () => begin(flat, {colorScheme, bypassCSP: true})]])
+  for (const [how, start] of [
+    ['in 3D', () => begin(drawing, {colorScheme, bypassCSP: true})],
+    ['as a map', () => begin(flat, {colorScheme, bypassCSP: true})],
+  ])
     test(`nothing stands in the way of access, ${how}, ${colorScheme}`, async () => {
       await start();
       await answered(() => type('The plate.'), 'Okay, go on.');
@@ -248,5 +317,5 @@ test('on a phone nothing is too wide, the text box is in sight, and a finger poi
   assert.ok(await visitor.page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
   const {y, height} = await at('talk').boundingBox();
   assert.ok(y > 0 && y + height <= 740);
-  await answered(async () => visitor.page.touchscreen.tap(...await placeOf([-0.2, 0.01])), 'Okay, go on.');
+  await answered(async () => visitor.page.touchscreen.tap(...(await placeOf([-0.2, 0.01]))), 'Okay, go on.');
 });

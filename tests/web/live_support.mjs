@@ -18,17 +18,34 @@ export async function close() {
   for (const one of [drawing, flat]) await one?.close();
   server?.stop();
 }
-export const use = (one) => { visitor = one; };
+export const use = (one) => {
+  visitor = one;
+};
 
 export const at = (id) => visitor.at(id);
-export const api = async (path, body) => (await fetch(`${server.address}/api/sessions${path}`, body && {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)})).json();
-export const eventsOf = (path) => readFileSync(path, 'utf8').trimEnd().split('\n').map((line) => JSON.parse(line));
+export const api = async (path, body) =>
+  (
+    await fetch(
+      `${server.address}/api/sessions${path}`,
+      body && {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)},
+    )
+  ).json();
+export const eventsOf = (path) =>
+  readFileSync(path, 'utf8')
+    .trimEnd()
+    .split('\n')
+    .map((line) => JSON.parse(line));
 /** Waits until it holds. */
 export async function until(holds, what) {
-  for (const end = performance.now() + 30000; !await holds();) assert.ok(performance.now() < end, what);
+  for (const end = performance.now() + 30000; !(await holds()); ) assert.ok(performance.now() < end, what);
 }
 export const idOf = (page = visitor.page) => page.evaluate(() => window.continua.model.selection.live);
-export const ready = () => visitor.page.waitForFunction(() => 'ready' in document.body.dataset && (document.querySelector('.stage.map') || window.continua.live_page.shown.place?.view.stage?.drawing));
+export const ready = () =>
+  visitor.page.waitForFunction(
+    () =>
+      'ready' in document.body.dataset &&
+      (document.querySelector('.stage.map') || window.continua.page.shown.place?.view.stage?.drawing),
+  );
 
 /** A session begun by the form. */
 export async function begin(with_visitor, options = {}) {
@@ -40,19 +57,27 @@ export async function begin(with_visitor, options = {}) {
 /** A session begun with options that the form does not have. */
 export async function beginWith(with_visitor, options) {
   visitor = with_visitor;
-  const recorder = `secret ${++serial}`, {id} = await api('', {clock: 'wall', scene: 'place_setting', machine: 'interaction', recorder, ...options});
+  const recorder = `secret ${++serial}`;
+  const {id} = await api('', {clock: 'wall', scene: 'place_setting', machine: 'interaction', recorder, ...options});
   await visitor.visit('/live');
   await visitor.page.evaluate(([key, secret]) => sessionStorage.setItem(key, secret), [`recorder:${id}`, recorder]);
   await visitor.page.goto(`${server.address}/live/${id}`);
   await ready();
 }
 
-export const lines = (who, how) => visitor.page.locator(`[data-testid=conversation] li[data-who=${who}][data-how=${how}]`).filter({has: visitor.page.locator('a')});
+export const lines = (who, how) =>
+  visitor.page
+    .locator(`[data-testid=conversation] li[data-who=${who}][data-how=${how}]`)
+    .filter({has: visitor.page.locator('a')});
 /** Does this, and waits until the avatar has said that: `text` is its next utterance. */
 export async function answered(act, text) {
-  const said = lines('avatar', 'says'), before_n = await said.count();
+  const said = lines('avatar', 'says');
+  const before_n = await said.count();
   await act();
-  await visitor.page.waitForFunction(([n]) => document.querySelectorAll('[data-testid=conversation] li[data-who=avatar][data-how=says]').length > n, [before_n]);
+  await visitor.page.waitForFunction(
+    ([n]) => document.querySelectorAll('[data-testid=conversation] li[data-who=avatar][data-how=says]').length > n,
+    [before_n],
+  );
   assert.equal(await said.nth(before_n).locator('.words').innerText(), `“${text}”`);
 }
 export const type = async (text) => {
@@ -60,16 +85,18 @@ export const type = async (text) => {
   await at('talk').press('Enter');
 };
 /** Where a point of the table is in the window. */
-export const placeOf = (target) => visitor.page.evaluate(([x, y]) => {
-  const {view} = window.continua.live_page.shown.place;
-  if (view.picture) {
-    const {x: left, y: top} = new DOMPoint(x, -y).matrixTransform(view.picture.getScreenCTM());
-    return [left, top];
-  }
-  const box = view.stage.canvas.getBoundingClientRect(), [left, top] = view.stage.drawing.project([x, y, 0]);
-  return [box.left + left, box.top + top];
-}, target);
-export const click = async (target) => visitor.page.mouse.click(...await placeOf(target));
+export const placeOf = (target) =>
+  visitor.page.evaluate(([x, y]) => {
+    const {view} = window.continua.page.shown.place;
+    if (view.picture) {
+      const {x: left, y: top} = new DOMPoint(x, -y).matrixTransform(view.picture.getScreenCTM());
+      return [left, top];
+    }
+    const box = view.stage.canvas.getBoundingClientRect();
+    const [left, top] = view.stage.drawing.project([x, y, 0]);
+    return [box.left + left, box.top + top];
+  }, target);
+export const click = async (target) => visitor.page.mouse.click(...(await placeOf(target)));
 /** Types, and clicks after the last of these words. */
 export const typeAndClick = async (text, target) => {
   await at('talk').fill(text);

@@ -14,7 +14,8 @@ writeFileSync(join(folder, 'vendor.js'), 'export const dagre = null;\nexport con
 writeFileSync(join(folder, 'package.json'), '{"type": "module"}');
 const load = (name) => import(pathToFileURL(join(folder, name)));
 const {parseAddress, formatAddress, fresh} = await load('model.js');
-const {RunData, lastAtMost} = await load('run/run_data.js');
+const {lastAtMost} = await load('search.js');
+const {RunData} = await load('run/run_data.js');
 const {readColumns} = await load('run/columns.js');
 const {TimeAxis, idleGaps} = await load('timeline/time_axis.js');
 const {Comparison} = await load('run/comparison.js');
@@ -24,8 +25,22 @@ const {placeOf} = await load('panels/go_to.js');
 const nothing = parseAddress('/');
 
 test('an address and what it says are the same thing', () => {
-  const all = {run: 'a b', other: null, n: 137, branch: 2, cell: '5.options', term: '0.1', zoom: [11.9, 13.1], gaps: true, filter: 'put( λ&', kind: 'act', panel: 'graph',
-    tab: 'notes', hunk: null, search: ''};
+  const all = {
+    run: 'a b',
+    other: null,
+    n: 137,
+    branch: 2,
+    cell: '5.options',
+    term: '0.1',
+    zoom: [11.9, 13.1],
+    gaps: true,
+    filter: 'put( λ&',
+    kind: 'act',
+    panel: 'graph',
+    tab: 'notes',
+    hunk: null,
+    search: '',
+  };
   assert.deepEqual(parseAddress(formatAddress(all)), all);
   const compared = {...all, run: 'x/y', other: 'z', hunk: 3, n: null, zoom: null};
   assert.deepEqual(parseAddress(formatAddress(compared)), compared);
@@ -51,27 +66,60 @@ test('the last element that is at most a value', () => {
 
 /** Columns packed as the server packs them. */
 function packed(header, columns) {
-  const arrays = {Float64Array: 'f64', Float32Array: 'f32', Int32Array: 'i32', Uint32Array: 'u32', Uint16Array: 'u16', Uint8Array: 'u8'};
+  const arrays = {
+    Float64Array: 'f64',
+    Float32Array: 'f32',
+    Int32Array: 'i32',
+    Uint32Array: 'u32',
+    Uint16Array: 'u16',
+    Uint8Array: 'u8',
+  };
   let offset = 0;
   const described = {};
   for (const [name, column] of Object.entries(columns)) {
     described[name] = {type: arrays[column.constructor.name], offset, length: column.length};
     offset += Math.ceil(column.byteLength / 8) * 8;
   }
-  const text = new TextEncoder().encode(JSON.stringify({...header, columns: described})), start = Math.ceil((4 + text.length) / 8) * 8;
-  const buffer = new ArrayBuffer(start + offset), bytes = new Uint8Array(buffer);
+  const text = new TextEncoder().encode(JSON.stringify({...header, columns: described}));
+  const start = Math.ceil((4 + text.length) / 8) * 8;
+  const buffer = new ArrayBuffer(start + offset);
+  const bytes = new Uint8Array(buffer);
   new DataView(buffer).setUint32(0, text.length, true);
   bytes.set(text, 4);
-  for (const [name, column] of Object.entries(columns)) bytes.set(new Uint8Array(column.buffer), start + described[name].offset);
+  for (const [name, column] of Object.entries(columns))
+    bytes.set(new Uint8Array(column.buffer), start + described[name].offset);
   return buffer;
 }
 
-function run({names = ['A', 'B', 'C', 'x'], t = [0, 1, 1, 4, 3.5, 6], kinds = ['run', 'transition'], kind = t.map((_, i) => (i ? 1 : 0)), cause = [-1, 0, 1, 0, 3, 2], columns = {}} = {}) {
-  const buffer = packed({records: t.length, duration: Math.max(...t), kinds, names, complete: true}, {
-    t: Float64Array.from(t), kind: Uint8Array.from(kind), cause: Int32Array.from(cause), stop: Uint32Array.of(1, 3, 5),
-    'step.n': Uint32Array.of(1, 2, 5), 'step.id': Uint16Array.of(3, 3, 3), 'step.from': Uint16Array.of(0, 1, 0), 'step.to': Uint16Array.of(1, 0, 2), 'step.depth': Uint16Array.of(2, 1, 3),
-    ...columns});
-  return new RunData({summary: {counts: {}}, graph: {start: 'A', states: [{id: 'A'}, {id: 'B'}, {id: 'C'}], edges: []}, columns: readColumns(buffer), labels: {label: () => '', text: () => ''}});
+function run({
+  names = ['A', 'B', 'C', 'x'],
+  t = [0, 1, 1, 4, 3.5, 6],
+  kinds = ['run', 'transition'],
+  kind = t.map((_, i) => (i ? 1 : 0)),
+  cause = [-1, 0, 1, 0, 3, 2],
+  columns = {},
+} = {}) {
+  const buffer = packed(
+    {records: t.length, duration: Math.max(...t), kinds, names, complete: true},
+    {
+      t: Float64Array.from(t),
+      kind: Uint8Array.from(kind),
+      cause: Int32Array.from(cause),
+      stop: Uint32Array.of(1, 3, 5),
+      'step.n': Uint32Array.of(1, 2, 5),
+      'step.id': Uint16Array.of(3, 3, 3),
+      'step.from': Uint16Array.of(0, 1, 0),
+      'step.to': Uint16Array.of(1, 0, 2),
+      'step.depth': Uint16Array.of(2, 1, 3),
+      ...columns,
+    },
+  );
+  return new RunData({
+    summary: {counts: {}},
+    graph: {start: 'A', states: [{id: 'A'}, {id: 'B'}, {id: 'C'}], edges: []},
+    columns: readColumns(buffer),
+    labels: {label: () => '', text: () => ''},
+  });
 }
 const data = run();
 
@@ -107,13 +155,30 @@ test('effects are the records that name this one as their cause', () => {
 });
 
 test('what is typed to go to: a number, an instant, a state', () => {
-  for (const [text, n] of [['#3', 3], ['3', 3], ['99', null], ['1.0 s', 2], ['0:04', 4], ['c', 5], ['nowhere', null], ['', null]]) assert.equal(placeOf(data, text, 0), n, text);
+  for (const [text, n] of [
+    ['#3', 3],
+    ['3', 3],
+    ['99', null],
+    ['1.0 s', 2],
+    ['0:04', 4],
+    ['c', 5],
+    ['nowhere', null],
+    ['', null],
+  ])
+    assert.equal(placeOf(data, text, 0), n, text);
 });
 
 test('idle time is drawn short, and a place on the axis is a time again', () => {
   const spans = [{from: Float64Array.of(3), to: Float64Array.of(9)}];
   const gaps = idleGaps(Float64Array.of(0, 1, 3, 20, 21), Uint32Array.of(0, 1, 2, 3, 4), spans, 30);
-  assert.deepEqual(gaps, [[9, 20], [21, 30]], 'what goes on is not idle');
+  assert.deepEqual(
+    gaps,
+    [
+      [9, 20],
+      [21, 30],
+    ],
+    'what goes on is not idle',
+  );
   const axis = new TimeAxis(gaps);
   assert.equal(axis.of(9), 9);
   assert.ok(axis.of(20) - axis.of(9) < 1);
@@ -125,9 +190,19 @@ test('two runs: counterparts lie as far behind the inputs they have in common', 
   const kinds = ['run', 'input', 'transition', 'utterance'];
   const own = run({kinds, t: [0, 1, 1, 5, 5], kind: [0, 1, 2, 1, 2], cause: [-1, -1, 1, -1, 3]});
   const other = run({kinds, t: [0, 2, 2, 2, 7, 7], kind: [0, 1, 2, 3, 1, 2], cause: [-1, -1, 1, 2, -1, 4]});
-  const told = {differences: [{kind: 'happened', t: 2, a: [], b: [{n: 3, t: 2, kind: 'utterance', brief: ''}]}], first: 0, pairs: [[1, 1], [3, 4]]};
+  const told = {
+    differences: [{kind: 'happened', t: 2, a: [], b: [{n: 3, t: 2, kind: 'utterance', brief: ''}]}],
+    first: 0,
+    pairs: [
+      [1, 1],
+      [3, 4],
+    ],
+  };
   const comparison = new Comparison(own, {data: other}, told);
-  assert.deepEqual([0, 1, 2, 3, 4].map((n) => comparison.toOther(n)), [0, 1, 2, 4, 5]);
+  assert.deepEqual(
+    [0, 1, 2, 3, 4].map((n) => comparison.toOther(n)),
+    [0, 1, 2, 4, 5],
+  );
   assert.equal(comparison.toOwn(5), 4);
   assert.ok(comparison.toOwn(3) <= 2, 'what only the other has is where it would be');
   assert.ok(comparison.marked('b', 3) && !comparison.marked('a', 3));
@@ -139,18 +214,31 @@ test('two runs: counterparts lie as far behind the inputs they have in common', 
 
 const graph = {
   start: 'Wait',
-  states: ['Wait', 'AskWhichBlock', 'Act', 'End', 'Never'].map((id) => ({id, accepting: id === 'End', visits: id === 'Never' ? 0 : 2})),
+  states: ['Wait', 'AskWhichBlock', 'Act', 'End', 'Never'].map((id) => ({
+    id,
+    accepting: id === 'End',
+    visits: id === 'Never' ? 0 : 2,
+  })),
   edges: [
-    {id: 'a', from: 'Wait', to: 'AskWhichBlock', visits: 2}, {id: 'b', from: 'Wait', to: 'AskWhichBlock', visits: 1},
-    {id: 'c', from: 'AskWhichBlock', to: 'AskWhichBlock', visits: 4}, {id: 'd', from: 'AskWhichBlock', to: 'Act', visits: 2},
-    {id: 'e', from: 'Act', to: 'Never', visits: 0}, ...['Wait', 'AskWhichBlock', 'Act', 'End'].map((from) => ({id: 'q', from, to: 'End', visits: 0})),
+    {id: 'a', from: 'Wait', to: 'AskWhichBlock', visits: 2},
+    {id: 'b', from: 'Wait', to: 'AskWhichBlock', visits: 1},
+    {id: 'c', from: 'AskWhichBlock', to: 'AskWhichBlock', visits: 4},
+    {id: 'd', from: 'AskWhichBlock', to: 'Act', visits: 2},
+    {id: 'e', from: 'Act', to: 'Never', visits: 0},
+    ...['Wait', 'AskWhichBlock', 'Act', 'End'].map((from) => ({id: 'q', from, to: 'End', visits: 0})),
   ],
 };
 
 test('parallel edges are one; what was never taken can be left out; a way from everywhere is a mark', () => {
   const taken = mergedGraph(graph, true);
-  assert.deepEqual(taken.nodes.map((node) => node.id), ['Wait', 'AskWhichBlock', 'Act']);
-  assert.deepEqual(taken.edges.map((edge) => edge.visits), [3, 4, 2]);
+  assert.deepEqual(
+    taken.nodes.map((node) => node.id),
+    ['Wait', 'AskWhichBlock', 'Act'],
+  );
+  assert.deepEqual(
+    taken.edges.map((edge) => edge.visits),
+    [3, 4, 2],
+  );
   const all = mergedGraph(graph, false);
   assert.equal(all.nodes.length, 5);
   assert.ok(all.nodes.find((node) => node.id === 'End').anywhere);
@@ -163,14 +251,28 @@ test('two graphs in one: what each took, and what only one has', () => {
   other.edges.find(({id}) => id === 'd').visits = 0;
   other.edges.push({id: 'n', from: 'AskWhichBlock', to: 'New', visits: 1});
   const {nodes, edges} = mergedGraph(graph, true, other);
-  assert.deepEqual(nodes.map((node) => node.id), ['Wait', 'AskWhichBlock', 'Act', 'New']);
-  assert.deepEqual(edges.map((edge) => [edge.visits, edge.visits_b]), [[3, 3], [4, 4], [2, 0], [0, 1]]);
+  assert.deepEqual(
+    nodes.map((node) => node.id),
+    ['Wait', 'AskWhichBlock', 'Act', 'New'],
+  );
+  assert.deepEqual(
+    edges.map((edge) => [edge.visits, edge.visits_b]),
+    [
+      [3, 3],
+      [4, 4],
+      [2, 0],
+      [0, 1],
+    ],
+  );
 });
 
 test('places do not depend on what was taken: a machine looks the same in every run', () => {
   const other = structuredClone(graph);
   for (const edge of other.edges) edge.visits = edge.from === 'Wait' ? 0 : 7;
-  const places = (one) => layOut(mergedGraph(one, false), 1.5).nodes.filter(({id}) => id !== 'End').map(({id, x, y}) => ({id, x, y}));
+  const places = (one) =>
+    layOut(mergedGraph(one, false), 1.5)
+      .nodes.filter(({id}) => id !== 'End')
+      .map(({id, x, y}) => ({id, x, y}));
   other.edges = other.edges.map((edge) => (edge.id === 'q' ? {...edge, visits: 0} : edge));
   assert.deepEqual(places(graph), places(other));
 });
@@ -180,7 +282,10 @@ test('without libraries, nodes still do not overlap', () => {
   for (const a of nodes) {
     assert.ok(a.x - a.w / 2 >= 0 && a.x + a.w / 2 <= width && a.y - a.h / 2 >= 0 && a.y + a.h / 2 <= height);
     for (const b of nodes)
-      assert.ok(a === b || Math.abs(a.x - b.x) >= (a.w + b.w) / 2 || Math.abs(a.y - b.y) >= (a.h + b.h) / 2, `${a.id} on ${b.id}`);
+      assert.ok(
+        a === b || Math.abs(a.x - b.x) >= (a.w + b.w) / 2 || Math.abs(a.y - b.y) >= (a.h + b.h) / 2,
+        `${a.id} on ${b.id}`,
+      );
   }
 });
 

@@ -37,7 +37,8 @@ test('the start page lists the runs and opens one', async () => {
 
 test('all panels are there, filled, without scrolling the page', async () => {
   await visit('/r/rounds');
-  for (const panel of ['dialogue', 'graph', 'scene', 'stack', 'derivation', 'lanes', 'why']) assert.ok(await at(`panel-${panel}`).isVisible(), panel);
+  for (const panel of ['dialogue', 'graph', 'scene', 'stack', 'derivation', 'lanes', 'why'])
+    assert.ok(await at(`panel-${panel}`).isVisible(), panel);
   assert.match(await at('verdict').innerText(), /3 utterances, 3 acts, 1 refusal, 61 s/);
   assert.ok(await visitor.page.evaluate(() => document.documentElement.scrollHeight <= innerHeight));
   // It opens where the avatar first had to ask.
@@ -73,7 +74,10 @@ test('the stack shows symbols, slots and changes, with λ', async () => {
   assert.match(await at('symbol').first().innerText(), /\+[\s\S]*action[\s\S]*λb\. put\(b, on\(block1\)\)/);
   await at('graph').locator('[data-state=Act]').click();
   await visitor.page.waitForSelector('.symbol.changed:not(.was)');
-  assert.match(await visitor.page.locator('.symbol.changed:not(.was)').innerText(), /~[\s\S]*put\(block2, on\(block1\)\)/);
+  assert.match(
+    await visitor.page.locator('.symbol.changed:not(.was)').innerText(),
+    /~[\s\S]*put\(block2, on\(block1\)\)/,
+  );
 });
 
 test('arrow keys step, and the address follows', async () => {
@@ -86,7 +90,10 @@ test('arrow keys step, and the address follows', async () => {
   await visitor.page.keyboard.press('ArrowLeft');
   assert.equal(await n(), first);
   await visitor.page.keyboard.press('.');
-  assert.equal(await visitor.page.evaluate(() => window.continua.data.kind(window.continua.model.selection.n)), 'transition');
+  assert.equal(
+    await visitor.page.evaluate(() => window.continua.page.data.kind(window.continua.model.selection.n)),
+    'transition',
+  );
   await visitor.page.keyboard.press('End');
   const last = await n();
   await visitor.page.keyboard.press('Home');
@@ -101,7 +108,8 @@ test('arrow keys step, and the address follows', async () => {
 
 test('by keyboard alone: panels, tabs, places, pauses', async () => {
   await visit('/r/rounds');
-  const {keyboard} = visitor.page, selected = () => visitor.page.evaluate(() => window.continua.model.selection);
+  const {keyboard} = visitor.page;
+  const selected = () => visitor.page.evaluate(() => window.continua.model.selection);
   await keyboard.press('2');
   assert.ok(await visitor.page.evaluate(() => document.activeElement.closest('.panel.graph') !== null));
   await keyboard.press('2');
@@ -112,7 +120,10 @@ test('by keyboard alone: panels, tabs, places, pauses', async () => {
   await keyboard.press('#');
   await keyboard.type('0:30');
   await keyboard.press('Enter');
-  assert.ok(Math.abs(await visitor.page.evaluate(() => window.continua.data.t[window.continua.model.selection.n]) - 30) < 5);
+  assert.ok(
+    Math.abs((await visitor.page.evaluate(() => window.continua.page.data.t[window.continua.model.selection.n])) - 30) <
+      5,
+  );
   await keyboard.press('#');
   await keyboard.type('nowhere at all');
   await keyboard.press('Enter');
@@ -120,7 +131,11 @@ test('by keyboard alone: panels, tabs, places, pauses', async () => {
   await keyboard.press('Escape');
   await keyboard.press('g');
   assert.ok((await selected()).gaps);
-  for (const [key, tab] of [['/', 'records'], ['m', 'notes'], ['y', 'why']]) {
+  for (const [key, tab] of [
+    ['/', 'records'],
+    ['m', 'notes'],
+    ['y', 'why'],
+  ]) {
     await keyboard.press(key);
     assert.ok(await at(`panel-${tab}`).isVisible(), tab);
     await visitor.page.evaluate(() => document.activeElement.blur());
@@ -136,10 +151,10 @@ test('by keyboard alone: panels, tabs, places, pauses', async () => {
 test('a rest between two inputs is drawn short, and at full length when that is wanted', async () => {
   await visit('/r/rounds?z=0..61');
   assert.ok(await at('gaps').isChecked());
-  const place = () => visitor.page.evaluate(() => window.continua.lanes.placeOf(45));
+  const place = () => visitor.page.evaluate(() => window.continua.page.parts.lanes.placeOf(45));
   const short = await place();
   await at('gaps').uncheck();
-  assert.ok(await place() > short + 50);
+  assert.ok((await place()) > short + 50);
   await visitor.addressSays('gaps', 'full');
 });
 
@@ -165,7 +180,7 @@ test('clicking along the timeline scrubs, the wheel zooms', async () => {
   await visit('/r/rounds?n=5');
   const box = await at('timeline').boundingBox();
   await visitor.page.mouse.click(box.x + box.width - 30, box.y + 6);
-  assert.ok(await n() > 300);
+  assert.ok((await n()) > 300);
   const before_zoom = await visitor.query('z');
   await visitor.page.mouse.move(box.x + box.width / 2, box.y + 50);
   await visitor.page.mouse.wheel(0, -300);
@@ -174,7 +189,7 @@ test('clicking along the timeline scrubs, the wheel zooms', async () => {
 
 test('why: an act leads back to what was said, with the applications between', async () => {
   await visit('/r/rounds');
-  const act = await visitor.page.evaluate(() => window.continua.data.lanes.act.n[0]);
+  const act = await visitor.page.evaluate(() => window.continua.page.data.lanes.act.n[0]);
   await visit(`/r/rounds?n=${act}`);
   await at('why').waitFor();
   assert.match(await at('why').innerText(), /transition[\s\S]*AskWhichObject → Act[\s\S]*input/);
@@ -186,7 +201,7 @@ test('why: an act leads back to what was said, with the applications between', a
 
 test('records are filtered by text, and only those in sight are in the page', async () => {
   await visit('/r/rounds?kind=*');
-  assert.ok(await visitor.page.locator('.row').count() < 40);
+  assert.ok((await visitor.page.locator('.row').count()) < 40);
   await visitor.page.keyboard.press('/');
   await visitor.page.keyboard.type('which block');
   await visitor.page.waitForFunction(() => document.querySelectorAll('.row').length === 3);

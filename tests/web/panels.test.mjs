@@ -6,7 +6,11 @@ import {root, serve, Visitor} from './support.mjs';
 
 let server, visitor;
 before(async () => {
-  server = await serve(join(root, 'traces/paper/correction.physics.run.jsonl'), join(root, 'traces/building_blocks.run.jsonl'), join(root, 'traces/paper/special_npda.run.jsonl'));
+  server = await serve(
+    join(root, 'traces/paper/correction.physics.run.jsonl'),
+    join(root, 'traces/building_blocks.run.jsonl'),
+    join(root, 'traces/paper/special_npda.run.jsonl'),
+  );
   visitor = await Visitor.start(server.address);
 });
 after(async () => {
@@ -17,28 +21,55 @@ const at = (id) => visitor.at(id);
 const says = async (id, wanted) => assert.match(await at(`panel-${id}`).innerText(), wanted, id);
 
 const runs = [
-  {id: 'correction.physics', verdict: /2 utterances, 4 acts/, dialogue: /Put the white cup there[\s\S]*Okay/, states: 4, stack: /symbol \d+/, derivation: /“that one”/, why: /because the human said “No, that one\.”/, at: 'n=101'},
-  {id: 'building_blocks', verdict: /22 utterances, 4 acts, 5 refusals/, dialogue: /engage[\s\S]*Hello/, states: 10, stack: /symbol \d+/, derivation: /./, why: /the avatar/, at: ''},
+  {
+    id: 'correction.physics',
+    verdict: /2 utterances, 4 acts/,
+    dialogue: /Put the white cup there[\s\S]*Okay/,
+    states: 4,
+    stack: /symbol \d+/,
+    derivation: /“that one”/,
+    why: /because the human said “No, that one\.”/,
+    at: 'n=101',
+  },
+  {
+    id: 'building_blocks',
+    verdict: /22 utterances, 4 acts, 5 refusals/,
+    dialogue: /engage[\s\S]*Hello/,
+    states: 10,
+    stack: /symbol \d+/,
+    derivation: /./,
+    why: /the avatar/,
+    at: '',
+  },
 ];
 for (const run of runs)
   test(`all panels of ${run.id}`, async () => {
     await visitor.visit(`/r/${run.id}?${run.at}`);
     assert.match(await at('verdict').innerText(), run.verdict);
     await says('dialogue', run.dialogue);
-    assert.ok(await at('graph').locator('.node').count() >= run.states);
+    assert.ok((await at('graph').locator('.node').count()) >= run.states);
     assert.equal(await at('graph').locator('.node.current').count(), 1);
     assert.match(await at('span').innerText(), /of \d+\.\d s/);
-    assert.ok(await visitor.page.evaluate(() => window.continua.lanes.rows.filter(({lane}) => lane.n.length).length >= 5));
+    assert.ok(
+      await visitor.page.evaluate(
+        () => window.continua.page.parts.lanes.rows.filter(({lane}) => lane.n.length).length >= 5,
+      ),
+    );
     await says('stack', run.stack);
     await says('derivation', run.derivation);
     await says('why', run.why);
     // Without WebGL the scene is a picture of the server's, or a sentence where that has none.
-    await visitor.page.waitForFunction(() => document.querySelector('.scene img') ?? /picture|draw/i.test(document.querySelector('.scene').innerText));
+    await visitor.page.waitForFunction(
+      () => document.querySelector('.scene img') ?? /picture|draw/i.test(document.querySelector('.scene').innerText),
+    );
     await at('tab-records').click();
-    assert.ok(await visitor.page.locator('.row').count() > 3);
+    assert.ok((await visitor.page.locator('.row').count()) > 3);
     await at('tab-notes').click();
     await says('notes', /No notes yet/);
-    assert.deepEqual(visitor.complaints.filter((one) => !/501/.test(one)), []);
+    assert.deepEqual(
+      visitor.complaints.filter((one) => !/501/.test(one)),
+      [],
+    );
   });
 
 test('words and gestures that were taken as one stand together', async () => {
@@ -66,5 +97,8 @@ test('several configurations: how they branched, and the stack of each', async (
   await visitor.page.waitForFunction(() => document.querySelector('.node.branch')?.dataset.state === 'second half');
   await visitor.page.locator('.branch-tree .dot').first().click();
   await visitor.addressSays('n', 6);
-  assert.deepEqual(visitor.complaints.filter((one) => !/501/.test(one)), []);
+  assert.deepEqual(
+    visitor.complaints.filter((one) => !/501/.test(one)),
+    [],
+  );
 });

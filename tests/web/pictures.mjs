@@ -5,17 +5,24 @@ import {copyFileSync, mkdirSync} from 'node:fs';
 import {join} from 'node:path';
 import {program, root, serve, temporaryFolder, Visitor} from './support.mjs';
 
-const out = process.argv[2] ?? join(root, 'web/pictures'), runs = temporaryFolder();
+const out = process.argv[2] ?? join(root, 'web/pictures');
+const runs = temporaryFolder();
 mkdirSync(out, {recursive: true});
 for (const name of ['correction.physics', 'disambiguation', 'disambiguation_exhausted', 'one_breath', 'special_npda'])
   copyFileSync(join(root, `traces/paper/${name}.run.jsonl`), join(runs, `${name}.run.jsonl`));
-execFileSync(program, ['replay', join(root, 'traces/building_blocks.trace.jsonl'), '-o', join(runs, 'blocks.run.jsonl')]);
-const server = await serve(runs), visitor = await Visitor.start(server.address, {webgl: true});
+execFileSync(program, [
+  'replay',
+  join(root, 'traces/building_blocks.trace.jsonl'),
+  '-o',
+  join(runs, 'blocks.run.jsonl'),
+]);
+const server = await serve(runs);
+const visitor = await Visitor.start(server.address, {webgl: true});
 
 async function picture(name, path, options = {}, prepare = async () => {}) {
   const page = await visitor.visit(path, options);
   await prepare(page);
-  await page.waitForTimeout(4000);  // pictures and the scene are drawn without a graphics card
+  await page.waitForTimeout(4000); // pictures and the scene are drawn without a graphics card
   await page.screenshot({path: join(out, `${name}.png`)});
   console.log(join(out, `${name}.png`));
 }
@@ -30,7 +37,7 @@ await picture('live', '/live', large, async (page) => {
     await page.press('[data-testid=talk]', 'Enter');
   };
   await page.click('[data-testid=live-start]');
-  await page.waitForFunction(() => window.continua.live_page.shown.place?.view.stage?.drawing);
+  await page.waitForFunction(() => window.continua.page.shown.place?.view.stage?.drawing);
   await say('The knife.');
   await page.locator('text=Okay, go on.').waitFor();
   await page.fill('[data-testid=talk]', 'Put it there.');

@@ -5,12 +5,14 @@ import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {root, serve, temporaryFolder, Visitor} from './support.mjs';
 
-const folder = temporaryFolder(), paper = join(root, 'traces/paper');
+const folder = temporaryFolder();
+const paper = join(root, 'traces/paper');
 const lines = readFileSync(join(paper, 'disambiguation.run.jsonl'), 'utf8').split('\n').filter(Boolean);
 let server, visitor;
 before(async () => {
   mkdirSync(join(folder, 'older'));
-  for (const name of ['correction', 'disambiguation']) copyFileSync(join(paper, `${name}.run.jsonl`), join(folder, `${name}.run.jsonl`));
+  for (const name of ['correction', 'disambiguation'])
+    copyFileSync(join(paper, `${name}.run.jsonl`), join(folder, `${name}.run.jsonl`));
   copyFileSync(join(paper, 'one_breath.run.jsonl'), join(folder, 'older/one_breath.run.jsonl'));
   utimesSync(join(folder, 'older/one_breath.run.jsonl'), 1e9, 1e9);
   writeFileSync(join(folder, 'cut.run.jsonl'), `${lines.slice(0, 20).join('\n')}\n`);
@@ -25,7 +27,10 @@ after(async () => {
 });
 const at = (id) => visitor.at(id);
 const names = () => visitor.page.locator('.start .name').allInnerTexts();
-const listed = () => visitor.page.waitForFunction(() => document.querySelectorAll('[data-testid=run]').length && !/being read/.test(document.body.innerText));
+const listed = () =>
+  visitor.page.waitForFunction(
+    () => document.querySelectorAll('[data-testid=run]').length && !/being read/.test(document.body.innerText),
+  );
 
 test('all runs, the newest first, with verdict, length, machine, scene and picture', async () => {
   await visitor.visit('/');
@@ -57,7 +62,9 @@ test('search narrows the list and is part of the address', async () => {
 });
 
 test('no runs: it says how to make one', async () => {
-  const empty = temporaryFolder(), other = await serve(empty), guest = await Visitor.start(other.address);
+  const empty = temporaryFolder();
+  const other = await serve(empty);
+  const guest = await Visitor.start(other.address);
   await guest.visit('/');
   assert.match(await guest.page.locator('.lead').innerText(), /continua replay TRACE/);
   await guest.close();
@@ -71,7 +78,10 @@ test('a note is kept beside the run, shown again, and taken away', async () => {
   await visitor.page.keyboard.press('Control+Enter');
   await at('note').waitFor();
   const kept = JSON.parse(readFileSync(join(folder, 'correction.notes.json'), 'utf8'));
-  assert.deepEqual(kept.notes.map(({n, to, text}) => ({n, to, text})), [{n: 45, to: null, text: 'Here <b>it</b> takes the blue cup.'}]);
+  assert.deepEqual(
+    kept.notes.map(({n, to, text}) => ({n, to, text})),
+    [{n: 45, to: null, text: 'Here <b>it</b> takes the blue cup.'}],
+  );
   await visitor.visit('/r/correction?n=0&tab=notes');
   assert.match(await at('note').innerText(), /#45[\s\S]*Here <b>it<\/b> takes/);
   await at('note').locator('button.link').click();
@@ -89,7 +99,7 @@ test('a note is kept beside the run, shown again, and taken away', async () => {
 
 test('what if an input had not come: the new run is compared with this one', async () => {
   await visitor.visit('/r/disambiguation');
-  const said = await visitor.page.evaluate(() => window.continua.data.lanes.speech.n[1]);
+  const said = await visitor.page.evaluate(() => window.continua.page.data.lanes.speech.n[1]);
   await visitor.visit(`/r/disambiguation?n=${said}`);
   await visitor.page.keyboard.press('x');
   await at('what-if-out').check();
@@ -104,7 +114,7 @@ test('what if an input had not come: the new run is compared with this one', asy
 
 test('what if it had been said otherwise', async () => {
   await visitor.visit('/r/disambiguation');
-  const said = await visitor.page.evaluate(() => window.continua.data.lanes.speech.n[0]);
+  const said = await visitor.page.evaluate(() => window.continua.page.data.lanes.speech.n[0]);
   await visitor.visit(`/r/disambiguation?n=${said}`);
   await at('what-if-open').click();
   const text = await at('what-if-event').inputValue();
@@ -124,7 +134,7 @@ test('what if another transition had been taken', async () => {
   await at('what-if-run').click();
   assert.match(await visitor.page.locator('.what-if .trouble').innerText(), /Change something first/);
   const others = at('what-if').locator('input[type=radio]:not([value=""])');
-  assert.ok(await others.count() > 0);
+  assert.ok((await others.count()) > 0);
   await others.first().check();
   await at('what-if-run').click();
   await visitor.page.waitForURL(/\/diff\/correction\/what-if/);
@@ -138,14 +148,21 @@ test('a run that is being written is live: it grows, and the cursor goes along a
   await visitor.visit('/r/growing');
   await at('live').waitFor();
   await visitor.page.keyboard.press('End');
-  await visitor.page.evaluate(() => window.continua.jump(window.continua.data.stops.at(-1)));
+  await visitor.page.evaluate(() => window.continua.cursor.jump(window.continua.page.data.stops.at(-1)));
   const before_n = await visitor.n();
-  await visitor.page.evaluate(() => { window.first_scene = window.continua.scene; });
+  await visitor.page.evaluate(() => {
+    window.first_scene = window.continua.page.parts.scene;
+  });
   appendFileSync(path, `${lines.slice(20, 40).join('\n')}\n`);
   await visitor.page.waitForFunction((n) => window.continua.model.selection.n > n, before_n);
   appendFileSync(path, `${lines.slice(40).join('\n')}\n`);
-  await visitor.page.waitForFunction((size) => window.continua.data.size === size, lines.length);
-  assert.ok(await visitor.page.evaluate(() => window.first_scene === window.continua.scene && document.contains(window.first_scene.element)), 'the scene stays');
+  await visitor.page.waitForFunction((size) => window.continua.page.data.size === size, lines.length);
+  assert.ok(
+    await visitor.page.evaluate(
+      () => window.first_scene === window.continua.page.parts.scene && document.contains(window.first_scene.element),
+    ),
+    'the scene stays',
+  );
   await visitor.page.waitForFunction(() => document.querySelector('[data-testid=live]').hidden);
   assert.deepEqual(visitor.complaints, []);
 });
@@ -160,7 +177,10 @@ for (const colorScheme of ['light', 'dark'])
 test('on a phone the start page and a run can be read', async () => {
   for (const path of ['/', '/r/correction', '/diff/correction/disambiguation']) {
     await visitor.visit(path, {viewport: {width: 390, height: 780}});
-    assert.ok(await visitor.page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${path} is too wide`);
+    assert.ok(
+      await visitor.page.evaluate(() => document.documentElement.scrollWidth <= innerWidth),
+      `${path} is too wide`,
+    );
     assert.equal(await visitor.page.evaluate(() => scrollY), 0, `${path} begins at its top`);
   }
 });

@@ -51,11 +51,12 @@ const media = {'.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css
 async function serveFromDisk(route, address) {
   const {pathname} = new URL(route.request().url());
   const file = join(from_disk, /^\/(r\/|diff\/|live(\/|$)|$)/.test(pathname) ? 'index.html' : pathname);
-  if (!route.request().url().startsWith(address) || pathname.startsWith('/api/') || !existsSync(file)) return route.fallback();
+  if (!route.request().url().startsWith(address) || pathname.startsWith('/api/') || !existsSync(file))
+    return route.fallback();
   return route.fulfill({body: readFileSync(file), contentType: media[extname(file)]});
 }
 
-const patience_ms = 60000;  // machines that do much else at the time are slow
+const patience_ms = 60000; // machines that do much else at the time are slow
 
 /** A browser that visits one server, and what its page complains of. */
 export class Visitor {
@@ -63,8 +64,19 @@ export class Visitor {
   static async start(address, {webgl = false} = {}) {
     const visitor = new Visitor();
     visitor.address = address;
-    visitor.browser = await chromium.launch({executablePath: chromium_path, args: ['--no-sandbox', '--disable-background-networking', '--no-first-run',
-      '--disable-component-update', '--disable-sync', ...webgl ? ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'] : ['--disable-gpu', '--disable-3d-apis']]});
+    visitor.browser = await chromium.launch({
+      executablePath: chromium_path,
+      args: [
+        '--no-sandbox',
+        '--disable-background-networking',
+        '--no-first-run',
+        '--disable-component-update',
+        '--disable-sync',
+        ...(webgl
+          ? ['--use-angle=swiftshader', '--enable-unsafe-swiftshader']
+          : ['--disable-gpu', '--disable-3d-apis']),
+      ],
+    });
     return visitor;
   }
 
@@ -77,21 +89,39 @@ export class Visitor {
     this.page.setDefaultTimeout(patience_ms);
     this.complaints = [];
     const {page, complaints} = this;
-    page.on('console', (message) => { if (['error', 'warning'].includes(message.type())) complaints.push(message.text()); });
+    page.on('console', (message) => {
+      if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
+    });
     page.on('pageerror', (problem) => complaints.push(problem.stack));
-    page.on('request', (request) => { if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(this.address)) complaints.push(`asked ${request.url()}`); });
-    if (from_disk) await page.route((url) => !url.pathname.startsWith('/api/'), (route) => serveFromDisk(route, this.address));
+    page.on('request', (request) => {
+      if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(this.address))
+        complaints.push(`asked ${request.url()}`);
+    });
+    if (from_disk)
+      await page.route(
+        (url) => !url.pathname.startsWith('/api/'),
+        (route) => serveFromDisk(route, this.address),
+      );
     await page.goto(this.address + path);
     if (ready) await page.waitForSelector(ready, {state: 'attached'});
     return page;
   }
 
-  at(id) { return this.page.locator(`[data-testid=${id}]`); }
-  n() { return this.page.evaluate(() => window.continua.model.selection.n); }
-  async query(name) { return new URL(await this.page.evaluate(() => location.href)).searchParams.get(name); }
+  at(id) {
+    return this.page.locator(`[data-testid=${id}]`);
+  }
+  n() {
+    return this.page.evaluate(() => window.continua.model.selection.n);
+  }
+  async query(name) {
+    return new URL(await this.page.evaluate(() => location.href)).searchParams.get(name);
+  }
   /** Waits until the address says so: it is written a little after the fact. */
   addressSays(name, value) {
-    return this.page.waitForFunction(([key, wanted]) => new URL(location.href).searchParams.get(key) === wanted, [name, String(value)]);
+    return this.page.waitForFunction(
+      ([key, wanted]) => new URL(location.href).searchParams.get(key) === wanted,
+      [name, String(value)],
+    );
   }
   /** What axe finds wrong with the page as it is, in short. REQUIRES a visit with bypassCSP. */
   async violations() {
@@ -99,5 +129,7 @@ export class Visitor {
     const {violations} = await this.page.evaluate(() => window.axe.run());
     return violations.map(({id, nodes}) => `${id}: ${nodes.map((node) => node.html).slice(0, 3)}`);
   }
-  async close() { await this.browser?.close(); }
+  async close() {
+    await this.browser?.close();
+  }
 }

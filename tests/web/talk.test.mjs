@@ -13,11 +13,31 @@ test('words are spread over the time before now, and each click goes with its wo
   draft.click([0.1, -0.05]);
   draft.type('Put it there and that');
   draft.click([0.2, 0]);
-  assert.deepEqual(draft.clicks.map((click) => draft.wordOf(click)), ['there', 'that']);
+  assert.deepEqual(
+    draft.clicks.map((click) => draft.wordOf(click)),
+    ['there', 'that'],
+  );
   const events = draft.take()(10);
-  assert.deepEqual(events[0], {t: 8.8, kind: 'speech', text: 'Put it there and that', until: 10,
-    words: [['Put', 8.8], ['it', 9.04], ['there', 9.28], ['and', 9.52], ['that', 9.76]].map(([text, t]) => ({text, t}))});
-  assert.deepEqual(events.slice(1).map(({t, target}) => [t, target]), [[9.28, [0.1, -0.05]], [9.76, [0.2, 0]]]);
+  assert.deepEqual(events[0], {
+    t: 8.8,
+    kind: 'speech',
+    text: 'Put it there and that',
+    until: 10,
+    words: [
+      ['Put', 8.8],
+      ['it', 9.04],
+      ['there', 9.28],
+      ['and', 9.52],
+      ['that', 9.76],
+    ].map(([text, t]) => ({text, t})),
+  });
+  assert.deepEqual(
+    events.slice(1).map(({t, target}) => [t, target]),
+    [
+      [9.28, [0.1, -0.05]],
+      [9.76, [0.2, 0]],
+    ],
+  );
   assert.equal(draft.take(), null);
 });
 
@@ -27,7 +47,12 @@ test('words without a click have no times, a click goes with the text that is le
   draft.click([0, 0]);
   draft.type('one');
   assert.equal(draft.wordOf(draft.clicks[0]), 'one');
-  assert.deepEqual(draft.take()(0.1).map(({t}) => t), [0, 0]);
+  assert.deepEqual(
+    draft
+      .take()(0.1)
+      .map(({t}) => t),
+    [0, 0],
+  );
   draft.type('one two');
   draft.click([0, 0]);
   draft.type(' ');
@@ -52,8 +77,13 @@ test('engine time runs with the wall’s, stands while paused, and is never behi
 });
 
 test('what the recogniser heard becomes speech with its confidence and its other readings', () => {
-  assert.deepEqual(eventOf([{transcript: ' the plate ', confidence: 0.912}, {transcript: 'the play', confidence: 0}]),
-    {kind: 'speech', text: 'the plate', confidence: 0.91, alternatives: [{text: 'the play', confidence: 0.91}]});
+  assert.deepEqual(
+    eventOf([
+      {transcript: ' the plate ', confidence: 0.912},
+      {transcript: 'the play', confidence: 0},
+    ]),
+    {kind: 'speech', text: 'the plate', confidence: 0.91, alternatives: [{text: 'the play', confidence: 0.91}]},
+  );
   assert.deepEqual(eventOf([{transcript: 'yes', confidence: 0}]), {kind: 'speech', text: 'yes'});
   assert.equal(eventOf([{transcript: ' ', confidence: 1}]), null);
 });
@@ -63,11 +93,19 @@ test('samples and what came of them are no lines of the conversation', () => {
   assert.equal(lineOf({kind: 'refusal', reason: 'late'}, true), null);
   assert.equal(lineOf({kind: 'act', status: 'asked', step: 1, program: 'move(cup)'}), null);
   assert.equal(lineOf({kind: 'refusal', reason: 'it came too late'}).text, 'not understood: it came too late');
-  assert.equal(lineOf({kind: 'input', event: {kind: 'gesture', name: 'point', phase: 'start', target: [0.1, -0.05]}}).text, 'point begins at (0.10, −0.05)');
+  assert.equal(
+    lineOf({kind: 'input', event: {kind: 'gesture', name: 'point', phase: 'start', target: [0.1, -0.05]}}).text,
+    'point begins at (0.10, −0.05)',
+  );
 });
 
 test('the live page has an address of its own', () => {
-  for (const [address, live] of [['/live', ''], ['/live/', ''], ['/live/talk%202', 'talk 2']]) assert.equal(parseAddress(address).live, live);
+  for (const [address, live] of [
+    ['/live', ''],
+    ['/live/', ''],
+    ['/live/talk%202', 'talk 2'],
+  ])
+    assert.equal(parseAddress(address).live, live);
   for (const address of ['/', '/r/live', '/lively']) assert.equal(parseAddress(address).live, undefined);
   assert.equal(formatAddress(parseAddress('/live/talk%202')), '/live/talk%202');
   assert.equal(formatAddress(parseAddress('/live')), '/live');

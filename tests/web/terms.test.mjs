@@ -6,7 +6,19 @@ import {test} from 'node:test';
 import {fileURLToPath} from 'node:url';
 import {apply, literal, name, parse, print, Printer} from '../../web/terms/term.js';
 import {cps_apply, cps_const, states, step, substituted, variable} from '../../web/terms/reduce.js';
-import {arrows, compType, described, gloss, line, nodeAt, sources, stepsAt, told, typeOf, walk} from '../../web/terms/derivation.js';
+import {
+  arrows,
+  compType,
+  described,
+  gloss,
+  line,
+  nodeAt,
+  sources,
+  stepsAt,
+  told,
+  typeOf,
+  walk,
+} from '../../web/terms/derivation.js';
 import {CellTracker} from '../../web/terms/cells.js';
 import {age, operationWords, stackRows} from '../../web/terms/stack_words.js';
 import {Latest} from '../../web/terms/latest.js';
@@ -16,16 +28,23 @@ const traces = join(dirname(fileURLToPath(import.meta.url)), '../../traces');
 /** Every term of the runs kept with the project. */
 function loggedTerms() {
   const found = new Set();
-  const note = (...values) => values.forEach((value) => { if (typeof value === 'string') found.add(value); });
+  const note = (...values) =>
+    values.forEach((value) => {
+      if (typeof value === 'string') found.add(value);
+    });
   for (const folder of ['paper', 'talk', 'corner'])
     for (const file of readdirSync(join(traces, folder)).filter((one) => one.endsWith('.run.jsonl')))
-      for (const text of readFileSync(join(traces, folder, file), 'utf8').split('\n').slice(1).filter(Boolean)) {
+      for (const text of readFileSync(join(traces, folder, file), 'utf8')
+        .split('\n')
+        .slice(1)
+        .filter(Boolean)) {
         const record = JSON.parse(text);
         if (record.kind === 'application') note(record.function, record.argument, record.result);
         if (record.kind === 'act') note(record.program);
         if (record.kind === 'learned' || record.kind === 'memory') note(record.value);
         if (record.kind === 'symbol') note(...Object.values(record.slots));
-        if (record.kind === 'reading') note(record.reading, record.meaning, ...(record.entries ?? []).map((one) => one.term));
+        if (record.kind === 'reading')
+          note(record.reading, record.meaning, ...(record.entries ?? []).map((one) => one.term));
       }
   return [...found];
 }
@@ -33,23 +52,63 @@ function loggedTerms() {
 test('a term that is printed as it was parsed is the same text', () => {
   const all = loggedTerms();
   assert.ok(all.length > 200);
-  const odd = ['-x', '-3.5e-7 + y * (2 - z)', 'not (a and b) or c', '(a or b) and c', 'a - (b - c)', '<x, -1, 0.5>', "f('it\\'s', `red block`)", '(\\x. f(x))(a, b)',
-    '\\x: e. \\y: e -> t. y(x)', '\\x y z. x', '(+)', 'fold((+), [1, 2])', '[[], [a]]', "x'", 'map((not), a)', 'a = (b = c)', 'map(\\o. size(o) > 1, os)', 'if(not a, null, true)'];
+  const odd = [
+    '-x',
+    '-3.5e-7 + y * (2 - z)',
+    'not (a and b) or c',
+    '(a or b) and c',
+    'a - (b - c)',
+    '<x, -1, 0.5>',
+    "f('it\\'s', `red block`)",
+    '(\\x. f(x))(a, b)',
+    '\\x: e. \\y: e -> t. y(x)',
+    '\\x y z. x',
+    '(+)',
+    'fold((+), [1, 2])',
+    '[[], [a]]',
+    "x'",
+    'map((not), a)',
+    'a = (b = c)',
+    'map(\\o. size(o) > 1, os)',
+    'if(not a, null, true)',
+  ];
   for (const text of [...all, ...odd]) {
     assert.equal(print(parse(text)), text);
-    assert.ok(parse(text).kind !== 'literal' || /^(-?\d|null|true|false|'.*'$)/.test(text), `${text} was not taken apart`);
+    assert.ok(
+      parse(text).kind !== 'literal' || /^(-?\d|null|true|false|'.*'$)/.test(text),
+      `${text} was not taken apart`,
+    );
   }
   assert.equal(print(parse('λx. f( x )'), {sign: 'λ'}), 'λx. f(x)');
 });
 
 test('what is no term stays the text it was', () => {
-  for (const text of ['', ' ', '(', 'f(', 'a b', '\\. x', '<1, 2>', "'open", '§', '('.repeat(5000), 'f(a))', '1..2', '[a,]']) assert.deepEqual(parse(text), literal(text));
+  for (const text of [
+    '',
+    ' ',
+    '(',
+    'f(',
+    'a b',
+    '\\. x',
+    '<1, 2>',
+    "'open",
+    '§',
+    '('.repeat(5000),
+    'f(a))',
+    '1..2',
+    '[a,]',
+  ])
+    assert.deepEqual(parse(text), literal(text));
 });
 
 test('parts of a term are marked by themselves, and not their equals', () => {
   const term = parse('f(a, g(a))');
   const pieces = new Printer({mark: term.args[1]}).pieces(term);
-  assert.deepEqual(pieces, [{text: 'f(a, ', marked: false}, {text: 'g(a)', marked: true}, {text: ')', marked: false}]);
+  assert.deepEqual(pieces, [
+    {text: 'f(a, ', marked: false},
+    {text: 'g(a)', marked: true},
+    {text: ')', marked: false},
+  ]);
 });
 
 test('β puts the argument for the variable and catches no name', () => {
@@ -69,36 +128,113 @@ test('cpsApply runs the argument before the function, and ends in the continuati
   assert.equal(texts[0], 'cpsApply (cpsApply (cpsConst put) (cpsConst cup)) (cpsConst there) k');
   assert.equal(texts[1], 'cpsConst there (λ b → cpsApply (cpsConst put) (cpsConst cup) (λ a → k (a b)))');
   assert.equal(texts.at(-1), 'k (put(cup, there))');
-  assert.ok(texts.findIndex((text) => text.startsWith('cpsConst there')) < texts.findIndex((text) => text.startsWith('cpsConst cup')));
-  assert.ok(texts.findIndex((text) => text.startsWith('cpsConst cup')) < texts.findIndex((text) => text.startsWith('cpsConst put')));
+  assert.ok(
+    texts.findIndex((text) => text.startsWith('cpsConst there')) <
+      texts.findIndex((text) => text.startsWith('cpsConst cup')),
+  );
+  assert.ok(
+    texts.findIndex((text) => text.startsWith('cpsConst cup')) <
+      texts.findIndex((text) => text.startsWith('cpsConst put')),
+  );
 });
 
-const words = (text, input, from) => ({kind: 'words', text: `“${text}” in “Put it there.” (1.0 s)`, words: text, n: input + 1, input, t: 1, ...(from && {from})});
+const words = (text, input, from) => ({
+  kind: 'words',
+  text: `“${text}” in “Put it there.” (1.0 s)`,
+  words: text,
+  n: input + 1,
+  input,
+  t: 1,
+  ...(from && {from}),
+});
 const leaf = (term, type, origin) => ({term, type, how: 'leaf', origin});
 const pointing = {kind: 'pointing', text: 'the right hand’s pointing (1.2 s)', n: 7, input: 5, t: 1.2};
-const open = {kind: 'open', text: 'left open: “block” may mean a or b, in “Put it there.” (1.0 s)', n: 4, input: 3, t: 1};
-const put = {term: 'put(cup, <1, 2, 0>)', type: 't', how: 'application', n: 20, rule: null, children: [
-  {term: 'put(cup)', type: 'loc -> t', how: 'application', n: 19, rule: null, children: [leaf('put', 'e -> loc -> t', words('put', 3)), leaf('cup', 'e', words('it', 3, words('the cup', 1)))]},
-  leaf('<1, 2, 0>', 'loc', words('there', 3, pointing))]};
-const lacking = {term: '\\x. put(x)', type: null, how: 'abstraction', children: [
-  {term: 'put(x)', type: 't', how: 'application', n: 9, rule: null, children: [leaf('put', 'e -> t', words('put', 3)), leaf('x', 'e', open)]}]};
+const open = {
+  kind: 'open',
+  text: 'left open: “block” may mean a or b, in “Put it there.” (1.0 s)',
+  n: 4,
+  input: 3,
+  t: 1,
+};
+const put = {
+  term: 'put(cup, <1, 2, 0>)',
+  type: 't',
+  how: 'application',
+  n: 20,
+  rule: null,
+  children: [
+    {
+      term: 'put(cup)',
+      type: 'loc -> t',
+      how: 'application',
+      n: 19,
+      rule: null,
+      children: [leaf('put', 'e -> loc -> t', words('put', 3)), leaf('cup', 'e', words('it', 3, words('the cup', 1)))],
+    },
+    leaf('<1, 2, 0>', 'loc', words('there', 3, pointing)),
+  ],
+};
+const lacking = {
+  term: '\\x. put(x)',
+  type: null,
+  how: 'abstraction',
+  children: [
+    {
+      term: 'put(x)',
+      type: 't',
+      how: 'application',
+      n: 9,
+      rule: null,
+      children: [leaf('put', 'e -> t', words('put', 3)), leaf('x', 'e', open)],
+    },
+  ],
+};
 
 test('a derivation is told in the words and gestures it came from', () => {
   assert.equal(gloss(put), '“put” + “it” (“the cup”) + “there” (pointing)');
   assert.equal(told(put.children[1].origin), 'from “there” at #3, pointing at #5');
-  assert.deepEqual(sources(put).map(({n, text, kind, paths}) => [n, text, kind, paths.join()]),
-    [[1, '“the cup”', 'words', '0.1'], [3, '“put”', 'words', '0.0'], [3, '“it”', 'words', '0.1'], [3, '“there”', 'words', '1'], [5, 'pointing', 'pointing', '1']]);
-  assert.deepEqual(walk(put).map(({path}) => path), ['', '0', '0.0', '0.1', '1']);
+  assert.deepEqual(
+    sources(put).map(({n, text, kind, paths}) => [n, text, kind, paths.join()]),
+    [
+      [1, '“the cup”', 'words', '0.1'],
+      [3, '“put”', 'words', '0.0'],
+      [3, '“it”', 'words', '0.1'],
+      [3, '“there”', 'words', '1'],
+      [5, 'pointing', 'pointing', '1'],
+    ],
+  );
+  assert.deepEqual(
+    walk(put).map(({path}) => path),
+    ['', '0', '0.0', '0.1', '1'],
+  );
   assert.equal(nodeAt(put, '0.1').term, 'cup');
   assert.equal(nodeAt(put, '0.7'), null);
   assert.match(described(put.children[1]), /type loc; “there” in/);
 });
 
 test('what a slot kept goes back to the word or gesture since which it has it', () => {
-  const slot = leaf('cup', 'e', {kind: 'slot', text: 'slot options since gesture right point start (3.0 s)  #9', n: 9, input: 8, t: 3});
-  const memory = leaf('f', 'e -> t', {kind: 'memory', text: 'register last since “Yes (it is)” (2.0 s)  #7', n: 7, input: 6, t: 2});
+  const slot = leaf('cup', 'e', {
+    kind: 'slot',
+    text: 'slot options since gesture right point start (3.0 s)  #9',
+    n: 9,
+    input: 8,
+    t: 3,
+  });
+  const memory = leaf('f', 'e -> t', {
+    kind: 'memory',
+    text: 'register last since “Yes (it is)” (2.0 s)  #7',
+    n: 7,
+    input: 6,
+    t: 2,
+  });
   const kept = {term: 'f(cup)', type: 't', how: 'application', n: 11, rule: null, children: [memory, slot]};
-  assert.deepEqual(sources(kept).map(({n, text, kind}) => [n, text, kind]), [[6, '“Yes (it is)”', 'words'], [8, 'gesture right point start', 'gesture']]);
+  assert.deepEqual(
+    sources(kept).map(({n, text, kind}) => [n, text, kind]),
+    [
+      [6, '“Yes (it is)”', 'words'],
+      [8, 'gesture right point start', 'gesture'],
+    ],
+  );
   assert.equal(told(slot.origin), 'from gesture right point start, in slot options at #8');
 });
 
@@ -124,8 +260,14 @@ test('what is missing is a hole with its type', () => {
 });
 
 test('a raising rule stands by its name until the result is there', () => {
-  const raised = {...put, term: 'put(cup, near(box))', rule: 'near_it', children: [leaf('\\v. put(cup, v)', 'loc -> t', null), leaf('box', 'e', null)]};
-  const lambda = stepsAt(raised, 'λ').map(({term}) => print(term)), last = stepsAt(raised, 'CPS').map(({term}) => print(term, {haskell: true}));
+  const raised = {
+    ...put,
+    term: 'put(cup, near(box))',
+    rule: 'near_it',
+    children: [leaf('\\v. put(cup, v)', 'loc -> t', null), leaf('box', 'e', null)],
+  };
+  const lambda = stepsAt(raised, 'λ').map(({term}) => print(term));
+  const last = stepsAt(raised, 'CPS').map(({term}) => print(term, {haskell: true}));
   assert.deepEqual(lambda.slice(-2), ['put(cup, near_it(box))', 'put(cup, near(box))']);
   assert.equal(last.at(-1), 'k (put(cup, near(box)))');
   assert.match(line(raised, 'CPS').text, /cpsConst near_it/);
@@ -139,10 +281,22 @@ test('types are taken apart at their arrows', () => {
 });
 
 test('derivations that are not as they should be harm nobody', () => {
-  for (const root of [null, {}, {term: 5, how: 'application', children: [null, 3]}, {term: 'f(', children: 'x'}, {term: 'a', how: 'leaf', origin: 'words'}, {how: 'abstraction', term: 'x', children: [{}]}, {rule: {}, how: 'application', children: [{}, {}]}])
+  for (const root of [
+    null,
+    {},
+    {term: 5, how: 'application', children: [null, 3]},
+    {term: 'f(', children: 'x'},
+    {term: 'a', how: 'leaf', origin: 'words'},
+    {how: 'abstraction', term: 'x', children: [{}]},
+    {rule: {}, how: 'application', children: [{}, {}]},
+  ])
     for (const depth of ['gloss', 'λ', 'CPS']) {
       stepsAt(root, depth);
-      for (const {node} of walk(root)) { line(node, depth); described(node); told(node.origin); }
+      for (const {node} of walk(root)) {
+        line(node, depth);
+        described(node);
+        told(node.origin);
+      }
       sources(root);
     }
 });
@@ -162,23 +316,52 @@ test('a cell is found again under the id of whatever took its place', () => {
 
 test('a stack is told before and after, its unchanged tail folded', () => {
   const same = (id) => ({id, change: 'same', slots: {}});
-  const {rows, folded} = stackRows({symbols: [{id: 9, change: 'changed', slots: {a: '2', c: '3'}, slots_changed: {a: {was: '1', now: '2'}, c: {was: null, now: '3'}}}, same(1), same(2), same(3)], removed: [{id: 8, slots: {}}]});
+  const {rows, folded} = stackRows({
+    symbols: [
+      {
+        id: 9,
+        change: 'changed',
+        slots: {a: '2', c: '3'},
+        slots_changed: {a: {was: '1', now: '2'}, c: {was: null, now: '3'}},
+      },
+      same(1),
+      same(2),
+      same(3),
+    ],
+    removed: [{id: 8, slots: {}}],
+  });
   assert.deepEqual(rows[0].after, null);
   assert.deepEqual(rows[1].before.slots, {a: '1'});
   assert.equal(folded, 3);
   assert.equal(stackRows({symbols: [same(1), same(2)]}).folded, 0);
   assert.equal(stackRows({symbols: [same(1), same(2), same(3)]}).folded, 2);
-  assert.deepEqual(operationWords({push: {a: 'meaning', b: null}}), {what: 'push: a symbol was laid on top', sets: [['a', 'meaning'], ['b', 'null']]});
+  assert.deepEqual(operationWords({push: {a: 'meaning', b: null}}), {
+    what: 'push: a symbol was laid on top',
+    sets: [
+      ['a', 'meaning'],
+      ['b', 'null'],
+    ],
+  });
   assert.match(operationWords({pop: 2}).what, /2 symbols/);
   assert.match(operationWords({pop_until: 'a = b'}).what, /until a = b/);
-  for (const odd of [null, undefined, 7, 'x', [], {}, {later: {a: 1}}]) assert.equal(typeof operationWords(odd).what, 'string');
+  for (const odd of [null, undefined, 7, 'x', [], {}, {later: {a: 1}}])
+    assert.equal(typeof operationWords(odd).what, 'string');
   assert.equal(age(4.2), '4.2 s ago');
   assert.equal(age(0), 'just now');
 });
 
 test('of many questions in a row only the first and the last are asked, and only the last is answered', async () => {
-  const asked = [], shown = [], waiting = [];
-  const latest = new Latest((key) => { asked.push(key); return new Promise((done) => waiting.push(done)); }, (answer, key) => shown.push([answer, key]), () => {});
+  const asked = [];
+  const shown = [];
+  const waiting = [];
+  const latest = new Latest(
+    (key) => {
+      asked.push(key);
+      return new Promise((done) => waiting.push(done));
+    },
+    (answer, key) => shown.push([answer, key]),
+    () => {},
+  );
   for (let key = 1; key <= 60; ++key) latest.want(key);
   assert.deepEqual(asked, [1]);
   waiting[0]('old');

@@ -9,25 +9,67 @@ const folder = temporaryFolder();
 let server, visitor;
 const odd = [
   {kind: 'run', n: 0, t: 0, version: 1, graph: {states: [], start: '', edges: []}},
-  {kind: 'transition', n: 1, t: 1, id: 7, operation: 'x', candidates: 'all', refused: [null, 3, {id: {}}], gates: {}, stack: 9, depth: 'deep'},
-  {kind: 'reading', n: 2, t: 1, cause: 1, meaning: 'f((', resolved: [null, {words: 3, ruled_out: 'none', referents: {}}], missing: 'nothing', parses: [4]},
+  {
+    kind: 'transition',
+    n: 1,
+    t: 1,
+    id: 7,
+    operation: 'x',
+    candidates: 'all',
+    refused: [null, 3, {id: {}}],
+    gates: {},
+    stack: 9,
+    depth: 'deep',
+  },
+  {
+    kind: 'reading',
+    n: 2,
+    t: 1,
+    cause: 1,
+    meaning: 'f((',
+    resolved: [null, {words: 3, ruled_out: 'none', referents: {}}],
+    missing: 'nothing',
+    parses: [4],
+  },
   {kind: 'symbol', n: 3, t: 1, id: 10, below: 10.5, slots: {a: {deep: [1]}, b: 'f(x)'}},
   {kind: 'application', n: 4, t: 1, cause: 2, function: 3, argument: null, result: 'f(x)', types: 'none', rule: {}},
   {kind: 'transition', n: 5, t: 2, cause: 4, id: 'on', operation: {rewrite: 3}, stack: 10, depth: 1},
   {kind: 'novelty', n: 6, t: 3, cause: 5, what: 'of a later version', list: [{a: 1}, {b: 'two'}]},
 ];
-const events = new Map();  // run → {n of the act asked for, …}
+const events = new Map(); // run → {n of the act asked for, …}
 
-const lines = (name, where) => readFileSync(join(root, 'traces', where, `${name}.run.jsonl`), 'utf8').split('\n').filter(Boolean).map((line) => JSON.parse(line));
+const lines = (name, where) =>
+  readFileSync(join(root, 'traces', where, `${name}.run.jsonl`), 'utf8')
+    .split('\n')
+    .filter(Boolean)
+    .map((line) => JSON.parse(line));
 
 before(async () => {
-  for (const [name, where] of [['dialogue_gesture', 'paper'], ['correction', 'paper'], ['predicate_first', 'paper'], ['staircase', 'talk']]) {
+  for (const [name, where] of [
+    ['dialogue_gesture', 'paper'],
+    ['correction', 'paper'],
+    ['predicate_first', 'paper'],
+    ['staircase', 'talk'],
+  ]) {
     copyFileSync(join(root, 'traces', where, `${name}.run.jsonl`), join(folder, `${name}.run.jsonl`));
-    const all = lines(name, where), of = (test) => all.filter(test).map((one) => one.n);
-    events.set(name, {all, act: of((one) => one.kind === 'act' && one.status === 'asked'), question: of((one) => one.kind === 'utterance'), steps: of((one) => one.kind === 'transition')});
+    const all = lines(name, where);
+    const of = (test) => all.filter(test).map((one) => one.n);
+    events.set(name, {
+      all,
+      act: of((one) => one.kind === 'act' && one.status === 'asked'),
+      question: of((one) => one.kind === 'utterance'),
+      steps: of((one) => one.kind === 'transition'),
+    });
   }
-  const text = readFileSync(join(folder, 'dialogue_gesture.run.jsonl'), 'utf8'), last = events.get('dialogue_gesture').act[0];
-  writeFileSync(join(folder, 'cut.run.jsonl'), `${text.split('\n').slice(0, last + 1).join('\n')}\n{"kind":"act","n":`);
+  const text = readFileSync(join(folder, 'dialogue_gesture.run.jsonl'), 'utf8');
+  const last = events.get('dialogue_gesture').act[0];
+  writeFileSync(
+    join(folder, 'cut.run.jsonl'),
+    `${text
+      .split('\n')
+      .slice(0, last + 1)
+      .join('\n')}\n{"kind":"act","n":`,
+  );
   writeFileSync(join(folder, 'odd.run.jsonl'), `${odd.map((one) => JSON.stringify(one)).join('\n')}\n`);
   server = await serve(folder);
   visitor = await Visitor.start(server.address);
@@ -46,8 +88,12 @@ test('the derivation of an act shows what was said and what was pointed at, and 
   assert.match(await at('tree').innerText(), /“put” \+ “it” \(“the plate”\) \+ “there” \(pointing\)/);
   assert.match(await at('tree').innerText(), /← from “there” at #\d+, pointing at #\d+/);
   const chips = await at('chip').allInnerTexts();
-  for (const part of ['“there”', '“put”', '“the plate”', 'pointing']) assert.ok(chips.some((one) => one.startsWith(part)), `${part} in ${chips}`);
-  assert.ok(await visitor.page.locator('.curve:not(.tip)').count() >= chips.length);
+  for (const part of ['“there”', '“put”', '“the plate”', 'pointing'])
+    assert.ok(
+      chips.some((one) => one.startsWith(part)),
+      `${part} in ${chips}`,
+    );
+  assert.ok((await visitor.page.locator('.curve:not(.tip)').count()) >= chips.length);
   await at('chip').filter({hasText: 'pointing'}).click();
   const {all} = events.get('dialogue_gesture');
   assert.equal(all[await visitor.n()].event.kind, 'pointing');
@@ -56,7 +102,8 @@ test('the derivation of an act shows what was said and what was pointed at, and 
 
 test('the same term as λ and in continuation-passing style, step by step, by keys', async () => {
   await visitAct('dialogue_gesture');
-  const n = await visitor.n(), {keyboard} = visitor.page;
+  const n = await visitor.n();
+  const {keyboard} = visitor.page;
   await keyboard.press('Alt+ArrowDown');
   assert.equal(await at('depth-λ').getAttribute('aria-pressed'), 'true');
   assert.match(await at('expression').innerText(), /^\(λx v\. put\(x, v\)\)\(plate, <.*>\)$/);
@@ -67,9 +114,15 @@ test('the same term as λ and in continuation-passing style, step by step, by ke
   await keyboard.press('Alt+ArrowRight');
   assert.match(await at('expression').innerText(), /^put\(plate, <.*>\)$/);
   await keyboard.press('Alt+ArrowDown');
-  assert.match(await at('expression').innerText(), /^cpsApply \(cpsApply \(cpsConst put\) \(cpsConst plate\)\) \(cpsConst <.*>\) k$/);
+  assert.match(
+    await at('expression').innerText(),
+    /^cpsApply \(cpsApply \(cpsConst put\) \(cpsConst plate\)\) \(cpsConst <.*>\) k$/,
+  );
   await keyboard.press('Alt+ArrowRight');
-  assert.match(await at('expression').innerText(), /^cpsConst <.*> \(λ b → cpsApply \(cpsConst put\) \(cpsConst plate\) \(λ a → k \(a b\)\)\)$/);
+  assert.match(
+    await at('expression').innerText(),
+    /^cpsConst <.*> \(λ b → cpsApply \(cpsConst put\) \(cpsConst plate\) \(λ a → k \(a b\)\)\)$/,
+  );
   await keyboard.press('Alt+ArrowLeft');
   assert.match(await at('step').innerText(), /^0 of/);
   assert.match(await at('tree').innerText(), /Comp \(e → loc → t\) r/);
@@ -91,7 +144,9 @@ test('a node is chosen by keys alone, and the address holds it', async () => {
 });
 
 test('what is not known yet is a hole that says what it may be', async () => {
-  const several = events.get('staircase').all.find((one) => one.kind === 'reading' && one.missing?.some((gap) => gap.why === 'several'));
+  const several = events
+    .get('staircase')
+    .all.find((one) => one.kind === 'reading' && one.missing?.some((gap) => gap.why === 'several'));
   await visit(`/r/staircase?n=${several.n}`);
   const tree = await at('tree').innerText();
   assert.match(tree, /▢[\s\S]*left open: “[^”]+” may mean \w+, \w+ or \w+/);
@@ -117,7 +172,10 @@ test('the stack tells what was done, since when a cell has its value and where f
   await visit(`/r/predicate_first?n=${steps[1]}&cell=${cell}`);
   assert.match(await at('cell-line').innerText(), new RegExp(`command set at #${steps[0]}`));
   assert.match(await at('subject').innerText(), new RegExp(`The value of command, set at #${steps[0]}`));
-  await at('cell-line').locator('button', {hasText: `#${steps[0]}`}).first().click();
+  await at('cell-line')
+    .locator('button', {hasText: `#${steps[0]}`})
+    .first()
+    .click();
   assert.equal(await visitor.n(), steps[0]);
   await visit(`/r/predicate_first?n=${steps.at(-1)}&cell=${cell}`);
   assert.match(await at('cell-line').innerText(), /not on the stack here/);
@@ -127,7 +185,10 @@ test('the stack tells what was done, since when a cell has its value and where f
 test('why: the sentence, the chain to the input, who was ruled out, what came of it', async () => {
   await visitAct('correction');
   assert.match(await at('headline').innerText(), /because the human said “No, that one\.”/);
-  assert.match(await at('why').innerText(), /transition[\s\S]*reading[\s\S]*percept[\s\S]*input[\s\S]*“No, that one\.”/);
+  assert.match(
+    await at('why').innerText(),
+    /transition[\s\S]*reading[\s\S]*percept[\s\S]*input[\s\S]*“No, that one\.”/,
+  );
   assert.match(await at('inputs').innerText(), /Put the white cup there/);
   await at('who-not').locator('summary').click();
   assert.match(await at('who-not').innerText(), /cup not pointed at/);
@@ -154,8 +215,8 @@ test('records that nobody foresaw are shown field by field', async () => {
   await visit('/r/odd?n=0');
   for (const record of odd) {
     await visitor.page.evaluate(async (n) => {
-      window.continua.jump(n);
-      await window.continua.settled();
+      window.continua.cursor.jump(n);
+      await window.continua.page.settled();
     }, record.n);
     assert.match(await at('panel-why').innerText(), new RegExp(`#${record.n} at`));
     assert.deepEqual(visitor.complaints, [], `record ${record.n}`);
@@ -168,12 +229,15 @@ test('while scrubbing the panels come to rest at the last record', async () => {
   const to = events.get('staircase').steps.at(-1);
   await visitor.page.evaluate(async (last) => {
     for (let n = 3; n <= last; n += 2) {
-      window.continua.select(n, 'slide');
+      window.continua.cursor.select(n, 'slide');
       await new Promise(requestAnimationFrame);
     }
-    window.continua.select(last, 'slide');
+    window.continua.cursor.select(last, 'slide');
   }, to);
-  await visitor.page.waitForFunction((n) => document.querySelector('[data-testid=operation]')?.textContent.startsWith(`#${n} `), to);
+  await visitor.page.waitForFunction(
+    (n) => document.querySelector('[data-testid=operation]')?.textContent.startsWith(`#${n} `),
+    to,
+  );
 });
 
 for (const colorScheme of ['light', 'dark'])
@@ -187,6 +251,9 @@ for (const colorScheme of ['light', 'dark'])
     await visit(`/r/predicate_first?n=${steps[1]}&cell=1.command&panel=stack`, {colorScheme, bypassCSP: true});
     assert.deepEqual(await visitor.violations(), []);
     await visit(`/r/correction?n=${events.get('correction').steps[1]}&panel=why`, {colorScheme, bypassCSP: true});
-    for (const one of await visitor.page.locator('.why details').all()) await one.evaluate((element) => { element.open = true; });
+    for (const one of await visitor.page.locator('.why details').all())
+      await one.evaluate((element) => {
+        element.open = true;
+      });
     assert.deepEqual(await visitor.violations(), []);
   });

@@ -1,7 +1,8 @@
 // Places the state graph: parallel edges merged, layers by dagre where it was built in, else by a simple one of ours.
 import {dagre} from '../vendor.js';
 
-const letter_px = 6.5, line_px = 13;
+const letter_px = 6.5;
+const line_px = 13;
 
 /** "ComposeObjectAndAction" in lines of at most about ten letters. */
 export function labelLines(id) {
@@ -26,7 +27,8 @@ export function labelLines(id) {
  * `other`: the graph of a run it is compared with, whose visits count in `visits_b`, and what only it has is there too.
  */
 export function mergedGraph(graph, taken_only, other = null) {
-  const rows = withOther(graph, other), used_by = (row) => row.visits + (row.visits_b ?? 0);
+  const rows = withOther(graph, other);
+  const used_by = (row) => row.visits + (row.visits_b ?? 0);
   const edges = new Map();
   // A transition that leaves most states would bury the rest: it is told by a mark on its target, drawn where taken.
   const sources = new Map();
@@ -45,17 +47,29 @@ export function mergedGraph(graph, taken_only, other = null) {
   }
   const used = new Set([graph.start]);
   for (const edge of edges.values()) used.add(edge.from).add(edge.to);
-  const all = other ? graph.states.concat(other.states.filter(({id}) => !graph.states.some((one) => one.id === id)).map((one) => ({...one, visits: 0}))) : graph.states;
+  const all = other
+    ? graph.states.concat(
+        other.states.filter(({id}) => !graph.states.some((one) => one.id === id)).map((one) => ({...one, visits: 0})),
+      )
+    : graph.states;
   const visits_b = new Map(other?.states.map(({id, visits}) => [id, visits]));
-  const nodes = all.filter((state) => !taken_only || used.has(state.id)).map((state) => {
-    const lines = labelLines(state.id);
-    return {
-      id: state.id, lines, visits: state.visits, visits_b: visits_b.get(state.id) ?? 0, accepting: state.accepting, x: 0, y: 0,
-      anywhere: taken_only ? null : entered_from_anywhere.get(state.id) ?? null,
-      w: Math.max(44, Math.max(...lines.map((line) => line.length)) * letter_px + 10),
-      h: lines.length * line_px + 11,
-    };
-  });
+  const nodes = all
+    .filter((state) => !taken_only || used.has(state.id))
+    .map((state) => {
+      const lines = labelLines(state.id);
+      return {
+        id: state.id,
+        lines,
+        visits: state.visits,
+        visits_b: visits_b.get(state.id) ?? 0,
+        accepting: state.accepting,
+        x: 0,
+        y: 0,
+        anywhere: taken_only ? null : (entered_from_anywhere.get(state.id) ?? null),
+        w: Math.max(44, Math.max(...lines.map((line) => line.length)) * letter_px + 10),
+        h: lines.length * line_px + 11,
+      };
+    });
   const known = new Set(nodes.map((node) => node.id));
   return {nodes, edges: [...edges.values()].filter((edge) => known.has(edge.from) && known.has(edge.to))};
 }
@@ -67,7 +81,8 @@ function withOther(graph, other) {
   const rows = new Map(graph.edges.map((row) => [key(row), {...row, visits_b: 0}]));
   for (const row of other.edges) {
     const own = rows.get(key(row));
-    if (own) own.visits_b += row.visits; else rows.set(key(row), {...row, visits: 0, visits_b: row.visits});
+    if (own) own.visits_b += row.visits;
+    else rows.set(key(row), {...row, visits: 0, visits_b: row.visits});
   }
   return [...rows.values()];
 }
@@ -88,8 +103,14 @@ function place({nodes, edges}, direction) {
   for (const edge of others) clip(edge, at);
   for (const loop of loops) {
     const {x, y, w, h} = at.get(loop.from);
-    const top = y - h / 2, right = x + w / 2;
-    loop.points = [{x: right - 20, y: top}, {x: right - 22, y: top - 17}, {x: right - 4, y: top - 17}, {x: right - 6, y: top}];
+    const top = y - h / 2;
+    const right = x + w / 2;
+    loop.points = [
+      {x: right - 20, y: top},
+      {x: right - 22, y: top - 17},
+      {x: right - 4, y: top - 17},
+      {x: right - 6, y: top},
+    ];
   }
   return framed(nodes, edges);
 }
@@ -149,7 +170,8 @@ function placeByRank(nodes, edges, direction) {
   }
   const at = new Map(nodes.map((node) => [node.id, node]));
   for (const edge of edges) {
-    const a = at.get(edge.from), b = at.get(edge.to);
+    const a = at.get(edge.from);
+    const b = at.get(edge.to);
     const bend = {x: (a.x + b.x) / 2 + (b.y - a.y) * 0.12, y: (a.y + b.y) / 2 - (b.x - a.x) * 0.12};
     edge.points = [{x: a.x, y: a.y}, bend, {x: b.x, y: b.y}];
   }
@@ -163,7 +185,8 @@ function clip(edge, at) {
 }
 
 function border(node, toward) {
-  const dx = toward.x - node.x, dy = toward.y - node.y;
+  const dx = toward.x - node.x;
+  const dy = toward.y - node.y;
   if (!dx && !dy) return {x: node.x, y: node.y};
   const scale = Math.min(dx ? node.w / 2 / Math.abs(dx) : Infinity, dy ? node.h / 2 / Math.abs(dy) : Infinity);
   return {x: node.x + dx * scale, y: node.y + dy * scale};
@@ -172,12 +195,20 @@ function border(node, toward) {
 // Moves everything into a frame that begins at 0,0.
 function framed(nodes, edges) {
   const margin = 14;
-  let left = Infinity, top = Infinity, right = -Infinity, bottom = -Infinity;
+  let left = Infinity;
+  let top = Infinity;
+  let right = -Infinity;
+  let bottom = -Infinity;
   const reach = (x, y) => {
-    left = Math.min(left, x); right = Math.max(right, x);
-    top = Math.min(top, y); bottom = Math.max(bottom, y);
+    left = Math.min(left, x);
+    right = Math.max(right, x);
+    top = Math.min(top, y);
+    bottom = Math.max(bottom, y);
   };
-  for (const {x, y, w, h, anywhere} of nodes) { reach(x - w / 2, y - h / 2 - (anywhere ? 30 : 12)); reach(x + w / 2, y + h / 2); }
+  for (const {x, y, w, h, anywhere} of nodes) {
+    reach(x - w / 2, y - h / 2 - (anywhere ? 30 : 12));
+    reach(x + w / 2, y + h / 2);
+  }
   for (const {points} of edges) for (const {x, y} of points) reach(x, y);
   if (!nodes.length) reach(0, 0);
   for (const item of [...nodes, ...edges.flatMap((edge) => edge.points)]) {

@@ -25,14 +25,18 @@ export function along(points, part) {
   for (let i = 0; i < lengths.length; left -= lengths[i++]) {
     if (left > lengths[i]) continue;
     const share = lengths[i] ? left / lengths[i] : 0;
-    return {x: points[i].x + (points[i + 1].x - points[i].x) * share, y: points[i].y + (points[i + 1].y - points[i].y) * share};
+    return {
+      x: points[i].x + (points[i + 1].x - points[i].x) * share,
+      y: points[i].y + (points[i + 1].y - points[i].y) * share,
+    };
   }
   return points.at(-1);
 }
 
 /** The head of an arrow that ends at the last of the points. */
 export function arrowHead(points) {
-  const end = points.at(-1), before = points.at(-2);
+  const end = points.at(-1);
+  const before = points.at(-2);
   const angle = Math.atan2(end.y - before.y, end.x - before.x);
   const at = (turn) => `${end.x - head_px * Math.cos(angle + turn)} ${end.y - head_px * Math.sin(angle + turn)}`;
   return `M${end.x} ${end.y}L${at(0.42)}L${at(-0.42)}Z`;
@@ -42,7 +46,9 @@ export function arrowHead(points) {
 export function bent(a, b, share) {
   const bend = {x: (a.x + b.x) / 2 + (b.y - a.y) * share, y: (a.y + b.y) / 2 - (b.x - a.x) * share};
   const rim = (node) => {
-    const dx = bend.x - node.x, dy = bend.y - node.y, k = Math.min(node.w / 2 / Math.max(1e-6, Math.abs(dx)), node.h / 2 / Math.max(1e-6, Math.abs(dy)));
+    const dx = bend.x - node.x;
+    const dy = bend.y - node.y;
+    const k = Math.min(node.w / 2 / Math.max(1e-6, Math.abs(dx)), node.h / 2 / Math.max(1e-6, Math.abs(dy)));
     return {x: node.x + dx * Math.min(1, k), y: node.y + dy * Math.min(1, k)};
   };
   return [rim(a), bend, rim(b)];

@@ -1,21 +1,21 @@
-// What the two said and did, as a conversation; words and gestures that belong together are one move.
+// The dialogue of human and avatar; words and gestures that belong together are one move.
 import {h, panel, brief, clock} from '../dom.js';
 import {calmly} from '../calmly.js';
-import {lastAtMost} from '../run/run_data.js';
+import {lastAtMost} from '../search.js';
 
-const at_once = 60;    // moves that are in the page
-const calm_ms = 200;   // between drawings of moves that are far from those before
-
-/** All moves in order: {n, how}: where each is told of, and which lane it is of. */
-function movesOf({lanes, size}) {
-  const kinds = ['speech', 'gesture', 'utterance', 'move', 'act', 'flag'];
-  const all = kinds.flatMap((how) => Array.from(lanes[how].n, (n, i) => ({n, how, i}))).filter(({n}) => n < size);
-  return all.sort((a, b) => a.n - b.n);
-}
+const at_once = 60; // moves that are in the page
+const calm_ms = 200; // between drawings of moves that are far from those before
+const top_px = 4; // scrolled this close to the top, earlier moves are drawn
 
 const who = {speech: 'human', gesture: 'human', utterance: 'avatar', move: 'avatar', act: 'avatar', flag: 'log'};
 const how = {speech: 'says', gesture: 'shows', utterance: 'says', move: 'shows', act: 'does', flag: 'flag'};
 const hint = {gesture: 'gesture', move: 'gesture', act: 'act'};
+
+/** All moves in order: {n, how, i}: the record, its lane, and the place there. */
+function movesOf({lanes, size}) {
+  const all = Object.keys(who).flatMap((lane) => Array.from(lanes[lane].n, (n, i) => ({n, how: lane, i})));
+  return all.filter(({n}) => n < size).sort((a, b) => a.n - b.n);
+}
 
 /** Which inputs were taken together, from the percepts' `because`: n -> the numbers of all of them. */
 function ensembles(percepts) {
@@ -25,105 +25,157 @@ function ensembles(percepts) {
   return of;
 }
 
-export function mountDialogue(app) {
-  const {data, client} = app;
-  const all = movesOf(data), numbers = Uint32Array.from(all, (move) => move.n);
-  const list = h('ol', {class: 'moves', tabindex: 0, 'aria-label': 'Moves of the human and the avatar', onscroll: () => scrolled()});
-  const body = all.length ? list : h('p', {class: 'empty'}, 'Nobody said or showed anything in this run.');
-  const element = panel('dialogue', 'Dialogue',
-    h('span', {class: 'legend'}, h('i', {class: 'human'}), 'human', h('i', {class: 'avatar'}), 'avatar'), body);
-  let first = 0, last = 0, rows = new Map(), current = null, selected = -1, together = new Map(), asked_at = -1;
+const more = (count, when, onclick) =>
+  h('li', {class: 'more'}, h('button', {type: 'button', class: 'link', onclick}, `${count} ${when}`));
 
-  const status = ({i}) => data.names[data.lanes.act.status?.[i]];
-  const words = (move) => {
+class Dialogue {
+  #data;
+  #client;
+  #jump;
+  #moves;
+  #numbers; // of the moves' records
+  #list = h('ol', {class: 'moves', tabindex: 0, 'aria-label': 'Moves of the human and the avatar'});
+  // The moves in the page: places from #first to before #last, and {row, button} of each.
+  #first = 0;
+  #last = 0;
+  #rows = new Map();
+  #current = null;
+  #selected = -1;
+  #together = new Map(); // as of ensembles()
+  #asked_at = -1;
+
+  constructor({data, client, jump}) {
+    this.#data = data;
+    this.#client = client;
+    this.#jump = jump;
+    this.#moves = movesOf(data);
+    this.#numbers = Uint32Array.from(this.#moves, (move) => move.n);
+    this.#list.addEventListener('scroll', () => this.#scrolled());
+    const nothing = h('p', {class: 'empty'}, 'Nobody said or showed anything in this run.');
+    const legend = [h('i', {class: 'human'}), 'human', h('i', {class: 'avatar'}), 'avatar'];
+    this.element = panel(
+      'dialogue',
+      'Dialogue',
+      h('span', {class: 'legend'}, legend),
+      this.#moves.length ? this.#list : nothing,
+    );
+  }
+
+  #words(move) {
+    const data = this.#data;
     if (move.how === 'flag') return `${data.kind(move.n)}: ${data.label(move.n).split(':')[0]}`;
     const text = data.text(move.n);
     return how[move.how] === 'says' ? `“${text}”` : brief(text);
-  };
-  const bubble = (move) => h('button', {type: 'button', class: how[move.how], onclick: () => app.jump(move.n), 'data-n': move.n, title: `#${move.n}, ${data.t[move.n].toFixed(3)} s`},
-    h('span', {class: 'unseen'}, `${who[move.how]} ${how[move.how]} `),
-    hint[move.how] && h('span', {class: 'hint', 'aria-hidden': 'true'}, hint[move.how]),
-    h('span', {class: 'words'}, words(move)),
-    move.how === 'act' && status(move) !== 'done' && h('span', {class: `status ${status(move)}`}, status(move)));
+  }
+  #bubble(move) {
+    const {lanes, names, t} = this.#data;
+    const status = names[lanes.act.status?.[move.i]];
+    const title = `#${move.n}, ${t[move.n].toFixed(3)} s`;
+    return h(
+      'button',
+      {type: 'button', class: how[move.how], onclick: () => this.#jump(move.n), 'data-n': move.n, title},
+      h('span', {class: 'unseen'}, `${who[move.how]} ${how[move.how]} `),
+      hint[move.how] && h('span', {class: 'hint', 'aria-hidden': 'true'}, hint[move.how]),
+      h('span', {class: 'words'}, this.#words(move)),
+      move.how === 'act' && status !== 'done' && h('span', {class: `status ${status}`}, status),
+    );
+  }
 
-  const draw = () => {
-    rows = new Map();
+  #draw() {
+    this.#rows = new Map();
+    this.#data.labels.want(this.#numbers.slice(this.#first, this.#last));
     const items = [];
-    data.labels.want(all.slice(first, last).map(({n}) => n));
-    if (first > 0) items.push(h('li', {class: 'more'}, h('button', {type: 'button', class: 'link', onclick: () => reach(first - at_once / 2)}, `${first} earlier`)));
-    for (let i = first; i < last; ++i) {
-      const move = all[i], group = together.get(move.n);
+    for (let i = this.#first; i < this.#last; ++i) {
+      const group = this.#together.get(this.#moves[i].n);
       const previous = items.at(-1);
-      if (group && previous?.members?.some((n) => group.includes(n))) {
-        // What was said and shown as one is one move, with all its parts.
-        previous.members.push(move.n);
-        previous.element.classList.add('ensemble');
-        const part = bubble(move);
-        previous.element.querySelector('.parts').append(part);
-        rows.set(i, {row: previous.element, button: part});
-        continue;
-      }
-      const button = bubble(move);
-      const row = h('li', {class: `${who[move.how]} ${how[move.how]}`}, h('div', {class: 'parts'}, button), h('time', {}, clock(data.t[move.n])));
-      items.push({element: row, members: [move.n]});
-      rows.set(i, {row, button});
+      if (group && previous?.members.some((n) => group.includes(n))) this.#join(previous, i);
+      else items.push(this.#item(i));
     }
-    if (last < all.length) items.push(h('li', {class: 'more'}, h('button', {type: 'button', class: 'link', onclick: () => reach(last)}, `${all.length - last} later`)));
-    list.replaceChildren(...items.map((item) => item.element ?? item));
-    for (const item of items)
-      if (item.members?.length > 1) item.element.prepend(h('span', {class: 'unseen'}, 'human, as one: '));
-  };
+    const earlier = this.#first;
+    const later = this.#moves.length - this.#last;
+    this.#list.replaceChildren(
+      ...(earlier > 0 ? [more(earlier, 'earlier', () => this.#reach(this.#first - at_once / 2))] : []),
+      ...items.map(({row}) => row),
+      ...(later > 0 ? [more(later, 'later', () => this.#reach(this.#last))] : []),
+    );
+  }
+  #item(i) {
+    const move = this.#moves[i];
+    const button = this.#bubble(move);
+    const time = h('time', {}, clock(this.#data.t[move.n]));
+    const row = h('li', {class: `${who[move.how]} ${how[move.how]}`}, h('div', {class: 'parts'}, button), time);
+    this.#rows.set(i, {row, button});
+    return {row, members: [move.n]};
+  }
+  // Words and gestures that were taken together are one move, with all its parts.
+  #join(item, i) {
+    const button = this.#bubble(this.#moves[i]);
+    if (item.members.length === 1) item.row.prepend(h('span', {class: 'unseen'}, 'human, as one: '));
+    item.members.push(this.#moves[i].n);
+    item.row.classList.add('ensemble');
+    item.row.querySelector('.parts').append(button);
+    this.#rows.set(i, {row: item.row, button});
+  }
+
   /** Draws the moves around this place. */
-  const reach = (place) => {
-    first = Math.max(0, Math.min(all.length - at_once, Math.floor(place - at_once / 2)));
-    last = Math.min(all.length, first + at_once);
-    draw();
-    light();
-    bind();
-  };
-  const reachCalmly = calmly(() => reach(Math.max(0, lastAtMost(numbers, selected))), calm_ms);
+  #reach(place) {
+    this.#first = Math.max(0, Math.min(this.#moves.length - at_once, Math.floor(place - at_once / 2)));
+    this.#last = Math.min(this.#moves.length, this.#first + at_once);
+    this.#draw();
+    this.#light();
+    this.#bind();
+  }
+  #reachCalmly = calmly(() => this.#reach(Math.max(0, lastAtMost(this.#numbers, this.#selected))), calm_ms);
+
   // Which of them belong together comes from the log's percepts.
-  const bind = async () => {
-    if (!all.length || asked_at === first || !data.count('percept')) return;
-    asked_at = first;
+  async #bind() {
+    if (!this.#moves.length || this.#asked_at === this.#first || !this.#data.count('percept')) return;
+    const asked_at = (this.#asked_at = this.#first);
     try {
-      const percepts = await client.records('percept', numbers[first], 2 * at_once);
-      if (asked_at !== first) return;
-      together = ensembles(percepts);
-      draw();
-      light();
-    } catch { /* they are shown one by one */ }
-  };
-  const scrolled = () => {
-    if (list.scrollTop < 4 && first > 0 && list.matches(':hover')) {
-      const height = list.scrollHeight;
-      reach(first);
-      list.scrollTop = Math.max(5, list.scrollHeight - height);
+      const percepts = await this.#client.records('percept', this.#numbers[asked_at], 2 * at_once);
+      if (this.#asked_at !== asked_at) return;
+      this.#together = ensembles(percepts);
+      this.#draw();
+      this.#light();
+    } catch {
+      /* they are shown one by one */
     }
-  };
-  const light = () => {
-    current?.row.classList.remove('current');
-    current?.button.removeAttribute('aria-current');
-    current = rows.get(lastAtMost(numbers, selected)) ?? null;
-    if (!current) return;
-    current.row.classList.add('current');
-    current.button.setAttribute('aria-current', 'true');
-    const {row} = current, above = row.offsetTop - list.scrollTop, below = above + row.offsetHeight - list.clientHeight;
+  }
+  #scrolled() {
+    const list = this.#list;
+    if (list.scrollTop >= top_px || this.#first === 0 || !list.matches(':hover')) return;
+    const height = list.scrollHeight;
+    this.#reach(this.#first);
+    list.scrollTop = Math.max(top_px + 1, list.scrollHeight - height);
+  }
+
+  #light() {
+    this.#current?.row.classList.remove('current');
+    this.#current?.button.removeAttribute('aria-current');
+    this.#current = this.#rows.get(lastAtMost(this.#numbers, this.#selected)) ?? null;
+    if (!this.#current) return;
+    const {row, button} = this.#current;
+    row.classList.add('current');
+    button.setAttribute('aria-current', 'true');
+    const list = this.#list;
+    const above = row.offsetTop - list.scrollTop;
+    const below = above + row.offsetHeight - list.clientHeight;
     if (above < 8 || below > -8) list.scrollTop = row.offsetTop - list.clientHeight * 0.6;
-  };
-  return {
-    element,
-    labelsArrived: calmly(() => {
-      const top = list.scrollTop;
-      draw();
-      light();
-      list.scrollTop = top;
-    }, calm_ms),
-    render({n}) {
-      if (selected === n) return;
-      selected = n;
-      const place = lastAtMost(numbers, n);
-      if (rows.has(place)) light(); else if (all.length) reachCalmly();
-    },
-  };
+  }
+
+  labelsArrived = calmly(() => {
+    const top = this.#list.scrollTop;
+    this.#draw();
+    this.#light();
+    this.#list.scrollTop = top;
+  }, calm_ms);
+
+  render({n}) {
+    if (this.#selected === n) return;
+    this.#selected = n;
+    if (this.#rows.has(lastAtMost(this.#numbers, n))) this.#light();
+    else if (this.#moves.length) this.#reachCalmly();
+  }
 }
+
+export const mountDialogue = (needs) => new Dialogue(needs);

@@ -1,16 +1,19 @@
 // Goes to a record, an instant or a state that is typed in: 137 or #137, 12.48s or 1:02, the name of a state.
-import {h} from '../dom.js';
+import {dialog, h} from '../dom.js';
 
-/** The record meant, or null. */
+/** The record that the text means, seen from record n, or null. */
 export function placeOf(data, text, n) {
   const record = /^#?(\d+)$/.exec(text);
   if (record) return Number(record[1]) < data.size ? Number(record[1]) : null;
-  const clock = /^(\d+):(\d{1,2}(?:\.\d+)?)$/.exec(text), seconds = /^(\d+(?:\.\d+)?)\s*s?$/.exec(text);
+  const clock = /^(\d+):(\d{1,2}(?:\.\d+)?)$/.exec(text);
+  const seconds = /^(\d+(?:\.\d+)?)\s*s?$/.exec(text);
   if (clock) return data.at(Number(clock[1]) * 60 + Number(clock[2]));
   if (seconds) return data.at(Number(seconds[1]));
   const state = data.graph.states.find(({id}) => id.toLowerCase().startsWith(text.toLowerCase()));
   if (!state || !text) return null;
-  const wanted = data.names.indexOf(state.id), {to, n: numbers} = data.steps, from = data.step(n) + 1;
+  const wanted = data.names.indexOf(state.id);
+  const {to, n: numbers} = data.steps;
+  const from = data.step(n) + 1;
   for (let i = 0; i < numbers.length; ++i) {
     const place = (from + i) % numbers.length;
     if (to[place] === wanted) return numbers[place];
@@ -18,18 +21,52 @@ export function placeOf(data, text, n) {
   return null;
 }
 
-export function goToDialog(app) {
-  const field = h('input', {type: 'text', 'aria-label': 'Record, instant or state', placeholder: '#137, 12.48 s or a state', 'data-testid': 'go-to', spellcheck: 'false', autocomplete: 'off',
-    onkeydown: (event) => { if (event.key === 'Enter') { event.preventDefault(); go(); } }});
-  const trouble = h('p', {class: 'trouble', role: 'alert', hidden: true}, 'There is no such record, instant or state in this run.');
-  const element = h('dialog', {class: 'dialog', 'aria-label': 'Go to', onclick: (event) => { if (event.target === element) element.close(); }},
-    h('h2', {}, 'Go to'), field, trouble, h('div', {class: 'dialog-buttons'}, h('button', {type: 'button', onclick: () => element.close()}, 'Close'), h('button', {type: 'button', class: 'primary', onclick: () => go()}, 'Go')));
+export function goToDialog({cursor}) {
+  const field = h('input', {
+    type: 'text',
+    'aria-label': 'Record, instant or state',
+    placeholder: '#137, 12.48 s or a state',
+    'data-testid': 'go-to',
+    spellcheck: 'false',
+    autocomplete: 'off',
+    onkeydown: (event) => {
+      if (event.key === 'Enter') {
+        event.preventDefault();
+        go();
+      }
+    },
+  });
+  const trouble = h(
+    'p',
+    {class: 'trouble', role: 'alert', hidden: true},
+    'There is no such record, instant or state in this run.',
+  );
+  const element = dialog(
+    {class: 'dialog', 'aria-label': 'Go to'},
+    h('h2', {}, 'Go to'),
+    field,
+    trouble,
+    h(
+      'div',
+      {class: 'dialog-buttons'},
+      h('button', {type: 'button', onclick: () => element.close()}, 'Close'),
+      h('button', {type: 'button', class: 'primary', onclick: () => go()}, 'Go'),
+    ),
+  );
   const go = () => {
-    const n = placeOf(app.data, field.value.trim(), app.model.selection.n);
+    const n = placeOf(cursor.data, field.value.trim(), cursor.n);
     trouble.hidden = n !== null;
     if (n === null) return;
     element.close();
-    app.jump(n);
+    cursor.jump(n);
   };
-  return {element, open() { field.value = ''; trouble.hidden = true; element.showModal(); field.focus(); }};
+  return {
+    element,
+    open() {
+      field.value = '';
+      trouble.hidden = true;
+      element.showModal();
+      field.focus();
+    },
+  };
 }

@@ -1,24 +1,34 @@
-// Panels of the run B beside those of A, and what differs between them.
+// The panels of run B beside those of A, and the marks on what differs between them.
 import {mountStack} from './stack.js';
 import {mountDerivation} from './derivation.js';
 
-/** {stack_b, derivation_b}: what panels of B show where a record of A is selected. */
-export function otherSide(app) {
-  const {data, client} = app.comparison.side;
-  const other = Object.create(app, {data: {value: data}, client: {value: client}, comparison: {value: null}, jump: {value: (n) => app.jumpOther(n)}});
+/** {stack_b, derivation_b}: panels that show B's counterpart of the record of A that is selected. */
+export function otherSide({comparison, model, jump}) {
+  const {data, client} = comparison.side;
+  const needs = {data, client, model, jump: (n) => jump(comparison.toOwn(n))};
   const sided = (name, mounted) => {
-    const {element} = mounted, title = `${element.getAttribute('aria-label')} B`;
-    element.dataset.panel = name;
-    element.dataset.testid = `panel-${name}`;
-    element.setAttribute('aria-label', title);
-    element.querySelector('h2').textContent = title;
-    for (const part of element.querySelectorAll('[role=region], [role=tree], [role=group]')) part.setAttribute('aria-label', `${part.getAttribute('aria-label')}, of B`);
-    return {...mounted, render: (selection) => mounted.render({...selection, n: app.comparison.otherOf(selection)})};
+    rename(mounted.element, name);
+    return {
+      element: mounted.element,
+      render: (selection) => mounted.render({...selection, n: comparison.otherOf(selection)}),
+      labelsArrived: () => mounted.labelsArrived?.(),
+      close: () => mounted.close?.(),
+    };
   };
-  return {stack_b: sided('stack_b', mountStack(other)), derivation_b: sided('derivation_b', mountDerivation(other))};
+  return {stack_b: sided('stack_b', mountStack(needs)), derivation_b: sided('derivation_b', mountDerivation(needs))};
 }
 
-/** Marks the parts (what fits `selector`) of two panels that are not the same, whenever either has changed. */
+function rename(element, name) {
+  const title = `${element.getAttribute('aria-label')} B`;
+  element.dataset.panel = name;
+  element.dataset.testid = `panel-${name}`;
+  element.setAttribute('aria-label', title);
+  element.querySelector('h2').textContent = title;
+  for (const part of element.querySelectorAll('[role=region], [role=tree], [role=group]'))
+    part.setAttribute('aria-label', `${part.getAttribute('aria-label')}, of B`);
+}
+
+/** Marks the parts of two panels (those that fit `selector`) that differ, whenever either panel has changed. */
 export function keepMarked(a, b, selector) {
   const mark = () => {
     const [of_a, of_b] = [a, b].map((element) => [...element.querySelectorAll(selector)]);
@@ -30,5 +40,5 @@ export function keepMarked(a, b, selector) {
   for (const element of [a, b]) observer.observe(element, {childList: true, subtree: true});
 }
 
-// What a part says for itself, without when and where that was set.
+// The words of a part, without when and where they were set.
 const saying = (part) => (part.querySelector('.pair, .term') ?? part).textContent;

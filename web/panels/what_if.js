@@ -1,79 +1,124 @@
-// What if: another choice at a step, or an input as it was not; the run that follows is compared with this one.
-import {h, shown} from '../dom.js';
+// What if: another choice at a step, or another input; the run that follows is compared with this one.
+import {dialog, h, shown} from '../dom.js';
 import {askWhatIf, served} from '../run/run_client.js';
 
-export function whatIfDialog(app) {
+// A question of the dialog: {field: its element, read()}, where read() gives the part of the request that the reader
+// changed, {} if there is none, and throws a sentence if that cannot be used.
+
+/** Another transition at a step; null if the step had no choice. */
+function choiceField(step) {
+  const others = (step?.candidates ?? [])
+    .map((one) => one.id)
+    .filter((id, i, all) => id !== step.id && all.indexOf(id) === i);
+  if (!others.length) return null;
+  const radio = (id, text, checked) =>
+    h('label', {}, h('input', {type: 'radio', name: 'choice', value: id, checked}), ` ${text}`);
+  const field = h(
+    'fieldset',
+    {},
+    h('legend', {}, `at step ${step.step} another transition had been taken`),
+    radio('', `${step.id}, as it was`, true),
+    others.map((id) => radio(id, id, false)),
+  );
+  const read = () => {
+    const taken = field.querySelector('input:checked')?.value ?? '';
+    return taken ? {force: {[step.step]: taken}} : {};
+  };
+  return {field, read};
+}
+
+/** Another event in place of an input, or none; null for an input that is not the trace's. */
+function inputField(record) {
+  if (!record || record.event?.kind === 'act') return null;
+  const text = h('textarea', {
+    rows: 5,
+    spellcheck: 'false',
+    'aria-label': 'The input as JSON',
+    'data-testid': 'what-if-event',
+  });
+  text.value = JSON.stringify(record.event, null, 1);
+  const out = h('input', {type: 'checkbox', 'data-testid': 'what-if-out'});
+  out.addEventListener('change', () => {
+    text.disabled = out.checked;
+  });
+  const field = h(
+    'fieldset',
+    {},
+    h('legend', {}, `the input at #${record.n} had been another`),
+    text,
+    h('label', {}, out, ' it had not come at all'),
+  );
+  const read = () => {
+    const event = out.checked ? null : parsed(text.value);
+    const changed = JSON.stringify(event) !== JSON.stringify(record.event);
+    return changed ? {edits: [{n: record.n, event}]} : {};
+  };
+  return {field, read};
+}
+
+function parsed(text) {
+  try {
+    return JSON.parse(text);
+  } catch (problem) {
+    throw new Error(`The input is no JSON: ${shown(problem.message)}`);
+  }
+}
+
+/** Records of the last input that led to record n, and of the last step up to it; null for those that are not there. */
+function recordsBehind({client, data}, n) {
+  let input = n;
+  while (input >= 0 && data.kind(input) !== 'input') input = data.cause(input);
+  const place = data.step(n);
+  const step = place < 0 ? -1 : data.steps.n[place];
+  return Promise.all([input, step].map((one) => (one < 0 ? null : client.record(one))));
+}
+
+/** `id`, `client`: of the run that is shown, `cursor`: in that run. */
+export function whatIfDialog({id, client, cursor, model}) {
   const body = h('div', {class: 'what-if-body'});
   const trouble = h('p', {class: 'trouble', role: 'alert', hidden: true});
-  const run = h('button', {type: 'button', class: 'primary', 'data-testid': 'what-if-run', onclick: () => ask()}, 'Run it');
-  const element = h('dialog', {class: 'dialog what-if', 'aria-label': 'What if', 'data-testid': 'what-if', onclick: (event) => { if (event.target === element) element.close(); }},
-    h('h2', {}, 'What if …'), body, trouble, h('div', {class: 'dialog-buttons'}, h('button', {type: 'button', onclick: () => element.close()}, 'Close'), run));
-  let question = () => null;
+  const run = h('button', {type: 'button', class: 'primary', 'data-testid': 'what-if-run', onclick: ask}, 'Run it');
+  const element = dialog(
+    {class: 'dialog what-if', 'aria-label': 'What if', 'data-testid': 'what-if'},
+    h('h2', {}, 'What if …'),
+    body,
+    trouble,
+    h('div', {class: 'dialog-buttons'}, h('button', {type: 'button', onclick: () => element.close()}, 'Close'), run),
+  );
+  let questions = [];
 
-  const say = (problem) => { trouble.hidden = !problem; trouble.textContent = problem ?? ''; };
-  const back = (n, kind) => {
-    while (n >= 0 && app.data.kind(n) !== kind) n = app.data.cause(n);
-    return n;
-  };
-  const choiceField = (step) => {
-    const others = (step?.candidates ?? []).map((one) => one.id).filter((id, i, all) => id !== step.id && all.indexOf(id) === i);
-    if (!others.length) return null;
-    const radio = (id, text, checked) => h('label', {}, h('input', {type: 'radio', name: 'choice', value: id, checked}), ` ${text}`);
-    return h('fieldset', {}, h('legend', {}, `at step ${step.step} another transition had been taken`),
-      radio('', `${step.id}, as it was`, true), others.map((id) => radio(id, id, false)));
-  };
-  const inputField = (record) => {
-    const text = h('textarea', {rows: 5, spellcheck: 'false', 'aria-label': 'The input as JSON', 'data-testid': 'what-if-event'});
-    text.value = JSON.stringify(record.event, null, 1);
-    const out = h('input', {type: 'checkbox', 'data-testid': 'what-if-out', onchange: () => { text.disabled = out.checked; }});
-    return h('fieldset', {}, h('legend', {}, `the input at #${record.n} had been another`), text, h('label', {}, out, ' it had not come at all'));
-  };
-
-  /** The last of each of the kinds up to n, and by what it was brought about. */
-  const records = async (n) => {
-    const input = back(n, 'input');
-    const place = app.data.step(n), step = place < 0 ? -1 : app.data.steps.n[place];
-    return Promise.all([input, step].map((one) => (one < 0 ? null : app.client.record(one))));
-  };
-  const ask = async () => {
-    const asked = question();
-    if (!asked) return;
-    run.disabled = true;
-    run.textContent = 'Running…';
+  function say(problem) {
+    trouble.hidden = !problem;
+    trouble.textContent = problem ?? '';
+  }
+  async function ask() {
     try {
-      const answer = await askWhatIf({run: app.id, ...asked});
+      const asked = Object.assign({}, ...questions.map(({read}) => read()));
+      if (!Object.keys(asked).length) throw new Error('Change something first.');
+      run.disabled = true;
+      run.textContent = 'Running…';
+      const answer = await askWhatIf({run: id, ...asked});
       element.close();
-      app.openRun(app.id, answer.run);
+      model.open(id, answer.run);
     } catch (problem) {
       say(problem.message);
     }
     run.disabled = false;
     run.textContent = 'Run it';
-  };
+  }
   return {
     element,
     async open() {
       if (!served) return;
       say(null);
-      const [input, step] = await records(app.model.selection.n);
-      const of_trace = input && input.event?.kind !== 'act' ? input : null;
-      const choice = choiceField(step), edit = of_trace && inputField(of_trace);
-      body.replaceChildren(...[choice, edit].filter(Boolean));
-      run.hidden = !choice && !edit;
-      if (!choice && !edit) body.append(h('p', {}, 'Nothing was chosen or said up to here. Go to an input, or to a transition that had a choice.'));
-      question = () => {
-        const taken = choice?.querySelector('input:checked')?.value ?? '';
-        const asked = {};
-        if (taken) asked.force = {[step.step]: taken};
-        if (edit?.querySelector('[type=checkbox]').checked) asked.edits = [{n: of_trace.n, event: null}];
-        else if (edit) {
-          let event;
-          try { event = JSON.parse(edit.querySelector('textarea').value); } catch (problem) { say(`The input is no JSON: ${shown(problem.message)}`); return null; }
-          if (JSON.stringify(event) !== JSON.stringify(of_trace.event)) asked.edits = [{n: of_trace.n, event}];
-        }
-        if (!asked.force && !asked.edits) { say('Change something first.'); return null; }
-        return asked;
-      };
+      const [input, step] = await recordsBehind({client, data: cursor.data}, cursor.n);
+      questions = [choiceField(step), inputField(input)].filter(Boolean);
+      body.replaceChildren(...questions.map(({field}) => field));
+      run.hidden = !questions.length;
+      if (!questions.length)
+        body.append(
+          h('p', {}, 'Nothing was chosen or said up to here. Go to an input, or to a transition that had a choice.'),
+        );
       element.showModal();
     },
   };

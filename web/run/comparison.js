@@ -1,6 +1,6 @@
 // Two runs, A and B, held against each other: what of one is what of the other, and what differs. Pure; knows no page.
 import {laneRows, reachOf} from '../timeline/lane_rows.js';
-import {lastAtMost} from './run_data.js';
+import {lastAtMost} from '../search.js';
 
 export class Comparison {
   /** `side`: {id, data, client, labels} of B; `told`: what the server's diff says. */
@@ -30,12 +30,20 @@ export class Comparison {
     return shown?.b.length && this.recordOf(hunk) === n ? leading(shown.b) : this.toOther(n);
   }
 
-  toOther(n) { return counterpart(this.own, this.side.data, this.anchors.a, this.anchors.b, n); }
-  toOwn(n) { return counterpart(this.side.data, this.own, this.anchors.b, this.anchors.a, n); }
+  toOther(n) {
+    return counterpart(this.own, this.side.data, this.anchors.a, this.anchors.b, n);
+  }
+  toOwn(n) {
+    return counterpart(this.side.data, this.own, this.anchors.b, this.anchors.a, n);
+  }
 
   /** A time of B as a time of A: common inputs stand at the same place. */
-  timeToOwn(t) { return moved(this.anchors.times_b, this.anchors.times_a, t); }
-  timeToOther(t) { return moved(this.anchors.times_a, this.anchors.times_b, t); }
+  timeToOwn(t) {
+    return moved(this.anchors.times_b, this.anchors.times_a, t);
+  }
+  timeToOther(t) {
+    return moved(this.anchors.times_a, this.anchors.times_b, t);
+  }
 
   #inOwnTime(row) {
     const map = (times) => Float64Array.from(times, (t) => this.timeToOwn(t));
@@ -55,7 +63,10 @@ function marksOf(hunks, side) {
 
 // The first records belong together, and the inputs in common.
 function anchorsOf(own, other, pairs) {
-  const a = [0], b = [0], times_a = [0], times_b = [0];
+  const a = [0];
+  const b = [0];
+  const times_a = [0];
+  const times_b = [0];
   for (const [n, m] of pairs) {
     if (n >= own.size || m >= other.size || n <= a.at(-1) || m <= b.at(-1)) continue;
     a.push(n);
@@ -69,15 +80,20 @@ function anchorsOf(own, other, pairs) {
 
 // As far behind the common input before, if that is the same kind of record there; else what was then.
 function counterpart(from, to, from_anchors, to_anchors, n) {
-  const i = lastAtMost(from_anchors, n), guess = to_anchors[i] + n - from_anchors[i];
+  const i = lastAtMost(from_anchors, n);
+  const guess = to_anchors[i] + n - from_anchors[i];
   const end = i + 1 < to_anchors.length ? to_anchors[i + 1] : to.size;
   if (guess < end && to.kind(guess) === from.kind(n)) return guess;
-  const t = moved(from_anchors.map((one) => from.reached[one]), to_anchors.map((one) => to.reached[one]), from.reached[n]);
+  const t = moved(
+    from_anchors.map((one) => from.reached[one]),
+    to_anchors.map((one) => to.reached[one]),
+    from.reached[n],
+  );
   return Math.max(to_anchors[i], Math.min(end - 1, to.at(t)));
 }
 
 function moved(from, to, t) {
   const i = Math.max(0, lastAtMost(from, t));
   if (i + 1 >= from.length) return to[i] + t - from[i];
-  return to[i] + (t - from[i]) / (from[i + 1] - from[i]) * (to[i + 1] - to[i]);
+  return to[i] + ((t - from[i]) / (from[i + 1] - from[i])) * (to[i + 1] - to[i]);
 }

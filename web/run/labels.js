@@ -1,6 +1,8 @@
-// What records say in brief, fetched when a panel first asks and kept: a run of a million records has too many to send.
+// Brief texts of records, fetched when a panel first asks and kept: a run of a million records has too many to send at once.
 
-const most_asked = 500, most_kept = 20000, wait_ms = 15;
+const most_asked = 500;
+const most_kept = 20000;
+const wait_ms = 15;
 
 export class Labels {
   #client;
@@ -16,13 +18,21 @@ export class Labels {
     this.#arrived = arrived;
   }
 
-  /** What the record says, '' until it has come. */
-  label(n) { return this.#pair(n)[0]; }
-  /** What was said, shown, done or observed by it: the words alone. */
-  text(n) { return this.#pair(n)[1]; }
+  /** The record in brief, '' until it has come. */
+  label(n) {
+    return this.#pair(n)[0];
+  }
+  /** The words alone of something said, shown, done or observed. */
+  text(n) {
+    return this.#pair(n)[1];
+  }
   /** Asks for many at once. */
-  want(numbers) { for (const n of numbers) this.#pair(n); }
-  get idle() { return !this.#timer && !this.#coming; }
+  want(numbers) {
+    for (const n of numbers) this.#pair(n);
+  }
+  get idle() {
+    return !this.#timer && !this.#coming;
+  }
 
   #pair(n) {
     const known = this.#known.get(n);

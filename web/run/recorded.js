@@ -1,6 +1,6 @@
-// What an exported page brings along instead of a server: the answers about its one run, found as the server would.
+// Stands in for the server in an exported page, which carries the answers about its one run.
 import {readColumns} from './columns.js';
-import {lastAtMost} from './run_data.js';
+import {lastAtMost} from '../search.js';
 
 const bytesOf = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)).buffer;
 
@@ -11,23 +11,44 @@ export class Recorded {
   /** `answers`: what was asked -> the answer as JSON text. */
   constructor({answers}) {
     this.#answers = answers;
-    const numbers = (kind) => [...new Set([...answers.keys()].filter((key) => key.startsWith(`${kind} `)).map((key) => Number(key.split(' ')[1])))].sort((a, b) => a - b);
+    const numbers = (kind) =>
+      [
+        ...new Set(
+          [...answers.keys()].filter((key) => key.startsWith(`${kind} `)).map((key) => Number(key.split(' ')[1])),
+        ),
+      ].sort((a, b) => a - b);
     this.marks = numbers('stack');
     this.branchings = numbers('branch');
   }
 
   /** As fetch() would answer a request for this path. */
   async answer(path) {
-    const url = new URL(path, 'http://localhost'), query = url.searchParams;
+    const url = new URL(path, 'http://localhost');
+    const query = url.searchParams;
     const view = /^\/api\/runs\/[^/]+(?:\/([a-z]+))?$/.exec(url.pathname)?.[1] ?? 'run';
     const n = Number(query.get('n'));
     const own = {
-      columns: () => this.#columns(), labels: () => ({labels: this.#labels(query)}), find: () => this.#find(query), records: () => ({records: this.#records(query), next: null}),
-      stack: () => (query.has('branch') ? this.#get(`branch ${this.branchings[lastAtMost(this.branchings, n)]} ${query.get('branch')}`) : this.#get(`stack ${this.marks[Math.max(0, lastAtMost(this.marks, n))]}`)),
+      columns: () => this.#columns(),
+      labels: () => ({labels: this.#labels(query)}),
+      find: () => this.#find(query),
+      records: () => ({records: this.#records(query), next: null}),
+      stack: () =>
+        query.has('branch')
+          ? this.#get(`branch ${this.branchings[lastAtMost(this.branchings, n)]} ${query.get('branch')}`)
+          : this.#get(`stack ${this.marks[Math.max(0, lastAtMost(this.marks, n))]}`),
       explain: () => (query.has('cell') ? undefined : this.#get(`explain ${n}`)),
     }[view];
     const body = own ? own() : this.#get(view);
-    if (body === undefined) return {ok: false, status: 404, json: async () => ({error: {message: 'An exported page tells this of the records that the arrow keys stop at; a served one of all.'}})};
+    if (body === undefined)
+      return {
+        ok: false,
+        status: 404,
+        json: async () => ({
+          error: {
+            message: 'An exported page tells this of the records that the arrow keys stop at; a served one of all.',
+          },
+        }),
+      };
     return {ok: true, status: 200, json: async () => body, arrayBuffer: async () => body};
   }
 
@@ -39,15 +60,25 @@ export class Recorded {
     }
     return this.#parsed.get(key);
   }
-  #columns() { return bytesOf(this.#get('columns')); }
+  #columns() {
+    return bytesOf(this.#get('columns'));
+  }
   #labels(query) {
     const all = this.#get('labels');
-    return Object.fromEntries((query.get('n') ?? '').split(',').filter(Boolean).map((n) => [n, all[Number(n)] ?? ['', '']]));
+    return Object.fromEntries(
+      (query.get('n') ?? '')
+        .split(',')
+        .filter(Boolean)
+        .map((n) => [n, all[Number(n)] ?? ['', '']]),
+    );
   }
   #find(query) {
-    const {kinds, columns} = this.#columns_read ??= readColumns(this.#columns());
-    const words = query.get('text').toLowerCase().split(/\s+/).filter(Boolean), kind = query.get('kind'), labels = this.#get('labels');
-    const numbers = kind === '' ? columns.stop : columns.kind.keys(), found = [];
+    const {kinds, columns} = (this.#columns_read ??= readColumns(this.#columns()));
+    const words = query.get('text').toLowerCase().split(/\s+/).filter(Boolean);
+    const kind = query.get('kind');
+    const labels = this.#get('labels');
+    const numbers = kind === '' ? columns.stop : columns.kind.keys();
+    const found = [];
     for (const n of numbers) {
       const name = kinds[columns.kind[n]];
       if (kind !== '' && kind !== '*' && name !== kind) continue;
@@ -58,7 +89,10 @@ export class Recorded {
   }
   #columns_read = null;
   #records(query) {
-    const kind = query.get('kind'), after = Number(query.get('after') ?? 0), limit = Number(query.get('limit') ?? 500), found = [];
+    const kind = query.get('kind');
+    const after = Number(query.get('after') ?? 0);
+    const limit = Number(query.get('limit') ?? 500);
+    const found = [];
     for (let n = after; found.length < limit; ++n) {
       const text = this.#answers.get(`record ${n}`);
       if (text === undefined) break;

@@ -5,7 +5,7 @@ import {Recorded} from './recorded.js';
 
 const recorded = globalThis.continua_recorded ? new Recorded(globalThis.continua_recorded) : null;
 
-// What was asked for before this module was there, each to be taken once.
+// Requests made before this module was loaded; each answer is taken once.
 const early = globalThis.continua_early ?? new Map();
 function taken(path) {
   const answer = early.get(path);
@@ -15,7 +15,7 @@ function taken(path) {
 
 /** @returns {Promise<Response>} of the server, or what was recorded of it. */
 async function ask(path, options = {}) {
-  const response = await (recorded ? recorded.answer(path) : taken(path) ?? fetch(path, options));
+  const response = await (recorded ? recorded.answer(path) : (taken(path) ?? fetch(path, options)));
   if (response.ok) return response;
   const body = await response.json().catch(() => null);
   throw Object.assign(new Error(body?.error?.message ?? `${path}: ${response.status}`), {status: response.status});
@@ -23,7 +23,9 @@ async function ask(path, options = {}) {
 const get = (path) => ask(path, {headers: {Accept: 'application/json'}}).then((response) => response.json());
 const bytes = (path) => ask(path).then((response) => response.arrayBuffer());
 const send = (method, path, body) =>
-  ask(path, {method, headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)}).then((response) => response.json());
+  ask(path, {method, headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)}).then((response) =>
+    response.json(),
+  );
 
 const run = (id) => `/api/runs/${encodeURIComponent(id)}`;
 
@@ -35,9 +37,13 @@ export const fetchDiff = (a, b) => get(`/api/diff?a=${encodeURIComponent(a)}&b=$
 export const askWhatIf = (question) => send('POST', '/api/what-if', question);
 export const pictureOf = (id, t, size) => `${run(id)}/frame?t=${t}&size=${size}`;
 
-/** Everything the page needs at once. */
+/** All that the page of a run needs at once. */
 export async function fetchRun(id) {
-  const [summary, graph, columns] = await Promise.all([get(run(id)), get(`${run(id)}/graph`), bytes(`${run(id)}/columns`)]);
+  const [summary, graph, columns] = await Promise.all([
+    get(run(id)),
+    get(`${run(id)}/graph`),
+    bytes(`${run(id)}/columns`),
+  ]);
   return {summary, graph, columns};
 }
 
@@ -54,37 +60,71 @@ const most_kept = 400;
 export class RecordClient {
   #kept = new Map();
 
-  constructor(id) { this.id = id; }
+  constructor(id) {
+    this.id = id;
+  }
 
-  record(n) { return this.#keep(`records?after=${n}&limit=1`).then((answer) => answer.records[0]); }
+  record(n) {
+    return this.#keep(`records?after=${n}&limit=1`).then((answer) => answer.records[0]);
+  }
   /** Records of a kind from n on, up to `limit`. */
-  records(kind, after, limit) { return this.#keep(`records?kind=${encodeURIComponent(kind)}&after=${after}&limit=${limit}`).then((answer) => answer.records); }
+  records(kind, after, limit) {
+    return this.#keep(`records?kind=${encodeURIComponent(kind)}&after=${after}&limit=${limit}`).then(
+      (answer) => answer.records,
+    );
+  }
   /** `branch`: of that of several configurations; null: of the leading one. */
-  stack(n, branch = null) { return this.#keep(`stack?n=${n}${branch === null ? '' : `&branch=${branch}`}`); }
+  stack(n, branch = null) {
+    return this.#keep(`stack?n=${n}${branch === null ? '' : `&branch=${branch}`}`);
+  }
   /** Why record n; given a cell of the stack, how the value that record n gave it came about. */
-  explain(n, cell = '') { return this.#keep(`explain?n=${n}${cell ? `&cell=${encodeURIComponent(cell)}` : ''}`); }
-  labels(numbers) { return get(`${run(this.id)}/labels?n=${numbers.join(',')}`).then((answer) => answer.labels); }
+  explain(n, cell = '') {
+    return this.#keep(`explain?n=${n}${cell ? `&cell=${encodeURIComponent(cell)}` : ''}`);
+  }
+  labels(numbers) {
+    return get(`${run(this.id)}/labels?n=${numbers.join(',')}`).then((answer) => answer.labels);
+  }
   /** Running numbers of the records that match, in order. */
   find(text, kind) {
-    return bytes(`${run(this.id)}/find?text=${encodeURIComponent(text)}&kind=${encodeURIComponent(kind)}`).then((answer) => new Uint32Array(answer));
+    return bytes(`${run(this.id)}/find?text=${encodeURIComponent(text)}&kind=${encodeURIComponent(kind)}`).then(
+      (answer) => new Uint32Array(answer),
+    );
   }
-  scene() { return this.#keep('scene'); }
-  /** What moved, pointed and was done in a window of seconds. Not kept here: Motion keeps what it needs. */
-  poses(from, to) { return get(`${run(this.id)}/poses?from=${from.toFixed(3)}&to=${to.toFixed(3)}`); }
-  notes() { return get(`${run(this.id)}/notes`); }
-  saveNotes(notes) { return send('PUT', `${run(this.id)}/notes`, notes); }
+  scene() {
+    return this.#keep('scene');
+  }
+  /** Motion, pointing and acts in a window of seconds. Not kept here: Motion keeps the windows that it needs. */
+  poses(from, to) {
+    return get(`${run(this.id)}/poses?from=${from.toFixed(3)}&to=${to.toFixed(3)}`);
+  }
+  notes() {
+    return get(`${run(this.id)}/notes`);
+  }
+  saveNotes(notes) {
+    return send('PUT', `${run(this.id)}/notes`, notes);
+  }
 
   #keep(path) {
     if (!this.#kept.has(path)) {
       if (this.#kept.size >= most_kept) this.#kept.delete(this.#kept.keys().next().value);
-      this.#kept.set(path, get(`${run(this.id)}/${path}`).catch((problem) => { this.#kept.delete(path); throw problem; }));
+      this.#kept.set(
+        path,
+        get(`${run(this.id)}/${path}`).catch((problem) => {
+          this.#kept.delete(path);
+          throw problem;
+        }),
+      );
     }
     return this.#kept.get(path);
   }
 
-  /** What is known may no longer be all there is: the log has grown. */
-  forget() { this.#kept.clear(); }
+  /** Drops all answers: the log has grown. */
+  forget() {
+    this.#kept.clear();
+  }
 
   /** Resolves when all that was asked for has come. */
-  idle() { return Promise.allSettled(this.#kept.values()); }
+  idle() {
+    return Promise.allSettled(this.#kept.values());
+  }
 }

@@ -1,15 +1,6 @@
-// A run as the panels ask about it: where, when and what, from its columns. Pure; knows no page.
+// A run as the panels query it, from its columns: places, times, states, causes. Pure; knows no page.
+import {lastAtMost} from '../search.js';
 import {laneOf} from './columns.js';
-
-/** Place of the last element of sorted `numbers` that is at most `value`, or -1. */
-export function lastAtMost(numbers, value) {
-  let low = 0, high = numbers.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (numbers[middle] <= value) low = middle + 1; else high = middle;
-  }
-  return low - 1;
-}
 
 const most_effects = 50;
 
@@ -33,23 +24,58 @@ export class RunData {
     this.reached = inOrder(this.t);
     this.steps = laneOf(columns, 'step');
     this.lanes = {};
-    for (const name of ['speech', 'gesture', 'pointing', 'utterance', 'move', 'act', 'observed', 'rest', 'flag', 'branches', 'confidence', 'depth'])
+    for (const name of [
+      'speech',
+      'gesture',
+      'pointing',
+      'utterance',
+      'move',
+      'act',
+      'observed',
+      'rest',
+      'flag',
+      'branches',
+      'confidence',
+      'depth',
+    ])
       this.lanes[name] = laneOf(columns, name);
     this.lanes.state = stateLane(this.steps, this.reached, names, graph.start, duration);
   }
 
-  kind(n) { return this.kinds[this.kind_of[n]]; }
-  label(n) { return this.labels.label(n); }
-  text(n) { return this.labels.text(n); }
-  cause(n) { return this.cause_of[n]; }
-  clamp(n) { return Math.max(0, Math.min(this.size - 1, n)); }
-  count(kind) { return this.summary.counts?.[kind] ?? 0; }
+  kind(n) {
+    return this.kinds[this.kind_of[n]];
+  }
+  label(n) {
+    return this.labels.label(n);
+  }
+  text(n) {
+    return this.labels.text(n);
+  }
+  cause(n) {
+    return this.cause_of[n];
+  }
+  clamp(n) {
+    return Math.max(0, Math.min(this.size - 1, n));
+  }
+  count(kind) {
+    return this.summary.counts?.[kind] ?? 0;
+  }
 
   /** The last record at time t. */
-  at(t) { return Math.max(0, lastAtMost(this.reached, t)); }
+  at(t) {
+    return Math.max(0, lastAtMost(this.reached, t));
+  }
+
+  /** The stretch of `width` seconds with t in its first third, moved into the run: [from, to]. */
+  windowAround(t, width) {
+    const from = Math.max(0, Math.min(this.duration - width, t - width / 3));
+    return [from, from + width];
+  }
 
   /** Place in `steps` of the last transition at record n, or -1. */
-  step(n) { return lastAtMost(this.steps.n, n); }
+  step(n) {
+    return lastAtMost(this.steps.n, n);
+  }
   state(n) {
     const step = this.step(n);
     return step < 0 ? this.graph.start : this.names[this.steps.to[step]];
@@ -99,7 +125,13 @@ function inOrder(t) {
 
 /** {n, from, to, state}: what the automaton was in, stretches of no length left out, equal neighbours joined. */
 function stateLane(steps, t, names, start, duration) {
-  const most = steps.n.length + 1, lane = {n: new Uint32Array(most), from: new Float64Array(most), to: new Float64Array(most), name: new Int32Array(most)};
+  const most = steps.n.length + 1;
+  const lane = {
+    n: new Uint32Array(most),
+    from: new Float64Array(most),
+    to: new Float64Array(most),
+    name: new Int32Array(most),
+  };
   let count = 0;
   const add = (name, from, to, n) => {
     if (count && lane.name[count - 1] === name) lane.to[count - 1] = to;
@@ -109,7 +141,13 @@ function stateLane(steps, t, names, start, duration) {
     }
   };
   if (start) add(names.indexOf(start), 0, steps.n.length ? t[steps.n[0]] : duration, 0);
-  for (let i = 0; i < steps.n.length; ++i) add(steps.to[i], t[steps.n[i]], i + 1 < steps.n.length ? t[steps.n[i + 1]] : duration, steps.n[i]);
-  return {n: lane.n.subarray(0, count), from: lane.from.subarray(0, count), to: lane.to.subarray(0, count), name: lane.name.subarray(0, count),
-          start};
+  for (let i = 0; i < steps.n.length; ++i)
+    add(steps.to[i], t[steps.n[i]], i + 1 < steps.n.length ? t[steps.n[i + 1]] : duration, steps.n[i]);
+  return {
+    n: lane.n.subarray(0, count),
+    from: lane.from.subarray(0, count),
+    to: lane.to.subarray(0, count),
+    name: lane.name.subarray(0, count),
+    start,
+  };
 }

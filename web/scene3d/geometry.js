@@ -1,7 +1,7 @@
 // MuJoCo's geoms as three's meshes. Half sizes, metres; MuJoCo's capsules and cylinders lie along z, three's along y.
 
-const detail = 28;         // sides of what is round
-const endless_m = 20;      // of a plane without end
+const detail = 28; // sides of what is round
+const endless_m = 20; // of a plane without end
 const most_vertices = 2e5; // of a mesh
 
 const numbers = (value, count, otherwise) =>
@@ -19,7 +19,13 @@ const needed = {plane: 2, sphere: 1, ellipsoid: 3, capsule: 2, cylinder: 2, box:
 
 function meshShape(THREE, mesh) {
   const {vertices, faces} = mesh ?? {};
-  if (!Array.isArray(vertices) || !Array.isArray(faces) || vertices.length > 3 * most_vertices || !vertices.every(Number.isFinite)) return null;
+  if (
+    !Array.isArray(vertices) ||
+    !Array.isArray(faces) ||
+    vertices.length > 3 * most_vertices ||
+    !vertices.every(Number.isFinite)
+  )
+    return null;
   const count = Math.floor(vertices.length / 3);
   const index = [];
   for (let i = 0; i + 2 < faces.length; i += 3) {
@@ -41,7 +47,8 @@ export function shapeOf(THREE, geom) {
   if (geom?.type === 'mesh') return meshShape(THREE, geom.mesh);
   if (!Object.hasOwn(shapes, geom?.type)) return null;
   const size = numbers(geom.size, needed[geom.type], null);
-  const positive = size && size.slice(0, needed[geom.type]).every((x) => (geom.type === 'plane' ? x >= 0 : x > 0) && x < 1e4);
+  const positive =
+    size && size.slice(0, needed[geom.type]).every((x) => (geom.type === 'plane' ? x >= 0 : x > 0) && x < 1e4);
   return positive ? shapes[geom.type](THREE, size) : null;
 }
 
@@ -49,7 +56,8 @@ export const rgbaOf = (geom) => numbers(geom?.rgba, 4, [0.5, 0.5, 0.5, 1]).map((
 
 /** Puts an object where MuJoCo's position and quaternion [w, x, y, z] say. */
 export function place(object, pos, quat) {
-  const p = numbers(pos, 3, [0, 0, 0]), q = numbers(quat, 4, [1, 0, 0, 0]);
+  const p = numbers(pos, 3, [0, 0, 0]);
+  const q = numbers(quat, 4, [1, 0, 0, 0]);
   object.position.set(p[0], p[1], p[2]);
   object.quaternion.set(q[1], q[2], q[3], q[0]).normalize();
 }
@@ -81,13 +89,16 @@ function joined(THREE, meshes) {
  * `materialOf(geom, rgba)` makes the material of a look. Gives {bodies: Map of name to Group, dispose}.
  */
 export function buildBodies(THREE, geoms, materialOf) {
-  const looks = new Map(), materials = new Map();
+  const looks = new Map();
+  const materials = new Map();
   for (const geom of Array.isArray(geoms) ? geoms : []) {
     const rgba = rgbaOf(geom);
     if (typeof geom?.body !== 'string' || rgba[3] === 0) continue;
     const shape = shapeOf(THREE, geom);
     if (!shape) continue;
-    const plane = geom.type === 'plane', look = `${plane} ${geom.type === 'mesh'} ${rgba}`, key = JSON.stringify([geom.body, look]);
+    const plane = geom.type === 'plane';
+    const look = `${plane} ${geom.type === 'mesh'} ${rgba}`;
+    const key = JSON.stringify([geom.body, look]);
     if (!materials.has(look)) materials.set(look, materialOf(geom, rgba));
     const mesh = new THREE.Mesh(shape);
     place(mesh, geom.pos, geom.quat);

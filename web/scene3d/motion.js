@@ -1,13 +1,16 @@
 // Where every body was at any instant, from windows of `poses` that are fetched as they are needed and a little ahead,
 // and kept within bounds. Pure: knows neither page nor three. Metres, seconds, frame W; a pose is [x, y, z, qw, qx, qy, qz].
-import {lastAtMost} from '../run/run_data.js';
+import {lastAtMost} from '../search.js';
 
 // A log has at most 30 poses a second: across a wider gap a body stood still and moved in the end.
 export const longest_step_s = 0.05;
-const lead_s = 2 * longest_step_s;   // fetched on either side of a window, so that the way across its ends is known
-const most_numbers = 2e6;            // kept of all windows together: 16 MB
+const lead_s = 2 * longest_step_s; // fetched on either side of a window, so that the way across its ends is known
+const most_numbers = 2e6; // kept of all windows together: 16 MB
 
-export const isPose = (pose) => Array.isArray(pose) && pose.length === 7 && pose.every(Number.isFinite) &&
+export const isPose = (pose) =>
+  Array.isArray(pose) &&
+  pose.length === 7 &&
+  pose.every(Number.isFinite) &&
   Math.hypot(pose[3], pose[4], pose[5], pose[6]) > 0.5;
 export const isPoint = (point) => Array.isArray(point) && point.length === 3 && point.every(Number.isFinite);
 
@@ -20,15 +23,17 @@ export function between(a, b, part) {
   let cosine = a[3] * b[3] + a[4] * b[4] + a[5] * b[5] + a[6] * b[6];
   const sign = cosine < 0 ? -1 : 1;
   cosine = Math.min(1, sign * cosine);
-  const angle = Math.acos(cosine), sine = Math.sin(angle);
-  const [of_a, of_b] = sine < 1e-6 ? [1 - part, part] : [Math.sin((1 - part) * angle) / sine, Math.sin(part * angle) / sine];
+  const angle = Math.acos(cosine);
+  const sine = Math.sin(angle);
+  const [of_a, of_b] =
+    sine < 1e-6 ? [1 - part, part] : [Math.sin((1 - part) * angle) / sine, Math.sin(part * angle) / sine];
   for (let i = 3; i < 7; ++i) out[i] = of_a * a[i] + sign * of_b * b[i];
   const norm = Math.hypot(out[3], out[4], out[5], out[6]);
   for (let i = 3; i < 7; ++i) out[i] /= norm;
   return out;
 }
 
-/** What one answer of `poses` tells, in a form that is quick to ask. */
+/** One answer of `poses`, in a form that is quick to query. */
 export class Window {
   /** `from` … `to`: the instants it is good for; the answer may reach beyond. */
   constructor(answer, from, to) {
@@ -41,18 +46,25 @@ export class Window {
       if (!Array.isArray(change) || !Number.isFinite(change[0])) continue;
       for (const [body, pose] of Object.entries(change[1] ?? {})) if (isPose(pose)) this.#add(body, change[0], pose);
     }
-    this.pointing = list(answer?.pointing).filter((one) => Number.isFinite(one?.from) && Number.isFinite(one?.to))
-      .map((one) => ({...one, origin: isPoint(one.origin) ? one.origin : null,
-        samples: list(one.samples).filter((sample) => Array.isArray(sample) && sample.length === 4 && sample.every(Number.isFinite))}))
+    this.pointing = list(answer?.pointing)
+      .filter((one) => Number.isFinite(one?.from) && Number.isFinite(one?.to))
+      .map((one) => ({
+        ...one,
+        origin: isPoint(one.origin) ? one.origin : null,
+        samples: list(one.samples).filter(
+          (sample) => Array.isArray(sample) && sample.length === 4 && sample.every(Number.isFinite),
+        ),
+      }))
       .filter((one) => one.samples.length);
-    this.acts = list(answer?.acts).filter((one) => Number.isFinite(one?.from) && Number.isFinite(one?.to))
+    this.acts = list(answer?.acts)
+      .filter((one) => Number.isFinite(one?.from) && Number.isFinite(one?.to))
       .map((one) => ({...one, target: isPoint(one.target) ? one.target : null}));
     for (const one of this.pointing) this.numbers += 4 * one.samples.length;
   }
 
   #add(body, t, pose) {
     let track = this.tracks.get(body);
-    if (!track) this.tracks.set(body, track = {t: [], poses: []});
+    if (!track) this.tracks.set(body, (track = {t: [], poses: []}));
     if (track.t.length && track.t.at(-1) > t) return;
     track.t.push(t);
     track.poses.push(pose);
@@ -64,9 +76,13 @@ export class Window {
     const poses = new Map(this.start);
     for (const [body, track] of this.tracks) {
       const place = lastAtMost(track.t, t);
-      const before = place < 0 ? this.start.get(body) ?? track.poses[0] : track.poses[place];
-      if (place + 1 === track.t.length) { poses.set(body, before); continue; }
-      const until = track.t[place + 1], since = Math.max(place < 0 ? -Infinity : track.t[place], until - longest_step_s);
+      const before = place < 0 ? (this.start.get(body) ?? track.poses[0]) : track.poses[place];
+      if (place + 1 === track.t.length) {
+        poses.set(body, before);
+        continue;
+      }
+      const until = track.t[place + 1];
+      const since = Math.max(place < 0 ? -Infinity : track.t[place], until - longest_step_s);
       poses.set(body, between(before, track.poses[place + 1], (t - since) / (until - since)));
     }
     return poses;
@@ -74,19 +90,31 @@ export class Window {
 
   /** Who points at t, each with the samples of the last `trail_s` seconds, the newest last. */
   pointingAt(t, trail_s = 0.6) {
-    return this.pointing.filter((one) => one.from <= t && t <= one.to).map((one) => {
-      const until = one.samples.filter(([at]) => at <= t);
-      const shown = until.length ? until : one.samples.slice(0, 1);
-      return {...one, target: shown.at(-1).slice(1), trail: shown.filter(([at]) => at > t - trail_s).map((sample) => sample.slice(1))};
-    });
+    return this.pointing
+      .filter((one) => one.from <= t && t <= one.to)
+      .map((one) => {
+        const until = one.samples.filter(([at]) => at <= t);
+        const shown = until.length ? until : one.samples.slice(0, 1);
+        return {
+          ...one,
+          target: shown.at(-1).slice(1),
+          trail: shown.filter(([at]) => at > t - trail_s).map((sample) => sample.slice(1)),
+        };
+      });
   }
-  actsAt(t) { return this.acts.filter((one) => one.from <= t && t <= one.to); }
+  actsAt(t) {
+    return this.acts.filter((one) => one.from <= t && t <= one.to);
+  }
 }
-const list = (value) => Array.isArray(value) ? value : [];
+const list = (value) => (Array.isArray(value) ? value : []);
 
 export class Motion {
-  #fetch; #duration; #arrived; #width; #now;
-  #kept = [];            // windows, the one used last at the end
+  #fetch;
+  #duration;
+  #arrived;
+  #width;
+  #now;
+  #kept = []; // windows, the one used last at the end
   #wanted = null;
   #busy = false;
   #retry_at = 0;
@@ -104,7 +132,9 @@ export class Motion {
     this.problem = '';
   }
 
-  get numbers() { return this.#kept.reduce((sum, one) => sum + one.numbers, 0); }
+  get numbers() {
+    return this.#kept.reduce((sum, one) => sum + one.numbers, 0);
+  }
 
   /** The window that tells of t, or null while it is on its way. */
   at(t) {
@@ -116,9 +146,15 @@ export class Motion {
     return here ?? null;
   }
 
-  close() { this.#wanted = null; this.#kept = []; this.#arrived = () => {}; }
+  close() {
+    this.#wanted = null;
+    this.#kept = [];
+    this.#arrived = () => {};
+  }
 
-  #covering(t) { return this.#kept.find((one) => one.from <= t && t <= one.to); }
+  #covering(t) {
+    return this.#kept.find((one) => one.from <= t && t <= one.to);
+  }
 
   /** Where the next window begins that playing on will need, or null. */
   #ahead(here, t) {
@@ -130,10 +166,12 @@ export class Motion {
     if (this.#busy || this.#now() < this.#retry_at) return;
     this.#busy = true;
     while (this.#wanted !== null) {
-      const t = this.#wanted, here = this.#covering(t);
+      const t = this.#wanted;
+      const here = this.#covering(t);
       const from = here ? this.#ahead(here, t) : this.#begin(t);
       if (from === null) break;
-      const to = from + this.#width, end = this.#duration();
+      const to = from + this.#width;
+      const end = this.#duration();
       try {
         const answer = await this.#fetch(Math.max(0, from - lead_s), to + lead_s);
         this.problem = '';

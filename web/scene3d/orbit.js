@@ -1,27 +1,37 @@
 // Turning, shifting and approaching a view by mouse, touch and keys. Changes the view it is given and says so.
 import {axes} from './framing.js';
 
-const steepest = 89 * Math.PI / 180;
+const steepest = (89 * Math.PI) / 180;
 const clamp = (x, low, high) => Math.max(low, Math.min(high, x));
 
-export const turned = (view, azimuth, elevation) =>
-  ({...view, azimuth: view.azimuth + azimuth, elevation: clamp(view.elevation + elevation, -steepest, steepest)});
+export const turned = (view, azimuth, elevation) => ({
+  ...view,
+  azimuth: view.azimuth + azimuth,
+  elevation: clamp(view.elevation + elevation, -steepest, steepest),
+});
 export const approached = (view, factor) => ({...view, distance: clamp(view.distance * factor, 0.05, 50)});
 /** Shifted by parts of the picture's height, right and up in the picture. */
 export function shifted(view, by_right, by_up) {
-  const {right, up} = axes(view), height = 2 * view.distance * Math.tan(view.fovy / 2);
+  const {right, up} = axes(view);
+  const height = 2 * view.distance * Math.tan(view.fovy / 2);
   return {...view, target: view.target.map((x, i) => x + height * (by_right * right[i] + by_up * up[i]))};
 }
 
 const step = Math.PI / 24;
 const on_key = {
-  ArrowLeft: (view) => turned(view, -step, 0), ArrowRight: (view) => turned(view, step, 0),
-  ArrowUp: (view) => turned(view, 0, -step), ArrowDown: (view) => turned(view, 0, step),
-  '+': (view) => approached(view, 0.85), '=': (view) => approached(view, 0.85), '-': (view) => approached(view, 1 / 0.85),
+  ArrowLeft: (view) => turned(view, -step, 0),
+  ArrowRight: (view) => turned(view, step, 0),
+  ArrowUp: (view) => turned(view, 0, -step),
+  ArrowDown: (view) => turned(view, 0, step),
+  '+': (view) => approached(view, 0.85),
+  '=': (view) => approached(view, 0.85),
+  '-': (view) => approached(view, 1 / 0.85),
 };
 const on_shift_key = {
-  ArrowLeft: (view) => shifted(view, -0.08, 0), ArrowRight: (view) => shifted(view, 0.08, 0),
-  ArrowUp: (view) => shifted(view, 0, 0.08), ArrowDown: (view) => shifted(view, 0, -0.08),
+  ArrowLeft: (view) => shifted(view, -0.08, 0),
+  ArrowRight: (view) => shifted(view, 0.08, 0),
+  ArrowUp: (view) => shifted(view, 0, 0.08),
+  ArrowDown: (view) => shifted(view, 0, -0.08),
 };
 
 /**
@@ -31,7 +41,7 @@ const on_shift_key = {
  * with Shift or the right button dragging turns, two fingers turn and approach, Alt makes the arrow keys turn.
  */
 export function orbit(element, {get, set, click, pointing = false}) {
-  const down = new Map();  // pointers and where they are
+  const down = new Map(); // pointers and where they are
   let moved = 0;
   const height = () => Math.max(element.clientHeight, 1);
   const spread = () => {
@@ -48,30 +58,38 @@ export function orbit(element, {get, set, click, pointing = false}) {
   element.addEventListener('pointermove', (event) => {
     const last = down.get(event.pointerId);
     if (!last) return;
-    const dx = event.clientX - last.x, dy = event.clientY - last.y;
+    const dx = event.clientX - last.x;
+    const dy = event.clientY - last.y;
     const before = down.size === 2 ? spread() : 0;
     last.x = event.clientX;
     last.y = event.clientY;
     moved += Math.abs(dx) + Math.abs(dy);
     if (moved < 4 || (pointing && event.pointerType === 'touch' && down.size < 2)) return;
-    const shifts = !pointing && (down.size === 2 || event.shiftKey || (event.buttons & 2));
+    const shifts = !pointing && (down.size === 2 || event.shiftKey || event.buttons & 2);
     let view = get();
-    view = shifts ? shifted(view, -dx / height() / down.size, dy / height() / down.size) : turned(view, -dx / height() * 3 / down.size, -dy / height() * 3 / down.size);
+    view = shifts
+      ? shifted(view, -dx / height() / down.size, dy / height() / down.size)
+      : turned(view, ((-dx / height()) * 3) / down.size, ((-dy / height()) * 3) / down.size);
     if (before) view = approached(view, before / spread());
     set(view);
   });
   const up = (event) => {
-    if (!down.delete(event.pointerId) || down.size || moved >= 4 || event.type !== 'pointerup' || event.button !== 0) return;
+    if (!down.delete(event.pointerId) || down.size || moved >= 4 || event.type !== 'pointerup' || event.button !== 0)
+      return;
     const box = element.getBoundingClientRect();
     click(event.clientX - box.left, event.clientY - box.top);
   };
   element.addEventListener('pointerup', up);
   element.addEventListener('pointercancel', up);
   element.addEventListener('contextmenu', (event) => event.preventDefault());
-  element.addEventListener('wheel', (event) => {
-    event.preventDefault();
-    set(approached(get(), Math.exp(clamp(event.deltaY, -200, 200) / 600)));
-  }, {passive: false});
+  element.addEventListener(
+    'wheel',
+    (event) => {
+      event.preventDefault();
+      set(approached(get(), Math.exp(clamp(event.deltaY, -200, 200) / 600)));
+    },
+    {passive: false},
+  );
   element.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey !== (pointing && event.key.startsWith('Arrow'))) return;
     const change = (event.shiftKey && on_shift_key[event.key]) || on_key[event.key];

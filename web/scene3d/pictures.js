@@ -2,9 +2,13 @@
 // a time and one every 300 ms; what was asked for last wins.
 
 const pause_ms = 300;
+const largest_px = 1280;
+const multiple_px = 32; // sizes are multiples of this, so that a small change of the window asks for no new picture
 
 export class Pictures {
-  #address; #shown; #failed;
+  #address;
+  #shown;
+  #failed;
   #wanted = '';
   #asked = '';
   #busy = false;
@@ -27,14 +31,18 @@ export class Pictures {
   #next() {
     if (this.#closed || this.#busy || this.#timer || this.#wanted === this.#asked) return;
     const wait = this.#last + pause_ms - performance.now();
-    if (wait > 0) this.#timer = setTimeout(() => { this.#timer = 0; this.#next(); }, wait);
+    if (wait > 0)
+      this.#timer = setTimeout(() => {
+        this.#timer = 0;
+        this.#next();
+      }, wait);
     else this.#load();
   }
 
   async #load() {
     this.#busy = true;
     this.#last = performance.now();
-    const address = this.#asked = this.#wanted;
+    const address = (this.#asked = this.#wanted);
     const image = new Image();
     image.src = address;
     try {
@@ -63,4 +71,13 @@ async function reason(address) {
   } catch {
     return 'The server does not answer.';
   }
+}
+
+/** [width, height] of a picture that fills the element. */
+export function pictureSize(element) {
+  const {width, height} = element.getBoundingClientRect();
+  const scale = Math.min(devicePixelRatio || 1, largest_px / Math.max(width, height, 1));
+  return [width, height].map((length) =>
+    Math.max(multiple_px, Math.round((length * scale) / multiple_px) * multiple_px),
+  );
 }

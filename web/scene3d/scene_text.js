@@ -1,4 +1,4 @@
-// What is where, in words: for those who do not see the picture, and what MJCF tells of bodies. Pure, except that MJCF is
+// The scene in words, for those who do not see the picture, and the facts that MJCF has about bodies. Pure, except that MJCF is
 // read with the browser's XML parser.
 
 const near_m = 0.06;
@@ -17,7 +17,8 @@ export function placeText([x, y, z]) {
 
 /** The object nearest to a point, where one is close. */
 export function objectNear(point, objects, poses) {
-  let best = null, least = near_m;
+  let best = null;
+  let least = near_m;
   for (const name of objects) {
     const pose = poses.get(name);
     const away = pose ? Math.hypot(pose[0] - point[0], pose[1] - point[1]) : Infinity;
@@ -31,9 +32,12 @@ export function sceneSentence({objects, poses, pointing, acts}, brief = false) {
   const sentences = [];
   for (const {who, target} of pointing) {
     const near = objectNear(target, objects, poses);
-    sentences.push(`${who === 'avatar' ? 'The avatar' : 'The human'} points ${near ? `at ${near}` : placeText(target)}.`);
+    sentences.push(
+      `${who === 'avatar' ? 'The avatar' : 'The human'} points ${near ? `at ${near}` : placeText(target)}.`,
+    );
   }
-  for (const {program, target} of acts) sentences.push(`The avatar carries out ${program}${target ? `, to ${placeText(target)}` : ''}.`);
+  for (const {program, target} of acts)
+    sentences.push(`The avatar carries out ${program}${target ? `, to ${placeText(target)}` : ''}.`);
   const shown = brief ? [] : objects.filter((name) => poses.has(name));
   if (shown.length > 12) sentences.push(`${shown.length} objects.`);
   else if (shown.length) sentences.push(`${shown.map((name) => `${name}: ${placeText(poses.get(name))}`).join('; ')}.`);
@@ -41,7 +45,7 @@ export function sceneSentence({objects, poses, pointing, acts}, brief = false) {
 }
 
 /**
- * What the scene's MJCF says of its bodies: `objects`, those that move freely, in their order, and `grip`, the point
+ * The bodies of the scene's MJCF: `objects`, those that move freely, in their order, and `grip`, the point
  * between the avatar's fingers: {body, pos}, or null. Without readable MJCF every drawn body counts as an object.
  */
 export function readMjcf(mjcf, drawn) {
@@ -49,10 +53,19 @@ export function readMjcf(mjcf, drawn) {
   if (typeof mjcf !== 'string') return otherwise;
   const xml = new DOMParser().parseFromString(mjcf, 'text/xml');
   if (xml.querySelector('parsererror')) return otherwise;
-  const free = (body) => [...body.children].some((child) => child.tagName === 'freejoint' || (child.tagName === 'joint' && child.getAttribute('type') === 'free'));
-  const objects = [...xml.querySelectorAll('body[name]')].filter(free).map((body) => body.getAttribute('name')).filter((name) => drawn.includes(name));
+  const free = (body) =>
+    [...body.children].some(
+      (child) => child.tagName === 'freejoint' || (child.tagName === 'joint' && child.getAttribute('type') === 'free'),
+    );
+  const objects = [...xml.querySelectorAll('body[name]')]
+    .filter(free)
+    .map((body) => body.getAttribute('name'))
+    .filter((name) => drawn.includes(name));
   const site = xml.querySelector('body[name] > site[name=grip]');
   const pos = (site?.getAttribute('pos') ?? '').trim().split(/\s+/).map(Number);
-  const grip = site && pos.length === 3 && pos.every(Number.isFinite) ? {body: site.parentElement.getAttribute('name'), pos} : null;
+  const grip =
+    site && pos.length === 3 && pos.every(Number.isFinite)
+      ? {body: site.parentElement.getAttribute('name'), pos}
+      : null;
   return {objects, grip};
 }

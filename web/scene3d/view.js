@@ -7,10 +7,12 @@ import {Overlays} from './overlays.js';
 
 const degree = Math.PI / 180;
 const most_pixels_ratio = 2;
-const low_picture = 1.8;      // width to height
-const room_above_m = 0.12;    // the objects, in a low picture
+const low_picture = 1.8; // width to height
+const room_above_m = 0.12; // the objects, in a low picture
 // As MuJoCo lights a scene: three divides what is diffuse by π.
-const ambient = 0.45 * Math.PI, headlight = 0.35 * Math.PI, lamp = 0.5 * Math.PI;
+const ambient = 0.45 * Math.PI;
+const headlight = 0.35 * Math.PI;
+const lamp = 0.5 * Math.PI;
 
 export class SceneView {
   /** `context`: the canvas's WebGL 2; `scene`: {geoms, bodies}; `colours`: numbers (see recolour). */
@@ -24,7 +26,11 @@ export class SceneView {
     this.world = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
     this.camera.up.set(0, 0, 1);
-    this.lights = [new THREE.AmbientLight(0xffffff, ambient), new THREE.DirectionalLight(0xffffff, headlight), new THREE.DirectionalLight(0xffffff, lamp)];
+    this.lights = [
+      new THREE.AmbientLight(0xffffff, ambient),
+      new THREE.DirectionalLight(0xffffff, headlight),
+      new THREE.DirectionalLight(0xffffff, lamp),
+    ];
     this.lights[2].position.set(-0.3, -0.5, 1);
     this.world.add(...this.lights);
     this.floors = [];
@@ -41,8 +47,14 @@ export class SceneView {
   }
 
   #material(geom, [r, g, b, a]) {
-    const material = new this.THREE.MeshLambertMaterial({color: new this.THREE.Color(r, g, b), transparent: a < 1, opacity: a, polygonOffset: true, polygonOffsetFactor: 1,
-      side: geom.type === 'plane' || geom.type === 'mesh' ? this.THREE.DoubleSide : this.THREE.FrontSide});
+    const material = new this.THREE.MeshLambertMaterial({
+      color: new this.THREE.Color(r, g, b),
+      transparent: a < 1,
+      opacity: a,
+      polygonOffset: true,
+      polygonOffsetFactor: 1,
+      side: geom.type === 'plane' || geom.type === 'mesh' ? this.THREE.DoubleSide : this.THREE.FrontSide,
+    });
     if (geom.type === 'plane') this.floors.push({material, own: [r, g, b]});
     return material;
   }
@@ -54,9 +66,13 @@ export class SceneView {
   recolour(colours) {
     this.colours = colours;
     const dim = colours.dark ? 0.82 : 1;
-    [ambient, headlight, lamp].forEach((strength, i) => { this.lights[i].intensity = strength * dim; });
+    [ambient, headlight, lamp].forEach((strength, i) => {
+      this.lights[i].intensity = strength * dim;
+    });
     for (const {material, own} of this.floors)
-      material.color.copy(colours.dark ? new this.THREE.Color(colours.background).multiplyScalar(1.5) : new this.THREE.Color(...own));
+      material.color.copy(
+        colours.dark ? new this.THREE.Color(colours.background).multiplyScalar(1.5) : new this.THREE.Color(...own),
+      );
     this.frame.material.color.set(colours.cursor);
     this.ghost?.recolour(colours.ghost);
   }
@@ -107,29 +123,39 @@ export class SceneView {
 
   /** Corners of all that has an extent. */
   corners(names = [...this.built.bodies.keys()]) {
-    const corners = [], point = new this.THREE.Vector3();
+    const corners = [];
+    const point = new this.THREE.Vector3();
     for (const name of names)
       for (const mesh of this.built.bodies.get(name)?.children ?? []) {
         if (mesh.userData.plane) continue;
         mesh.geometry.computeBoundingBox();
         const {min, max} = mesh.geometry.boundingBox;
-        for (const x of [min.x, max.x]) for (const y of [min.y, max.y]) for (const z of [min.z, max.z])
-          corners.push(point.set(x, y, z).applyMatrix4(mesh.matrixWorld).toArray());
+        for (const x of [min.x, max.x])
+          for (const y of [min.y, max.y])
+            for (const z of [min.z, max.z]) corners.push(point.set(x, y, z).applyMatrix4(mesh.matrixWorld).toArray());
       }
     return corners;
   }
 
   /** Views by name; `objects` are what there is to look at. */
   cameras(objects) {
-    const all = this.corners(), aspect = this.camera.aspect;
+    const all = this.corners();
+    const aspect = this.camera.aspect;
     const there = this.corners(objects);
     // The avatar looks from just before what reaches highest.
     const top = all.reduce((best, corner) => Math.max(best, corner[2]), 0.3);
     const head = all.filter((corner) => corner[2] > top - 0.03);
-    const eye = head.length ? [head.reduce((sum, corner) => sum + corner[0], 0) / head.length, Math.min(...head.map((corner) => corner[1])) - 0.03, top - 0.07] : [0, 0.4, top];
+    const eye = head.length
+      ? [
+          head.reduce((sum, corner) => sum + corner[0], 0) / head.length,
+          Math.min(...head.map((corner) => corner[1])) - 0.03,
+          top - 0.07,
+        ]
+      : [0, 0.4, top];
     const stood_on = there.length ? [...there, ...this.#table(there)] : all;
     // In a low picture the avatar's height would make all the rest small.
-    const low = there.length && aspect > low_picture ? [...stood_on, ...there.map(([x, y, z]) => [x, y, z + room_above_m])] : all;
+    const low =
+      there.length && aspect > low_picture ? [...stood_on, ...there.map(([x, y, z]) => [x, y, z + room_above_m])] : all;
     return {
       default: fit(sides.front, low, aspect),
       human: viewFrom([0, -0.95, 0.62], [0, 0.1, 0.15], 52 * degree),
@@ -143,39 +169,49 @@ export class SceneView {
     return this.corners().filter((corner) => corner[2] <= low + 0.01 && Math.hypot(corner[0], corner[1]) < 1);
   }
 
-  look(view) { this.view = view; }
-  towards(from, to, part) { this.view = flight(from, to, part); }
+  look(view) {
+    this.view = view;
+  }
+  towards(from, to, part) {
+    this.view = flight(from, to, part);
+  }
 
   /** The name of the body at a place of the canvas, in its pixels, or null. */
   pick(x, y) {
-    const hit = this.#through(x, y).intersectObjects([...this.built.bodies.values()], true).find(({object}) => !object.userData.plane);
+    const hit = this.#through(x, y)
+      .intersectObjects([...this.built.bodies.values()], true)
+      .find(({object}) => !object.userData.plane);
     return hit ? hit.object.userData.body : null;
   }
 
   /** Where a place of the canvas, in its pixels, lies on one of these bodies or on the plane z = 0, whichever is nearer: [x, y, z] or null. */
   pointOn(x, y, names) {
-    const {Plane, Vector3} = this.THREE, ray = this.#through(x, y);
-    const on_body = ray.intersectObjects(names.map((name) => this.built.bodies.get(name)).filter(Boolean), true)[0]?.point;
+    const {Plane, Vector3} = this.THREE;
+    const ray = this.#through(x, y);
+    const on_body = ray.intersectObjects(names.map((name) => this.built.bodies.get(name)).filter(Boolean), true)[0]
+      ?.point;
     const on_plane = ray.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), 0), new Vector3());
     const away = (point) => (point ? point.distanceTo(this.camera.position) : Infinity);
     const nearest = away(on_body) <= away(on_plane) ? on_body : on_plane;
     return nearest?.toArray() ?? null;
   }
   #through(x, y) {
-    const {Vector2, Raycaster} = this.THREE, [width, height] = this.size;
+    const {Vector2, Raycaster} = this.THREE;
+    const [width, height] = this.size;
     const ray = new Raycaster();
-    ray.setFromCamera(new Vector2(2 * x / width - 1, 1 - 2 * y / height), this.camera);
+    ray.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
     return ray;
   }
 
   /** Where a point of the world is on the canvas, in its pixels; null behind the camera. */
   project(point) {
     const p = new this.THREE.Vector3(...point).project(this.camera);
-    return p.z < 1 ? [(p.x + 1) / 2 * this.size[0], (1 - p.y) / 2 * this.size[1]] : null;
+    return p.z < 1 ? [((p.x + 1) / 2) * this.size[0], ((1 - p.y) / 2) * this.size[1]] : null;
   }
 
   draw() {
-    const eye = eyeOf(this.view), {forward} = axes(this.view);
+    const eye = eyeOf(this.view);
+    const {forward} = axes(this.view);
     this.camera.position.set(...eye);
     this.camera.lookAt(...eye.map((x, i) => x + forward[i]));
     this.camera.fov = this.view.fovy / degree;

@@ -1,53 +1,105 @@
-// The conversation as it goes on: what the human did, what the avatar said, showed and does, the newest at the bottom.
+// The conversation as it goes on: the human's moves, the avatar's words, gestures and acts, the newest at the bottom.
 import {h, brief, clock} from '../dom.js';
 import {placed} from './draft.js';
 
 const most_lines = 300;
 const at_end_px = 40;
 const phases = {start: ' begins', stop: ' ends'};
-const act_words = {asked: 'asked', started: 'doing …', done: '✔ done', missed: '✘ missed', dropped: '✘ dropped', blocked: '✘ in the way', unreachable: '✘ out of reach', unstable: '✘ did not stay',
-  stopped: '✘ given up'};
+const act_words = {
+  asked: 'asked',
+  started: 'doing …',
+  done: '✔ done',
+  missed: '✘ missed',
+  dropped: '✘ dropped',
+  blocked: '✘ in the way',
+  unreachable: '✘ out of reach',
+  unstable: '✘ did not stay',
+  stopped: '✘ given up',
+};
 
 const shownGesture = ({name, alternatives, direction, phase, target}) =>
-  [name ?? alternatives?.[0]?.text ?? 'a gesture', direction].filter(Boolean).join(' ').replaceAll('_', ' ') + (phases[phase] ?? '') + (target ? ` at ${placed(target)}` : '');
+  [name ?? alternatives?.[0]?.text ?? 'a gesture', direction].filter(Boolean).join(' ').replaceAll('_', ' ') +
+  (phases[phase] ?? '') +
+  (target ? ` at ${placed(target)}` : '');
 
-/** What a line says of a record: {who, how, text}, or null where it is not told. Pure. `sample`: it came of a pointing sample. */
+/** The line of a record: {who, how, text}, or null for a record without a line. Pure. `sample`: it came of a pointing sample. */
 export function lineOf(record, sample = false) {
   const {event} = record;
   switch (record.kind) {
     case 'input':
-      if (event?.kind === 'speech') return {who: 'human', how: 'says', text: event.text ?? event.alternatives?.[0]?.text ?? ''};
+      if (event?.kind === 'speech')
+        return {who: 'human', how: 'says', text: event.text ?? event.alternatives?.[0]?.text ?? ''};
       return event?.kind === 'gesture' ? {who: 'human', how: 'shows', text: shownGesture(event)} : null;
-    case 'utterance': return {who: 'avatar', how: 'says', text: record.text};
-    case 'gesture': return {who: 'avatar', how: 'shows', text: brief(record.gesture)};
-    case 'act': return record.step === undefined && record.status === 'asked' ? {who: 'avatar', how: 'does', text: brief(record.program)} : null;
-    case 'learned': return {who: 'log', how: 'learned', text: `learned: ${record.name.replaceAll('_', ' ')} means ${brief(record.value)}`};
-    case 'refusal': return sample ? null : {who: 'log', how: 'refused', text: `not understood: ${/^no transition from/.test(record.reason) ? `nothing in ${record.state} takes “${record.input}”` : brief(record.reason)}`};
-    case 'problem': return {who: 'log', how: 'refused', text: `a problem: ${brief(record.message)}`};
-    default: return null;
+    case 'utterance':
+      return {who: 'avatar', how: 'says', text: record.text};
+    case 'gesture':
+      return {who: 'avatar', how: 'shows', text: brief(record.gesture)};
+    case 'act':
+      return record.step === undefined && record.status === 'asked'
+        ? {who: 'avatar', how: 'does', text: brief(record.program)}
+        : null;
+    case 'learned':
+      return {
+        who: 'log',
+        how: 'learned',
+        text: `learned: ${record.name.replaceAll('_', ' ')} means ${brief(record.value)}`,
+      };
+    case 'refusal':
+      return sample
+        ? null
+        : {
+            who: 'log',
+            how: 'refused',
+            text: `not understood: ${/^no transition from/.test(record.reason) ? `nothing in ${record.state} takes “${record.input}”` : brief(record.reason)}`,
+          };
+    case 'problem':
+      return {who: 'log', how: 'refused', text: `a problem: ${brief(record.message)}`};
+    default:
+      return null;
   }
 }
 
 /** `run`: whose records the lines lead to. */
 export function mountConversation(run) {
   const list = h('ol', {class: 'moves', tabindex: 0, 'aria-label': 'Conversation', 'data-testid': 'conversation'});
-  const element = h('div', {class: 'conversation', role: 'log', 'aria-live': 'polite', 'aria-label': 'What was said and done'}, list);
-  const inputs = new Map(), acts = new Map();   // record -> its input's event; act -> what tells its status
+  const element = h(
+    'div',
+    {class: 'conversation', role: 'log', 'aria-live': 'polite', 'aria-label': 'What was said and done'},
+    list,
+  );
+  const inputs = new Map();
+  const acts = new Map(); // record -> its input's event; act -> what tells its status
 
-  const link = (n, ...parts) => h('a', {href: `/r/${encodeURIComponent(run)}?n=${n}`, target: '_blank', title: `#${n}: look at it in the inspector`}, parts);
+  const link = (n, ...parts) =>
+    h(
+      'a',
+      {href: `/r/${encodeURIComponent(run)}?n=${n}`, target: '_blank', title: `#${n}: look at it in the inspector`},
+      parts,
+    );
   function add(record, {who, how, text}) {
     const at_end = list.scrollHeight - list.scrollTop - list.clientHeight < at_end_px;
     const status = how === 'does' && h('span', {class: 'status asked'}, act_words.asked);
     if (status) acts.set(record.act, status);
-    list.append(h('li', {class: `${who} ${how}`, 'data-who': who, 'data-how': how},
-      h('div', {class: 'parts'}, h('span', {class: 'unseen'}, who === 'log' ? '' : `${who} ${how} `), link(record.n, h('span', {class: 'words'}, how === 'says' ? `“${text}”` : text), status)),
-      h('time', {}, clock(record.t))));
+    list.append(
+      h(
+        'li',
+        {class: `${who} ${how}`, 'data-who': who, 'data-how': how},
+        h(
+          'div',
+          {class: 'parts'},
+          h('span', {class: 'unseen'}, who === 'log' ? '' : `${who} ${how} `),
+          link(record.n, h('span', {class: 'words'}, how === 'says' ? `“${text}”` : text), status),
+        ),
+        h('time', {}, clock(record.t)),
+      ),
+    );
     if (list.childElementCount > most_lines) list.firstChild.remove();
     if (at_end) list.scrollTop = list.scrollHeight;
   }
 
   return {
-    element, list,
+    element,
+    list,
     take(record) {
       // A percept and a reading lead back to the input that they are of.
       const event = record.kind === 'input' ? record.event : inputs.get(record.cause);

@@ -1,4 +1,4 @@
-// What time it is for the engine, from what the server told last. Pure.
+// The engine's time, from the server's last word about it. Pure.
 
 export class EngineClock {
   #t = 0;
@@ -18,8 +18,12 @@ export class EngineClock {
     Object.assign(this, {running, speed});
   }
   /** Something has happened at t: it cannot be earlier now. */
-  atLeast(t) { if (t > this.now) this.told({t}); }
+  atLeast(t) {
+    if (t > this.now) this.told({t});
+  }
 
   /** Seconds. */
-  get now() { return this.#t + (this.running ? (this.#now() - this.#at) / 1000 * this.speed : 0); }
+  get now() {
+    return this.#t + (this.running ? ((this.#now() - this.#at) / 1000) * this.speed : 0);
+  }
 }

@@ -1,34 +1,41 @@
 // The live page: a form that starts a conversation with the avatar, or the conversation itself.
-import {h} from '../dom.js';
 import {fetchSessions, SessionClient, startSession} from './session_client.js';
 import {mountSession} from './session_page.js';
 import {mountStart} from './start_form.js';
+import {toggleTheme} from '../theme.js';
 
 export class LivePage {
+  refusal = 'There is no conversation here';
   shown = null;
+  #closed = false;
 
-  constructor(host, app) {
+  constructor(host, model) {
     this.host = host;
-    this.app = app;
+    this.model = model;
   }
 
-  /** Shows what the address names; throws a sentence where there is no such thing. */
+  /** Shows the page that the address names. Throws a sentence if there is no such session. */
   async load() {
-    const {live} = this.app.model.selection;
+    const {live} = this.model.selection;
     document.title = 'Live – Continua';
     if (live) await this.#open(live);
-    else this.#show(mountStart(await fetchSessions(), (options) => this.#start(options)));
+    else {
+      const sessions = await fetchSessions();
+      if (!this.#closed) this.#show(mountStart(sessions, (options) => this.#start(options)));
+    }
   }
 
   async #start(options) {
     const {id} = await startSession(options);
-    this.app.model.settle({live: id});
+    this.model.settle({live: id});
     await this.#open(id);
   }
 
   async #open(id) {
-    const client = new SessionClient(id), state = await client.state();
-    const page = mountSession(client, state, this.app);
+    const client = new SessionClient(id);
+    const state = await client.state();
+    if (this.#closed) return;
+    const page = mountSession(client, state);
     this.#show(page);
     await page.open();
   }
@@ -40,12 +47,18 @@ export class LivePage {
     page.shown?.();
   }
 
-  /** Whether the key means something here; then it has been done. */
+  /** Does what the key means. @returns whether it means something here */
   onKey(key) {
-    if (key === 't') this.app.toggleTheme(); else return this.shown?.onKey?.(key) ?? false;
+    if (key === 't') toggleTheme();
+    else return this.shown?.onKey?.(key) ?? false;
     return true;
   }
   /** The colours may have changed. */
-  render() { this.shown?.render?.(); }
-  close() { this.shown?.close?.(); }
+  render() {
+    this.shown?.render?.();
+  }
+  close() {
+    this.#closed = true;
+    this.shown?.close?.();
+  }
 }

@@ -1,24 +1,27 @@
-// What the scene of a live session shows: where bodies are, where the human points, and what of it was understood.
+// The contents of a live session's scene: the bodies' poses, where the human points, and which places were understood.
 import {isPose} from '../scene3d/motion.js';
 
-const trail_ms = 600, flash_ms = 1500;
-const watched_ms = 500;     // how long a sample that somebody else recorded is shown
+const trail_ms = 600;
+const flash_ms = 1500;
+const watched_ms = 500; // how long a sample that somebody else recorded is shown
 
 export class LiveWorld {
   version = 0;
   poses = new Map();
-  pointer = null;      // [x, y]
+  pointer = null; // [x, y]
   trail = [];
-  clicks = [];         // {target}: kept for what is being typed
-  cross = null;        // [x, y]: of the keyboard
-  understood = [];     // [x, y]
-  #times = [];         // of the trail
+  clicks = []; // {target}: kept for what is being typed
+  cross = null; // [x, y]: of the keyboard
+  understood = []; // [x, y]
+  #times = []; // of the trail
   #changed;
   #timers = new Set();
   #watched = 0;
 
   /** `changed()`: there is something new to draw. */
-  constructor(changed) { this.#changed = changed; }
+  constructor(changed) {
+    this.#changed = changed;
+  }
 
   set(change) {
     Object.assign(this, change);
@@ -36,7 +39,8 @@ export class LiveWorld {
 
   /** Where the human points now, or null. */
   point(target) {
-    const now = performance.now(), first = this.#times.findIndex((at) => now - at < trail_ms);
+    const now = performance.now();
+    const first = this.#times.findIndex((at) => now - at < trail_ms);
     this.#times.splice(0, first < 0 ? this.#times.length : first);
     const trail = this.trail.slice(this.trail.length - this.#times.length);
     if (target) {

@@ -6,65 +6,104 @@ import {mountScene3d} from './scene_3d.js';
 import {clipped} from './table.js';
 import {mountTableMap} from './table_map.js';
 
-const step_m = 0.01, long_step_m = 0.05;
+const step_m = 0.01;
+const long_step_m = 0.05;
 const steps = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
 
-/** `own`: the scene of the log; `known`: of readTable(); `drawn`: whether it can be drawn in 3D at all; `tell(mapped)`; the rest is of Pointing. */
-export function mountPlace({own, known, world, status, drawn, tell, keeps, send, sample}) {
-  const caption = h('p', {class: 'caption', 'data-testid': 'live-caption'}), host = h('div', {class: 'place'});
-  const element = h('div', {class: 'place-frame'}, host, caption);
-  const pointing = new Pointing({send, sample, keeps, shown: (target) => {
-    if (target) world.set({cross: null});
-    world.point(target);
-    describe(target);
-  }});
-  const views = {};
-  let shown = null;
+class Place {
+  #known;
+  #world;
+  #drawn;
+  #tell;
+  #lost;
+  #mounts; // name -> makes the view
+  #views = {};
+  #caption = h('p', {class: 'caption', 'data-testid': 'live-caption'});
+  #host = h('div', {class: 'place'});
+  element = h('div', {class: 'place-frame'}, this.#host, this.#caption);
+  /** The view that is shown: as mountScene3d() or mountTableMap() gives it; null before there is one. */
+  view = null;
 
-  const describe = (target) => {
-    const near = target && objectNear(target, known.objects, world.poses);
-    caption.textContent = target ? `You point at ${near ? `the ${known.titles.get(near)}` : placeText([...target, 0])}.` : '';
-  };
-  const lost = () => {
-    drawn = false;
-    status.withoutMap();
-    if (shown === views.drawing) show('map');
-  };
+  constructor({own, known, world, drawn, tell, lost, keeps, send, sample}) {
+    this.#known = known;
+    this.#world = world;
+    this.#drawn = drawn;
+    this.#tell = tell;
+    this.#lost = lost;
+    this.pointing = new Pointing({send, sample, keeps, shown: (target) => this.#pointed(target)});
+    this.#mounts = {
+      map: () => mountTableMap(known, world),
+      drawing: () => mountScene3d(own, known, world, () => this.#withoutDrawing()),
+    };
+  }
 
-  async function show(name) {
-    if (!views[name]) {
-      const view = views[name] = name === 'map' ? mountTableMap(known, world) : mountScene3d(own, known, world, lost);
-      pointing.listen(view.focusable, (x, y) => view.at(x, y));
-      view.focusable.addEventListener('keydown', onKey);
-      view.focusable.addEventListener('blur', () => world.set({cross: null}));
-    }
-    const view = shown = views[name];
-    host.replaceChildren(view.element, ...view.controls ? [view.controls] : []);
-    tell(name === 'map');
+  // The human points at `target`; null: no longer.
+  #pointed(target) {
+    if (target) this.#world.set({cross: null});
+    this.#world.point(target);
+    this.#describe(target);
+  }
+  #describe(target) {
+    const near = target && objectNear(target, this.#known.objects, this.#world.poses);
+    const thing = target && (near ? `the ${this.#known.titles.get(near)}` : placeText([...target, 0]));
+    this.#caption.textContent = target ? `You point at ${thing}.` : '';
+  }
+
+  // The scene cannot be drawn: the map is all there is.
+  #withoutDrawing() {
+    this.#drawn = false;
+    this.#lost();
+    if (this.view === this.#views.drawing) this.#show('map');
+  }
+  async #show(name) {
+    const view = (this.view = this.#views[name] ??= this.#mount(name));
+    this.#host.replaceChildren(view.element, ...(view.controls ? [view.controls] : []));
+    this.#tell(name === 'map');
     await (view.opened ??= view.open());
     view.render();
   }
-
-  function onKey(event) {
-    if (event.ctrlKey || event.altKey || event.metaKey || !pointing.enabled) return;
-    const step = steps[event.key];
-    if (!step && !(event.key === 'Enter' && world.cross)) return;
-    event.preventDefault();
-    if (!step) { pointing.stroke(world.cross); return; }
-    const by = event.shiftKey ? long_step_m : step_m, from = world.cross ?? [0, 0];
-    world.set({cross: clipped(known.table, from.map((x, i) => x + by * step[i])), pointer: null, trail: []});
-    describe(world.cross);
+  #mount(name) {
+    const view = this.#mounts[name]();
+    this.pointing.listen(view.focusable, (x, y) => view.at(x, y));
+    view.focusable.addEventListener('keydown', (event) => this.#onKey(event));
+    view.focusable.addEventListener('blur', () => this.#world.set({cross: null}));
+    return view;
   }
 
-  return {
-    element, pointing,
-    get view() { return shown; },
-    open: () => show(drawn ? 'drawing' : 'map'),
-    toggle() { if (drawn) show(shown === views.map ? 'drawing' : 'map'); },
-    render: () => shown?.render(),
-    close() {
-      pointing.close();
-      for (const view of Object.values(views)) view.close();
-    },
-  };
+  #onKey(event) {
+    if (event.ctrlKey || event.altKey || event.metaKey || !this.pointing.enabled) return;
+    const {cross} = this.#world;
+    const step = steps[event.key];
+    if (!step && !(event.key === 'Enter' && cross)) return;
+    event.preventDefault();
+    if (step) this.#moveCross(step, event.shiftKey ? long_step_m : step_m);
+    else this.pointing.stroke(cross);
+  }
+  #moveCross(step, by) {
+    const to = (this.#world.cross ?? [0, 0]).map((x, i) => x + by * step[i]);
+    this.#world.set({cross: clipped(this.#known.table, to), pointer: null, trail: []});
+    this.#describe(this.#world.cross);
+  }
+
+  /** Resolves when the scene is there. */
+  open() {
+    return this.#show(this.#drawn ? 'drawing' : 'map');
+  }
+  /** Changes between drawing and map. */
+  toggle() {
+    if (this.#drawn) this.#show(this.view === this.#views.map ? 'drawing' : 'map');
+  }
+  render() {
+    this.view?.render();
+  }
+  close() {
+    this.pointing.close();
+    for (const view of Object.values(this.#views)) view.close();
+  }
 }
+
+/**
+ * `own`: the scene of the log; `known`: of readTable(); `world`: a LiveWorld; `drawn`: whether it can be drawn in 3D at
+ * all; `tell(mapped)`: drawing or map is shown; `lost()`: it cannot be drawn; the rest as of Pointing.
+ */
+export const mountPlace = (needs) => new Place(needs);

@@ -1,18 +1,21 @@
-// What mouse, finger and keys on the scene or the map mean: samples while the pointer moves, a stroke for a click, a hold
-// for a press that lasts or moves. Knows no picture: `at(x, y)` of the surface gives the point of the table.
+// Turns mouse, finger and keys on the scene or the map into events: samples while the pointer moves, a stroke for a click,
+// a hold for a press that lasts or moves. Knows no picture: `at(x, y)` of the surface gives the point of the table.
 
 const sample_ms = 1000 / 30;
-const rest_ms = 400;         // a mouse that rests longer than this does not point
+const rest_ms = 400; // a mouse that rests longer than this does not point
 const hold_ms = 350;
 const drag_px = 8;
 
-const point = (phase, target) => ({kind: 'gesture', name: 'point', hand: 'right', phase, ...target && {target}});
+const point = (phase, target) => ({kind: 'gesture', name: 'point', hand: 'right', phase, ...(target && {target})});
 
 export class Pointing {
-  #send; #sample; #shown; #keeps;
-  #target = null;      // where it points, [x, y]
+  #send;
+  #sample;
+  #shown;
+  #keeps;
+  #target = null; // where it points, [x, y]
   #moved_at = -Infinity;
-  #press = null;       // {id, x, y, target, held}
+  #press = null; // {id, x, y, target, held}
   #timer = 0;
   #hold_timer = 0;
 
@@ -35,7 +38,9 @@ export class Pointing {
     element.addEventListener('pointerdown', (event) => this.#down(event, where(event), element));
     element.addEventListener('pointerup', (event) => this.#up(event));
     element.addEventListener('pointercancel', (event) => this.#cancel(event));
-    element.addEventListener('pointerleave', () => { if (!this.#press) this.#show(null); });
+    element.addEventListener('pointerleave', () => {
+      if (!this.#press) this.#show(null);
+    });
     // Whoever points while typing goes on typing.
     element.addEventListener('mousedown', (event) => event.preventDefault());
     element.addEventListener('contextmenu', (event) => event.preventDefault());
@@ -59,10 +64,20 @@ export class Pointing {
 
   #down(event, target, element) {
     if (!this.enabled) return;
-    if (this.#press) { this.#cancel({pointerId: this.#press.id}); return; }   // a second finger: the view is being turned
+    if (this.#press) {
+      this.#cancel({pointerId: this.#press.id});
+      return;
+    } // a second finger: the view is being turned
     if (event.button !== 0 || event.shiftKey || !target) return;
     element.setPointerCapture?.(event.pointerId);
-    this.#press = {id: event.pointerId, x: event.clientX, y: event.clientY, target, held: false, touch: event.pointerType === 'touch'};
+    this.#press = {
+      id: event.pointerId,
+      x: event.clientX,
+      y: event.clientY,
+      target,
+      held: false,
+      touch: event.pointerType === 'touch',
+    };
     this.#show(target);
     this.#hold_timer = setTimeout(() => this.#hold(), hold_ms);
   }
@@ -105,7 +120,10 @@ export class Pointing {
     if (this.#timer) return;
     this.#timer = setInterval(() => {
       const pointing = this.#press ? this.#press.held : performance.now() - this.#moved_at < rest_ms;
-      if (!pointing || !this.#target) { this.stop(); return; }
+      if (!pointing || !this.#target) {
+        this.stop();
+        return;
+      }
       if (!this.#keeps(null)) this.#sample({kind: 'pointing', hand: 'right', target: this.#target});
     }, sample_ms);
   }

@@ -1,66 +1,110 @@
-// The scene of a live session, drawn as poses come in, with what the human points at.
-import {h} from '../dom.js';
+// The scene of a live session, drawn as poses come in, with the marks of the human's pointing.
 import {three} from '../vendor.js';
+import {Cameras} from '../scene3d/cameras.js';
 import {fit, sides} from '../scene3d/framing.js';
+import {heightOver} from '../scene3d/overlays.js';
 import {Stage} from '../scene3d/stage.js';
+import {showTags} from '../scene3d/tags.js';
 import {targetOf} from './table.js';
 
-const camera_names = {table: 'Table', default: 'All', above: 'Above'};
-const room_above_m = 0.22;   // the table, for what the hand carries
+const cameras = {table: {text: 'Table'}, default: {text: 'All'}, above: {text: 'Above'}};
+const room_above_m = 0.22; // the table, for what the hand carries
+const tag_above_m = 0.02;
 
-/** `known`: of readTable(); `world`: of LiveWorld; `lost()`: it cannot be drawn here. */
-export function mountScene3d(scene, known, world, lost) {
-  let camera = 'table', drawn = -1, heightAt = () => 0;
-  const stage = new Stage({three, before, after: tag, lost, pointing: true,
-    resized: (view) => { if (camera) stage.view = viewOf(view, camera); }, changed: () => press(null)});
-  stage.canvas.setAttribute('aria-label', 'The scene. Arrow keys move a cross on the table, Enter points there.');
-  const cameras = Object.entries(camera_names).map(([name, text]) => h('button', {type: 'button', 'aria-pressed': String(name === camera), 'data-camera': name,
-    onclick: () => {
-      if (!stage.drawing) return;
-      press(name);
-      stage.fly(viewOf(stage.drawing, name));
-    }}, text));
-  function viewOf(view, name) {
-    if (name !== 'table') return view.cameras(known.objects)[name];
-    const {left, right, near, far} = known.table, corners = [[left, near], [right, near], [left, far], [right, far]];
-    return fit(sides.front, corners.flatMap(([x, y]) => [[x, y, 0], [x, y, room_above_m]]), view.camera.aspect);
+// A mark of the human's pointing, as the overlays want it.
+const disc = (target, trail = []) => ({
+  who: 'human',
+  target: [...target, 0],
+  from: null,
+  trail: trail.map((place) => [...place, 0]),
+});
+
+class Scene3d {
+  #scene;
+  #known;
+  #world;
+  #drawn = -1; // version of the world
+  #heightAt = () => 0;
+  #cameras = new Cameras(cameras, (name) => this.#look(name));
+
+  constructor(scene, known, world, lost) {
+    this.#scene = scene;
+    this.#known = known;
+    this.#world = world;
+    this.stage = new Stage({
+      three,
+      lost,
+      pointing: true,
+      before: (view) => this.#before(view),
+      after: (view) => this.#tag(view),
+      resized: (view) => {
+        const {camera} = this.#cameras;
+        if (camera) this.stage.view = this.#viewOf(view, camera);
+      },
+      changed: () => this.#cameras.press(null),
+    });
+    const {canvas, element} = this.stage;
+    canvas.setAttribute('aria-label', 'The scene. Arrow keys move a cross on the table, Enter points there.');
+    this.element = element;
+    this.focusable = canvas;
+    this.controls = this.#cameras.element;
   }
-  const press = (name) => {
-    camera = name;
-    for (const button of cameras) button.setAttribute('aria-pressed', String(button.dataset.camera === name));
-  };
 
-  function before(view) {
-    if (!view || drawn === world.version) return false;
-    drawn = world.version;
-    view.pose(world.poses);
-    const boxes = known.objects.map((name) => view.box(name)).filter(Boolean);
-    heightAt = (x, y) => boxes.reduce((top, {min, max}) => (x > min.x && x < max.x && y > min.y && y < max.y ? Math.max(top, max.z) : top), 0);
-    const disc = (target, trail = []) => ({who: 'human', target: [...target, 0], from: null, trail: trail.map((place) => [...place, 0])});
-    const pointing = [...world.pointer ? [disc(world.pointer, world.trail)] : [], ...world.cross ? [disc(world.cross)] : [], ...world.clicks.map(({target}) => disc(target))];
-    view.overlay(pointing, world.understood.map(([x, y]) => ({target: [x, y, heightAt(x, y)], from: null})), heightAt);
+  #look(name) {
+    if (!this.stage.drawing) return;
+    this.#cameras.press(name);
+    this.stage.fly(this.#viewOf(this.stage.drawing, name));
+  }
+  #viewOf(view, name) {
+    if (name !== 'table') return view.cameras(this.#known.objects)[name];
+    const {left, right, near, far} = this.#known.table;
+    const corners = [left, right].flatMap((x) => [near, far].map((y) => [x, y]));
+    const room = corners.flatMap(([x, y]) => [0, room_above_m].map((z) => [x, y, z]));
+    return fit(sides.front, room, view.camera.aspect);
+  }
+
+  #before(view) {
+    const {version, poses, pointer, trail, cross, clicks, understood} = this.#world;
+    if (!view || this.#drawn === version) return false;
+    this.#drawn = version;
+    view.pose(poses);
+    this.#heightAt = heightOver(view, this.#known.objects, 0);
+    const pointing = [
+      ...(pointer ? [disc(pointer, trail)] : []),
+      ...(cross ? [disc(cross)] : []),
+      ...clicks.map(({target}) => disc(target)),
+    ];
+    const places = understood.map(([x, y]) => ({target: [x, y, this.#heightAt(x, y)], from: null}));
+    view.overlay(pointing, places, this.#heightAt);
     return true;
   }
-  function tag(view) {
-    const tags = world.clicks.map(({target: [x, y]}, i) => [String(i + 1), view.project([x, y, heightAt(x, y) + 0.02])]).filter(([, at]) => at);
-    stage.tags.replaceChildren(...tags.map(([text, at]) =>
-      h('span', {class: 'tag', style: {transform: `translate(${at[0].toFixed(1)}px, ${at[1].toFixed(1)}px) translate(-50%, -130%)`}}, text)));
+  // The clicks' numbers.
+  #tag(view) {
+    const tags = this.#world.clicks.map(({target: [x, y]}, i) => [
+      String(i + 1),
+      view.project([x, y, this.#heightAt(x, y) + tag_above_m]),
+    ]);
+    showTags(this.stage.tags, tags, '-130%');
   }
 
-  return {
-    element: stage.element, focusable: stage.canvas, controls: h('span', {class: 'cameras', role: 'group', 'aria-label': 'Camera'}, cameras),
-    stage,
-    async open() {
-      await stage.open(scene);
-      stage.touch();
-    },
-    /** The point of the table, or of what stands on it, under a place of the window. */
-    at(x, y) {
-      if (!stage.drawing?.size) return null;
-      const box = stage.canvas.getBoundingClientRect();
-      return targetOf(known.table, stage.drawing.pointOn(x - box.left, y - box.top, known.objects));
-    },
-    render: () => stage.wake(),
-    close: () => stage.close(),
-  };
+  async open() {
+    await this.stage.open(this.#scene);
+    this.stage.touch();
+  }
+  /** The point of the table, or of an object on it, under a place of the window; null where there is none. */
+  at(x, y) {
+    const {drawing, canvas} = this.stage;
+    if (!drawing?.size) return null;
+    const box = canvas.getBoundingClientRect();
+    return targetOf(this.#known.table, drawing.pointOn(x - box.left, y - box.top, this.#known.objects));
+  }
+  render() {
+    this.stage.wake();
+  }
+  close() {
+    this.stage.close();
+  }
 }
+
+/** `scene`: of the log; `known`: of readTable(); `world`: a LiveWorld; `lost()`: the scene cannot be drawn here. */
+export const mountScene3d = (scene, known, world, lost) => new Scene3d(scene, known, world, lost);

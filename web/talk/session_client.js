@@ -1,15 +1,20 @@
-// One live session as the server has it: what is asked of it, and what is sent to it, also across a lost connection.
+// One live session at the server: questions about it, and events sent to it, also across a lost connection.
 
 const again_ms = 1000;
 
 async function ask(path, body) {
-  const response = await fetch(path, body === undefined ? {} : {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)});
+  const response = await fetch(
+    path,
+    body === undefined
+      ? {}
+      : {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)},
+  );
   const answer = await response.json().catch(() => null);
   if (response.ok) return answer;
   throw Object.assign(new Error(answer?.error?.message ?? `${path}: ${response.status}`), {status: response.status});
 }
 
-// What was asked for before this module was there.
+// A request made before this module was loaded.
 let early = globalThis.continua_early?.get('/api/sessions');
 
 /** The sessions there are, and what a new one can be made of. */
@@ -23,8 +28,20 @@ export async function fetchSessions() {
 
 const keyOf = (id) => `recorder:${id}`;
 const kept = {
-  get(id) { try { return sessionStorage.getItem(keyOf(id)); } catch { return null; } },
-  set(id, secret) { try { sessionStorage.setItem(keyOf(id), secret); } catch { /* then a reloaded page only watches */ } },
+  get(id) {
+    try {
+      return sessionStorage.getItem(keyOf(id));
+    } catch {
+      return null;
+    }
+  },
+  set(id, secret) {
+    try {
+      sessionStorage.setItem(keyOf(id), secret);
+    } catch {
+      /* then a reloaded page only watches */
+    }
+  },
 };
 
 /** Begins a session that this page records into. @returns its state */
@@ -36,7 +53,7 @@ export async function startSession(options) {
 }
 
 export class SessionClient {
-  #waiting = [];   // what is to be sent: {batch, make}: make() gives the events when they go
+  #waiting = []; // what is to be sent: {batch, make}: make() gives the events when they go
   #batch = 0;
   #sending = null; // a sample on its way
   #flushing = false;
@@ -48,21 +65,41 @@ export class SessionClient {
     this.secret = kept.get(id);
   }
   /** `told({answered, lost, refused})`: an answer to events; the server cannot be reached; it refused them, and why. */
-  listen(told) { this.#told = told; }
-  get recording() { return this.secret !== null; }
+  listen(told) {
+    this.#told = told;
+  }
+  get recording() {
+    return this.secret !== null;
+  }
 
-  #path(view = '') { return `/api/sessions/${encodeURIComponent(this.id)}${view}`; }
-  #own(view) { return `${this.#path(view)}?recorder=${encodeURIComponent(this.secret ?? '')}`; }
+  #path(view = '') {
+    return `/api/sessions/${encodeURIComponent(this.id)}${view}`;
+  }
+  #own(view) {
+    return `${this.#path(view)}?recorder=${encodeURIComponent(this.secret ?? '')}`;
+  }
 
-  state() { return ask(this.#path()); }
-  pause(paused) { return ask(this.#own('/pause'), {paused}); }
-  end() { return ask(this.#own('/end'), {}); }
-  save(name) { return ask(this.#path('/save'), {name}); }
+  state() {
+    return ask(this.#path());
+  }
+  pause(paused) {
+    return ask(this.#own('/pause'), {paused});
+  }
+  end() {
+    return ask(this.#own('/end'), {});
+  }
+  save(name) {
+    return ask(this.#path('/save'), {name});
+  }
   /** For a page that is going away: nobody waits for the answer. */
-  leave() { navigator.sendBeacon(this.#own('/end')); }
+  leave() {
+    navigator.sendBeacon(this.#own('/end'));
+  }
   /** The records after number `after`. */
   stream(after) {
-    return new EventSource(`/api/live?session=${encodeURIComponent(this.id)}${after < 0 ? '' : `&after=${after}`}${this.recording ? `&recorder=${encodeURIComponent(this.secret)}` : ''}`);
+    return new EventSource(
+      `/api/live?session=${encodeURIComponent(this.id)}${after < 0 ? '' : `&after=${after}`}${this.recording ? `&recorder=${encodeURIComponent(this.secret)}` : ''}`,
+    );
   }
 
   /**
@@ -76,7 +113,11 @@ export class SessionClient {
   /** One sample: worth sending only now. */
   sample(event) {
     if (this.#sending || this.#waiting.length) return;
-    this.#sending = this.#post([event]).catch(() => {}).finally(() => { this.#sending = null; });
+    this.#sending = this.#post([event])
+      .catch(() => {})
+      .finally(() => {
+        this.#sending = null;
+      });
   }
 
   async flush() {
@@ -89,7 +130,7 @@ export class SessionClient {
         const {batch, make} = this.#waiting[0];
         await this.#post(make(), `&batch=${batch}`);
       } catch (problem) {
-        // What the server has refused it would refuse again.
+        // The server would refuse again what it has refused.
         if (problem.status === undefined) {
           this.#timer = setTimeout(() => this.flush(), again_ms);
           break;

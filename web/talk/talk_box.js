@@ -3,62 +3,96 @@ import {h} from '../dom.js';
 import {Draft, placed} from './draft.js';
 import {mountMicrophone} from './microphone.js';
 
-/** `send(make)`: as of SessionClient; `clicked(clicks)`: which clicks are kept; `said(sentence)`: for the reader. */
-export function mountTalkBox({example, send, clicked, said}) {
-  const draft = new Draft(), earlier = [];
-  let place = 0;   // in what was said earlier
-  const input = h('input', {type: 'text', class: 'talk', 'aria-label': 'Say something', autocomplete: 'off', enterkeyhint: 'send', 'data-testid': 'talk',
-    placeholder: example ? `Say something, e.g. “${example}”` : 'Say something', oninput: typed, onkeydown: onKey});
-  const chips = h('ul', {class: 'click-chips', 'aria-label': 'Clicks that go with the words', hidden: true});
-  const microphone = mountMicrophone({heard: (event) => send(() => [event]), said});
-  const element = h('form', {class: 'talk-box', onsubmit: (event) => { event.preventDefault(); speak(); }},
-    h('div', {class: 'talk-line'}, input, microphone?.element ?? null, h('button', {class: 'primary', 'data-testid': 'say'}, 'Say')), chips);
+class TalkBox {
+  #draft = new Draft();
+  #earlier = [];
+  #place = 0; // in what was said earlier
+  #send;
+  #clicked;
+  #input;
+  #microphone;
+  #chips = h('ul', {class: 'click-chips', 'aria-label': 'Clicks that go with the words', hidden: true});
 
-  function typed() {
-    draft.type(input.value);
-    tell();
+  constructor({example, send, clicked, said}) {
+    this.#send = send;
+    this.#clicked = clicked;
+    this.#input = h('input', {
+      type: 'text',
+      class: 'talk',
+      'aria-label': 'Say something',
+      autocomplete: 'off',
+      enterkeyhint: 'send',
+      'data-testid': 'talk',
+      placeholder: example ? `Say something, e.g. “${example}”` : 'Say something',
+      oninput: () => this.#typed(),
+      onkeydown: (event) => this.#onKey(event),
+    });
+    this.#microphone = mountMicrophone({heard: (event) => send(() => [event]), said});
+    const say = h('button', {class: 'primary', 'data-testid': 'say'}, 'Say');
+    const line = h('div', {class: 'talk-line'}, this.#input, this.#microphone?.element ?? null, say);
+    this.element = h('form', {class: 'talk-box'}, line, this.#chips);
+    this.element.addEventListener('submit', (event) => {
+      event.preventDefault();
+      this.#speak();
+    });
   }
-  function tell() {
-    clicked(draft.clicks);
-    chips.hidden = !draft.clicks.length;
-    chips.replaceChildren(...draft.clicks.map((click, i) => h('li', {'data-testid': 'click-chip'}, h('b', {}, i + 1), ` ${draft.wordOf(click)} → ${placed(click.target)} `,
-      h('button', {type: 'button', 'aria-label': `Take click ${i + 1} away`, onclick: () => {
-        draft.remove(click);
-        tell();
-        input.focus();
-      }}, '×'))));
+
+  #typed() {
+    this.#draft.type(this.#input.value);
+    this.#showClicks();
   }
-  function speak() {
-    const text = input.value.trim(), make = draft.take();
+  #showClicks() {
+    const {clicks} = this.#draft;
+    this.#clicked(clicks);
+    this.#chips.hidden = !clicks.length;
+    this.#chips.replaceChildren(...clicks.map((click, i) => this.#chip(click, i + 1)));
+  }
+  #chip(click, number) {
+    const remove = h('button', {type: 'button', 'aria-label': `Take click ${number} away`}, '×');
+    remove.addEventListener('click', () => {
+      this.#draft.remove(click);
+      this.#showClicks();
+      this.focus();
+    });
+    const words = ` ${this.#draft.wordOf(click)} → ${placed(click.target)} `;
+    return h('li', {'data-testid': 'click-chip'}, h('b', {}, number), words, remove);
+  }
+  #speak() {
+    const text = this.#input.value.trim();
+    const make = this.#draft.take();
     if (!make) return;
-    earlier.push(text);
-    place = earlier.length;
-    input.value = '';
-    tell();
-    send(make);
+    this.#earlier.push(text);
+    this.#place = this.#earlier.length;
+    this.#input.value = '';
+    this.#showClicks();
+    this.#send(make);
   }
-  function onKey(event) {
+  #onKey(event) {
     const by = {ArrowUp: -1, ArrowDown: 1}[event.key];
-    if (event.key === 'Escape') input.blur();
+    if (event.key === 'Escape') this.#input.blur();
     if (!by || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
-    place = Math.max(0, Math.min(earlier.length, place + by));
-    input.value = earlier[place] ?? '';
-    typed();
+    this.#place = Math.max(0, Math.min(this.#earlier.length, this.#place + by));
+    this.#input.value = this.#earlier[this.#place] ?? '';
+    this.#typed();
   }
 
-  return {
-    element,
-    focus: () => input.focus(),
-    /** Keeps a click for the words that are being typed, if there are any; null only asks. */
-    keeps(target) {
-      if (!draft.text.trim()) return false;
-      if (target) {
-        draft.click(target);
-        tell();
-      }
-      return true;
-    },
-    close: () => microphone?.close(),
-  };
+  focus() {
+    this.#input.focus();
+  }
+  /** Keeps a click for the words that are being typed, if there are any; null only asks. @returns whether there are */
+  keeps(target) {
+    if (!this.#draft.text.trim()) return false;
+    if (target) {
+      this.#draft.click(target);
+      this.#showClicks();
+    }
+    return true;
+  }
+  close() {
+    this.#microphone?.close();
+  }
 }
+
+/** `send(make)`: as of SessionClient; `clicked(clicks)`: the clicks that are kept; `said(sentence)`: for the reader. */
+export const mountTalkBox = (needs) => new TalkBox(needs);

@@ -1,4 +1,4 @@
-// Which cell of the stack a name like '5.action' means while symbols come and go. Pure; knows no page.
+// Finds the cell of the stack that a name like '5.action' means while symbols come and go. Pure; knows no page.
 
 const idOf = (key) => Number(String(key).split('.', 1)[0]);
 /** The slot that such a name names. */
@@ -11,7 +11,7 @@ export class CellTracker {
   #key = null;
   #symbols = new Set();
 
-  /** Of the server's `cells` the one that is meant, or null: its symbol may have been rewritten since, or not yet. */
+  /** The one of the server's `cells` that `key` means, or null: its symbol may have been rewritten since, or not yet. */
   find(cells, key) {
     if (!key) return null;
     if (key !== this.#key) {
@@ -24,4 +24,3 @@ export class CellTracker {
     return found ?? null;
   }
 }
-

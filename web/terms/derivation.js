@@ -8,13 +8,18 @@ import {cps_apply, cps_const, states, variable} from './reduce.js';
 
 export const depths = ['gloss', 'λ', 'CPS'];
 
-const children = (node) => (Array.isArray(node?.children) ? node.children.filter((one) => one && typeof one === 'object') : []);
-const textOf = (value) => (typeof value === 'string' ? value : value === null || value === undefined ? '' : JSON.stringify(value));
+const children = (node) =>
+  Array.isArray(node?.children) ? node.children.filter((one) => one && typeof one === 'object') : [];
+const textOf = (value) =>
+  typeof value === 'string' ? value : value === null || value === undefined ? '' : JSON.stringify(value);
 
 /** [{node, path, depth}] from the root down, children in order. */
 export function walk(node, path = '', depth = 0) {
   if (!node || typeof node !== 'object') return [];
-  return [{node, path, depth}, ...children(node).flatMap((one, i) => walk(one, path ? `${path}.${i}` : `${i}`, depth + 1))];
+  return [
+    {node, path, depth},
+    ...children(node).flatMap((one, i) => walk(one, path ? `${path}.${i}` : `${i}`, depth + 1)),
+  ];
 }
 
 export const nodeAt = (root, path) => walk(root).find((one) => one.path === path)?.node ?? null;
@@ -30,7 +35,13 @@ function links(origin) {
 }
 
 const quoted = (words) => `“${words}”`;
-const short_kinds = {pointing: 'pointing', gesture: 'gesture', taught: 'what was taught', machine: 'the machine', choice: 'one of several'};
+const short_kinds = {
+  pointing: 'pointing',
+  gesture: 'gesture',
+  taught: 'what was taught',
+  machine: 'the machine',
+  choice: 'one of several',
+};
 
 // A slot or register has its value since an input: "slot options since “Yes” (2.0 s)  #7".
 const since = (link) => textOf(link.text).match(/ since (.*?) \(\d/)?.[1] ?? '';
@@ -44,26 +55,33 @@ function linkText(link) {
   return short_kinds[link.kind] ?? textOf(link.kind);
 }
 
-/** What a node stands for in plain words: “put” + “there” (pointing). */
+/** The meaning of a node in plain words: “put” + “there” (pointing). */
 export function gloss(node) {
   const below = children(node);
   if (isHole(node)) return '▢';
   if (below.length && node.how === 'taught') return `one step of ${gloss(below[0])}`;
-  if (below.length) return below.map(gloss).filter((one, i, all) => one !== all[i - 1]).join(' + ');
+  if (below.length)
+    return below
+      .map(gloss)
+      .filter((one, i, all) => one !== all[i - 1])
+      .join(' + ');
   const told = links(node.origin).map(linkText);
-  if (!told.length || ['machine', 'slot', 'memory'].includes(node.origin?.kind)) return print(parse(textOf(node.term)), {sign: 'λ'});
+  if (!told.length || ['machine', 'slot', 'memory'].includes(node.origin?.kind))
+    return print(parse(textOf(node.term)), {sign: 'λ'});
   return told.length > 1 ? `${told[0]} (${told.slice(1).join(', ')})` : told[0];
 }
 
 /** "from “there” at #2 and pointing at #3"; empty where nobody can be named. */
 export function told(origin) {
   const from = links(origin).filter((link) => link.kind !== 'machine' && link.kind !== 'open');
-  return from.length ? `from ${from.map((link) => `${linkText(link)}${numberOf(link) === null ? '' : ` at #${numberOf(link)}`}`).join(', ')}` : '';
+  return from.length
+    ? `from ${from.map((link) => `${linkText(link)}${numberOf(link) === null ? '' : ` at #${numberOf(link)}`}`).join(', ')}`
+    : '';
 }
 
 const numberOf = (link) => (Number.isInteger(link.input) ? link.input : Number.isInteger(link.n) ? link.n : null);
 
-/** What went into the derivation: [{key, n, text, kind, paths}], in the order of the log; each with the leaves it went into. */
+/** The words and gestures behind a derivation, in the order of the log: [{key, n, text, kind, paths}]; `paths`: their leaves. */
 export function sources(root) {
   const found = new Map();
   for (const {node, path} of walk(root)) {
@@ -72,8 +90,17 @@ export function sources(root) {
       const n = numberOf(link);
       if (n === null || link.kind === 'machine') continue;
       const held = since(link);
-      const kind = held ? (held.startsWith('“') ? 'words' : 'gesture') : ['words', 'choice', 'open'].includes(link.kind) ? 'words' : link.kind;
-      const text = link.kind === 'open' || link.kind === 'choice' ? textOf(link.text).match(/“[^”]*”(?= \()/)?.[0] ?? 'left open' : held || linkText(link);
+      const kind = held
+        ? held.startsWith('“')
+          ? 'words'
+          : 'gesture'
+        : ['words', 'choice', 'open'].includes(link.kind)
+          ? 'words'
+          : link.kind;
+      const text =
+        link.kind === 'open' || link.kind === 'choice'
+          ? (textOf(link.text).match(/“[^”]*”(?= \()/)?.[0] ?? 'left open')
+          : held || linkText(link);
       const key = `${n} ${kind} ${text}`;
       if (!found.has(key)) found.set(key, {key, n, kind, text, paths: []});
       if (!found.get(key).paths.includes(path)) found.get(key).paths.push(path);
@@ -87,7 +114,8 @@ export function arrows(type) {
   const args = [];
   let rest = textOf(type).trim();
   for (;;) {
-    let depth = 0, at = -1;
+    let depth = 0;
+    let at = -1;
     for (let i = 0; i < rest.length && at < 0; ++i) {
       if ('([<'.includes(rest[i])) ++depth;
       else if (')]'.includes(rest[i]) || (rest[i] === '>' && rest[i - 1] !== '-')) --depth;
@@ -107,9 +135,10 @@ export function compType(type) {
   return `Comp ${/[ →]/.test(text) ? `(${text})` : text} r`;
 }
 
-const raised = (node, term) => (node.rule ? apply(name(textOf(node.rule), !/^\w+$/.test(textOf(node.rule))), term) : term);
+const raised = (node, term) =>
+  node.rule ? apply(name(textOf(node.rule), !/^\w+$/.test(textOf(node.rule))), term) : term;
 
-// What is applied, with its arguments still open: put : e → loc → t is λx v. put(x, v).
+// The function that is applied, with its arguments still open: put : e → loc → t is λx v. put(x, v).
 function opened(node, term) {
   const [args] = arrows(typeOf(node));
   if (term.kind !== 'name' || !args.length) return term;
@@ -132,19 +161,27 @@ const binders = (node) => {
 /** The type of a node, where the log leaves it out that of a lambda by its variables and its body. */
 export function typeOf(node) {
   if (node.type || node.how !== 'abstraction') return textOf(node.type);
-  const body = children(node)[0], all = walk(body).map((one) => one.node);
+  const body = children(node)[0];
+  const all = walk(body).map((one) => one.node);
   const types = binders(node).map((one) => all.find((each) => each.how === 'leaf' && each.term === one)?.type);
-  return body?.type && types.every(Boolean) ? [...types, textOf(body.type)].map((type, i) => (i < types.length && type.includes('->') ? `(${type})` : type)).join(' -> ') : '';
+  return body?.type && types.every(Boolean)
+    ? [...types, textOf(body.type)]
+        .map((type, i) => (i < types.length && type.includes('->') ? `(${type})` : type))
+        .join(' -> ')
+    : '';
 }
 
 /** The term of a node before anything in it is applied. */
 export function unreduced(node) {
-  const below = children(node), own = () => parse(textOf(node.term));
+  const below = children(node);
+  const own = () => parse(textOf(node.term));
   if (node.how === 'application' && below.length === 2) {
-    const [f, x] = below, head = unreduced(f);
+    const [f, x] = below;
+    const head = unreduced(f);
     return apply(f.how === 'leaf' ? opened(f, head) : head, raised(node, unreduced(x)));
   }
-  if (node.how === 'abstraction' && below.length === 1) return binders(node).reduceRight((body, one) => lambda(one, body), unreduced(below[0]));
+  if (node.how === 'abstraction' && below.length === 1)
+    return binders(node).reduceRight((body, one) => lambda(one, body), unreduced(below[0]));
   if (node.how === 'taught' && below.length === 1) return unreduced(below[0]);
   return own();
 }
@@ -160,7 +197,7 @@ export function computation(node) {
   return apply(cps_const, parse(textOf(node.term)));
 }
 
-// What waits for its argument is a function that gives a computation.
+// A term that waits for its argument is a function that gives a computation.
 function asked(node) {
   const below = children(node);
   if (node.how === 'abstraction' && below.length === 1 && below[0].how === 'application')
@@ -181,9 +218,12 @@ function appliedBy(term, rule) {
 /** The states of the derivation at a depth, [{term, redex, rule, haskell}], the last with nothing left to do. */
 export function stepsAt(root, depth) {
   if (!root || depth === 'gloss') return [];
-  const haskell = depth === 'CPS', all = states(haskell ? asked(root) : unreduced(root));
-  // What a raising rule makes of its argument the machine knows: the log has what came of it.
-  const last = all.at(-1), rule = textOf(walk(root).find(({node}) => node.rule)?.node.rule), raising = rule && !last.redex ? appliedBy(last.term, rule) : null;
+  const haskell = depth === 'CPS';
+  const all = states(haskell ? asked(root) : unreduced(root));
+  // The machine knows the effect of a raising rule on its argument: the log has only the result.
+  const last = all.at(-1);
+  const rule = textOf(walk(root).find(({node}) => node.rule)?.node.rule);
+  const raising = rule && !last.redex ? appliedBy(last.term, rule) : null;
   const result = parse(textOf(root.term));
   if (raising && root.how === 'application') {
     all[all.length - 1] = {...last, redex: raising, rule};
@@ -197,19 +237,35 @@ export function line(node, depth) {
   if (depth === 'gloss') return {text: gloss(node), type: ''};
   const term = textOf(node.term);
   if (depth === 'λ') return {text: print(parse(term), {sign: 'λ'}), type: shownType(typeOf(node))};
-  if (node.how === 'application') return {text: node.rule ? `cpsApply m (cpsApply (cpsConst ${textOf(node.rule)}) n)` : 'cpsApply m n', type: compType(node.type)};
+  if (node.how === 'application')
+    return {
+      text: node.rule ? `cpsApply m (cpsApply (cpsConst ${textOf(node.rule)}) n)` : 'cpsApply m n',
+      type: compType(node.type),
+    };
   if (isHole(node)) return {text: `cpsConst ${term}`, type: compType(node.type)};
   if (node.how === 'abstraction') return {text: `λ ${binders(node).join(' ')} → …`, type: shownType(typeOf(node))};
-  const parsed = parse(term), simple = parsed.kind !== 'apply' && parsed.kind !== 'lambda';
+  const parsed = parse(term);
+  const simple = parsed.kind !== 'apply' && parsed.kind !== 'lambda';
   return {text: `cpsConst ${simple ? term : `(${print(parsed, {sign: 'λ'})})`}`, type: compType(node.type)};
 }
 
-const hows = {application: '', abstraction: 'what it lacks is left open', parts: 'put together by the machine; the log has no application of it', taught: 'one step of what was taught', leaf: ''};
+const hows = {
+  application: '',
+  abstraction: 'what it lacks is left open',
+  parts: 'put together by the machine; the log has no application of it',
+  taught: 'one step of what was taught',
+  leaf: '',
+};
 
 /** All that is known of a node in words, for those who do not see the tree. */
 export function described(node) {
   const type = shownType(typeOf(node));
-  return [type && `type ${type}`, hows[node.how] ?? textOf(node.how), node.rule && `raised by ${textOf(node.rule)}`,
-    textOf(node.origin?.text)].filter(Boolean).join('; ');
+  return [
+    type && `type ${type}`,
+    hows[node.how] ?? textOf(node.how),
+    node.rule && `raised by ${textOf(node.rule)}`,
+    textOf(node.origin?.text),
+  ]
+    .filter(Boolean)
+    .join('; ');
 }
-

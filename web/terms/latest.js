@@ -1,12 +1,14 @@
-// Asks for what is wanted now, one question at a time: of all that was wanted meanwhile only the last is asked for, and
-// an answer that comes too late is dropped.
+// Asks one question at a time. Questions that come meanwhile replace each other, so that only the last is asked; an answer
+// that comes too late is dropped.
 export class Latest {
   #wanted;
   #answered;
   #busy = false;
 
   /** `ask(key)` gives a promise; `show(answer, key)` and `fail(problem, key)` get what comes of the key wanted last. */
-  constructor(ask, show, fail) { Object.assign(this, {ask, show, fail}); }
+  constructor(ask, show, fail) {
+    Object.assign(this, {ask, show, fail});
+  }
 
   want(key) {
     this.#wanted = key;

@@ -3,9 +3,11 @@ import {apply, lambda, name} from './term.js';
 
 /** A name that is bound, or one of the two functions below: written before what it is applied to. */
 export const variable = (text) => ({...name(text), variable: true});
-export const cps_apply = variable('cpsApply'), cps_const = variable('cpsConst');
+export const cps_apply = variable('cpsApply');
+export const cps_const = variable('cpsConst');
 
-const parts = (term) => (term.kind === 'apply' ? [term.head, ...term.args] : term.kind === 'lambda' ? [term.body] : term.parts ?? []);
+const parts = (term) =>
+  term.kind === 'apply' ? [term.head, ...term.args] : term.kind === 'lambda' ? [term.body] : (term.parts ?? []);
 
 function rebuilt(term, make) {
   if (term.kind === 'lambda') return {...term, body: make(term.body)};
@@ -45,13 +47,16 @@ export function substituted(term, variable_name, value, reach = free(value)) {
 
 function contracted({head, args}) {
   if (head.kind === 'lambda') {
-    const [first, ...rest] = args, made = substituted(head.body, head.name, first);
+    const [first, ...rest] = args;
+    const made = substituted(head.body, head.name, first);
     return ['β', rest.length ? apply(made, ...rest) : made];
   }
   if (head === cps_const && args.length >= 2) return ['cpsConst', apply(args[1], args[0], ...args.slice(2))];
   if (head !== cps_apply || args.length < 3) return null;
-  const [m, n, k, ...rest] = args, taken = new Set([...free(m), ...free(n), ...free(k)]);
-  const b = unused('b', taken), a = unused('a', taken);
+  const [m, n, k, ...rest] = args;
+  const taken = new Set([...free(m), ...free(n), ...free(k)]);
+  const b = unused('b', taken);
+  const a = unused('a', taken);
   const made = apply(n, lambda(b, apply(m, lambda(a, apply(k, apply(variable(a), variable(b)))))));
   return ['cpsApply', rest.length ? apply(made, ...rest) : made];
 }
@@ -70,7 +75,8 @@ export function step(term) {
 }
 
 const size = (term) => 1 + parts(term).reduce((sum, part) => sum + size(part), 0);
-const most_steps = 120, largest = 3000;
+const most_steps = 120;
+const largest = 3000;
 
 /** [{term, redex, rule}]: each state of the term with the redex that is worked out next, null in the last. */
 export function states(term) {

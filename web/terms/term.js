@@ -11,17 +11,30 @@ export const literal = (text) => ({kind: 'literal', text});
 export const name = (text, quoted = false) => ({kind: 'name', name: text, quoted});
 export const lambda = (variable, body, type = null) => ({kind: 'lambda', name: variable, type, body});
 /** f(a)(b) is f(a, b). */
-export const apply = (head, ...args) => (head.kind === 'apply' ? {kind: 'apply', head: head.head, args: [...head.args, ...args]} : {kind: 'apply', head, args});
+export const apply = (head, ...args) =>
+  head.kind === 'apply' ? {kind: 'apply', head: head.head, args: [...head.args, ...args]} : {kind: 'apply', head, args};
 
 // sign → [how tightly it binds, what may stand to its left, to its right]
-const infixes = new Map([['or', [1, 1, 2]], ['and', [2, 2, 3]], ['+', [5, 5, 6]], ['-', [5, 5, 6]], ['*', [6, 6, 7]], ['/', [6, 6, 7]],
-  ...['=', '!=', '<', '<=', '>', '>='].map((sign) => [sign, [4, 5, 5]])]);
-const negation = 3, sum = 5, minus = 7, operand = 8;
+const infixes = new Map([
+  ['or', [1, 1, 2]],
+  ['and', [2, 2, 3]],
+  ['+', [5, 5, 6]],
+  ['-', [5, 5, 6]],
+  ['*', [6, 6, 7]],
+  ['/', [6, 6, 7]],
+  ...['=', '!=', '<', '<=', '>', '>='].map((sign) => [sign, [4, 5, 5]]),
+]);
+const negation = 3;
+const sum = 5;
+const minus = 7;
+const operand = 8;
 const keywords = new Set(['null', 'true', 'false', 'and', 'or', 'not']);
 const plain = /^[A-Za-z_][A-Za-z_0-9]*'*$/;
-const most_letters = 200_000, deepest = 400;
+const most_letters = 200_000;
+const deepest = 400;
 
-const token = /\s*(?:(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)|([A-Za-z_][A-Za-z_0-9]*'*)|('(?:\\.|[^'\\])*')|(`(?:\\.|[^`\\])*`)|(!=|<=|>=|[()[\]<>,.:=+\-*/\\λ]))/y;
+const token =
+  /\s*(?:(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)|([A-Za-z_][A-Za-z_0-9]*'*)|('(?:\\.|[^'\\])*')|(`(?:\\.|[^`\\])*`)|(!=|<=|>=|[()[\]<>,.:=+\-*/\\λ]))/y;
 
 function* tokens(text) {
   token.lastIndex = 0;
@@ -49,8 +62,12 @@ class Parser {
     this.place = 0;
     this.depth = 0;
   }
-  get next() { return this.all[this.place]; }
-  is(sign) { return this.next.kind === 'sign' && this.next.text === sign; }
+  get next() {
+    return this.all[this.place];
+  }
+  is(sign) {
+    return this.next.kind === 'sign' && this.next.text === sign;
+  }
   take(sign) {
     if (!this.is(sign)) throw new SyntaxError(`found '${this.next.text}', expected '${sign}'`);
     ++this.place;
@@ -66,7 +83,8 @@ class Parser {
     if (++this.depth > deepest) throw new SyntaxError('nested too deep');
     let left = this.prefixed();
     for (;;) {
-      const sign = this.next, row = sign.kind === 'sign' ? infixes.get(sign.text) : null;
+      const sign = this.next;
+      const row = sign.kind === 'sign' ? infixes.get(sign.text) : null;
       if (!row || row[0] < least) break;
       ++this.place;
       left = {kind: 'apply', head: name(sign.text), args: [left, this.expression(row[0] + 1)]};
@@ -82,8 +100,11 @@ class Parser {
     }
     if (!this.is('-')) return this.postfixed();
     ++this.place;
-    const number = this.next.kind === 'number', inner = this.expression(operand);
-    return number && inner.kind === 'literal' ? literal(`-${inner.text}`) : {kind: 'apply', head: name('negate'), args: [inner]};
+    const number = this.next.kind === 'number';
+    const inner = this.expression(operand);
+    return number && inner.kind === 'literal'
+      ? literal(`-${inner.text}`)
+      : {kind: 'apply', head: name('negate'), args: [inner]};
   }
 
   postfixed() {
@@ -99,7 +120,10 @@ class Parser {
     const {kind, text} = this.next;
     if (this.is('\\')) return this.lambda();
     if (this.is('(')) return this.parenthesised();
-    if (this.is('[')) { ++this.place; return {kind: 'list', parts: this.is(']') ? (++this.place, []) : this.separated(']')}; }
+    if (this.is('[')) {
+      ++this.place;
+      return {kind: 'list', parts: this.is(']') ? (++this.place, []) : this.separated(']')};
+    }
     if (this.is('<')) return this.point();
     if (kind === 'sign' || kind === 'end') throw new SyntaxError(`found '${text}', expected a term`);
     ++this.place;
@@ -109,7 +133,8 @@ class Parser {
 
   parenthesised() {
     this.take('(');
-    const sign = this.next, after = this.all[this.place + 1];
+    const sign = this.next;
+    const after = this.all[this.place + 1];
     if (sign.kind === 'sign' && (infixes.has(sign.text) || sign.text === 'not') && after?.text === ')') {
       this.place += 2;
       return name(sign.text);
@@ -142,12 +167,18 @@ class Parser {
       type = this.text.slice(from, this.next.at - 1).trim();
     }
     this.take('.');
-    return names.reduceRight((body, one, i) => lambda(one, body, i === names.length - 1 ? type : null), this.expression(1));
+    return names.reduceRight(
+      (body, one, i) => lambda(one, body, i === names.length - 1 ? type : null),
+      this.expression(1),
+    );
   }
 
   separated(close) {
     const parts = [this.expression(1)];
-    while (this.is(',')) { ++this.place; parts.push(this.expression(1)); }
+    while (this.is(',')) {
+      ++this.place;
+      parts.push(this.expression(1));
+    }
     this.take(close);
     return parts;
   }
@@ -182,7 +213,9 @@ export class Printer {
 
   #name(one) {
     if (one.quoted || !(plain.test(one.name) && !keywords.has(one.name)))
-      this.#put(infixes.has(one.name) || one.name === 'not' ? `(${one.name})` : `\`${one.name.replace(/[`\\]/g, '\\$&')}\``);
+      this.#put(
+        infixes.has(one.name) || one.name === 'not' ? `(${one.name})` : `\`${one.name.replace(/[`\\]/g, '\\$&')}\``,
+      );
     else this.#put(one.name);
   }
 
@@ -204,7 +237,8 @@ export class Printer {
   #lambda(term, least) {
     this.#closed(least > 0, () => {
       this.#put(this.sign + (this.haskell ? ' ' : ''));
-      let body = term, first = true;
+      let body = term;
+      let first = true;
       for (; body.kind === 'lambda' && (first || body !== this.mark); body = body.body) {
         this.#put(first ? body.name : ` ${body.name}`);
         first = false;
@@ -220,7 +254,8 @@ export class Printer {
   }
 
   #apply(term, least) {
-    const {head, args} = term, sign = head.kind === 'name' && !head.quoted ? head.name : '';
+    const {head, args} = term;
+    const sign = head.kind === 'name' && !head.quoted ? head.name : '';
     const row = infixes.get(sign);
     if (row && args.length === 2)
       return this.#closed(row[0] < least, () => {
@@ -228,8 +263,16 @@ export class Printer {
         this.#put(` ${sign} `);
         this.#print(args[1], row[2]);
       });
-    if (sign === 'not' && args.length === 1) return this.#closed(negation < least, () => { this.#put('not '); this.#print(args[0], negation); });
-    if (sign === 'negate' && args.length === 1) return this.#closed(minus < least, () => { this.#put('-'); this.#print(args[0], minus); });
+    if (sign === 'not' && args.length === 1)
+      return this.#closed(negation < least, () => {
+        this.#put('not ');
+        this.#print(args[0], negation);
+      });
+    if (sign === 'negate' && args.length === 1)
+      return this.#closed(minus < least, () => {
+        this.#put('-');
+        this.#print(args[0], minus);
+      });
     if (this.haskell && !(head.kind === 'name' && !head.variable))
       return this.#closed(least > sum, () => {
         this.#print(head, operand);
@@ -262,4 +305,11 @@ export class Printer {
   }
 }
 
-export const print = (term, options) => new Printer(options).pieces(term).map(({text}) => text).join('');
+export const print = (term, options) =>
+  new Printer(options)
+    .pieces(term)
+    .map(({text}) => text)
+    .join('');
+
+/** The text with its numbers rounded to three decimals. */
+export const shorter = (text) => text.replace(/-?\d+\.\d{3,}/g, (number) => String(+Number(number).toFixed(3)));

@@ -1,6 +1,6 @@
 // The lanes of a run: what is in them, and how those in sight are found.
 import {brief} from '../dom.js';
-import {lastAtMost} from '../run/run_data.js';
+import {lastAtMost} from '../search.js';
 
 /**
  * The lanes of a run from top to bottom: {name, colour, kind, lane: {n, from, to}, text(i), reach}. `reach[i]` is the
@@ -8,19 +8,43 @@ import {lastAtMost} from '../run/run_data.js';
  */
 export function laneRows(data) {
   const {lanes} = data;
-  const row = (name, colour, lane, text, more = {}) => ({name, colour, kind: 'bar', lane, text, reach: reachOf(lane), ...more});
+  const row = (name, colour, lane, text, more = {}) => ({
+    name,
+    colour,
+    kind: 'bar',
+    lane,
+    text,
+    reach: reachOf(lane),
+    ...more,
+  });
   const words = (lane) => (i) => brief(data.text(lane.n[i]));
   const all = [
     row('human says', 'human', lanes.speech, words(lanes.speech)),
     row('shows', 'human', lanes.gesture, words(lanes.gesture)),
     row('points', 'human', lanes.pointing, (i) => `${lanes.pointing.count?.[i] ?? ''} samples`, {plain: true}),
-    row('confidence', 'human', lanes.confidence, (i) => lanes.confidence.value[i].toFixed(2), {kind: 'level', value: (i) => lanes.confidence.value[i], most: 1, optional: true}),
+    row('confidence', 'human', lanes.confidence, (i) => lanes.confidence.value[i].toFixed(2), {
+      kind: 'level',
+      value: (i) => lanes.confidence.value[i],
+      most: 1,
+      optional: true,
+    }),
     row('state', 'state', lanes.state, (i) => stateName(data, i), {kind: 'state'}),
-    row('stack depth', 'depth', lanes.depth, (i) => `${lanes.depth.value[i]}`, {kind: 'level', value: (i) => lanes.depth.value[i], most: most(lanes.depth.value)}),
-    row('branches', 'depth', lanes.branches, (i) => `${lanes.branches.count[i]} branches`, {kind: 'level', value: (i) => lanes.branches.count[i], most: most(lanes.branches.count), optional: true}),
+    row('stack depth', 'depth', lanes.depth, (i) => `${lanes.depth.value[i]}`, {
+      kind: 'level',
+      value: (i) => lanes.depth.value[i],
+      most: most(lanes.depth.value),
+    }),
+    row('branches', 'depth', lanes.branches, (i) => `${lanes.branches.count[i]} branches`, {
+      kind: 'level',
+      value: (i) => lanes.branches.count[i],
+      most: most(lanes.branches.count),
+      optional: true,
+    }),
     row('avatar says', 'avatar', lanes.utterance, words(lanes.utterance)),
     row('shows', 'avatar', lanes.move, words(lanes.move)),
-    row('acts', 'act', lanes.act, (i) => `${brief(data.text(lanes.act.n[i]))} ${statusOf(data, i)}`, {bad: (i) => statusOf(data, i) !== 'done'}),
+    row('acts', 'act', lanes.act, (i) => `${brief(data.text(lanes.act.n[i]))} ${statusOf(data, i)}`, {
+      bad: (i) => statusOf(data, i) !== 'done',
+    }),
     row('as recorded', 'depth', lanes.observed, words(lanes.observed), {optional: true}),
   ];
   return all.filter((one) => !one.optional || one.lane.n.length);

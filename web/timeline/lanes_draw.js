@@ -1,9 +1,13 @@
 // Drawing of the timeline: lanes, overview and cursor, on canvases. Times in seconds, places in pixels.
-import {lastAtMost} from '../run/run_data.js';
+import {lastAtMost} from '../search.js';
 import {firstReaching} from './lane_rows.js';
 
-export const gutter_px = 92, axis_px = 17, overview_px = 22, row_px = 15;
-const most_texts = 200;  // of a lane, at a time
+export const gutter_px = 92;
+export const axis_px = 17;
+export const overview_px = 22;
+export const row_px = 15;
+const most_texts = 200; // of a lane, at a time
+const least_room_px = 18; // for a text
 
 // Eight hues apart from each other; a state keeps its hue in every run.
 const hues = [210, 28, 150, 265, 95, 330, 185, 50];
@@ -19,24 +23,30 @@ const hueOf = (name) => {
 
 /** A step of 1, 2 or 5 times a power of ten that leaves ticks at least `least` pixels apart. */
 function tickStep(span, width, least) {
-  const rough = span / width * least, power = 10 ** Math.floor(Math.log10(rough));
+  const rough = (span / width) * least;
+  const power = 10 ** Math.floor(Math.log10(rough));
   return [1, 2, 5, 10].find((factor) => factor * power >= rough) * power;
 }
 
-/** What is in sight of the time axis, in pixels. `zoom` in seconds; `axis` a TimeAxis. */
+/** The part of the time axis that is in sight, in pixels. `zoom` in seconds; `axis` a TimeAxis. */
 export class Sight {
   constructor(axis, [from, to], width) {
     Object.assign(this, {axis, from, to, width});
     this.start = axis.of(from);
     this.scale = (width - gutter_px) / Math.max(1e-9, axis.of(to) - this.start);
   }
-  x(t) { return gutter_px + (this.axis.of(t) - this.start) * this.scale; }
-  t(x) { return this.axis.back(this.start + (x - gutter_px) / this.scale); }
+  x(t) {
+    return gutter_px + (this.axis.of(t) - this.start) * this.scale;
+  }
+  t(x) {
+    return this.axis.back(this.start + (x - gutter_px) / this.scale);
+  }
 }
 
 /** `marked(side, n)`: whether the record differs from the other run's; `flags`: {n, from}. */
 export function drawLanes(pen, {rows, sight, flags, rest, colour, marked}) {
-  const {from, to, width} = sight, x = (t) => sight.x(t);
+  const {from, to, width} = sight;
+  const x = (t) => sight.x(t);
   const bottom = axis_px + rows.length * row_px;
   pen.font = '10.5px system-ui, sans-serif';
   pen.textBaseline = 'middle';
@@ -69,7 +79,7 @@ export function drawLanes(pen, {rows, sight, flags, rest, colour, marked}) {
     else drawItems(pen, row, {sight, top, colour, marked});
   });
 
-  // What went wrong, across all lanes; of several in one place one.
+  // Flags of trouble, across all lanes; one where several stand in one place.
   pen.fillStyle = colour('bad');
   let told = -Infinity;
   for (let i = firstReaching(flags, from); i < flags.lane.n.length && flags.lane.from[i] <= to; ++i) {
@@ -89,7 +99,8 @@ export function drawNotes(pen, {notes, sight, colour}) {
   pen.fillStyle = colour('accent');
   for (const {from, to} of notes) {
     if (to < sight.from || from > sight.to) continue;
-    const left = Math.max(gutter_px, sight.x(from)), right = Math.min(sight.width, sight.x(to));
+    const left = Math.max(gutter_px, sight.x(from));
+    const right = Math.min(sight.width, sight.x(to));
     if (right > left) pen.fillRect(left, axis_px - 3, right - left, 2);
     pen.beginPath();
     pen.arc(left, axis_px - 4, 3.5, 0, 2 * Math.PI);
@@ -107,7 +118,8 @@ const triangle = (pen, x, tip, half) => {
 
 function drawTicks(pen, sight, bottom, colour) {
   const {axis, from, to, width} = sight;
-  const shown = axis.of(to) - axis.of(from), step = tickStep(shown, width - gutter_px, 70);
+  const shown = axis.of(to) - axis.of(from);
+  const step = tickStep(shown, width - gutter_px, 70);
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const gaps = axis.gaps.filter(([a, b]) => b > from && a < to);
   pen.textAlign = 'left';
@@ -136,33 +148,25 @@ function drawGap(pen, left, right, bottom, colour) {
   if (right - left < 3) return;
   pen.strokeStyle = colour('depth');
   pen.beginPath();
-  const middle = (left + right) / 2, half = Math.min(3, (right - left) / 2 - 1);
+  const middle = (left + right) / 2;
+  const half = Math.min(3, (right - left) / 2 - 1);
   for (let y = axis_px, side = -1; y <= bottom; y += 4, side = -side) pen.lineTo(middle + side * half, y);
   pen.stroke();
 }
 
 function drawItems(pen, row, {sight, top, colour, marked}) {
-  const {from, to, width} = sight, {lane} = row, x = (t) => sight.x(t);
-  const state = row.kind === 'state', fill = colour(row.colour), bad = colour('bad'), text_colour = colour('text'), on_bar = colour('on-bar');
-  const saturation = colour('state-saturation'), lightness = colour('state-lightness'), difference = colour('warn');
-  // Bars that touch are one, as long as their colour is the same.
-  let bar_left = 0, bar_right = -Infinity, bar_colour = '';
-  const flush = () => {
-    if (bar_right <= bar_left) return;
-    pen.fillStyle = bar_colour;
-    pen.fillRect(bar_left, top + 2, bar_right - bar_left, row_px - 4);
-    bar_right = -Infinity;
-  };
-  let painted = -Infinity, texts = 0;
-  for (let i = firstReaching(row, from); i < lane.n.length && lane.from[i] <= to; ++i) {
-    if (lane.to[i] < from) continue;
-    const left = x(lane.from[i]), end = x(lane.to[i]);
-    // One that goes on while the next begins leaves it room: it is drawn on as a thin line below.
-    const next = i + 1 < lane.n.length ? x(lane.from[i + 1]) : width;
-    const under = !state && end > next + 1;
-    const right = Math.max(left + 2, under ? Math.min(end, Math.max(next - 1, left + 2)) : end);
+  const {lane} = row;
+  const state = row.kind === 'state';
+  const barColour = barColours(row, colour);
+  const bars = new Bars(pen, top);
+  let painted = -Infinity;
+  let texts = 0;
+  for (let i = firstReaching(row, sight.from); i < lane.n.length && lane.from[i] <= sight.to; ++i) {
+    if (lane.to[i] < sight.from) continue;
+    const place = placeOf(row, i, sight);
+    const {left, right, end, under} = place;
     if (under) {
-      pen.fillStyle = fill;
+      pen.fillStyle = colour(row.colour);
       pen.fillRect(left, top + row_px - 3, end - left, 2);
     }
     if (right < painted + 1) {
@@ -171,30 +175,74 @@ function drawItems(pen, row, {sight, top, colour, marked}) {
       continue;
     }
     painted = right;
-    const differs = marked?.(row.side, lane.n[i]), gap = state && right - left > 4 ? 1 : 0;
-    const bar = state ? `hsl(${hueOf(row.text(i))} ${saturation} ${lightness})` : row.bad?.(i) ? bad : fill;
-    if (bar !== bar_colour || left > bar_right + 0.5 || gap || differs) flush();
-    if (bar_right < bar_left) [bar_left, bar_colour] = [left, bar];
-    bar_right = right - gap;
+    const differs = marked?.(row.side, lane.n[i]);
+    const gap = state && right - left > 4 ? 1 : 0;
+    bars.add({left, right: right - gap, colour: barColour(i), apart: gap || differs});
     if (differs) {
-      flush();
-      hatch(pen, left, top + 1, Math.max(5, right - left - gap), row_px - 2, difference);
+      bars.flush();
+      hatch(pen, left, top + 1, Math.max(5, right - left - gap), row_px - 2, colour('warn'));
     }
-    // The text goes inside, or behind an instant as far as the next one leaves room.
-    const inside = lane.to[i] > lane.from[i] && right - left > 24;
-    const room = inside ? Math.min(right, width) - Math.max(left, gutter_px) - 6 : next - right - 6;
-    if (room < 18 || row.plain || texts > most_texts) continue;
-    const text = cut(pen, row.text(i), room);
+    if (place.room < least_room_px || row.plain || texts > most_texts) continue;
+    const text = cut(pen, row.text(i), place.room);
     if (!text) continue;
     ++texts;
-    flush();
-    pen.fillStyle = inside ? (state ? text_colour : on_bar) : text_colour;
-    pen.fillText(text, (inside ? Math.max(left, gutter_px) : right) + 3, top + row_px / 2 + 0.5);
+    bars.flush();
+    pen.fillStyle = colour(place.inside && !state ? 'on-bar' : 'text');
+    pen.fillText(text, place.text_x, top + row_px / 2 + 0.5);
   }
-  flush();
+  bars.flush();
 }
 
-// A frame with strokes across: what differs is not told by colour alone.
+// barColour(i): of the item's bar. States have hues of their own.
+function barColours(row, colour) {
+  const fill = colour(row.colour);
+  if (row.kind !== 'state') return (i) => (row.bad?.(i) ? colour('bad') : fill);
+  const shade = `${colour('state-saturation')} ${colour('state-lightness')}`;
+  return (i) => `hsl(${hueOf(row.text(i))} ${shade})`;
+}
+
+// Where an item is drawn, in pixels: its bar from `left` to `right`, its end, the room for its text and where that begins.
+function placeOf({lane, kind}, i, sight) {
+  const left = sight.x(lane.from[i]);
+  const end = sight.x(lane.to[i]);
+  const next = i + 1 < lane.n.length ? sight.x(lane.from[i + 1]) : sight.width;
+  // An item that goes on while the next begins leaves it room, and goes on as a thin line below.
+  const under = kind !== 'state' && end > next + 1;
+  const right = Math.max(left + 2, under ? Math.min(end, Math.max(next - 1, left + 2)) : end);
+  // The text goes inside, or behind an instant as far as the next item leaves room.
+  const inside = lane.to[i] > lane.from[i] && right - left > 24;
+  const start = inside ? Math.max(left, gutter_px) : right;
+  const room = (inside ? Math.min(right, sight.width) : next) - start - 6;
+  return {left, right, end, under, inside, room, text_x: start + 3};
+}
+
+// Draws bars; those that touch and have one colour are drawn as one.
+class Bars {
+  #pen;
+  #top;
+  #left = 0;
+  #right = -Infinity;
+  #colour = '';
+
+  constructor(pen, top) {
+    this.#pen = pen;
+    this.#top = top;
+  }
+  /** `apart`: this bar is drawn by itself. */
+  add({left, right, colour, apart}) {
+    if (colour !== this.#colour || left > this.#right + 0.5 || apart) this.flush();
+    if (this.#right < this.#left) [this.#left, this.#colour] = [left, colour];
+    this.#right = right;
+  }
+  flush() {
+    if (this.#right <= this.#left) return;
+    this.#pen.fillStyle = this.#colour;
+    this.#pen.fillRect(this.#left, this.#top + 2, this.#right - this.#left, row_px - 4);
+    this.#right = -Infinity;
+  }
+}
+
+// A frame with strokes across: a difference is not shown by colour alone.
 function hatch(pen, left, top, width, height, colour) {
   pen.strokeStyle = colour;
   pen.lineWidth = 1.5;
@@ -220,33 +268,38 @@ function cut(pen, text, room) {
 }
 
 function drawLevel(pen, row, {sight, top, colour}) {
-  const {from, to} = sight, {lane} = row;
+  const {from, to} = sight;
+  const {lane} = row;
   pen.fillStyle = colour(row.colour);
   let painted = -Infinity;
   for (let i = Math.max(0, firstReaching(row, from) - 1); i < lane.n.length && lane.from[i] <= to; ++i) {
-    const left = sight.x(lane.from[i]), right = Math.max(left + 1.5, sight.x(lane.to[i]));
+    const left = sight.x(lane.from[i]);
+    const right = Math.max(left + 1.5, sight.x(lane.to[i]));
     if (right < painted + 0.5) {
       i = Math.max(i, lastAtMost(lane.from, sight.t(painted)) - 1);
       continue;
     }
     painted = right;
-    const high = row.value(i) / row.most * (row_px - 3);
+    const high = (row.value(i) / row.most) * (row_px - 3);
     pen.fillRect(left, top + row_px - 1 - high, right - left, high);
   }
 }
 
 /** How much happens when, for the overview: stops a bin, over the whole axis. */
 export function busyBins(data, axis, bins) {
-  const counts = new Float64Array(Math.max(1, bins)), scale = counts.length / Math.max(1e-9, axis.of(data.duration));
-  // Of very many a sample tells as much.
+  const counts = new Float64Array(Math.max(1, bins));
+  const scale = counts.length / Math.max(1e-9, axis.of(data.duration));
+  // A sample is as good where there are very many.
   const stride = Math.max(1, Math.floor(data.stops.length / 50000));
-  for (let i = 0; i < data.stops.length; i += stride) counts[Math.min(counts.length - 1, Math.floor(axis.of(data.t[data.stops[i]]) * scale))] += 1;
+  for (let i = 0; i < data.stops.length; i += stride)
+    counts[Math.min(counts.length - 1, Math.floor(axis.of(data.t[data.stops[i]]) * scale))] += 1;
   return counts;
 }
 
 /** The whole run in small: how much happened when, and the window that is shown above. */
 export function drawOverview(pen, {data, sight, whole, bins, top, colour}) {
-  const {width} = sight, across = width - gutter_px;
+  const {width} = sight;
+  const across = width - gutter_px;
   const most_busy = bins.reduce((a, b) => Math.max(a, b), 1);
   pen.fillStyle = colour('stripe');
   pen.fillRect(gutter_px, top + 3, across, overview_px - 3);
@@ -256,9 +309,11 @@ export function drawOverview(pen, {data, sight, whole, bins, top, colour}) {
     pen.fillRect(gutter_px + i * 2, top + overview_px - 1 - high, 2, high);
   });
   pen.fillStyle = colour('bad');
-  const flags = data.lanes.flag.from, stride = Math.max(1, Math.floor(flags.length / 2000));
+  const flags = data.lanes.flag.from;
+  const stride = Math.max(1, Math.floor(flags.length / 2000));
   for (let i = 0; i < flags.length; i += stride) pen.fillRect(whole.x(flags[i]), top + 3, 1, 4);
-  const left = whole.x(sight.from), right = whole.x(sight.to);
+  const left = whole.x(sight.from);
+  const right = whole.x(sight.to);
   pen.fillStyle = colour('veil');
   pen.fillRect(gutter_px, top + 3, left - gutter_px, overview_px - 3);
   pen.fillRect(right, top + 3, gutter_px + across - right, overview_px - 3);

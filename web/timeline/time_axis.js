@@ -1,7 +1,8 @@
 // From the time of a run to its place on the time axis, and back: idle stretches are drawn short.
+import {lastAtMost} from '../search.js';
 
-const idle_s = 2;      // longer pauses are shortened
-const shown_s = 0.7;   // to this
+const idle_s = 2; // longer pauses are shortened
+const shown_s = 0.7; // to this
 
 /** A way to place times that grows with them; `gaps`: [[from, to]…] that are drawn short. */
 export class TimeAxis {
@@ -18,21 +19,20 @@ export class TimeAxis {
     }
   }
 
-  of(t) { return through(this.times, this.places, t); }
-  back(place) { return through(this.places, this.times, place); }
+  of(t) {
+    return through(this.times, this.places, t);
+  }
+  back(place) {
+    return through(this.places, this.times, place);
+  }
 }
 
 function through(from, to, value) {
-  let low = 0, high = from.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (from[middle] <= value) low = middle + 1; else high = middle;
-  }
-  const i = low - 1;
+  const i = lastAtMost(from, value);
   if (i < 0) return to[0] + value - from[0];
   if (i + 1 >= from.length) return to[i] + value - from[i];
   const width = from[i + 1] - from[i];
-  return width > 0 ? to[i] + (value - from[i]) / width * (to[i + 1] - to[i]) : to[i];
+  return width > 0 ? to[i] + ((value - from[i]) / width) * (to[i + 1] - to[i]) : to[i];
 }
 
 /**

@@ -1,0 +1,60 @@
+// The transitions that were refused where the automaton stood, as dashed arrows in the graph and as a list.
+import {h, s, shown, counted} from '../dom.js';
+import {calmly} from '../calmly.js';
+import {drawRefused} from './graph_draw.js';
+
+const most_arrows = 6;
+const calm_ms = 150; // between questions to the server
+
+export class Refusals {
+  layer = s('g', {class: 'refused-layer'});
+  list = h('details', {class: 'refused-list', hidden: true, 'data-testid': 'graph-refused'});
+  #data;
+  #client;
+  #placed = null; // the graph as layOut() gives it
+  #at = -1; // the record that is shown
+
+  constructor(data, client) {
+    this.#data = data;
+    this.#client = client;
+  }
+
+  /** Shows what was refused at the step, or the refusal, that leads to record n. `quiet`: only takes away the last. */
+  show(n, placed, quiet) {
+    const data = this.#data;
+    const step = data.step(n);
+    const at = data.kind(n) === 'refusal' ? n : step < 0 ? -1 : data.steps.n[step];
+    if (at === this.#at && placed === this.#placed) return;
+    this.#at = at;
+    this.#placed = placed;
+    if (!this.list.hidden) {
+      this.layer.replaceChildren();
+      this.list.hidden = true;
+    }
+    if (at >= 0 && !quiet) this.#ask(at);
+  }
+
+  #ask = calmly(async (at) => {
+    if (at !== this.#at) return;
+    const record = await this.#client.record(at).catch(() => null);
+    if (!record || at !== this.#at) return;
+    const refused = (record.refused ?? []).filter((one) => one?.id);
+    this.layer.replaceChildren(...this.#arrows(record.from ?? record.state, refused));
+    this.list.hidden = !refused.length;
+    const items = refused.map((one) => h('li', {}, h('b', {}, one.id), ` ${shown(one.reason)}`));
+    this.list.replaceChildren(h('summary', {}, `${counted(refused.length, 'candidate')} refused`), h('ul', {}, items));
+  }, calm_ms);
+
+  // An arrow to each state that a refused transition leads to.
+  #arrows(from, refused) {
+    const targets = new Map();
+    for (const one of refused)
+      for (const {id, from: source, to, diverted} of this.#data.graph.edges)
+        if (id === one.id && source === from && !diverted) targets.set(to, [...(targets.get(to) ?? []), one]);
+    const nodeOf = (id) => this.#placed.nodes.find((one) => one.id === id);
+    return [...targets]
+      .slice(0, most_arrows)
+      .map(([to, ones], i) => (nodeOf(from) && nodeOf(to) ? drawRefused(nodeOf(from), nodeOf(to), ones, i) : null))
+      .filter(Boolean);
+  }
+}

@@ -1,0 +1,119 @@
+// The panels of a run, or of two that are compared, and where they stand.
+import {h, tabs} from './dom.js';
+import {copy} from './announce.js';
+import {helpDialog} from './keys.js';
+import {compareDialog} from './panels/compare.js';
+import {goToDialog} from './panels/go_to.js';
+import {whatIfDialog} from './panels/what_if.js';
+import {mountHeader} from './panels/header.js';
+import {mountDialogue} from './panels/dialogue.js';
+import {mountGraph} from './panels/graph.js';
+import {mountScene} from './panels/scene.js';
+import {mountStack} from './panels/stack.js';
+import {mountDerivation} from './panels/derivation.js';
+import {mountLanes} from './panels/lanes.js';
+import {mountRecords} from './panels/records.js';
+import {mountWhy} from './panels/why.js';
+import {hasBranches, mountBranches} from './panels/branches.js';
+import {mountNotes} from './panels/notes.js';
+import {mountDifferences} from './panels/differences.js';
+import {keepMarked, otherSide} from './panels/side_by_side.js';
+
+// A page that is built anew, for a run that has grown, keeps these: a scene is slow to load, a note may be half written.
+const lasting = ['scene', 'notes'];
+
+/**
+ * Mounts the panels of `page`, a RunPage, and places them in `host`. `before`: the page with the panels that these
+ * replace, or null. @returns {parts, dialogs, panels} as RunPage keeps them
+ */
+export function buildPanels(host, page, before = null) {
+  const focused = document.activeElement?.closest?.('.panel')?.dataset.panel;
+  for (const [name, one] of Object.entries(before?.parts ?? {})) if (!lasting.includes(name)) one.close?.();
+  const parts = mountAll(page, before);
+  const dialogs = before?.dialogs ?? mountDialogs(page);
+  const header = h('header', {class: 'top'});
+  const more = tabs('more', inTabs(page, parts), (panel) => page.model.go({tab: panel}));
+  const main = placed(page, parts, more);
+  host.replaceChildren(header, main, ...Object.values(dialogs).map((one) => one.element));
+  if (before && focused && !host.contains(document.activeElement))
+    parts[focused]?.element.querySelector('[tabindex="0"]')?.focus();
+  const panels = [frameOf(main, parts, more), mountHeader(header, page, dialogs), ...Object.values(parts)];
+  return {parts, dialogs, panels};
+}
+
+function mountAll(page, before) {
+  const {data, client, model, cursor, comparison} = page;
+  const {jump} = cursor;
+  const parts = {
+    dialogue: mountDialogue({data, client, jump}),
+    graph: mountGraph({data, client, model, cursor, comparison}),
+    scene: before?.parts.scene ?? mountScene({client, cursor, other: comparison && otherRun(comparison, model)}),
+    lanes: mountLanes({data, model, cursor, comparison}),
+    stack: mountStack({data, client, model, jump}),
+    derivation: mountDerivation({client, model, jump}),
+    why: mountWhy({data, client, jump}),
+    records: mountRecords({data, client, model, cursor}),
+    notes: before?.parts.notes ?? mountNotes({client, cursor, marked: (spans) => page.parts?.lanes.showNotes(spans)}),
+    ...(hasBranches(data) && {branches: mountBranches({client, model})}),
+    ...(comparison && {differences: mountDifferences({comparison, model, jump, copy})}),
+  };
+  return comparison ? withOtherSide(parts, page) : parts;
+}
+
+// The panels of B beside those of A, each with its differences from the other marked.
+function withOtherSide(parts, {comparison, model, cursor}) {
+  const both = {...parts, ...otherSide({comparison, model, jump: cursor.jump})};
+  for (const [name, selector] of [
+    ['stack', '.cell'],
+    ['derivation', '.node-line'],
+  ]) {
+    both[name].element.querySelector('h2').textContent += ' A';
+    keepMarked(both[name].element, both[`${name}_b`].element, selector);
+  }
+  return both;
+}
+
+const mountDialogs = ({id, client, cursor, model}) => ({
+  help: helpDialog(),
+  compare: compareDialog({id, cursor, model}),
+  go_to: goToDialog({cursor}),
+  what_if: whatIfDialog({id, client, cursor, model}),
+});
+
+// The panels that share a place.
+const inTabs = ({comparison}, parts) =>
+  [
+    ...(comparison ? ['differences', 'derivation', 'derivation_b'] : []),
+    ...['why', 'records', 'notes'],
+    ...(parts.branches ? ['branches'] : []),
+  ].map((name) => parts[name].element);
+
+function placed({comparison}, parts, more) {
+  const element = (name) => parts[name].element;
+  return h(
+    'main',
+    {class: comparison ? 'run compared' : 'run'},
+    h('div', {class: 'upper'}, element('dialogue'), element('graph'), element('scene')),
+    element('lanes'),
+    h('div', {class: 'lower'}, element('stack'), element(comparison ? 'stack_b' : 'derivation'), more.element),
+  );
+}
+
+// One panel may fill the page; the others then wait out of sight.
+const frameOf = (main, parts, more) => ({
+  render({panel, tab}) {
+    more.show(parts[panel] && more.has(panel) ? panel : tab);
+    main.classList.toggle('one', Boolean(parts[panel]));
+    for (const [name, part] of Object.entries(parts)) {
+      const large = name === panel;
+      part.element.classList.toggle('enlarged', large);
+      part.element.querySelector('.larger')?.setAttribute('aria-pressed', String(large));
+    }
+  },
+});
+
+/** The other run as the scene shows it: its bodies at the counterpart of record n of this run. */
+function otherRun(comparison, model) {
+  const {client, data} = comparison.side;
+  return {client, timeOf: (n) => data.t[comparison.otherOf({n, hunk: model.selection.hunk})]};
+}
