@@ -1,58 +1,40 @@
 #!/usr/bin/env bash
-# Checks which headers a folder includes: a folder may use those below it, and a third-party library only where it is
-# wrapped. Also that no file outgrows a reader.
+# Checks the headers that a folder includes: its own, those of the folders below, and a third-party library only in the
+# files that wrap it. Checks the length of files and functions too.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 longest=500
+longest_function=60
+# Files whose functions may still be longer.
+longer='engine/machine_file/machine_keys.cpp replay/log/run_index.cpp replay/pictures/film_writer.cpp'
 
-# Files (a pattern over their paths) and what they may include of engine/ and replay/ (folders, or patterns of
-# headers). The first pattern that fits a file counts. A folder may include itself.
-floors='
-engine/core/*                 -
-engine/term/*                 core
-engine/world/*                core
-engine/voxml/*                core term
-engine/automaton/*            core term
-engine/machine_file/*         core term automaton
-engine/analysis/*             core term automaton
-engine/perception/*           core world
-engine/language/*             core term voxml world perception
-engine/moves/*                core term world perception language
-engine/composition/*          core term world voxml moves automaton
-engine/behaviour/*            core term world voxml moves composition
-engine/pipeline/*             core term world voxml automaton perception language moves composition behaviour
-engine/simulation/*           core world behaviour/avatar_command.h
-replay/trace/*                core world perception
-replay/run/*                  core
-replay/views/*                core replay/run
-replay/diff/trace_diff*       core world perception replay/trace replay/run replay/views
-replay/diff/*                 core replay/run replay/views
-replay/explain/*              core replay/run replay/views
-replay/coverage/*             core replay/run replay/views
-replay/exporters/*            core replay/run replay/views
-replay/report/*               core replay/run replay/views replay/diff replay/exporters
-replay/what_if/run_*          core replay/run replay/views
-replay/score/*                core world replay/score/agreement.h replay/score/episodes.h replay/shell_word.h
-replay/pictures/*             core world simulation/renderer.h replay/run replay/views
-replay/inspector/inspector_*  core replay/run replay/views replay/diff replay/exporters replay/explain replay/what_if/run_*
-replay/inspector/run_*        core replay/run replay/views
-replay/recorder/*             pipeline core term world voxml automaton perception language moves composition behaviour replay/trace replay/run replay/score/agreement.h
-'
+# The folders, and what each may include of the others: the lists that the build links by.
+declare -A floors
+engine=$(tr '\n' ' ' < replay/CMakeLists.txt | sed -E 's/.*set\(engine ([^)]*)\).*/\1/')
+while read -r folder allowed; do
+  allowed=${allowed%%NEEDS*}
+  floors[$folder]=" ${allowed/'${engine}'/$engine} "
+done < <(cat engine/CMakeLists.txt replay/CMakeLists.txt | tr '\n' ' ' | grep -oE 'continua_folder\([^)]*' |
+  sed -E 's/continua_folder\(([a-z_]+) MAY_INCLUDE/\1/; s/ +/ /g')
+
+# Folders that may include only some headers of another one: FOLDER/OTHER and the headers.
+declare -A only=(
+  [pictures/simulation]="renderer.h"
+)
 
 # Third-party headers and the only files that may include them.
 wrappers='
 nlohmann/*     engine/core/located_json.h
 xxhash.h       engine/core/digest.cpp
 Eigen/*        engine/world/*.h engine/world/*.cpp engine/simulation/*
-pugixml.hpp    engine/voxml/catalogue* engine/machine_file/jflap* engine/simulation/scene* tests/replay/exporters/* tests/replay/report/*
+pugixml.hpp    engine/voxml/catalogue* engine/machine_file/jflap* engine/simulation/scene* tests/replay/export/*
 mujoco/*       engine/simulation/*
 EGL/*          engine/simulation/*
 GL/*           engine/simulation/*
-png.h          engine/simulation/*
 httplib.h      replay/server/*
-zlib.h         replay/inspector/gzip.cpp
+zlib.h         engine/core/gzip.cpp
 cairo*         replay/pictures/canvas.cpp
-graphviz/*     replay/exporters/graph_layout.cpp
+graphviz/*     replay/export/graph_layout.cpp
 CLI/*          replay/main.cpp replay/commands/*
 catch2/*       tests/support/*
 rapidcheck*    tests/*
@@ -74,17 +56,21 @@ fits_any() {
   return 1
 }
 
-# Our header $3, included on line $2 of file $1.
+# Our header $3, included on line $2 of file $1: "continua/FOLDER/NAME.h" or "continua/replay/FOLDER/NAME.h".
 check_ours() {
-  local file=$1 line=$2 header=$3 pattern allowed entry
-  while read -r pattern allowed; do
-    [[ -n $pattern ]] && fits_any "$file" "$pattern" || continue
-    fits_any "engine/$header" "${file%/*}/*" && return
-    fits_any "$header" "${file%/*}/*" && return
-    for entry in $allowed; do fits_any "$header" "$entry" "$entry/*" && return; done
-    complain "$file:$line: includes \"$header\"; this file may include: ${allowed}"
-    return
-  done <<< "$floors"
+  local file=$1 line=$2 header=${3#continua/} folder other
+  header=${header#replay/}
+  case $file in
+    engine/*/* | replay/*/*) folder=${file#*/} folder=${folder%%/*} ;;
+    *) return 0 ;;
+  esac
+  other=${header%%/*}
+  [[ $other == "$folder" || $other == "$header" ]] && return
+  if [[ " ${floors[$folder]-} " != *" $other "* ]]; then
+    complain "$file:$line: includes \"$3\"; this folder may include: ${floors[$folder]-nothing: CMake does not know it}"
+  elif [[ -n ${only[$folder/$other]-} && " ${only[$folder/$other]} " != *" ${header#*/} "* ]]; then
+    complain "$file:$line: includes \"$3\"; of $other this folder may include: ${only[$folder/$other]}"
+  fi
 }
 
 # The header $3 in angle brackets, included on line $2 of file $1.
@@ -111,5 +97,11 @@ while read -r count file; do
 done < <(find engine replay tests web ci mjcf traces -name node_modules -prune -o -type f \
   \( -name '*.h' -o -name '*.cpp' -o -name '*.js' -o -name '*.css' -o -name '*.html' -o -name '*.sh' -o -name '*.md' \) \
   -exec wc -l {} \;)
+
+while IFS=: read -r file rest; do
+  [[ " $longer " == *" $file "* ]] || complain "$file:$rest"
+done < <(find engine replay web tests/web -name node_modules -prune -o -type f \
+  \( -name '*.h' -o -name '*.cpp' -o -name '*.js' -o -name '*.mjs' \) -print0 |
+  xargs -0 awk -v limit="$longest_function" -f ci/long_functions.awk)
 
 exit "$fail"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Replays traces in the release and the debug build, in processes that have nothing else in common: number of threads,
-# language, time zone, layout of the address space. Wants the same bytes of all: where no physics runs a log may depend
-# on nothing but its trace, seed and machine. The paper's examples a thousand times, recorded sessions four times, and
+# language, time zone, layout of the address space. All must give the same bytes: without physics a log depends on
+# its trace, seed and machine alone. The paper's examples a thousand times, recorded sessions four times, and
 # twice led by what was observed.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Installs what the build needs on Debian 12, as far as it is missing. With --tests also what the tests need.
+# Installs the missing packages of the build on Debian 12; with --tests those of the tests too.
 set -euo pipefail
 
 packages=(
   build-essential cmake ninja-build pkg-config git ca-certificates
   libmujoco-dev libeigen3-dev libegl-dev libegl-mesa0 libgl1-mesa-dri
-  libcpp-httplib-dev nlohmann-json3-dev libpugixml-dev libcli11-dev libfmt-dev libxxhash-dev libpng-dev zlib1g-dev
+  libcpp-httplib-dev nlohmann-json3-dev libpugixml-dev libcli11-dev libfmt-dev libxxhash-dev libutf8proc-dev zlib1g-dev
   libgraphviz-dev libcairo2-dev fonts-dejavu-core ffmpeg
   catch2 librapidcheck-dev libbenchmark-dev
 )

@@ -3,6 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 ci/setup.sh --tests
+cmake --preset release  # brings the packages, and with them the page's formatter
 ci/format.sh
 ci/floors.sh
 ci/build.sh

@@ -3,38 +3,75 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <array>
+#include <algorithm>
 #include <exception>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "core/located_json.h"
-#include "replay/commands/accept.h"
-#include "replay/commands/check.h"
-#include "replay/commands/command.h"
-#include "replay/commands/coverage.h"
-#include "replay/commands/diff.h"
-#include "replay/commands/explain.h"
-#include "replay/commands/export.h"
-#include "replay/commands/import.h"
-#include "replay/commands/machine.h"
-#include "replay/commands/record.h"
-#include "replay/commands/render.h"
-#include "replay/commands/replay.h"
-#include "replay/commands/score.h"
-#include "replay/commands/serve.h"
-#include "replay/commands/shrink.h"
-#include "replay/commands/validate.h"
-#include "replay/session/version.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/commands/accept.h"
+#include "continua/replay/commands/check.h"
+#include "continua/replay/commands/command.h"
+#include "continua/replay/commands/coverage.h"
+#include "continua/replay/commands/diff.h"
+#include "continua/replay/commands/explain.h"
+#include "continua/replay/commands/export.h"
+#include "continua/replay/commands/import.h"
+#include "continua/replay/commands/machine.h"
+#include "continua/replay/commands/record.h"
+#include "continua/replay/commands/render.h"
+#include "continua/replay/commands/replay.h"
+#include "continua/replay/commands/score.h"
+#include "continua/replay/commands/serve.h"
+#include "continua/replay/commands/shrink.h"
+#include "continua/replay/commands/validate.h"
+#include "continua/replay/session/version.h"
 
 namespace continua {
 namespace {
 
-constexpr std::array commands = {
-    add_replay_command,   add_record_command, add_explain_command, add_diff_command,   add_serve_command,
-    add_render_command,   add_export_command, add_machine_command, add_import_command, add_check_command,
-    add_coverage_command, add_score_command,  add_shrink_command,  add_accept_command, add_validate_command,
+struct Subcommand {
+  CLI::App* described;
+  std::function<int()> run;
 };
+
+template <class Options>
+Subcommand add(CLI::App& program, const char* name, const char* purpose, void (*describe)(CLI::App&, Options&),
+               int (*run)(const Options&)) {
+  auto options = std::make_shared<Options>();
+  auto* described = program.add_subcommand(name, purpose);
+  describe(*described, *options);
+  return {described, [options, run] { return run(*options); }};
+}
+
+// In the order of the help.
+std::vector<Subcommand> add_all(CLI::App& program) {
+  return {
+      add(program, "replay", "Run traces through the engine and write their run logs", describe_replay, run_replay),
+      add(program, "record", "Talk and point to the avatar, and keep the session", describe_record, run_record),
+      add(program, "explain", "Tell why a run went as it did at one of its records", describe_explain, run_explain),
+      add(program, "diff", "Tell where two runs, or two traces, part and why", describe_diff, run_diff_command),
+      add(program, "serve", "Show runs in a browser", describe_serve, run_serve),
+      add(program, "render", "Draw pictures or a film of a run, without a display", describe_render, run_render),
+      add(program, "export", "Write a run in another format", describe_export, run_export),
+      add(program, "machine", "Describe a machine, or draw it", describe_machine, run_machine),
+      add(program, "import", "Turn VoxSim session logs into traces", describe_import, run_import),
+      add(program, "check",
+          "Check what the project's files say of themselves, and hold traces against their approved runs",
+          describe_check, run_check),
+      add(program, "coverage", "Tell what of their machines and of the knowledge runs reach, and what never",
+          describe_coverage, run_coverage),
+      add(program, "score", "Replay traces and compare the avatar's moves with those that were observed",
+          describe_score, run_score),
+      add(program, "shrink", "Find the smallest trace that still does something", describe_shrink, run_shrink),
+      add(program, "accept", "Tell which words a machine accepts", describe_accept, run_accept),
+      add(program, "validate",
+          "Check traces, machines, phrases, lexicons, voxemes, scenes, run logs, notes and session logs",
+          describe_validate, run_validate),
+  };
+}
 
 std::vector<std::string> options_of(const CLI::App& command) {
   std::vector<std::string> names;
@@ -70,8 +107,7 @@ int run_program(int argc, char** argv) {
   program.footer(
       "Exit status: 0 done, 1 the answer is no, 2 it could not be done.\n"
       "'continua COMMAND --help' describes a command.");
-  Run run;
-  for (const auto add : commands) add(program, run);
+  const auto subcommands = add_all(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help, --version
@@ -80,7 +116,9 @@ int run_program(int argc, char** argv) {
     report({"", sentence_of(program, problem)});
     return exit_impossible;
   }
-  return run();
+  const auto chosen = std::find_if(subcommands.begin(), subcommands.end(),
+                                   [](const Subcommand& one) { return one.described->parsed(); });
+  return chosen->run();
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Runs the commands of README.md's console blocks in the source tree, with `build/` standing for the build tree given as
-# the first argument, and compares what they print with what the README says. How long a check took is a second there.
+# Runs the commands in the console blocks of README.md and of docs/ in the source tree, with `build/` standing for the
+# build tree given as the first argument, and compares the output with the page. The time that a check took is a second
+# there. Each page is run from an empty folder for `build/`.
 set -uo pipefail
 build=$1
 cd "$(dirname "$0")/.."
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+all=$(mktemp -d)
+trap 'rm -rf "$all"' EXIT
 failed=0
 
 # A command that serves is given a moment and then stopped; its port is replaced by a free one.
@@ -27,20 +28,32 @@ check() {
   local found
   found=$(run "$command")
   if [[ "$found" != "${expected%$'\n'}" ]]; then
-    printf '$ %s\n--- README.md says\n%s\n--- it prints\n%s\n' "$command" "${expected%$'\n'}" "$found" >&2
+    printf '$ %s\n--- %s says\n%s\n--- it prints\n%s\n' "$command" "$page" "${expected%$'\n'}" "$found" >&2
     failed=1
   fi
   commands=$((commands + 1))
 }
 
-inside=false command='' expected='' commands=0
-while IFS= read -r line; do
-  case "$line" in
-    '```console') inside=true ;;
-    '```') if [[ $inside == true ]]; then check; fi; inside=false command='' expected='' ;;
-    '$ '*) if [[ $inside == true ]]; then check; command=${line#'$ '} expected=''; fi ;;
-    *) if [[ $inside == true ]]; then expected+=$line$'\n'; fi ;;
-  esac
-done < README.md
-if ((commands == 0)); then echo "README.md has no console blocks" >&2; exit 1; fi
+# Runs the console blocks of $page, and counts their commands.
+check_page() {
+  local inside=false command='' expected='' line
+  while IFS= read -r line; do
+    case "$line" in
+      '```console') inside=true ;;
+      '```') if [[ $inside == true ]]; then check; fi; inside=false command='' expected='' ;;
+      '$ '*) if [[ $inside == true ]]; then check; command=${line#'$ '} expected=''; fi ;;
+      *) if [[ $inside == true ]]; then expected+=$line$'\n'; fi ;;
+    esac
+  done < "$page"
+}
+
+for page in README.md docs/tour.md docs/*.md; do
+  out=$all/$(basename "$page" .md)
+  # Named twice above, so that a tour that has no blocks any more is noticed.
+  if [[ -d $out ]]; then continue; fi
+  mkdir "$out"
+  commands=0
+  check_page
+  if [[ $commands == 0 && $page =~ README|tour ]]; then echo "$page has no console blocks" >&2; failed=1; fi
+done
 exit "$failed"

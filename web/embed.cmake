@@ -33,7 +33,7 @@ endforeach()
 string(APPEND assembly ".section .note.GNU-stack,\"\",%progbits\n")
 
 file(WRITE "${OUT}/assets.S" "${assembly}")
-file(WRITE "${OUT}/assets.cpp" "#include \"web/assets.h\"
+file(WRITE "${OUT}/assets.cpp" "#include \"continua/web/assets.h\"
 
 extern \"C\" {
 ${declarations}}

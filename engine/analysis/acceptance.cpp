@@ -1,10 +1,10 @@
-#include "analysis/acceptance.h"
+#include "continua/analysis/acceptance.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "analysis/saturation.h"
+#include "continua/analysis/saturation.h"
 
 namespace continua {
 

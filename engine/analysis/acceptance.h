@@ -1,23 +1,23 @@
-// The classical question: does a machine accept a word? Decided, not searched for: λ-cycles, also growing ones, and any
-// number of branches end in an answer, in time polynomial in the length of the word.
+// Acceptance of words: the classical question. The answer is decided, not searched for: ε-cycles that grow the stack,
+// and any number of branches, end in an answer, in time polynomial in the length of the word.
 //
-// A configuration of the machine is read as one of a pushdown system: its control is the state with registers, history
-// and position in the word; its stack alphabet the stack symbols that occur. The reachable configurations, infinitely
-// many as they may be, are a regular set of stacks, and the finite automaton of that set grows by saturation until
-// nothing is left to add (post*: Bouajjani, Esparza & Maler 1997, "Reachability analysis of pushdown automata";
-// Schwoon 2002, "Model-checking pushdown systems", §3.1; with the position in the word as a part of the control it is
-// Lang's tabulation of 1974). What a transition does to the topmost symbol is asked of the stepper's own parts
-// (automaton/firing.h), so that the verdict is about the machine as it runs.
+// The machine is read as a pushdown system. A control is a state with registers, history and position in the word; the
+// stack alphabet is the set of stack symbols that occur. The reachable configurations may be infinitely many, but their
+// stacks are a regular set. The finite automaton of this set grows by saturation until nothing is left to add (post*:
+// Bouajjani, Esparza & Maler 1997, "Reachability analysis of pushdown automata"; Schwoon 2002, "Model-checking pushdown
+// systems", §3.1; with the position in the word as a part of the control it is Lang's tabulation of 1974). The parts of
+// the stepper (automaton/firing.h) say how a transition changes the topmost symbol, so the verdict is about the machine
+// as it runs.
 //
-// ε-transitions are optional, as in the textbook, and inputs that no transition takes reject the word.
+// ε-transitions are optional, as in the textbook. An input that no transition takes rejects the word.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "automaton/machine.h"
-#include "core/result.h"
+#include "continua/automaton/machine.h"
+#include "continua/core/result.h"
 
 namespace continua {
 
@@ -31,8 +31,8 @@ class Acceptance {
   explicit Acceptance(std::shared_ptr<const Machine> machine, AcceptBy by = AcceptBy::final_state);
   ~Acceptance();
 
-  /// `word`: input symbols. An error where the question is not a classical one: the machine makes stack symbols or
-  /// registers without end (a counter in a slot), or has beliefs.
+  /// `word`: input symbols. Errors: the machine makes stack symbols or registers without end (a counter in a slot), or
+  /// has beliefs; then the question is not the classical one.
   Result<bool> accepts(const std::vector<std::string>& word);
 
  private:

@@ -1,4 +1,4 @@
-#include "analysis/condition_overlap.h"
+#include "continua/analysis/condition_overlap.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "term/term_text.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 namespace {

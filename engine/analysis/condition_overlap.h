@@ -1,17 +1,18 @@
-// Can two conditions hold at once? Answered from their text alone: no world, no configuration.
+// Overlap of two conditions: can both hold at once? The answer comes from their terms alone, without a world or a
+// configuration.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "automaton/machine.h"
+#include "continua/automaton/machine.h"
 
 namespace continua {
 
-/// What would have to hold for both conditions to hold, as a conjunction: "size(options) > 1 and region != null";
-/// "" where neither asks for anything. Nothing if they exclude each other, by comparing one term with values that
-/// do not go together, or by asking for a fact and its contrary. An answer is no proof: terms that are written
-/// differently may depend on each other. Definitions are looked into; nullopt as a condition holds always.
+/// A conjunction under which both conditions hold, "size(options) > 1 and region != null"; "" if neither asks for
+/// anything. Nothing if they exclude each other: they compare one term with values that cannot both be its value, or
+/// ask for a fact and its contrary. A conjunction is no proof, since terms with different texts may depend on each
+/// other. Definitions are expanded. The condition nullopt always holds.
 std::optional<std::string> overlap(const std::optional<Term>& a, const std::optional<Term>& b, const Machine& machine);
 
 }  // namespace continua

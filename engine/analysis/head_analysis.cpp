@@ -1,4 +1,4 @@
-#include "analysis/head_analysis.h"
+#include "continua/analysis/head_analysis.h"
 
 #include <algorithm>
 #include <deque>
@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/saturation.h"
-#include "automaton/stack_operation.h"
-#include "term/term_text.h"
+#include "continua/analysis/saturation.h"
+#include "continua/automaton/stack_operation.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 namespace {

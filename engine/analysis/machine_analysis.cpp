@@ -1,13 +1,13 @@
-#include "analysis/machine_analysis.h"
+#include "continua/analysis/machine_analysis.h"
 
 #include <algorithm>
 #include <tuple>
 
 #include <fmt/format.h>
 
-#include "analysis/condition_overlap.h"
-#include "analysis/head_analysis.h"
-#include "analysis/machine_reads.h"
+#include "continua/analysis/condition_overlap.h"
+#include "continua/analysis/head_analysis.h"
+#include "continua/analysis/machine_reads.h"
 
 namespace continua {
 namespace {

@@ -1,10 +1,10 @@
-// What a machine is and what is wrong with it: its class (semantics §1, Special cases), conflicts, states and
-// transitions that can never play a part.
+// The class of a machine (SEMANTICS.md §1, Special cases) and its faults: conflicts, and states and transitions that
+// can never play a part.
 //
-// A machine that reads nothing but its input symbols, stack and registers, with finitely many values, is decided: all
-// heads (state, registers, topmost symbol) that some word reaches are found by saturation (analysis/saturation.h). Of
-// others, which read the world or what inputs carry, the graph and the text of conditions are judged; then a conflict
-// is a possible one, and what is reported unreachable still is.
+// A machine that reads only its input symbols, stack and registers, with finitely many values, is decided: saturation
+// (analysis/saturation.h) finds all heads (state, registers, topmost symbol) that some word reaches. Machines that read
+// the world or the content of inputs are judged by their graph and the terms of their conditions. Their conflicts are
+// possible ones; their unreachable states are certain.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "automaton/machine.h"
+#include "continua/automaton/machine.h"
 
 namespace continua {
 
@@ -22,8 +22,8 @@ struct Conflict {
   std::size_t first = 0, second = 0;  ///< transitions, in file order
   std::optional<std::string>
       input;            ///< one that both take, or that one takes while the other is an ε-transition; none: both ε
-  std::string witness;  ///< what is on top and in the registers, or what must hold; "" is anything
-  std::optional<std::string> word;  ///< input symbols that lead there, joined by spaces, where such were found
+  std::string witness;  ///< topmost symbol and registers, or the condition for the conflict; "" is anything
+  std::optional<std::string> word;  ///< input symbols that lead there, joined by spaces, if found
 };
 
 struct MachineAnalysis {

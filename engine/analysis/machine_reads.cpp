@@ -1,4 +1,4 @@
-#include "analysis/machine_reads.h"
+#include "continua/analysis/machine_reads.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "term/evaluate.h"
+#include "continua/term/evaluate.h"
 
 namespace continua {
 namespace {

@@ -1,8 +1,8 @@
-#include "analysis/pushdown_system.h"
+#include "continua/analysis/pushdown_system.h"
 
-#include "automaton/stack_operation.h"
-#include "core/result.h"
-#include "term/term_text.h"
+#include "continua/automaton/stack_operation.h"
+#include "continua/core/result.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 namespace {

@@ -1,8 +1,8 @@
-// A machine as a pushdown system: what may happen in a control with a symbol on top, found out when it is asked for.
+// A machine as a pushdown system: the rules for a control with a symbol on top, computed on demand.
 //
 // Configurations of a machine hold terms, so controls and stack symbols are numbered as they turn up. A control is a
-// state with registers and history; between the parts of a transition (automaton/firing.h) also what is left to do,
-// such as to go on popping. The topmost symbol is all that a rule sees, and a rule puts a word of symbols in its place.
+// state with registers and history; between the parts of a transition (automaton/firing.h) it also has the work left,
+// such as further pops. A rule sees the topmost symbol alone, and replaces it with a word of symbols.
 #pragma once
 
 #include <compare>
@@ -14,21 +14,21 @@
 #include <unordered_map>
 #include <vector>
 
-#include "automaton/stepper.h"
+#include "continua/automaton/stepper.h"
 
 namespace continua {
 
-/// In place of the topmost symbol comes `word`, topmost first.
+/// Replaces the topmost symbol with `word`, topmost first.
 struct PushdownRule {
   int control = 0;
   std::vector<int> word;
-  std::optional<std::size_t> transition;  ///< the one that fires here; none where an earlier one is carried on
+  std::optional<std::size_t> transition;  ///< the transition that fires here; none while an earlier one continues
 };
 
 class PushdownSystem {
  public:
   static constexpr int epsilon = -1;
-  /// More controls or symbols than this are taken for endlessly many: 20,000, and some for each state and transition.
+  /// More controls or symbols than this count as endlessly many: 20,000, and some for each state and transition.
   std::size_t most_values() const { return 20000 + 4 * (machine_->states.size() + machine_->transitions.size()); }
 
   /// REQUIRES a machine without beliefs. Facts of the world are null.

@@ -1,4 +1,4 @@
-#include "analysis/saturation.h"
+#include "continua/analysis/saturation.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
-// All configurations that a pushdown system can reach while it reads a word, as a finite automaton of their stacks that
-// is saturated letter by letter (post*; sources in analysis/acceptance.h).
+// All configurations that a pushdown system can reach while it reads a word, as a finite automaton of their stacks,
+// saturated letter by letter (post*; sources in analysis/acceptance.h).
 //
 // An edge (control, symbol, rest) of the present layer stands for the configurations in that control with that symbol
 // on top of any stack that `rest` spells. Nodes spell stacks by their own edges, down to node 0, the end. A push makes
-// edges through the node of (layer, control, pushed symbol), so that endless pushing comes back to where it was.
+// edges through the node of (layer, control, pushed symbol), so endless pushing comes back to the same node.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "analysis/pushdown_system.h"
+#include "continua/analysis/pushdown_system.h"
 
 namespace continua {
 
@@ -26,9 +26,10 @@ class Saturation {
 
   explicit Saturation(PushdownSystem& system);
 
-  /// What can be reached by ε-rules now, and by those of `free_letters`, which may come at any time and number.
+  /// Adds the configurations that ε-rules reach now, and the rules of `free_letters`, which may come at any time and
+  /// in any number.
   void close(const std::vector<int>& free_letters = {});
-  /// One letter on: the present layer becomes what its rules lead to.
+  /// Reads one letter: the next layer has the configurations that its rules lead to.
   void read(int letter);
 
   /// In the order in which they were reached.

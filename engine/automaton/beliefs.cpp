@@ -1,4 +1,4 @@
-#include "automaton/beliefs.h"
+#include "continua/automaton/beliefs.h"
 
 #include <algorithm>
 #include <cctype>

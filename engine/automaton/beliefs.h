@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "automaton/symbol_set.h"
-#include "term/term.h"
+#include "continua/automaton/symbol_set.h"
+#include "continua/term/term.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "automaton/carry_over.h"
+#include "continua/automaton/carry_over.h"
 
 #include <algorithm>
 #include <map>
@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 namespace {

@@ -1,10 +1,10 @@
 // A run goes on with another machine: what the automaton is in, told in that machine's terms.
 #pragma once
 
-#include "automaton/choice.h"
-#include "automaton/exploration.h"
-#include "automaton/machine.h"
-#include "core/result.h"
+#include "continua/automaton/choice.h"
+#include "continua/automaton/exploration.h"
+#include "continua/automaton/machine.h"
+#include "continua/core/result.h"
 
 namespace continua {
 

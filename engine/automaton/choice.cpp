@@ -1,4 +1,4 @@
-#include "automaton/choice.h"
+#include "continua/automaton/choice.h"
 
 #include <algorithm>
 #include <array>

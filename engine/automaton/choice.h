@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/random.h"
+#include "continua/core/random.h"
 
 namespace continua {
 

@@ -1,11 +1,11 @@
-#include "automaton/condition.h"
+#include "continua/automaton/condition.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <set>
 
-#include "term/term_text.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "automaton/machine.h"
-#include "term/evaluate.h"
+#include "continua/automaton/machine.h"
+#include "continua/term/evaluate.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "automaton/configuration.h"
+#include "continua/automaton/configuration.h"
 
 #include <algorithm>
 #include <utility>

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "automaton/stack.h"
+#include "continua/automaton/stack.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "automaton/exploration.h"
+#include "continua/automaton/exploration.h"
 
 #include <algorithm>
 #include <map>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "automaton/stepper.h"
+#include "continua/automaton/stepper.h"
 
 namespace continua {
 

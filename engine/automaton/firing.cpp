@@ -1,12 +1,12 @@
-#include "automaton/firing.h"
+#include "continua/automaton/firing.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "automaton/condition.h"
-#include "automaton/stack_operation.h"
-#include "automaton/wording.h"
+#include "continua/automaton/condition.h"
+#include "continua/automaton/stack_operation.h"
+#include "continua/automaton/wording.h"
 
 namespace continua {
 namespace {

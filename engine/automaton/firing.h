@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "automaton/input.h"
-#include "automaton/step_event.h"
+#include "continua/automaton/input.h"
+#include "continua/automaton/step_event.h"
 
 namespace continua {
 

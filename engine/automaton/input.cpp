@@ -1,4 +1,4 @@
-#include "automaton/input.h"
+#include "continua/automaton/input.h"
 
 #include <array>
 

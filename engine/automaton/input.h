@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "term/term.h"
+#include "continua/term/term.h"
 
 namespace continua {
 

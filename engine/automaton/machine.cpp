@@ -1,4 +1,4 @@
-#include "automaton/machine.h"
+#include "continua/automaton/machine.h"
 
 #include <algorithm>
 

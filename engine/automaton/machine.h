@@ -10,12 +10,12 @@
 #include <variant>
 #include <vector>
 
-#include "automaton/beliefs.h"
-#include "automaton/choice.h"
-#include "automaton/configuration.h"
-#include "automaton/input.h"
-#include "automaton/symbol_set.h"
-#include "term/term_text.h"
+#include "continua/automaton/beliefs.h"
+#include "continua/automaton/choice.h"
+#include "continua/automaton/configuration.h"
+#include "continua/automaton/input.h"
+#include "continua/automaton/symbol_set.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 

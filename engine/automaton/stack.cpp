@@ -1,8 +1,8 @@
-#include "automaton/stack.h"
+#include "continua/automaton/stack.h"
 
 #include <algorithm>
 
-#include "core/result.h"
+#include "continua/core/result.h"
 
 namespace continua {
 

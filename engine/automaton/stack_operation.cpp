@@ -1,10 +1,10 @@
-#include "automaton/stack_operation.h"
+#include "continua/automaton/stack_operation.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "core/result.h"
+#include "continua/core/result.h"
 
 namespace continua {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "automaton/machine.h"
+#include "continua/automaton/machine.h"
 
 namespace continua {
 

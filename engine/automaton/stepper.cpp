@@ -1,12 +1,12 @@
-#include "automaton/stepper.h"
+#include "continua/automaton/stepper.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "automaton/stack_operation.h"
-#include "automaton/wording.h"
+#include "continua/automaton/stack_operation.h"
+#include "continua/automaton/wording.h"
 
 namespace continua {
 

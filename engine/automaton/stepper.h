@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "automaton/firing.h"
+#include "continua/automaton/firing.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "automaton/symbol_set.h"
+#include "continua/automaton/symbol_set.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "automaton/wording.h"
+#include "continua/automaton/wording.h"
 
 namespace continua {
 namespace {

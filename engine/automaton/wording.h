@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "automaton/machine.h"
-#include "term/evaluate.h"
+#include "continua/automaton/machine.h"
+#include "continua/term/evaluate.h"
 
 namespace continua {
 

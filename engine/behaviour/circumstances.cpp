@@ -1,9 +1,9 @@
-#include "behaviour/circumstances.h"
+#include "continua/behaviour/circumstances.h"
 
 #include <utility>
 
-#include "term/rules.h"
-#include "world/relations.h"
+#include "continua/term/rules.h"
+#include "continua/world/relations.h"
 
 namespace continua {
 namespace {
@@ -37,7 +37,7 @@ Term place_term(const ObjectState& object, const WorldSnapshot& world) {
     for (const auto& other : world.objects) {
       const Landmark landmark = Landmark::object(other);
       if (holds_by(relation, object, {&landmark, 1}, world.table, Perspective::avatar) > 0)
-        return applied(std::string(text(relation)), {Term::entity(other.name)});
+        return applied(std::string(name_of(relation)), {Term::entity(other.name)});
     }
   return Term::point(object.p_WO.x(), object.p_WO.y(), world.table.max.z());
 }
@@ -99,14 +99,14 @@ std::optional<bool> Circumstances::one_holds(const Expression& condition, const 
   }
   std::string relation = condition.name;
   if (arguments.size() == 2 && (relation == "contain" || relation == "support")) {
-    relation = text(relation == "contain" ? Relation::in : Relation::on);
+    relation = name_of(relation == "contain" ? Relation::in : Relation::on);
     std::swap(arguments[0], arguments[1]);
   }
   if (!relation_named(relation) || arguments.size() < 2) return std::nullopt;
   const Term thing = arguments[0];
   arguments.erase(arguments.begin());
   // A place may be at(y, on(z)) or at(y, <0, 0, 0>) as well as at(y, z).
-  const bool is_place = relation == text(Relation::at) && arguments.size() == 1 && !is_constant(arguments[0]);
+  const bool is_place = relation == name_of(Relation::at) && arguments.size() == 1 && !is_constant(arguments[0]);
   if (is_place && is_wide(arguments[0]) && brought_ && is_constant(thing) && !brought_->contains(thing.name()))
     return false;
   const RuleTable none({});

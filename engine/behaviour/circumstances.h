@@ -6,10 +6,10 @@
 #include <set>
 #include <string>
 
-#include "composition/methods.h"
-#include "term/term.h"
-#include "voxml/expression.h"
-#include "world/world_snapshot.h"
+#include "continua/facts/methods.h"
+#include "continua/term/term.h"
+#include "continua/voxml/expression.h"
+#include "continua/world/world_snapshot.h"
 
 namespace continua {
 

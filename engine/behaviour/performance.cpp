@@ -1,17 +1,17 @@
-#include "behaviour/performance.h"
+#include "continua/behaviour/performance.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "behaviour/performance_turn.h"
-#include "behaviour/planner.h"
+#include "continua/behaviour/performance_turn.h"
+#include "continua/behaviour/planner.h"
 
 namespace continua {
 namespace {
 
 using Status = ActReport::Status;
 
-bool moves_arm(Capability what) { return what != Capability::look && what != Capability::signal; }
+bool moves_arm(Capability what) { return effect_of(what) != ActEffect::announced; }
 
 bool stops(const Term& program, Perspective perspective) {
   const auto command = plan(program, false, perspective);

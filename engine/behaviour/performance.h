@@ -10,10 +10,10 @@
 #include <variant>
 #include <vector>
 
-#include "behaviour/avatar_command.h"
-#include "behaviour/circumstances.h"
-#include "term/term.h"
-#include "voxml/catalogue.h"
+#include "continua/behaviour/circumstances.h"
+#include "continua/body/body.h"
+#include "continua/term/term.h"
+#include "continua/voxml/catalogue.h"
 
 namespace continua {
 

@@ -1,13 +1,14 @@
-#include "behaviour/performance_turn.h"
+#include "continua/behaviour/performance_turn.h"
 
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "behaviour/planner.h"
-#include "behaviour/preconditions.h"
-#include "term/term_text.h"
+#include "continua/behaviour/planner.h"
+#include "continua/behaviour/preconditions.h"
+#include "continua/body/placement.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 namespace {

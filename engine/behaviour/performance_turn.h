@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "behaviour/performance.h"
+#include "continua/behaviour/performance.h"
 
 namespace continua {
 

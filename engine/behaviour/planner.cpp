@@ -1,4 +1,4 @@
-#include "behaviour/planner.h"
+#include "continua/behaviour/planner.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "term/term_text.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 namespace {
@@ -15,41 +15,6 @@ namespace {
 constexpr double lift_height_m = 0.1;
 
 constexpr double quarter_turn_deg = 90, rad_per_deg = 0.017453292519943295;
-
-// The body's programs and what they take: a thing, a place, or either; an angle is in degrees.
-enum class Takes { nothing, thing, thing_and_angle, thing_and_goal, thing_or_place, last_is_thing_or_place };
-struct Program {
-  std::string_view name;
-  Capability what;
-  Takes takes;
-};
-constexpr std::array programs = {
-    Program{"grasp", Capability::grasp, Takes::thing},
-    Program{"hold", Capability::grasp, Takes::thing},
-    Program{"lift", Capability::lift, Takes::thing},
-    Program{"ungrasp", Capability::ungrasp, Takes::thing},
-    Program{"put", Capability::put, Takes::thing_and_goal},
-    Program{"move", Capability::move, Takes::thing_and_goal},
-    Program{"slide", Capability::slide, Takes::thing_and_goal},
-    Program{"push", Capability::push, Takes::thing_and_goal},
-    Program{"turn", Capability::turn, Takes::thing},
-    Program{"turn_by", Capability::turn, Takes::thing_and_angle},
-    Program{"retract", Capability::retract, Takes::nothing},
-    Program{"stop", Capability::stop, Takes::nothing},
-    Program{"reach", Capability::reach, Takes::thing_or_place},
-    Program{"look_at", Capability::look, Takes::thing_or_place},
-    Program{"point", Capability::point, Takes::last_is_thing_or_place},
-};
-
-const Program* program_named(std::string_view name) {
-  const auto found = std::find_if(programs.begin(), programs.end(), [&](const auto& one) { return one.name == name; });
-  return found == programs.end() ? nullptr : &*found;
-}
-
-std::size_t most(const Program& program) {
-  if (program.takes == Takes::nothing) return 0;
-  return program.takes == Takes::thing || program.takes == Takes::thing_or_place ? 1 : 2;
-}
 
 bool is_thing(const Term& term) { return term.kind() == Term::Kind::constant && term.type() == Type::entity(); }
 
@@ -75,7 +40,7 @@ std::optional<Goal> goal_of(const Term& term, Perspective perspective) {
 Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective) {
   AvatarCommand command;
   const auto [head, arguments] = program.spine();
-  const auto* known = head.kind() == Term::Kind::constant ? program_named(head.name()) : nullptr;
+  const auto* known = head.kind() == Term::Kind::constant ? body_program(head.name()) : nullptr;
   if (!known) {
     if (!gesture) return Error{"", fmt::format("{} is no program that the body can perform", print(program))};
     command.name = program.kind() == Term::Kind::text ? program.text_value() : print(program);
@@ -84,8 +49,8 @@ Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspe
   command.what = known->what;
   const auto wrong = [&] { return Error{"", fmt::format("{} lacks an object or a place", print(program))}; };
   // Who points with what may be left out.
-  const std::size_t least = known->takes == Takes::last_is_thing_or_place ? 1 : most(*known);
-  if (arguments.size() < least || arguments.size() > most(*known)) return wrong();
+  const std::size_t least = known->takes == Takes::last_is_thing_or_place ? 1 : most_arguments(*known);
+  if (arguments.size() < least || arguments.size() > most_arguments(*known)) return wrong();
   if (known->takes == Takes::nothing) return command;
   if (known->takes == Takes::thing_and_angle) {
     if (!is_thing(arguments[0]) || arguments[1].kind() != Term::Kind::number) return wrong();
@@ -111,8 +76,8 @@ Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspe
 }
 
 std::optional<std::size_t> most_arguments(std::string_view program) {
-  const auto* known = program_named(program);
-  return known ? std::optional(most(*known)) : std::nullopt;
+  const auto* known = body_program(program);
+  return known ? std::optional(most_arguments(*known)) : std::nullopt;
 }
 
 }  // namespace continua

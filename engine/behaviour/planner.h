@@ -4,10 +4,10 @@
 #include <optional>
 #include <string_view>
 
-#include "behaviour/avatar_command.h"
-#include "core/result.h"
-#include "term/term.h"
-#include "world/perspective.h"
+#include "continua/body/avatar_command.h"
+#include "continua/core/result.h"
+#include "continua/term/term.h"
+#include "continua/world/perspective.h"
 
 namespace continua {
 

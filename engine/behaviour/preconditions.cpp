@@ -1,8 +1,8 @@
-#include "behaviour/preconditions.h"
+#include "continua/behaviour/preconditions.h"
 
 #include <algorithm>
 
-#include "term/term_text.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "behaviour/circumstances.h"
-#include "voxml/voxeme.h"
+#include "continua/behaviour/circumstances.h"
+#include "continua/voxml/voxeme.h"
 
 namespace continua {
 

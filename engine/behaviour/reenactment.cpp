@@ -1,4 +1,4 @@
-#include "behaviour/reenactment.h"
+#include "continua/behaviour/reenactment.h"
 
 namespace continua {
 

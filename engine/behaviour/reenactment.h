@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "behaviour/kinematic_body.h"
-#include "behaviour/performance.h"
+#include "continua/behaviour/performance.h"
+#include "continua/body/kinematic_body.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "core/digest.h"
+#include "continua/core/digest.h"
 
 #include <fmt/format.h>
 #include <xxhash.h>

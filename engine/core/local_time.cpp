@@ -1,4 +1,4 @@
-#include "core/local_time.h"
+#include "continua/core/local_time.h"
 
 namespace continua {
 

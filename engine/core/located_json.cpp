@@ -1,4 +1,4 @@
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -10,21 +10,12 @@
 
 #include <fmt/format.h>
 
+#include "continua/core/json_pointer.h"
+
+template class nlohmann::basic_json<nlohmann::ordered_map>;
+
 namespace continua {
 namespace {
-
-std::string escaped(std::string_view key) {
-  std::string out;
-  for (char c : key) {
-    if (c == '~')
-      out += "~0";
-    else if (c == '/')
-      out += "~1";
-    else
-      out += c;
-  }
-  return out;
-}
 
 // Walks text that is already known to be valid JSON and tells where each value and its key begin.
 template <class Note>
@@ -61,7 +52,7 @@ class PlaceFinder {
       if (!keys.insert(key).second) duplicates.push_back({place, key});
       skip_space();
       step();  // the colon
-      walk(pointer + "/" + escaped(key), place);
+      walk(pointer + "/" + pointer_part(key), place);
       skip_comma();
     }
     step();

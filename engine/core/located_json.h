@@ -10,12 +10,19 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/result.h"
+#include "continua/core/result.h"
 
 namespace continua {
 
 /// Keys keep the order in which they were written: what is printed is the same on every machine.
 using Json = nlohmann::ordered_json;
+
+}  // namespace continua
+
+// Compiled once, in located_json.cpp: every file that reads JSON would take seconds to compile it again.
+extern template class nlohmann::basic_json<nlohmann::ordered_map>;
+
+namespace continua {
 
 /// One line of compact JSON. Bytes that are not UTF-8 become U+FFFD.
 std::string compact(const Json& value);

@@ -1,4 +1,4 @@
-#include "core/result.h"
+#include "continua/core/result.h"
 
 #include <cstdio>
 #include <cstdlib>

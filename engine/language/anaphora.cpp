@@ -1,11 +1,11 @@
-#include "language/anaphora.h"
+#include "continua/language/anaphora.h"
 
 #include <algorithm>
 #include <set>
 #include <string>
 
-#include "language/reduction.h"
-#include "term/substitution.h"
+#include "continua/language/reduction.h"
+#include "continua/term/substitution.h"
 
 namespace continua {
 namespace {

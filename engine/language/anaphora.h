@@ -1,8 +1,8 @@
 // Words whose antecedent is in the same sentence: "the cup to the right of the knife and behind it".
 #pragma once
 
-#include "language/operators.h"
-#include "language/reading.h"
+#include "continua/language/operators.h"
+#include "continua/language/reading.h"
 
 namespace continua {
 

@@ -1,10 +1,10 @@
-#include "language/category.h"
+#include "continua/language/category.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 namespace {
@@ -161,23 +161,34 @@ bool Agreement::agree(const Category& one, const Category& other) {
            agree(one.result(), other.result());
   const auto &a = *one.node_, &b = *other.node_;
   if (a.name != b.name) return false;
-  const auto feature = a.feature ? a.feature : one_, wanted = b.feature ? b.feature : other_;
+  const auto feature = feature_of(one, one_), wanted = feature_of(other, other_);
   if (!a.has_features || (!feature && !wanted)) return true;
   if (feature && wanted) return *feature == *wanted;
-  (feature ? other_ : one_) = feature ? feature : wanted;
+  if (feature)
+    other_.emplace_back(b.name, *feature);
+  else
+    one_.emplace_back(a.name, *wanted);
   return true;
 }
 
-Category Agreement::settled(const Category& category, const std::optional<Name>& feature) {
-  if (!feature) return category;
+std::optional<Name> Agreement::feature_of(const Category& atom, const Features& features) {
+  if (atom.node_->feature) return atom.node_->feature;
+  const auto known =
+      std::find_if(features.begin(), features.end(), [&](const auto& each) { return each.first == atom.node_->name; });
+  return known == features.end() ? std::nullopt : std::optional(known->second);
+}
+
+Category Agreement::settled(const Category& category, const Features& features) {
+  if (features.empty()) return category;
   if (category.is_atom()) {
-    if (!category.node_->has_features || category.node_->feature) return category;
+    const auto feature = feature_of(category, features);
+    if (feature == category.node_->feature) return category;
     auto node = *category.node_;
     node.feature = feature;
     return Category(std::make_shared<const Category::Node>(std::move(node)));
   }
-  return Category::function(settled(category.result(), feature), category.slash(),
-                            settled(category.argument(), feature), category.composes());
+  return Category::function(settled(category.result(), features), category.slash(),
+                            settled(category.argument(), features), category.composes());
 }
 
 Type type_of(const Category& category, const Atoms& atoms, std::size_t choice) {

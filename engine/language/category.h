@@ -7,11 +7,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "core/result.h"
-#include "term/name.h"
-#include "term/type.h"
+#include "continua/core/result.h"
+#include "continua/term/name.h"
+#include "continua/term/type.h"
 
 namespace continua {
 
@@ -25,8 +26,8 @@ struct Atom {
 };
 using Atoms = std::map<std::string, Atom, std::less<>>;
 
-/// An immutable value; copying shares. An atom with features that does not name one goes with each of them, and all
-/// such atoms of one category with the same: N/N makes N[plural] of N[plural].
+/// An immutable value; copying shares. An atom that could have a feature and names none goes with each, and all such
+/// atoms of its name in one category with the same: N/N makes N[plural] of N[plural], NP/N makes any NP of it.
 class Category {
  public:
   enum class Slash { forward, backward };
@@ -58,7 +59,8 @@ class Category {
   std::shared_ptr<const Node> node_;
 };
 
-/// Whether what a function looks for is what stands beside it, and which features that settles.
+/// Whether a function's argument is the category next to it, and which features that settles: one for each atom of each
+/// side that names none, such as the gender of N and the case of NP.
 class Agreement {
  public:
   bool agree(const Category& one, const Category& other);
@@ -67,9 +69,12 @@ class Agreement {
   Category settled_other(const Category& category) const { return settled(category, other_); }
 
  private:
-  static Category settled(const Category& category, const std::optional<Name>& feature);
+  using Features = std::vector<std::pair<Name, Name>>;  // of atoms, by their names; there are few
 
-  std::optional<Name> one_, other_;
+  static std::optional<Name> feature_of(const Category& atom, const Features& features);
+  static Category settled(const Category& category, const Features& features);
+
+  Features one_, other_;
 };
 
 /// The type of terms of this category: functions take the first type of their arguments. For the atom that is made in

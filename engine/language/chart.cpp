@@ -1,8 +1,8 @@
-#include "language/chart.h"
+#include "continua/language/chart.h"
 
 #include <algorithm>
 
-#include "language/reduction.h"
+#include "continua/language/reduction.h"
 
 namespace continua {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "language/reading.h"
-#include "language/vocabulary.h"
+#include "continua/language/reading.h"
+#include "continua/language/vocabulary.h"
 
 namespace continua {
 

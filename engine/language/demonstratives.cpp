@@ -1,4 +1,4 @@
-#include "language/demonstratives.h"
+#include "continua/language/demonstratives.h"
 
 #include <algorithm>
 #include <optional>

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "language/operators.h"
-#include "language/reading.h"
+#include "continua/language/operators.h"
+#include "continua/language/reading.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "language/interpretation.h"
+#include "continua/language/interpretation.h"
 
 #include <algorithm>
 #include <functional>
@@ -7,9 +7,9 @@
 #include <unordered_map>
 #include <utility>
 
-#include "language/referring.h"
-#include "term/continuation.h"
-#include "term/substitution.h"
+#include "continua/language/referring.h"
+#include "continua/term/continuation.h"
+#include "continua/term/substitution.h"
 
 namespace continua {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "language/reading.h"
-#include "language/reference.h"
-#include "term/raising.h"
+#include "continua/language/reading.h"
+#include "continua/language/reference.h"
+#include "continua/term/raising.h"
 
 namespace continua {
 

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/result.h"
-#include "language/category.h"
-#include "language/operators.h"
-#include "term/term_text.h"
-#include "world/world_snapshot.h"
+#include "continua/core/result.h"
+#include "continua/language/category.h"
+#include "continua/language/operators.h"
+#include "continua/term/term_text.h"
+#include "continua/world/world_snapshot.h"
 
 namespace continua {
 

@@ -1,137 +1,115 @@
-// Categories, names and operators: what the words of a lexicon are made of.
+// Categories, names and operators: the parts of which the senses of words are made.
 #include <fmt/format.h>
 
-#include "language/lexicon_reader.h"
-#include "language/reduction.h"
-#include "term/evaluate.h"
+#include "continua/language/lexicon_reader.h"
+#include "continua/language/reduction.h"
+#include "continua/term/evaluate.h"
+#include "continua/term/read_type.h"
 
 namespace continua {
+namespace {
 
-Type LexiconReader::read_type(const Item& item) {
-  if (!item.json || !item.json->is_string()) return text_of(item, "a type"), Type::term();
-  auto type = Type::parse(item.json->get<std::string>());
-  if (type) return *type;
-  problem_in_text(item, type.error());
-  return Type::term();
-}
+constexpr NamedValue<Proform::Source> proform_sources[] = {
+    {Proform::Source::focus, "focus"}, {Proform::Source::pointed, "pointed"}, {Proform::Source::topic, "topic"},
+    {Proform::Source::other, "other"}, {Proform::Source::avatar, "avatar"},   {Proform::Source::human, "human"},
+};
+
+}  // namespace
 
 void LexiconReader::declare(const Item& at, const std::string& name, const Type& type) {
   const bool is_word = name == "null" || name == "true" || name == "false";
   if (name.empty())
-    problem_at_key(at, "found '', expected a name");
+    at.problem_at_key("found '', expected a name");
   else if (is_word || !lexicon_.names.emplace(name, type).second)
-    problem_at_key(at, fmt::format("the name '{}' is taken by {}; expected another", name,
-                                   is_word || term_signature().contains(name) ? "the term language"
-                                   : facts_.contains(name)                    ? "a fact of the world"
-                                                                              : "an earlier declaration"));
+    at.problem_at_key(fmt::format("the name '{}' is taken by {}; expected another", name,
+                                  is_word || term_signature().contains(name) ? "the term language"
+                                  : facts_.contains(name)                    ? "a fact of the world"
+                                                                             : "an earlier declaration"));
 }
 
 void LexiconReader::read_atoms() {
-  each_section("categories", [&](const Item& section) {
-    each_member(section, "categories", [&](const std::string& name, const Item& item) {
-      if (!expect_object(item, "a category", {"type", "also", "move", "open", "phrase", "features", "about"})) return;
-      Atom atom;
-      atom.types.push_back(read_type(required(item, "type", "the type of its terms")));
-      each_element(member(item, "also"), "further types",
-                   [&](const Item& each) { atom.types.push_back(read_type(each)); });
-      atom.move = text_of(member(item, "move"), "a move");
-      atom.open = truth_of(member(item, "open"), false);
-      atom.phrase = truth_of(member(item, "phrase"), false);
-      atom.features = texts_of(member(item, "features"), "its features");
-      if (name.empty() || name.find_first_of("/\\()[]* ") != std::string::npos)
-        problem_at_key(item,
-                       fmt::format("found {}, expected a name without any of /\\()[]* and spaces", in_quotes(name)));
-      else if (!lexicon_.atoms.emplace(name, std::move(atom)).second)
-        problem_at_key(item, fmt::format("the category '{}' is declared in an earlier file", name));
-    });
-  });
+  for (const auto& [name, item] : members_of("categories", "categories")) {
+    if (!item.expect_object("a category", {"type", "also", "move", "open", "phrase", "features", "about"})) continue;
+    Atom atom;
+    atom.types.push_back(read_type(item.required("type", "the type of its terms")));
+    for (const auto& type : item.member("also").elements("further types")) atom.types.push_back(read_type(type));
+    atom.move = item.member("move").text("a move");
+    atom.open = item.member("open").truth(false);
+    atom.phrase = item.member("phrase").truth(false);
+    atom.features = item.member("features").texts("its features");
+    if (name.empty() || name.find_first_of("/\\()[]* ") != std::string::npos)
+      item.problem_at_key(fmt::format("found {}, expected a name without any of /\\()[]* and spaces", in_quotes(name)));
+    else if (!lexicon_.atoms.emplace(name, std::move(atom)).second)
+      item.problem_at_key(fmt::format("the category '{}' is declared in an earlier file", name));
+  }
 }
 
 void LexiconReader::read_names() {
-  each_section("names", [&](const Item& section) {
-    each_member(section, "names with their types", [&](const std::string& names, const Item& item) {
-      const auto type = read_type(item);
-      for (const auto& name : alternatives(names)) declare(item, name, type);
-    });
-  });
-  each_section("define", [&](const Item& section) {
-    each_member(section, "definitions", [&](const std::string& name, const Item& item) {
-      if (expect_object(item, "a definition", {"type", "term", "compared", "about"}))
-        declare(item, name, read_type(required(item, "type", "the type of the name")));
-    });
-  });
+  for (const auto& [names, item] : members_of("names", "names with their types")) {
+    const auto type = read_type(item);
+    for (const auto& name : alternatives(names)) declare(item, name, type);
+  }
+  for (const auto& [name, item] : members_of("define", "definitions"))
+    if (item.expect_object("a definition", {"type", "term", "compared", "about"}))
+      declare(item, name, read_type(item.required("type", "the type of the name")));
 }
 
-void LexiconReader::read_operators() {
+void LexiconReader::read_determiners() {
   const auto condition = Type::function(Type::entity(), Type::truth());
-  each_section("determiners", [&](const Item& section) {
-    each_member(section, "determiners", [&](const std::string& name, const Item& item) {
-      if (!expect_object(item, "a determiner", {"definite", "many", "deictic", "other", "count", "about"})) return;
-      Determiner determiner;
-      determiner.definite = truth_of(member(item, "definite"), false);
-      determiner.many = truth_of(member(item, "many"), false);
-      determiner.deictic = truth_of(member(item, "deictic"), false);
-      determiner.other = truth_of(member(item, "other"), false);
-      if (const auto count = member(item, "count"); count.json) {
-        if (count.json->is_number_unsigned() && count.json->get<std::size_t>() <= 1000)
-          determiner.count = count.json->get<int>();
-        else
-          mismatch(count, "how many are meant, a whole number from 0 to 1000");
-      }
-      const bool several = determiner.many || determiner.count > 1;
-      declare(item, name, Type::function(condition, several ? Type::list(Type::entity()) : Type::entity()));
-      lexicon_.operators.determiners.emplace(name, determiner);
-    });
-  });
-  static const std::map<std::string, Proform::Source, std::less<>> sources = {
-      {"focus", Proform::Source::focus}, {"pointed", Proform::Source::pointed}, {"topic", Proform::Source::topic},
-      {"other", Proform::Source::other}, {"avatar", Proform::Source::avatar},   {"human", Proform::Source::human}};
-  std::vector<std::string> known;
-  for (const auto& [name, source] : sources) known.push_back(name);
-  each_section("proforms", [&](const Item& section) {
-    each_member(section, "pro-forms", [&](const std::string& name, const Item& item) {
-      if (!expect_object(item, "a pro-form", {"type", "source", "about"})) return;
-      declare(item, name, read_type(required(item, "type", "the type of what it stands for")));
-      const auto source = required(item, "source", "where it gets its meaning from");
-      const auto text = text_of(source, "a source");
-      if (const auto found = sources.find(text); found != sources.end())
-        lexicon_.operators.proforms.emplace(name, Proform{found->second});
-      else if (source.json && source.json->is_string())
-        mismatch(source, "focus, pointed, topic, other, avatar or human" + did_you_mean(text, known));
-    });
-  });
+  for (const auto& [name, item] : members_of("determiners", "determiners")) {
+    if (!item.expect_object("a determiner", {"definite", "many", "deictic", "other", "count", "about"})) continue;
+    Determiner determiner;
+    determiner.definite = item.member("definite").truth(false);
+    determiner.many = item.member("many").truth(false);
+    determiner.deictic = item.member("deictic").truth(false);
+    determiner.other = item.member("other").truth(false);
+    if (const auto count = item.member("count"); count.exists())
+      determiner.count = count.whole_number("how many are meant", 0, 0, 1000);
+    const bool several = determiner.many || determiner.count > 1;
+    declare(item, name, Type::function(condition, several ? Type::list(Type::entity()) : Type::entity()));
+    lexicon_.operators.determiners.emplace(name, determiner);
+  }
+}
+
+void LexiconReader::read_proforms() {
+  for (const auto& [name, item] : members_of("proforms", "pro-forms")) {
+    if (!item.expect_object("a pro-form", {"type", "source", "about"})) continue;
+    declare(item, name, read_type(item.required("type", "the type of what it stands for")));
+    const auto source = item.required("source", "where it gets its meaning from");
+    if (const auto known = source.one_of(proform_sources, "a source"))
+      lexicon_.operators.proforms.emplace(name, Proform{*known});
+  }
 }
 
 void LexiconReader::read_definitions() {
-  each_section("define", [&](const Item& section) {
-    if (!section.json->is_object()) return;
-    for (const auto& [name, value] : section.json->items()) {
-      const auto item = member(section, name);
+  for (const auto& root : roots_) {
+    const auto section = root.member("define");
+    if (!section.is_object()) continue;  // read_names has noted the problem
+    for (const auto& [name, item] : section.members("definitions")) {
       const auto declared = lexicon_.names.find(name);
-      if (!value.is_object() || declared == lexicon_.names.end()) continue;
-      if (const auto term = read_term(required(item, "term", "what it means"), declared->second))
+      if (!item.is_object() || declared == lexicon_.names.end()) continue;
+      if (const auto term = read_term(item.required("term", "what it means"), declared->second))
         lexicon_.definitions.emplace(name, *term);
-      const auto compared = member(item, "compared");
-      if (!truth_of(compared, false)) continue;
+      const auto compared = item.member("compared");
+      if (!compared.truth(false)) continue;
       if (declared->second != Type::list(Type::entity()))
-        problem(compared,
-                fmt::format("'{}' is of type {}; expected e*, objects to compare", name, declared->second.text()));
+        compared.problem(
+            fmt::format("'{}' is of type {}; expected e*, objects to compare", name, declared->second.text()));
       else if (!lexicon_.operators.compared.empty())
-        problem(compared, fmt::format("what is compared is '{}' already", lexicon_.operators.compared));
+        compared.problem(fmt::format("what is compared is '{}' already", lexicon_.operators.compared));
       else
         lexicon_.operators.compared = name;
     }
-  });
+  }
 }
 
 std::optional<Term> LexiconReader::read_term(const Item& item, const Type& expected) {
-  if (!item.json) return std::nullopt;
-  const auto text = text_of(item, "a term");
-  if (!item.json->is_string()) return std::nullopt;
+  const auto text = item.text("a term");
+  if (!item.is_text()) return std::nullopt;
   const auto term = parse_term(text, lexicon_.names, expected);
-  if (!term) return problem_in_text(item, term.error()), std::nullopt;
+  if (!term) return problem_with_quote(item, term.error()), std::nullopt;
   const auto reduced = normal(*term);
-  if (reduced.is_null() && !term->is_null()) return problem(item, "this term has no normal form"), std::nullopt;
+  if (reduced.is_null() && !term->is_null()) return item.problem("this term has no normal form"), std::nullopt;
   return reduced;
 }
 

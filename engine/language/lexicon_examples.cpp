@@ -1,9 +1,10 @@
-// The sentences that a lexicon brings, and whether they are read as it says.
+// The example sentences of a lexicon, and whether they are read as the lexicon says.
 #include <fmt/format.h>
 
-#include "language/lexicon_reader.h"
-#include "language/parser.h"
-#include "language/reduction.h"
+#include "continua/language/lexicon_reader.h"
+#include "continua/language/parser.h"
+#include "continua/language/reduction.h"
+#include "continua/term/read_type.h"
 
 namespace continua {
 namespace {
@@ -14,7 +15,7 @@ WorldSnapshot scene_of(const Lexicon& lexicon) {
   return world;
 }
 
-// What a reading's term still takes beside what words of its kind always take.
+// The types of the arguments that a reading's term lacks, the outermost first.
 std::vector<Type> missing_of(const Reading& reading, const Lexicon& lexicon) {
   std::vector<Type> missing;
   const auto category = Category::parse(reading.category, lexicon.atoms).value();
@@ -41,7 +42,7 @@ std::string listed(const std::vector<Type>& types) {
   return listed(texts);
 }
 
-// What is wrong with the reading of an example, or nothing.
+// The first difference between an example and its reading, as a sentence; empty if there is none.
 std::string fault(const LexiconExample& example, const Utterance& utterance, const Lexicon& lexicon) {
   std::vector<Term> first;
   for (const auto& fragment : utterance.fragments) first.push_back(fragment.readings.front().term);
@@ -74,65 +75,62 @@ std::string fault(const LexiconExample& example, const Utterance& utterance, con
   return "";
 }
 
+Term read_example_term(const Item& item, const Signature& names) {
+  const auto text = item.text("a term");
+  if (!item.is_text()) return Term();
+  const auto term = parse_term(text, names);
+  if (term) return normal(*term);
+  problem_with_quote(item, term.error());
+  return Term();
+}
+
+std::optional<std::vector<Term>> read_example_terms(const Item& list, const Signature& names) {
+  if (!list.exists()) return std::nullopt;
+  std::vector<Term> terms;
+  for (const auto& item : list.elements("terms")) terms.push_back(read_example_term(item, names));
+  return terms;
+}
+
+LexiconExample read_example(const Item& item, const Signature& names) {
+  LexiconExample example;
+  example.where = item.where();
+  constexpr const char* sentences = "a sentence or a list of some";
+  const auto say = item.required("say", sentences);
+  example.say = say.is_list() ? say.texts("sentences") : std::vector{say.text(sentences)};
+  if (const auto reading = item.member("reading"); reading.exists())
+    example.reading = read_example_term(reading, names);
+  example.readings = read_example_terms(item.member("readings"), names);
+  example.fragments = read_example_terms(item.member("fragments"), names);
+  if (item.member("none").truth(false)) example.fragments.emplace();
+  if (const auto move = item.member("move"); move.exists()) example.move = move.text("a move");
+  if (const auto missing = item.member("missing"); missing.exists()) {
+    example.missing.emplace();
+    for (const auto& type : missing.elements("types")) example.missing->push_back(read_type(type));
+  }
+  example.unknown = item.member("unknown").texts("words");
+  if (!example.reading && !example.readings && !example.fragments)
+    item.problem(R"(there is none of "reading", "readings", "fragments" and "none"; expected one of them)");
+  return example;
+}
+
 }  // namespace
 
 void LexiconReader::read_sample() {
-  each_section("sample", [&](const Item& section) {
-    each_member(section, "attributes with their values", [&](const std::string& attribute, const Item& item) {
-      for (const auto& value : texts_of(item, "values")) {
-        ObjectState object;
-        object.name = fmt::format("thing{}", lexicon_.sample.size() + 1);
-        object.attributes.emplace(attribute, value);
-        lexicon_.sample.push_back(std::move(object));
-      }
-    });
-  });
+  for (const auto& [attribute, item] : members_of("sample", "attributes with their values"))
+    for (const auto& value : item.texts("values")) {
+      ObjectState object;
+      object.name = fmt::format("thing{}", lexicon_.sample.size() + 1);
+      object.attributes.emplace(attribute, value);
+      lexicon_.sample.push_back(std::move(object));
+    }
 }
 
 void LexiconReader::read_examples() {
   const Vocabulary vocabulary(std::make_shared<const Lexicon>(lexicon_), scene_of(lexicon_));
-  each_section("examples", [&](const Item& section) {
-    each_element(section, "examples", [&](const Item& item) { read_example(item, vocabulary.names()); });
-  });
-}
-
-void LexiconReader::read_example(const Item& item, const Signature& names) {
-  if (!expect_object(item, "an example",
-                     {"say", "reading", "readings", "fragments", "none", "move", "missing", "unknown", "about"}))
-    return;
-  LexiconExample example;
-  example.where = item.document->where(item.pointer);
-  const auto say = required(item, "say", "a sentence or a list of some");
-  if (say.json && say.json->is_array())
-    example.say = texts_of(say, "sentences");
-  else
-    example.say = {text_of(say, "a sentence or a list of some")};
-  const auto term = [&](const Item& text) -> Term {
-    if (!text.json->is_string()) return text_of(text, "a term"), Term();
-    const auto read = parse_term(text.json->get<std::string>(), names);
-    if (read) return normal(*read);
-    return problem_in_text(text, read.error()), Term();
-  };
-  const auto terms = [&](const char* key) -> std::optional<std::vector<Term>> {
-    const auto list = member(item, key);
-    if (!list.json) return std::nullopt;
-    std::vector<Term> all;
-    each_element(list, "terms", [&](const Item& each) { all.push_back(term(each)); });
-    return all;
-  };
-  if (const auto reading = member(item, "reading"); reading.json) example.reading = term(reading);
-  example.readings = terms("readings");
-  example.fragments = terms("fragments");
-  if (truth_of(member(item, "none"), false)) example.fragments.emplace();
-  if (const auto move = member(item, "move"); move.json) example.move = text_of(move, "a move");
-  if (const auto missing = member(item, "missing"); missing.json) {
-    example.missing.emplace();
-    each_element(missing, "types", [&](const Item& each) { example.missing->push_back(read_type(each)); });
-  }
-  example.unknown = texts_of(member(item, "unknown"), "words");
-  if (!example.reading && !example.readings && !example.fragments)
-    problem(item, R"(there is none of "reading", "readings", "fragments" and "none"; expected one of them)");
-  lexicon_.examples.push_back(std::move(example));
+  for (const auto& item : elements_of("examples", "examples"))
+    if (item.expect_object("an example",
+                           {"say", "reading", "readings", "fragments", "none", "move", "missing", "unknown", "about"}))
+      lexicon_.examples.push_back(read_example(item, vocabulary.names()));
 }
 
 std::vector<Error> check_examples(const Lexicon& lexicon) {

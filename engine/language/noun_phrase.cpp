@@ -1,11 +1,11 @@
-#include "language/noun_phrase.h"
+#include "continua/language/noun_phrase.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "language/pointing.h"
-#include "term/substitution.h"
+#include "continua/language/pointing.h"
+#include "continua/term/substitution.h"
 
 namespace continua {
 namespace {

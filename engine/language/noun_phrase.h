@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "language/reference.h"
+#include "continua/language/reference.h"
 
 namespace continua {
 

@@ -1,8 +1,8 @@
-#include "language/operators.h"
+#include "continua/language/operators.h"
 
 #include <algorithm>
 
-#include "term/substitution.h"
+#include "continua/term/substitution.h"
 
 namespace continua {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "term/term.h"
+#include "continua/term/term.h"
 
 namespace continua {
 

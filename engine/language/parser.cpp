@@ -1,12 +1,12 @@
-#include "language/parser.h"
+#include "continua/language/parser.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "language/chart.h"
-#include "language/reduction.h"
-#include "language/words.h"
-#include "term/substitution.h"
+#include "continua/core/words.h"
+#include "continua/language/chart.h"
+#include "continua/language/reduction.h"
+#include "continua/term/substitution.h"
 
 namespace continua {
 namespace {

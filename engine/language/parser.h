@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "language/reading.h"
-#include "language/vocabulary.h"
+#include "continua/language/reading.h"
+#include "continua/language/vocabulary.h"
 
 namespace continua {
 

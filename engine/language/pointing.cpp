@@ -1,4 +1,4 @@
-#include "language/pointing.h"
+#include "continua/language/pointing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Which object a place on the table that someone points at can mean.
 #pragma once
 
-#include "world/world_snapshot.h"
+#include "continua/world/world_snapshot.h"
 
 namespace continua {
 

@@ -1,8 +1,8 @@
-#include "language/reduction.h"
+#include "continua/language/reduction.h"
 
 #include <algorithm>
 
-#include "term/name.h"
+#include "continua/term/name.h"
 
 namespace continua {
 namespace {

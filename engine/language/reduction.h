@@ -2,7 +2,7 @@
 // in normal form and equal meanings are equal terms.
 #pragma once
 
-#include "term/term.h"
+#include "continua/term/term.h"
 
 namespace continua {
 

@@ -1,11 +1,11 @@
-#include "language/reference.h"
+#include "continua/language/reference.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "language/noun_phrase.h"
-#include "language/pointing.h"
-#include "term/substitution.h"
+#include "continua/language/noun_phrase.h"
+#include "continua/language/pointing.h"
+#include "continua/term/substitution.h"
 
 namespace continua {
 namespace {

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "language/operators.h"
-#include "language/reading.h"
-#include "term/evaluate.h"
-#include "world/relations.h"
-#include "world/world_snapshot.h"
+#include "continua/language/operators.h"
+#include "continua/language/reading.h"
+#include "continua/term/evaluate.h"
+#include "continua/world/relations.h"
+#include "continua/world/world_snapshot.h"
 
 namespace continua {
 

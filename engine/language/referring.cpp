@@ -1,4 +1,4 @@
-#include "language/referring.h"
+#include "continua/language/referring.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "language/noun_phrase.h"
-#include "language/pointing.h"
-#include "term/substitution.h"
+#include "continua/language/noun_phrase.h"
+#include "continua/language/pointing.h"
+#include "continua/term/substitution.h"
 
 namespace continua {
 namespace {

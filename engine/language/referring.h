@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "language/interpretation.h"
+#include "continua/language/interpretation.h"
 
 namespace continua {
 

@@ -1,9 +1,9 @@
-#include "language/vocabulary.h"
+#include "continua/language/vocabulary.h"
 
 #include <algorithm>
 
-#include "language/reduction.h"
-#include "language/words.h"
+#include "continua/core/words.h"
+#include "continua/language/reduction.h"
 
 namespace continua {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "language/lexicon.h"
+#include "continua/language/lexicon.h"
 
 namespace continua {
 

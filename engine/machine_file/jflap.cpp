@@ -1,4 +1,4 @@
-#include "machine_file/jflap.h"
+#include "continua/machine_file/jflap.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,8 +10,8 @@
 #include <optional>
 #include <set>
 
-#include "machine_file/jflap_file.h"
-#include "term/term_text.h"
+#include "continua/machine_file/jflap_file.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 namespace {

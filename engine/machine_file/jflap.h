@@ -14,8 +14,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/located_json.h"
-#include "core/result.h"
+#include "continua/core/located_json.h"
+#include "continua/core/result.h"
 
 namespace continua {
 

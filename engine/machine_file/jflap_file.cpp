@@ -1,4 +1,4 @@
-#include "machine_file/jflap_file.h"
+#include "continua/machine_file/jflap_file.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <pugixml.hpp>
 #include <set>
 
-#include "core/characters.h"
-#include "core/located_json.h"
+#include "continua/core/characters.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 namespace {

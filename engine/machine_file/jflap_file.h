@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/result.h"
+#include "continua/core/result.h"
 
 namespace continua {
 

@@ -1,82 +1,97 @@
-// The belief table of a machine file (FORMAT.md, Beliefs).
+#include "continua/machine_file/machine_beliefs.h"
+
 #include <algorithm>
 #include <cctype>
 
 #include <fmt/format.h>
 
-#include "machine_file/machine_reader.h"
+#include "continua/machine_file/machine_keys.h"
 
 namespace continua {
+namespace {
 
-void MachineReader::read_beliefs(const Item& beliefs) {
-  if (!expect_object(beliefs, "beliefs")) return;
-  auto& table = machine_.beliefs;
-  const auto concepts = required(beliefs, "concepts", "names and what they are, an object");
-  if (!expect_object(concepts, "the concepts")) return;
-  for (const auto& [name, value] : concepts.json->items()) table.concepts.push_back({name, {}, "", std::nullopt});
-  for (auto& entry : table.concepts) read_concept(member(concepts, entry.name), entry);
-  if (const auto evidence = member(beliefs, "evidence"); expect_array(evidence, "the evidence"))
-    for (std::size_t i = 0; i < evidence.json->size(); ++i) read_evidence(element(evidence, i));
-  if (const auto answers = member(beliefs, "answers"); expect_array(answers, "the answers"))
-    for (std::size_t i = 0; i < answers.json->size(); ++i) read_answer(element(answers, i));
-  table.overheard = number_of(member(beliefs, "overheard"), "a certainty", 0, 0, 1);
-}
+class BeliefReader {
+ public:
+  BeliefReader(const TermReader& terms, SymbolReader& symbols) : terms_(terms), symbols_(symbols) {}
 
-void MachineReader::read_concept(const Item& item, Concept& entry) {
-  if (!expect_object(item, "a concept")) return;
-  entry.related = concepts_named(member(item, "related"), "related concepts");
-  if (const auto word = member(item, "word"); word.json) {
-    entry.word = name_of(word, "a word");
+  BeliefTable read(const Item& item) {
+    const auto concepts = item.required("concepts", "names and what they are, an object");
+    const auto entries = concepts.members("the concepts");
+    if (!concepts.is_object()) return table_;
+    for (const auto& [name, entry] : entries) table_.concepts.push_back({name, {}, "", std::nullopt});
+    for (std::size_t i = 0; i < entries.size(); ++i) read_concept(entries[i].item, table_.concepts[i]);
+    for (const auto& each : item.member("evidence").elements("the evidence")) read_evidence(each);
+    for (const auto& each : item.member("answers").elements("the answers")) read_answer(each);
+    table_.overheard = item.member("overheard").number("a certainty", 0, 0, 1);
+    return table_;
+  }
+
+ private:
+  void read_concept(const Item& item, Concept& entry) {
+    if (!expect_kind(item, "a concept")) return;
+    entry.related = concepts_named(item.member("related"), "related concepts");
+    entry.word = item.member("word").name("a word");
     std::transform(entry.word.begin(), entry.word.end(), entry.word.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (const auto fixed = item.member("fixed"); fixed.exists()) entry.fixed = fixed.number("a certainty", 0, -1, 1);
   }
-  if (const auto fixed = member(item, "fixed"); fixed.json) entry.fixed = number_of(fixed, "a certainty", 0, -1, 1);
-}
 
-void MachineReader::read_evidence(const Item& item) {
-  if (!expect_object(item, "a piece of evidence")) return;
-  Evidence entry{read_symbols(required(item, "inputs", "input symbols or sets")), {}, {}};
-  entry.concepts = concepts_named(required(item, "concepts", "the concepts that it raises"), "concepts");
-  const auto levels = required(item, "levels", "certainties, ascending");
-  if (!expect_array(levels, "levels of certainty")) return;
-  for (std::size_t i = 0; i < levels.json->size(); ++i)
-    entry.levels.push_back(number_of(element(levels, i), "a level", 1, 0, 1));
-  if (entry.levels.empty() || !std::is_sorted(entry.levels.begin(), entry.levels.end()))
-    problem(levels, "expected one or more levels of certainty, ascending");
-  machine_.beliefs.evidence.push_back(std::move(entry));
-}
-
-void MachineReader::read_answer(const Item& item) {
-  if (!expect_object(item, "an answer")) return;
-  Answer entry{std::nullopt, read_symbols(required(item, "inputs", "input symbols or sets")), Term::null(),
-               std::nullopt};
-  if (const auto when = member(item, "when"); when.json) entry.when = parse(when, Type::truth());
-  const auto about = required(item, "about", "a term, the symbol that was asked about");
-  if (const auto term = parse(about, Type::text_type())) entry.about = *term;
-  const auto set = member(item, "set"), raise = member(item, "raise");
-  if (set.json) entry.set = number_of(set, "a certainty", 0, 0, 1);
-  if (raise.json && *raise.json != true) mismatch(raise, "true");
-  if (!set.json == !raise.json)
-    problem(item, fmt::format("found {}, expected one of set, raise", set.json ? "both" : "none"));
-  machine_.beliefs.answers.push_back(std::move(entry));
-}
-
-std::vector<std::size_t> MachineReader::concepts_named(const Item& list, const char* what) {
-  std::vector<std::size_t> concepts;
-  if (!expect_array(list, what)) return concepts;
-  for (std::size_t i = 0; i < list.json->size(); ++i) concepts.push_back(concept_named(element(list, i)));
-  return concepts;
-}
-
-std::size_t MachineReader::concept_named(const Item& item) {
-  const auto name = name_of(item, "a concept");
-  std::vector<std::string> known;
-  for (std::size_t i = 0; i < machine_.beliefs.concepts.size(); ++i) {
-    if (machine_.beliefs.concepts[i].name == name) return i;
-    known.push_back(machine_.beliefs.concepts[i].name);
+  void read_evidence(const Item& item) {
+    if (!expect_kind(item, "a piece of evidence")) return;
+    Evidence entry{symbols_.symbols(item.required("inputs", "input symbols or sets")), {}, {}};
+    entry.concepts = concepts_named(item.required("concepts", "the concepts that it raises"), "concepts");
+    const auto levels = item.required("levels", "certainties, ascending");
+    for (const auto& level : levels.elements("levels of certainty"))
+      entry.levels.push_back(level.number("a level", 1, 0, 1));
+    if (!levels.is_list()) return;
+    if (entry.levels.empty() || !std::is_sorted(entry.levels.begin(), entry.levels.end()))
+      levels.problem("expected one or more levels of certainty, ascending");
+    table_.evidence.push_back(std::move(entry));
   }
-  if (!name.empty()) problem(item, fmt::format("unknown concept {}{}", in_quotes(name), nearest(name, known)));
-  return 0;
+
+  void read_answer(const Item& item) {
+    if (!expect_kind(item, "an answer")) return;
+    Answer entry{std::nullopt, symbols_.symbols(item.required("inputs", "input symbols or sets")), Term::null(),
+                 std::nullopt};
+    entry.when = terms_.term(item.member("when"), Type::truth());
+    const auto about = item.required("about", "a term, the symbol that was asked about");
+    if (const auto term = terms_.term(about, Type::text_type())) entry.about = *term;
+    const auto set = item.member("set"), raise = item.member("raise");
+    if (set.exists()) entry.set = set.number("a certainty", 0, 0, 1);
+    if (raise.exists() && raise.json() != true) raise.mismatch("true");
+    if (set.exists() == raise.exists())
+      item.problem(fmt::format("found {}, expected one of set, raise", set.exists() ? "both" : "none"));
+    table_.answers.push_back(std::move(entry));
+  }
+
+  std::vector<std::size_t> concepts_named(const Item& list, const char* what) const {
+    std::vector<std::size_t> concepts;
+    for (const auto& each : list.elements(what)) concepts.push_back(concept_named(each));
+    return concepts;
+  }
+
+  // The first concept after a problem: a table with problems is not used.
+  std::size_t concept_named(const Item& item) const {
+    const auto name = item.name("a concept");
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < table_.concepts.size(); ++i) {
+      if (table_.concepts[i].name == name) return i;
+      known.push_back(table_.concepts[i].name);
+    }
+    if (!name.empty()) item.problem(item.unknown("concept", name, known));
+    return 0;
+  }
+
+  const TermReader& terms_;
+  SymbolReader& symbols_;
+  BeliefTable table_;
+};
+
+}  // namespace
+
+BeliefTable read_beliefs(const Item& item, const TermReader& terms, SymbolReader& symbols) {
+  if (!item.exists() || !expect_kind(item, "beliefs")) return {};
+  return BeliefReader(terms, symbols).read(item);
 }
 
 }  // namespace continua

@@ -1,9 +1,10 @@
-// The examples of a machine file: inputs with the state they lead to, words that are accepted or not.
+#include "continua/machine_file/machine_examples.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "machine_file/machine_reader.h"
+#include "continua/machine_file/machine_keys.h"
 
 namespace continua {
 namespace {
@@ -28,36 +29,44 @@ std::vector<std::string> characters(std::string_view text) {
   return parts;
 }
 
-}  // namespace
-
-void MachineReader::read_examples(const Item& examples) {
-  if (!examples.json || !expect_array(examples, "the examples")) return;
-  for (std::size_t i = 0; i < examples.json->size(); ++i) read_example(element(examples, i));
+std::optional<WordExample> read_word(const Item& item, const Machine& machine, SymbolReader& symbols) {
+  if (!expect_kind(item, "an example with a word")) return std::nullopt;
+  const auto word = item.member("word").text("a word");
+  WordExample example;
+  example.word = word.find(' ') == std::string::npos ? characters(word) : split(word, " ");
+  example.accepted = item.required("accepted", "whether it is, true or false").truth(true);
+  example.by_empty_stack = item.member("by").one_of({"final_state", "empty_stack"}) == "empty_stack";
+  symbols.add_known(example.word);
+  const auto strange = std::find_if(example.word.begin(), example.word.end(),
+                                    [&](const auto& symbol) { return !machine.knows_input(symbol); });
+  if (example.accepted && strange != example.word.end())
+    item.member("word").problem(
+        fmt::format("an accepted word, but no transition takes its symbol {}", in_quotes(*strange)));
+  return example;
 }
 
-void MachineReader::read_example(const Item& example) {
-  if (member(example, "word").json) {
-    if (!expect_object(example, "an example with a word")) return;
-    const auto word = text_of(member(example, "word"), "a word");
-    WordExample read;
-    read.word = word.find(' ') == std::string::npos ? characters(word) : split(word, " ");
-    read.accepted = truth_of(required(example, "accepted", "whether it is, true or false"), true);
-    read.by_empty_stack = one_of(example, "by", {"final_state", "empty_stack"}) == "empty_stack";
-    known_symbols_.insert(read.word.begin(), read.word.end());
-    const auto strange = std::find_if(read.word.begin(), read.word.end(),
-                                      [&](const auto& symbol) { return !machine_.knows_input(symbol); });
-    if (read.accepted && strange != read.word.end())
-      problem(member(example, "word"),
-              fmt::format("an accepted word, but no transition takes its symbol {}", in_quotes(*strange)));
-    machine_.examples.push_back(std::move(read));
-  } else {
-    if (!expect_object(example, "an example")) return;
-    RunExample read;
-    read.inputs = split(text_of(required(example, "input", "symbols separated by \", \""), "symbols"), ", ");
-    if (const auto ends = required(example, "ends", "a state"); ends.json) read.ends = state_named(ends);
-    known_symbols_.insert(read.inputs.begin(), read.inputs.end());
-    machine_.examples.push_back(std::move(read));
+std::optional<RunExample> read_run(const Item& item, SymbolReader& symbols, StateNames& states) {
+  if (!expect_kind(item, "an example")) return std::nullopt;
+  RunExample example;
+  example.inputs = split(item.required("input", "symbols separated by \", \"").text("symbols"), ", ");
+  example.ends = states.named(item.required("ends", "a state")).value_or(0);
+  symbols.add_known(example.inputs);
+  return example;
+}
+
+}  // namespace
+
+std::vector<Example> read_examples(const Item& item, const Machine& machine, SymbolReader& symbols,
+                                   StateNames& states) {
+  std::vector<Example> examples;
+  for (const auto& each : item.elements("the examples")) {
+    if (each.member("word").exists()) {
+      if (auto example = read_word(each, machine, symbols)) examples.emplace_back(std::move(*example));
+    } else if (auto example = read_run(each, symbols, states)) {
+      examples.emplace_back(std::move(*example));
+    }
   }
+  return examples;
 }
 
 }  // namespace continua

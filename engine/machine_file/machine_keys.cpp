@@ -1,4 +1,4 @@
-#include "machine_file/machine_keys.h"
+#include "continua/machine_file/machine_keys.h"
 
 namespace continua {
 
@@ -64,6 +64,10 @@ const std::map<std::string, std::vector<std::string>, std::less<>>& machine_keys
       {"an example with a word", {"word", "accepted", "by", "about"}},
   };
   return keys;
+}
+
+bool expect_kind(const Item& item, const std::string& kind) {
+  return item.expect_object(kind, machine_keys().find(kind)->second);
 }
 
 }  // namespace continua

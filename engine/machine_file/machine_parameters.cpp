@@ -1,11 +1,12 @@
-#include "machine_file/machine_parameters.h"
+#include "continua/machine_file/machine_parameters.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "core/local_time.h"
-#include "machine_file/machine_reader.h"
+#include "continua/core/local_time.h"
+#include "continua/machine_file/machine_keys.h"
+#include "continua/machine_file/machine_terms.h"
 
 namespace continua {
 namespace {
@@ -30,36 +31,38 @@ const char* kind_of(const Term& term) {
 
 constexpr const char* value_wanted = "true, false, a number or a text";
 
+// The values that a parameter had, by the times until which it had them; each is of the kind of `value`.
+std::map<std::string, Term, std::less<>> earlier_values(const Item& until, const Term& value) {
+  std::map<std::string, Term, std::less<>> values;
+  for (const auto& [time, then] : until.members("values by the times until which they held")) {
+    if (!is_local_time(time))
+      then.problem_at_key(fmt::format("found {}, expected {}", in_quotes(time), local_time_wanted));
+    const auto earlier = term_of(then.json());
+    if (earlier && earlier->type() == value.type())
+      values.emplace(time, *earlier);
+    else
+      then.mismatch(kind_of(value));
+  }
+  return values;
+}
+
 }  // namespace
 
-void MachineReader::read_parameters(const Item& parameters) {
-  if (!expect_object(parameters, "parameters")) return;
-  for (const auto& [name, description] : parameters.json->items()) {
-    const auto item = member(parameters, name);
-    if (!expect_object(item, "a parameter")) continue;
-    const auto value = required(item, "value", value_wanted);
-    if (!value.json) continue;
-    const auto term = term_of(*value.json);
+std::vector<Parameter> read_parameters(const Item& item, TermReader& terms) {
+  std::vector<Parameter> parameters;
+  for (const auto& [name, entry] : item.members("parameters")) {
+    if (!expect_kind(entry, "a parameter")) continue;
+    const auto value = entry.required("value", value_wanted);
+    if (!value.exists()) continue;
+    const auto term = term_of(value.json());
     if (!term) {
-      mismatch(value, value_wanted);
+      value.mismatch(value_wanted);
       continue;
     }
-    Parameter parameter{name, *term, {}};
-    if (const auto until = member(item, "until"); expect_object(until, "values by the times until which they held"))
-      for (const auto& [time, earlier] : until.json->items()) {
-        const auto then = member(until, time);
-        if (!is_local_time(time))
-          problem_at_key(then, fmt::format("found {}, expected {}", in_quotes(time), local_time_wanted));
-        const auto value_then = term_of(earlier);
-        if (value_then && value_then->type() == term->type())
-          parameter.until.emplace(time, *value_then);
-        else
-          mismatch(then, kind_of(*term));
-      }
-    declare(item, name, term->type());
-    machine_.definitions.emplace(name, *term);
-    machine_.parameters.push_back(std::move(parameter));
+    terms.declare(entry, name, term->type());
+    parameters.push_back({name, *term, earlier_values(entry.member("until"), *term)});
   }
+  return parameters;
 }
 
 Json parameter_values(const Machine& machine) {
@@ -80,10 +83,10 @@ Json parameter_values_at(const Machine& machine, std::string_view recorded) {
 Outcome set_parameters(Machine& machine, const Json& values, const std::string& where) {
   for (const auto& [name, value] : values.items()) {
     const auto found = std::find_if(machine.parameters.begin(), machine.parameters.end(),
-                                    [&name = name](const Parameter& one) { return one.name == name; });
+                                    [&name = name](const Parameter& parameter) { return parameter.name == name; });
     if (found == machine.parameters.end()) {
       std::vector<std::string> known;
-      for (const auto& one : machine.parameters) known.push_back(one.name);
+      for (const auto& parameter : machine.parameters) known.push_back(parameter.name);
       return Error{where, fmt::format("the machine {} has no parameter {}{}", machine.name, in_quotes(name),
                                       did_you_mean(name, known))};
     }

@@ -1,72 +1,75 @@
-// What the avatar says: in the machine, or in the file of its phrases, whose terms are read as the machine's own.
+#include "continua/machine_file/machine_phrases.h"
+
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "machine_file/machine_reader.h"
-#include "machine_file/phrase_file.h"
+#include "continua/machine_file/phrase_file.h"
 
 namespace continua {
 
-void MachineReader::read_phrase_file(const Item& phrases) {
-  if (!phrases.json) return;
-  machine_.phrases = name_of(phrases, "the name of a phrase file");
-  if (machine_.phrases.empty()) return;
-  auto document = read_phrases(machine_.phrases, phrase_folder_);
-  if (!document) {
-    if (document.error().where.empty())
-      problem(phrases, document.error().sentence);
+std::string PhraseReader::open(const Item& phrases, const std::string& name, const std::string& machine) {
+  machine_names_file_ = phrases.exists();
+  if (phrases.name("the name of a phrase file").empty()) return {};
+  auto read = read_phrases(name, folder_);
+  if (!read) {
+    if (read.error().where.empty())
+      phrases.problem(read.error().sentence);
     else
-      phrase_problems_.push_back(document.error());
-    return;
+      file_problems_ = {read.error()};
+    return {};
   }
-  phrase_problems_ = phrase_problems(*document);
-  machine_.phrase_document = compact(document->root());
-  if (phrase_problems_.empty()) phrases_ = *std::move(document);
+  document_ = *std::move(read);
+  file_problems_ = phrase_problems(*document_);
+  if (file_problems_.empty()) {
+    const auto root = reader_.root(*document_, fmt::format(" (read for the machine {})", machine));
+    phrases_ = root.member("say");
+    phrase_terms_ = terms_;
+    file_terms_.definitions = phrase_terms_->definitions(root.member("define"));
+    file_terms_.wordings = phrase_terms_->wordings(root.member("wordings"));
+  }
+  return compact(document_->root());
 }
 
-std::optional<Say> MachineReader::read_say(const Item& item) {
-  auto variants = read_variants(item);
-  if (variants.variants.empty()) return std::nullopt;
-  return Say{{std::move(variants)}};
+std::optional<Say> PhraseReader::say(const Item& item) const {
+  auto read = variants(item, terms_);
+  if (read.variants.empty()) return std::nullopt;
+  return Say{{std::move(read)}};
 }
 
-SayCase MachineReader::read_variants(const Item& item) {
-  SayCase one;
-  const auto add = [&](const Item& text) {
-    if (auto words = read_template(text, "")) one.variants.push_back(std::move(*words));
-  };
-  if (!item.json || !item.json->is_array()) return add(item), one;
-  if (item.json->empty()) mismatch(item, "what is said, or several ways to say it");
-  for (std::size_t i = 0; i < item.json->size(); ++i) add(element(item, i));
-  return one;
+SayCase PhraseReader::variants(const Item& item, const TermReader& terms) const {
+  SayCase read;
+  if (item.is_list() && item.json().empty()) item.mismatch("what is said, or several ways to say it");
+  for (const auto& text : item.is_list() ? item.elements("ways to say it") : std::vector{item})
+    if (auto words = terms.text_template(text)) read.variants.push_back(std::move(*words));
+  return read;
 }
 
-std::optional<Say> MachineReader::read_phrase(const Item& item) {
-  const auto name = name_of(item, "the name of a phrase");
+std::optional<Say> PhraseReader::phrase(const Item& item) {
+  const auto name = item.name("the name of a phrase");
   if (name.empty()) return std::nullopt;
-  if (machine_.phrases.empty() && !member({&machine_document_.root(), ""}, "phrases").json)
-    problem(item, "there are no phrases without their file; expected \"phrases\" in the machine");
-  if (!phrases_) return std::nullopt;
-  if (const auto known = read_phrases_.find(name); known != read_phrases_.end()) return known->second;
-  const auto say = member({&phrases_->root(), ""}, "say");
-  const auto cases = member(say, name);
-  if (!cases.json) {
+  if (!machine_names_file_)
+    item.problem("there are no phrases without their file; expected \"phrases\" in the machine");
+  if (!phrases_.exists()) return std::nullopt;
+  if (const auto known = read_.find(name); known != read_.end()) return known->second;
+  const auto found = phrases_.member(name);
+  if (!found.exists()) {
     std::vector<std::string> names;
-    for (const auto& [other, value] : say.json->items()) names.push_back(other);
-    problem(item, fmt::format("no phrase {} in {}{}", in_quotes(name), phrases_->name(), nearest(name, names)));
+    for (const auto& [other, value] : phrases_.json().items()) names.push_back(other);
+    item.problem(fmt::format("no phrase {} in {}{}", in_quotes(name), document_->name(), item.nearest(name, names)));
     return std::nullopt;
   }
-  document_ = &*phrases_;
-  std::optional<Say> phrase = Say{};
-  for (std::size_t i = 0; i < cases.json->size(); ++i) {
-    const auto one = element(cases, i);
-    auto variants = read_variants(member(one, "say"));
-    variants.when = parse(member(one, "when"), Type::truth());
-    phrase->cases.push_back(std::move(variants));
+  return read_.emplace(name, cases(found)).first->second;
+}
+
+Say PhraseReader::cases(const Item& phrase) const {
+  Say say;
+  for (const auto& each : phrase.elements("the cases of a phrase")) {
+    auto read = variants(each.member("say"), *phrase_terms_);
+    read.when = phrase_terms_->term(each.member("when"), Type::truth());
+    say.cases.push_back(std::move(read));
   }
-  document_ = &machine_document_;
-  return read_phrases_.emplace(name, std::move(phrase)).first->second;
+  return say;
 }
 
 }  // namespace continua

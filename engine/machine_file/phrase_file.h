@@ -1,23 +1,26 @@
-// What the avatar says, as a file that people can reword (automaton/FORMAT.md, Phrases):
+// The avatar's utterances, as a file that people can reword (automaton/FORMAT.md, Phrases):
 //
 //   { "phrases": 1,
+//     "define": { "many": "n > 1" },
+//     "wordings": [ { "of": "\\x. grasp(x)", "say": "take {x}" } ],
 //     "say": { "ask_thing": [ { "when": "pending = 'put'", "say": ["What should I put there?", "Put what there?"] },
 //                             { "say": "What do you mean?" } ] } }
 //
-// Here its shape is checked; its terms are read with those of a machine that uses them (machine_file/machine_loader.h).
+// The shape of the file is checked here. Its terms are read with the terms of a machine that uses them
+// (machine_file/machine_phrases.h).
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 
-/// NAME.json of `folder`. An error without a place: there is no such file; else it is what is wrong with the JSON.
+/// NAME.json of `folder`. An error without a place: there is no such file. Other errors: the file is no JSON document.
 Result<LocatedJson> read_phrases(const std::string& name, const std::string& folder);
 
-/// What is wrong with the shape of a phrase file, in the order of the file: "file:line:column: found …, expected …".
+/// All problems of the shape of a phrase file, in the order of the file: "file:line:column: found …, expected …".
 std::vector<Error> phrase_problems(const LocatedJson& document);
 
 }  // namespace continua

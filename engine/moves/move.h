@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "language/interpretation.h"
-#include "language/reading.h"
+#include "continua/language/interpretation.h"
+#include "continua/language/reading.h"
 
 namespace continua {
 

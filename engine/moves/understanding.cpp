@@ -1,13 +1,13 @@
-#include "moves/understanding.h"
+#include "continua/moves/understanding.h"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
 
-#include "language/anaphora.h"
-#include "language/reduction.h"
-#include "term/substitution.h"
+#include "continua/language/anaphora.h"
+#include "continua/language/reduction.h"
+#include "continua/term/substitution.h"
 
 namespace continua {
 namespace {

@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "language/demonstratives.h"
-#include "language/parser.h"
-#include "language/vocabulary.h"
-#include "moves/move.h"
-#include "perception/gesture.h"
-#include "term/raising.h"
+#include "continua/language/demonstratives.h"
+#include "continua/language/parser.h"
+#include "continua/language/vocabulary.h"
+#include "continua/moves/move.h"
+#include "continua/perception/gesture.h"
+#include "continua/term/raising.h"
 
 namespace continua {
 

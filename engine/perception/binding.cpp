@@ -1,4 +1,4 @@
-#include "perception/binding.h"
+#include "continua/perception/binding.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/sim_time.h"
-#include "perception/deixis.h"
+#include "continua/core/sim_time.h"
+#include "continua/perception/deixis.h"
 
 namespace continua {
 

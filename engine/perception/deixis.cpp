@@ -1,10 +1,10 @@
-#include "perception/deixis.h"
+#include "continua/perception/deixis.h"
 
 #include <algorithm>
 #include <limits>
 #include <tuple>
 
-#include "perception/fixations.h"
+#include "continua/perception/fixations.h"
 
 namespace continua {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/sim_time.h"
-#include "perception/input_event.h"
-#include "world/geometry.h"
+#include "continua/core/sim_time.h"
+#include "continua/perception/input_event.h"
+#include "continua/world/geometry.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "perception/fixations.h"
+#include "continua/perception/fixations.h"
 
 #include <algorithm>
 #include <array>

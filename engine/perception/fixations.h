@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "perception/deixis.h"
+#include "continua/perception/deixis.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "perception/fusion.h"
+#include "continua/perception/fusion.h"
 
 #include <algorithm>
 #include <tuple>

@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "perception/binding.h"
-#include "perception/deixis.h"
-#include "perception/input_event.h"
+#include "continua/perception/binding.h"
+#include "continua/perception/deixis.h"
+#include "continua/perception/input_event.h"
 
 namespace continua {
 

@@ -1,8 +1,6 @@
-#include "perception/gesture.h"
+#include "continua/perception/gesture.h"
 
 #include <algorithm>
-
-#include "perception/gesture_reader.h"
 
 namespace continua {
 
@@ -25,23 +23,6 @@ std::string gesture_symbol(const InputEvent& event, const GestureEntry* entry) {
   const std::string symbol = text(Modality::gesture) + " " + (entry ? entry->kind : "unknown");
   const bool acts = entry ? entry->acts(event.phase) : event.phase != "stop";
   return acts ? symbol : symbol + " " + event.phase;
-}
-
-Result<GestureCatalogue> read_gestures(std::string_view text, const std::string& path) {
-  const auto document = LocatedJson::parse(text, path);
-  if (!document) return document.error();
-  GestureReader reader(*document);
-  auto catalogue = reader.read();
-  if (auto problems = reader.problems(); !problems.empty()) return problems.front();
-  return catalogue;
-}
-
-std::vector<Error> check_gestures(std::string_view text, const std::string& path) {
-  const auto document = LocatedJson::parse(text, path);
-  if (!document) return {document.error()};
-  GestureReader reader(*document);
-  reader.read();
-  return reader.problems();
 }
 
 }  // namespace continua

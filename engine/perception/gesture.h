@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/result.h"
-#include "perception/input_event.h"
+#include "continua/core/result.h"
+#include "continua/perception/input_event.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "perception/input_event.h"
+#include "continua/perception/input_event.h"
 
 #include <algorithm>
 #include <array>
@@ -6,45 +6,11 @@
 #include <string_view>
 #include <utility>
 
-#include "core/result.h"
+#include "continua/core/result.h"
+#include "continua/core/words.h"
 
 namespace continua {
 namespace {
-
-enum class Character { part_of_word, joins, separates };
-
-// What the character at `at` is to a word, and its length in bytes. An apostrophe joins ("don't" is one word);
-// other ASCII beside letters and digits separates, as does general punctuation (U+2000 … U+203F: dashes, quotation
-// marks, ellipsis); everything else beyond ASCII is part of a word.
-std::pair<Character, std::size_t> character_at(std::string_view text, std::size_t at) {
-  const auto c = static_cast<unsigned char>(text[at]);
-  if (c >= 0x80) {
-    if (text.substr(at, 2) != "\xE2\x80" || at + 2 >= text.size()) return {Character::part_of_word, 1};
-    const bool apostrophe = text[at + 2] == '\x98' || text[at + 2] == '\x99';
-    return {apostrophe ? Character::joins : Character::separates, 3};
-  }
-  if (c == '\'') return {Character::joins, 1};
-  const bool letter = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-  return {letter || (c >= '0' && c <= '9') ? Character::part_of_word : Character::separates, 1};
-}
-
-// The words in lower case, with single spaces and without punctuation.
-std::string words_of(std::string_view text) {
-  std::string out;
-  bool apart = false;
-  for (std::size_t at = 0; at < text.size();) {
-    const auto [character, length] = character_at(text, at);
-    if (character == Character::separates) apart = true;
-    if (character == Character::part_of_word) {
-      if (apart && !out.empty()) out += ' ';
-      apart = false;
-      const char c = text[at];
-      out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    at += length;
-  }
-  return out;
-}
 
 void append(std::string& symbol, const std::string& part) {
   if (part.empty()) return;
@@ -70,7 +36,7 @@ std::string symbol_of(const InputEvent& event) {
   std::string symbol = text(event.modality);
   switch (event.modality) {
     case Modality::speech:
-      append(symbol, words_of(event.text));
+      append(symbol, bare_words(event.text));
       break;
     case Modality::gesture:
       for (const auto* part : {&event.hand, &event.name, &event.direction, &event.phase}) append(symbol, *part);

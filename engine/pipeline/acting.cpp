@@ -1,11 +1,11 @@
-#include "pipeline/acting.h"
+#include "continua/pipeline/acting.h"
 
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "behaviour/planner.h"
-#include "pipeline/pipeline.h"
+#include "continua/behaviour/planner.h"
+#include "continua/pipeline/pipeline.h"
 
 namespace continua {
 namespace {
@@ -15,7 +15,7 @@ constexpr int most_ends = 100;
 
 }  // namespace
 
-std::string symbol_of(const ActEnd& end) { return "act " + text(end.status); }
+std::string symbol_of(const ActEnd& end) { return "act " + name_of(end.status); }
 
 Input to_input(const ActEnd& end, int serial, SimTime now) {
   Input input;

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "automaton/input.h"
-#include "behaviour/performance.h"
+#include "continua/automaton/input.h"
+#include "continua/behaviour/performance.h"
 
 namespace continua {
 

@@ -1,6 +1,6 @@
 // Where the dialogue is when another avatar was observed to do something else than this one did.
-#include "pipeline/inputs.h"
-#include "pipeline/pipeline.h"
+#include "continua/pipeline/inputs.h"
+#include "continua/pipeline/pipeline.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "pipeline/discourse.h"
+#include "continua/pipeline/discourse.h"
 
 #include <algorithm>
 #include <set>

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "automaton/stepper.h"
-#include "moves/move.h"
+#include "continua/automaton/stepper.h"
+#include "continua/moves/move.h"
 
 namespace continua {
 

@@ -9,12 +9,12 @@
 #include <variant>
 #include <vector>
 
-#include "automaton/exploration.h"
-#include "behaviour/performance.h"
-#include "composition/learning.h"
-#include "moves/move.h"
-#include "perception/fusion.h"
-#include "pipeline/acting.h"
+#include "continua/automaton/exploration.h"
+#include "continua/behaviour/performance.h"
+#include "continua/learning/learning.h"
+#include "continua/moves/move.h"
+#include "continua/perception/fusion.h"
+#include "continua/pipeline/acting.h"
 
 namespace continua {
 

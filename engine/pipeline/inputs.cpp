@@ -1,4 +1,4 @@
-#include "pipeline/inputs.h"
+#include "continua/pipeline/inputs.h"
 
 #include <utility>
 

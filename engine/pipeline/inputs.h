@@ -1,9 +1,9 @@
 // What the automaton is offered, from what was perceived and understood.
 #pragma once
 
-#include "automaton/input.h"
-#include "moves/move.h"
-#include "perception/input_event.h"
+#include "continua/automaton/input.h"
+#include "continua/moves/move.h"
+#include "continua/perception/input_event.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "pipeline/lessons.h"
+#include "continua/pipeline/lessons.h"
 
 #include <iterator>
 #include <string>
@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "composition/methods.h"
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
+#include "continua/facts/methods.h"
 
 namespace continua {
 namespace {

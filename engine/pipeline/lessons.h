@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "automaton/step_event.h"
-#include "composition/learning.h"
+#include "continua/automaton/step_event.h"
+#include "continua/learning/learning.h"
 
 namespace continua {
 

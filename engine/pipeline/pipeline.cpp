@@ -1,14 +1,14 @@
-#include "pipeline/pipeline.h"
+#include "continua/pipeline/pipeline.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "automaton/carry_over.h"
-#include "core/located_json.h"
-#include "pipeline/discourse.h"
-#include "pipeline/inputs.h"
-#include "pipeline/lessons.h"
+#include "continua/automaton/carry_over.h"
+#include "continua/core/located_json.h"
+#include "continua/pipeline/discourse.h"
+#include "continua/pipeline/inputs.h"
+#include "continua/pipeline/lessons.h"
 
 namespace continua {
 namespace {

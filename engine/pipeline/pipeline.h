@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "composition/methods.h"
-#include "moves/understanding.h"
-#include "pipeline/discourse.h"
-#include "pipeline/engine_state.h"
+#include "continua/facts/methods.h"
+#include "continua/moves/understanding.h"
+#include "continua/pipeline/discourse.h"
+#include "continua/pipeline/engine_state.h"
 
 namespace continua {
 

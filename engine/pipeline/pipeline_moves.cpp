@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "perception/speech_times.h"
-#include "pipeline/inputs.h"
-#include "pipeline/pipeline.h"
-#include "term/substitution.h"
+#include "continua/perception/speech_times.h"
+#include "continua/pipeline/inputs.h"
+#include "continua/pipeline/pipeline.h"
+#include "continua/term/substitution.h"
 
 namespace continua {
 

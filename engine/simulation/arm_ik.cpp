@@ -1,4 +1,4 @@
-#include "simulation/arm_ik.h"
+#include "continua/simulation/arm_ik.h"
 
 #include <array>
 

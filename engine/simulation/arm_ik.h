@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "world/geometry.h"
+#include "continua/world/geometry.h"
 
 namespace continua {
 

@@ -1,14 +1,14 @@
-#include "simulation/avatar.h"
+#include "continua/simulation/avatar.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "simulation/hand_route.h"
-#include "simulation/stacks.h"
-#include "simulation/turning.h"
+#include "continua/body/placement.h"
+#include "continua/simulation/hand_route.h"
 
 namespace continua {
 
@@ -17,8 +17,11 @@ namespace {
 using Status = ActReport::Status;
 
 constexpr double turned_wrong = 0.17;  // radians: beyond it a turn has missed
-// One retry of what failed in the world; that the arm finds no way with a grip, two more grips may mend.
+constexpr double full_turn = 6.283185307179586, deg_per_rad = 57.29577951308232;
+// A failure in the world is tried once more. If the arm finds no way with a grip, two other grips may have one.
 constexpr int most_retries = 1, most_detours = 2;
+// Half of what counts as rest: an object about to topple does not stay below this for long.
+constexpr double quiet_m_per_s = 1e-3, quiet_rad_per_s = 0.025;
 
 ObjectShapes shapes_of(const std::vector<SceneObject>& objects) {
   ObjectShapes shapes;
@@ -28,18 +31,11 @@ ObjectShapes shapes_of(const std::vector<SceneObject>& objects) {
 
 }  // namespace
 
-bool is_gesture(Capability what) { return what == Capability::reach || what == Capability::point; }
-
 Avatar::Avatar(Physics& physics)
     : physics_(physics),
-      dt_s_(physics.timestep_s()),
       shapes_(shapes_of(physics.objects())),
       means_{physics.avatar(), shapes_},
-      path_(HandPath::stay(physics.hinges())) {
-  wanted_opening_m_ = target_.opening_m = resting_opening_m;
-  target_.hinges = {physics.hinges(), ArmVector::Zero(physics.arm().size())};
-  leftover_qdot_ = behind_q_ = target_.hinges.qdot;
-}
+      state_{.motion = Motion(physics.hinges(), resting_opening_m)} {}
 
 int Avatar::index_of(const std::string& object) const {
   const auto& objects = physics_.objects();
@@ -47,117 +43,158 @@ int Avatar::index_of(const std::string& object) const {
   return found == objects.end() ? -1 : static_cast<int>(found - objects.begin());
 }
 
-bool Avatar::may_be_superseded() const { return busy_ && is_gesture(command_.what); }
+bool Avatar::may_be_superseded() const { return busy_ && is_gesture(state_.act.command.what); }
 
 std::optional<ActReport> Avatar::take_result() { return std::exchange(result_, std::nullopt); }
 
-void Avatar::begin(const AvatarCommand& command) {
-  command_ = command;
-  outcome_ = {};
-  retried_ = detours_ = preparations_ = pushes_ = 0;
-  tried_.clear();
-  moved_aside_.clear();
-  retries_.clear();
-  let_go_.reset();
-  yaw_WG_.reset();
+void Avatar::begin(const AvatarCommand& asked) {
+  AvatarAct& act = state_.act;
+  act = AvatarAct{.command = asked};
+  AvatarCommand& command = act.command;
+  state_.attempts = {};
+  state_.under_way.let_go.reset();
   result_.reset();
   if (command.what == Capability::stop) return halt();
   busy_ = true;
   if (command.what == Capability::retract) {
-    stage_ = Stage::act;
-    phases_ = {Phase::withdraw, Phase::go_home};
-    return begin_phase();
+    state_.under_way.preparing = false;
+    return begin_phases({Phase::withdraw, Phase::go_home});
   }
 
   const WorldSnapshot world = physics_.snapshot({});
-  if (command_.object.empty() && !is_gesture(command_.what)) command_.object = world.held;
-  const bool in_hand = !command_.object.empty() && world.held == command_.object;
-  lets_go_ = command_.what == Capability::put ||
-             ((command_.what == Capability::slide || command_.what == Capability::turn) && !in_hand);
-  if (command_.what == Capability::grasp && command_.next) command_.goal = *command_.next;
-  if (command_.what == Capability::grasp && in_hand) return end_act();
-  if (command_.what == Capability::move && !in_hand) {
-    outcome_.status = Status::blocked;
-    outcome_.reason = command_.object.empty() ? "there is nothing in the hand"
-                                              : fmt::format("{} is not in the hand", command_.object);
-    return end_act();
-  }
+  if (command.object.empty() && !is_gesture(command.what)) command.object = world.held;
+  const bool in_hand = !command.object.empty() && world.held == command.object;
+  act.lets_go = command.what == Capability::put ||
+                ((command.what == Capability::slide || command.what == Capability::turn) && !in_hand);
+  if (command.what == Capability::grasp && command.next) command.goal = *command.next;
+  if (command.what == Capability::grasp && in_hand) return end_act();
+  if (command.what == Capability::move && !in_hand)
+    return cannot({Status::blocked, command.object.empty() ? "there is nothing in the hand"
+                                                           : fmt::format("{} is not in the hand", command.object)});
   decide();
 }
 
-/// Whatever is under way ends where it is; what the fingers hold they keep, and what they do not yet hold they leave.
+// The act under way ends where it is. The fingers keep what they hold, and leave what they do not hold yet.
 void Avatar::halt() {
   if (!busy_) return end_act();
-  if (!phases_.empty() && phases_.front() == Phase::close) {
-    if (physics_.held() >= 0) {
-      if (steps_so_ == 0) hold_firmly();
-    } else {
+  if (!state_.run.phases.empty() && state_.run.phases.front() == Phase::close) {
+    if (physics_.held() < 0) {
       physics_.set_grip(-1);
-      wanted_opening_m_ = release_opening_m_;
+      state_.motion.wanted_opening_m = state_.motion.release_opening_m;
+    } else if (state_.run.steady_steps == 0) {
+      PhaseWork work{physics_, state_};
+      hold_firmly(work);
     }
   }
-  brake();
-  failing_ = false;
-  stage_ = Stage::act;
-  phases_ = {Phase::halt};
-  begin_phase();
+  state_.motion.brake();
+  state_.run.failing = false;
+  state_.under_way.preparing = false;
+  begin_phases({Phase::halt});
 }
 
 void Avatar::abandon(std::string reason) {
-  target_.hinges.q = physics_.hinges();
-  stop_here();
+  state_.motion.stay_at(physics_.hinges());
   if (!busy_) return;
-  outcome_ = {};
-  outcome_.status = Status::dropped;
-  outcome_.reason = std::move(reason);
+  state_.act.outcome = {};
+  state_.act.outcome.status = Status::dropped;
+  state_.act.outcome.reason = std::move(reason);
   end_act();
 }
 
-/// When nothing of a handling remains to be done.
+void Avatar::begin_phases(std::deque<Phase> phases) {
+  state_.run.phases = std::move(phases);
+  begin_phase();
+}
+
+void Avatar::begin_phase() {
+  PhaseRun& run = state_.run;
+  run.elapsed_s = 0;
+  run.steady_steps = 0;
+  PhaseWork work{physics_, state_};
+  // Among the phases that end a failed handling, the arm skips those that it cannot do.
+  while (!run.phases.empty() && !continua::begin_phase(run.phases.front(), work)) {
+    if (!run.failing) return fail({Status::unreachable, "the arm does not get there"});
+    run.phases.pop_front();
+  }
+  if (run.phases.empty()) phases_done();
+}
+
+const AvatarTarget& Avatar::update() {
+  const double dt_s = physics_.timestep_s();
+  auto& let_go = state_.under_way.let_go;
+  if (let_go) let_go->ago_s += dt_s;
+  const bool quiet = physics_.objects_slower_than(quiet_m_per_s, quiet_rad_per_s);
+  state_.quiet_steps = quiet ? state_.quiet_steps + 1 : 0;
+  PhaseRun& run = state_.run;
+  if (busy_ && !run.phases.empty()) {
+    PhaseWork work{physics_, state_};
+    PhaseEnd end = end_of_phase(run.phases.front(), work);
+    if (end.failure) {
+      fail(*std::move(end.failure));
+    } else if (end.ended) {
+      run.phases.pop_front();
+      begin_phase();
+    }
+  }
+  run.elapsed_s += dt_s;
+  return state_.motion.advance(dt_s);
+}
+
+// A handling has ended: the next one of the act, its judgement, or another attempt.
 void Avatar::phases_done() {
-  if (command_.what == Capability::stop) return end_act();
-  if (outcome_.status == Status::done && stage_ == Stage::preparation) return decide();
-  if (outcome_.status == Status::done) judge();
+  AvatarAct& act = state_.act;
+  if (act.command.what == Capability::stop) return end_act();
+  if (act.outcome.status == Status::done && state_.under_way.preparing) return decide();
+  if (act.outcome.status == Status::done) {
+    const WorldSnapshot world = physics_.snapshot({});
+    measure(world);
+    if (auto failure = judge(world)) {
+      act.outcome.status = failure->status;
+      act.outcome.reason = std::move(failure->reason);
+    }
+  }
   if (!try_again()) end_act();
 }
 
-/// Whether the act has failed in a way that another attempt may mend, which then has begun.
+// Begins another attempt if one may mend the act's failure. Returns whether it did.
 bool Avatar::try_again() {
-  const bool once =
-      is_gesture(command_.what) || command_.what == Capability::ungrasp || command_.what == Capability::retract;
-  const bool spent = outcome_.status == Status::unreachable ? detours_ >= most_detours : retried_ >= most_retries;
-  if (outcome_.status == Status::done || once || spent) return false;
-  if (stage_ == Stage::act) tried_.push_back(handling_.grip);
+  const AvatarAct& act = state_.act;
+  Attempts& attempts = state_.attempts;
+  const bool spent =
+      act.outcome.status == Status::unreachable ? attempts.detours >= most_detours : attempts.retried >= most_retries;
+  if (act.outcome.status == Status::done || !needs_object(act.command.what) || spent) return false;
+  if (!state_.under_way.preparing) attempts.tried.push_back(state_.under_way.handling.grip);
   decide();
   return true;
 }
 
-/// Whether the object stands in the relation that was asked for. A step to a side of its own is a place.
+// Whether the object stands in the relation that was asked for. A step to a side of its own is a place.
 bool Avatar::is_related(const WorldSnapshot& world) const {
-  const Goal& goal = command_.goal;
+  const AvatarCommand& command = state_.act.command;
+  const Goal& goal = command.goal;
   std::vector<Landmark> landmarks;
   for (const auto& name : goal.landmarks) {
-    if (name == command_.object) return true;
+    if (name == command.object) return true;
     landmarks.push_back(*Landmark::named(name, world));
   }
   return !goal.relation ||
-         holds_by(*goal.relation, *world.find(command_.object), landmarks, world.table, goal.perspective) > 0;
+         holds_by(*goal.relation, *world.find(command.object), landmarks, world.table, goal.perspective) > 0;
 }
 
-/// Whether what was let go of has moved since, or moves still.
-bool Avatar::moved_again() const {
+// Whether the object that was let go of has moved since, or moves still.
+bool Avatar::moved_again(const WorldSnapshot& world) const {
   constexpr double moved_m = 0.01, tipped_rad = 0.2;
-  // What only trembles where it stands has not moved.
+  // An object that only trembles where it stands has not moved.
   constexpr double trembles_m = 1e-3, trembles_rad = 0.02;
-  if (!let_go_) return false;
-  const Pose X_WO = physics_.object_pose(let_go_->object);
+  const auto& let_go = state_.under_way.let_go;
+  if (!let_go) return false;
+  const Pose X_WO = physics_.object_pose(let_go->object);
   const auto farther = [&](double m, double rad) {
-    return (X_WO.p_WB - let_go_->X_WO.p_WB).norm() > m || X_WO.R_WB.angularDistance(let_go_->X_WO.R_WB) > rad;
+    return (X_WO.p_WB - let_go->X_WO.p_WB).norm() > m || X_WO.R_WB.angularDistance(let_go->X_WO.R_WB) > rad;
   };
-  if (quiet_steps_ * dt_s_ < quiet_s && farther(trembles_m, trembles_rad)) return true;
-  // What was let fall into a hollow moves until it lies there.
-  const WorldSnapshot world = physics_.snapshot({});
-  const ObjectState& object = world.objects[static_cast<std::size_t>(let_go_->object)];
+  if (state_.quiet_steps * physics_.timestep_s() < quiet_s && farther(trembles_m, trembles_rad)) return true;
+  // An object that was let fall into a hollow moves until it lies there.
+  const ObjectState& object = world.objects[static_cast<std::size_t>(let_go->object)];
   for (const auto& other : world.objects) {
     const std::array landmarks = {Landmark::object(other)};
     if (other.interior && other.name != object.name &&
@@ -167,73 +204,78 @@ bool Avatar::moved_again() const {
   return farther(moved_m, tipped_rad);
 }
 
-/// Measures what has been reached.
-void Avatar::judge() {
-  const auto failed = [&](Status status, std::string reason) {
-    outcome_.status = status;
-    outcome_.reason = std::move(reason);
-  };
-  const bool turning = command_.what == Capability::turn;
-  const WorldSnapshot world = physics_.snapshot({});
-  if (moves_to_goal(command_.what) || turning) {
-    const int object = index_of(command_.object);
-    const auto shape = shapes_.find(command_.object);
-    const bool is_round = shape != shapes_.end() && shape->second.is_round();
-    outcome_.position_error_m = on_grid((physics_.object_pose(object).p_WB - p_WG_).head<2>().norm());
-    if (yaw_WG_ && !is_round) {
-      constexpr double full_turn = 6.283185307179586, yaw_grid = 1e-3;
-      const double off = std::remainder(world.find(command_.object)->yaw - *yaw_WG_, full_turn);
-      outcome_.yaw_error = yaw_grid * std::round(off / yaw_grid);
-    }
-  }
-  if (moved_again())
-    return failed(Status::unstable, fmt::format("{} moved again within a second", world.objects[let_go_->object].name));
-  if (turning && std::abs(outcome_.yaw_error) > turned_wrong)
-    return failed(Status::missed, fmt::format("{} came to be turned {:.0f} degrees too far or too little",
-                                              command_.object, 57.29577951308232 * std::abs(outcome_.yaw_error)));
-  // Where in a hollow it comes to lie does not matter.
-  const bool inside = moves_to_goal(command_.what) && command_.goal.relation == Relation::in;
-  if (!inside && outcome_.position_error_m > set_down_error_m)
-    return failed(Status::missed, fmt::format("{} came to lie {:.0f} mm from its goal", command_.object,
-                                              1000 * outcome_.position_error_m));
-  if (moves_to_goal(command_.what) && !is_related(world))
-    failed(Status::missed, fmt::format("{} did not come to be {} {}", command_.object,
-                                       in_words(*command_.goal.relation), fmt::join(command_.goal.landmarks, " and ")));
+// How far the object is from its goal.
+void Avatar::measure(const WorldSnapshot& world) {
+  constexpr double yaw_grid = 1e-3;  // radians
+  AvatarAct& act = state_.act;
+  const AvatarCommand& command = act.command;
+  if (!moves_to_goal(command.what) && command.what != Capability::turn) return;
+  const Vec3 p_WO = physics_.object_pose(index_of(command.object)).p_WB;
+  act.outcome.position_error_m = on_grid((p_WO - act.p_WG).head<2>().norm());
+  const auto shape = shapes_.find(command.object);
+  const bool is_round = shape != shapes_.end() && shape->second.is_round();
+  if (!act.yaw_WG || is_round) return;
+  const double off = std::remainder(world.find(command.object)->yaw - *act.yaw_WG, full_turn);
+  act.outcome.yaw_error = yaw_grid * std::round(off / yaw_grid);
 }
 
-/// Ends the handling badly, but with an open hand clear of things.
-void Avatar::fail(Status status, std::string reason) {
-  if (outcome_.status == Status::done) {
-    outcome_.status = status;
-    outcome_.reason = std::move(reason);
+// Whether the act has reached what it was to reach.
+std::optional<Failure> Avatar::judge(const WorldSnapshot& world) const {
+  const AvatarCommand& command = state_.act.command;
+  const ActReport& outcome = state_.act.outcome;
+  const Goal& goal = command.goal;
+  if (moved_again(world)) {
+    const int object = state_.under_way.let_go->object;
+    return Failure{Status::unstable, fmt::format("{} moved again within a second", world.objects[object].name)};
   }
-  failing_ = true;
-  const bool retreating = !phases_.empty() && phases_.front() == Phase::retreat;
-  stop_here();
-  // By the hinges alone the arm gets home from wherever it is: what it could not do before, it can from there.
-  if (retreating || is_gesture(command_.what) || command_.what == Capability::retract) {
-    phases_ = {Phase::go_home};
-  } else if (physics_.held() >= 0) {
-    phases_ = {Phase::lower, Phase::open, Phase::retreat, Phase::go_home, Phase::settle};
-  } else {
-    phases_ = {Phase::open, Phase::retreat, Phase::go_home, Phase::settle};
+  if (command.what == Capability::turn && std::abs(outcome.yaw_error) > turned_wrong)
+    return Failure{Status::missed, fmt::format("{} came to be turned {:.0f} degrees too far or too little",
+                                               command.object, deg_per_rad * std::abs(outcome.yaw_error))};
+  // Anywhere in a hollow will do.
+  const bool inside = moves_to_goal(command.what) && goal.relation == Relation::in;
+  if (!inside && outcome.position_error_m > set_down_error_m)
+    return Failure{Status::missed, fmt::format("{} came to lie {:.0f} mm from its goal", command.object,
+                                               1000 * outcome.position_error_m)};
+  if (moves_to_goal(command.what) && !is_related(world))
+    return Failure{Status::missed, fmt::format("{} did not come to be {} {}", command.object, in_words(*goal.relation),
+                                               fmt::join(goal.landmarks, " and "))};
+  return std::nullopt;
+}
+
+// Ends the handling with a failure, but with an open hand clear of things. The first failure counts.
+void Avatar::fail(Failure failure) {
+  AvatarAct& act = state_.act;
+  if (act.outcome.status == Status::done) {
+    act.outcome.status = failure.status;
+    act.outcome.reason = std::move(failure.reason);
   }
-  begin_phase();
+  state_.run.failing = true;
+  const bool retreating = !state_.run.phases.empty() && state_.run.phases.front() == Phase::retreat;
+  state_.motion.stay();
+  // By the hinges alone the arm gets home from everywhere, and from there to places that it could not reach before.
+  if (retreating || is_gesture(act.command.what) || act.command.what == Capability::retract)
+    return begin_phases({Phase::go_home});
+  if (physics_.held() >= 0)
+    return begin_phases({Phase::lower, Phase::open, Phase::retreat, Phase::go_home, Phase::settle});
+  begin_phases({Phase::open, Phase::retreat, Phase::go_home, Phase::settle});
 }
 
 void Avatar::end_act() {
-  phases_.clear();
-  if (path_s_ < path_.duration_s()) stop_here();
+  AvatarAct& act = state_.act;
+  state_.run.phases.clear();
+  if (!state_.motion.is_over()) state_.motion.stay();
   busy_ = false;
-  outcome_.moved_aside = moved_aside_;
-  outcome_.retries = retries_;
-  const bool handles = !is_gesture(command_.what) && command_.what != Capability::stop;
-  const std::string object = command_.what == Capability::ungrasp && let_go_
-                                 ? physics_.objects()[static_cast<std::size_t>(let_go_->object)].name
-                                 : command_.object;
+  act.outcome.moved_aside = act.moved_aside;
+  act.outcome.retries = state_.attempts.retries;
+  const Capability what = act.command.what;
+  const bool handles = !is_gesture(what) && what != Capability::stop;
+  const auto& let_go = state_.under_way.let_go;
+  const std::string object = what == Capability::ungrasp && let_go
+                                 ? physics_.objects()[static_cast<std::size_t>(let_go->object)].name
+                                 : act.command.object;
   const int handled = handles ? index_of(object) : -1;
-  if (handled >= 0) outcome_.touches = physics_.touched_by(handled);
-  result_ = outcome_;
+  if (handled >= 0) act.outcome.touches = physics_.touched_by(handled);
+  result_ = act.outcome;
 }
 
 }  // namespace continua

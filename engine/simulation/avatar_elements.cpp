@@ -1,4 +1,4 @@
-#include "simulation/avatar_elements.h"
+#include "continua/simulation/avatar_elements.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "simulation/geom_bounds.h"
-#include "simulation/mujoco_model.h"
+#include "continua/simulation/geom_bounds.h"
+#include "continua/simulation/mujoco_model.h"
 
 namespace continua {
 

@@ -9,8 +9,8 @@
 
 #include <mujoco/mujoco.h>
 
-#include "core/result.h"
-#include "simulation/avatar_form.h"
+#include "continua/core/result.h"
+#include "continua/simulation/avatar_form.h"
 
 namespace continua {
 

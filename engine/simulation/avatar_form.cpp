@@ -1,4 +1,4 @@
-#include "simulation/avatar_form.h"
+#include "continua/simulation/avatar_form.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "simulation/arm_ik.h"
-#include "simulation/oriented_box.h"
+#include "continua/simulation/arm_ik.h"
+#include "continua/simulation/oriented_box.h"
 
 namespace continua {
 

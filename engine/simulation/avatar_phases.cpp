@@ -1,10 +1,12 @@
+#include "continua/simulation/avatar_phases.h"
+
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
-#include "simulation/avatar.h"
-#include "simulation/hand_route.h"
-#include "simulation/stacks.h"
+#include "continua/simulation/hand_route.h"
+#include "continua/simulation/stacks.h"
 
 namespace continua {
 
@@ -12,292 +14,327 @@ namespace {
 
 using Status = ActReport::Status;
 
-constexpr double fade_s = 0.25;  // in which a superseded motion fades out
-constexpr double finger_m_per_s = 0.15;
 constexpr double squeeze_N = 8;        // with which each finger holds
-constexpr double further_m = 0.003;    // down, than should be needed: contact ends the motion
+constexpr double further_m = 0.003;    // how far below the expected height the hand aims: contact ends the motion
 constexpr double touch_force_N = 2.5;  // of set-down: a block weighs about 1 N
 constexpr Pace gentle{0.12, 1.5, 10};
 constexpr Pace loaded{0.9, 2.5, 18}, careful{0.4, 1.2, 4};
-// Half of what counts as rest: what is about to topple does not stay below this for so long.
-constexpr double quiet_m_per_s = 1e-3, quiet_rad_per_s = 0.025;
+
+// ---- Poses and motions ---------------------------------------------------------------------------------------------
+
+Pose hand_now(const PhaseWork& work) { return tool_pose(work.physics.arm(), work.state.motion.target().hinges.q); }
+
+// The hand's pose when the object that it holds is at `p_WO`, as it was grasped or turned as it shall be at the goal.
+Pose hand_for_object(const PhaseWork& work, const Vec3& p_WO, bool turned) {
+  const HandlingUnderWay& under_way = work.state.under_way;
+  const Grip& grip = under_way.handling.grip;
+  const Pose X_WT = tool_pose(work.physics.arm(), work.physics.hinges());
+  const Vec3 p_TO = X_WT.R_WB.conjugate() * (work.physics.object_pose(under_way.object).p_WB - X_WT.p_WB);
+  const Eigen::Quaterniond R_WT = hand_at(grip, p_WO, turned).R_WB;
+  return {p_WO + (turned ? grip.aside_W : Vec3::Zero()) - R_WT * p_TO, R_WT};
+}
+
+bool go(PhaseWork& work, const std::vector<Pose>& X_WT, const Pace& pace = {}) {
+  Motion& motion = work.state.motion;
+  const AvatarForm& avatar = work.physics.avatar();
+  const auto things = things_around(work.physics.snapshot({}));
+  const auto depth = [&](const ArmVector& q) {
+    return std::max(arm_conflict(avatar, q, things),
+                    hand_conflict(avatar.hand, tool_pose(avatar.arm, q), motion.target().opening_m, things));
+  };
+  auto path = HandPath::plan(work.physics.arm(), motion.target().hinges.q, X_WT, pace, depth);
+  if (!path) return false;
+  motion.follow(*std::move(path));
+  return true;
+}
+
+// A second attempt goes slowly, because a weak hand then holds an object that had slipped out of it.
+Pace carrying_pace(const PhaseWork& work) { return work.state.attempts.retries.empty() ? loaded : careful; }
+
+// ---- Beginnings ----------------------------------------------------------------------------------------------------
+
+bool begin_nothing(PhaseWork&, const WorldSnapshot&) { return true; }
+
+bool begin_hover(PhaseWork& work, const WorldSnapshot& world) {
+  const AvatarCommand& command = work.state.act.command;
+  if (world.held.empty())
+    work.state.motion.wanted_opening_m = command.what == Capability::point ? 0 : resting_opening_m;
+  return go(work, way_over(hand_now(work), gesture_pose(command, work.physics, world), world, work.physics.avatar()));
+}
+
+bool begin_approach(PhaseWork& work, const WorldSnapshot& world) {
+  const HandlingUnderWay& under_way = work.state.under_way;
+  const Grip& grip = under_way.handling.grip;
+  work.state.motion.wanted_opening_m = grip.opening_m;
+  const Pose at_object = hand_at(grip, world.objects[under_way.object].p_WO, false);
+  return go(work, way_to_grasp(hand_now(work), at_object, world, work.physics.avatar()));
+}
+
+bool begin_close(PhaseWork& work, const WorldSnapshot&) {
+  const HandlingUnderWay& under_way = work.state.under_way;
+  work.physics.set_grip(under_way.object);
+  work.state.motion.release_opening_m = under_way.handling.grip.opening_m;
+  work.state.motion.wanted_opening_m = 0;
+  return true;
+}
+
+bool begin_raise(PhaseWork& work, const WorldSnapshot&) {
+  return go(work, {hand_for_object(work, work.state.act.p_WG, false)}, carrying_pace(work));
+}
+
+// Along the table where the act wants that, or where the object is only moved out of the way, and nothing is between;
+// else across above everything.
+bool begin_carry(PhaseWork& work, const WorldSnapshot& world) {
+  constexpr double above_m = 0.01;  // the object comes so far above its goal
+  constexpr double drag_m = 0.001;  // and so far above the table when it slides, lest friction turn it
+  const AvatarAct& act = work.state.act;
+  const HandlingUnderWay& under_way = work.state.under_way;
+  const Handling& handling = under_way.handling;
+  const ObjectState& object = world.objects[under_way.object];
+  const Vec3 first_at = handling.set_down->first_W();
+  const bool may_slide = act.command.what == Capability::slide || under_way.preparing;
+  const bool along_table =
+      may_slide && act.command.what != Capability::turn && way_is_free(object, first_at, act.landmark(), world);
+  const double half_m = handling.on_end ? object.half_extents_m.maxCoeff() : object.half_extents_m.z();
+  double up_m = along_table ? drag_m : above_m;
+  if (const ObjectState* container = world.find(handling.into))
+    up_m = std::max(up_m, container->bounds_W().max.z() + above_m - (first_at.z() - half_m));
+  const Vec3 over_goal = first_at + Vec3(0, 0, up_m);
+  const Pose at_goal = hand_for_object(work, over_goal, true);
+  if (along_table) return go(work, {at_goal}, carrying_pace(work));
+  const double below_m = at_goal.p_WB.z() - (over_goal.z() - half_m);
+  return go(work, way_over(hand_now(work), at_goal, world, work.physics.avatar(), below_m), carrying_pace(work));
+}
+
+bool begin_insert(PhaseWork& work, const WorldSnapshot&) {
+  const Vec3 deeper_m(0, 0, further_m);
+  return work.physics.held() < 0 ||
+         go(work, {hand_for_object(work, work.state.under_way.handling.set_down->p_WO - deeper_m, true)}, gentle);
+}
+
+bool begin_lower(PhaseWork& work, const WorldSnapshot& world) {
+  const int held = work.physics.held();
+  if (held < 0) return true;
+  const ObjectState& object = world.objects[held];
+  const double down_m = object.bounds_W().min.z() - height_under(object, world);
+  const Pose from = hand_now(work);
+  return go(work, {{from.p_WB - Vec3(0, 0, std::max(0.0, down_m + further_m)), from.R_WB}}, gentle);
+}
+
+bool begin_shove(PhaseWork& work, const WorldSnapshot&) {
+  const HandlingUnderWay& under_way = work.state.under_way;
+  const int held = work.physics.held();
+  Vec3 p_WO = under_way.handling.set_down->p_WO;
+  if (held >= 0) p_WO.z() = work.physics.object_pose(held).p_WB.z();
+  return held != under_way.object || go(work, {hand_for_object(work, p_WO, true)}, gentle);
+}
+
+bool begin_open(PhaseWork& work, const WorldSnapshot&) {
+  const int held = work.physics.held();
+  Motion& motion = work.state.motion;
+  motion.stay();
+  if (held >= 0) work.state.under_way.let_go = {held, work.physics.object_pose(held), 0};
+  work.physics.set_grip(-1);
+  motion.wanted_opening_m = std::max(motion.release_opening_m, motion.target().opening_m);
+  return true;
+}
+
+bool begin_retreat(PhaseWork& work, const WorldSnapshot&) { return go(work, {before_grasp(hand_now(work))}); }
+
+bool begin_behind(PhaseWork& work, const WorldSnapshot& world) {
+  const Push& push = work.state.under_way.push;
+  work.state.motion.wanted_opening_m = push.opening_m;
+  return go(work, way_over(hand_now(work), push.behind_X_WT, world, work.physics.avatar()));
+}
+
+bool begin_push(PhaseWork& work, const WorldSnapshot&) {
+  return go(work, {work.state.under_way.push.end_X_WT}, gentle);
+}
+
+bool begin_back_off(PhaseWork& work, const WorldSnapshot&) {
+  constexpr double back_m = 0.015;
+  HandlingUnderWay& under_way = work.state.under_way;
+  const Pose from = hand_now(work);
+  const Pose back{from.p_WB - back_m * under_way.push.ahead_W, from.R_WB};
+  under_way.let_go = {under_way.object, work.physics.object_pose(under_way.object), 0};
+  return go(work, {back, before_grasp(back)});
+}
+
+bool begin_withdraw(PhaseWork& work, const WorldSnapshot& world) {
+  const int held = work.physics.held();
+  const Arm& arm = work.physics.arm();
+  if (held < 0) work.state.motion.wanted_opening_m = resting_opening_m;
+  const Pose from = hand_now(work);
+  const double below_m = held < 0 ? 0 : from.p_WB.z() - world.objects[held].bounds_W().min.z();
+  // If there is no straight way home, the next phase goes there by the hinges alone.
+  go(work, way_over(from, tool_pose(arm, arm.home), world, work.physics.avatar(), below_m));
+  return true;
+}
+
+bool begin_go_home(PhaseWork& work, const WorldSnapshot&) {
+  Motion& motion = work.state.motion;
+  motion.follow_from_rest(HandPath::between(motion.target().hinges.q, work.physics.arm().home));
+  return true;
+}
+
+// ---- Ends ----------------------------------------------------------------------------------------------------------
+
+PhaseEnd failed(Status status, std::string reason) { return {false, Failure{status, std::move(reason)}}; }
+
+// Counts the steps in which a condition has held without a break.
+bool held_for(PhaseWork& work, bool condition, int steps) {
+  PhaseRun& run = work.state.run;
+  run.steady_steps = condition ? run.steady_steps + 1 : 0;
+  return run.steady_steps >= steps;
+}
+
+bool has_arrived(const PhaseWork& work) {
+  constexpr double near_rad = 2e-3, patience_s = 0.25;
+  const Motion& motion = work.state.motion;
+  if (!motion.is_over()) return false;
+  return motion.is_over_since(patience_s) || (work.physics.hinges() - motion.end()).cwiseAbs().maxCoeff() < near_rad;
+}
+
+// The hand, or what it holds, meets something that it should not.
+bool pushes_hard(PhaseWork& work) {
+  constexpr double hard_N = 25;
+  constexpr int firm_steps = 5;
+  const int held = work.physics.held();
+  const bool hard = work.physics.outside_force(-1) > hard_N || (held >= 0 && work.physics.outside_force(held) > hard_N);
+  return held_for(work, hard, firm_steps);
+}
+
+PhaseEnd arrived(PhaseWork& work) { return {has_arrived(work)}; }
+
+PhaseEnd arrived_unhindered(PhaseWork& work) {
+  if (pushes_hard(work)) return failed(Status::blocked, "something is in the hand's way");
+  return arrived(work);
+}
+
+// An arm on its way home at the end of another act may graze things; a retract must not.
+PhaseEnd got_home(PhaseWork& work) {
+  return work.state.act.command.what == Capability::retract ? arrived_unhindered(work) : arrived(work);
+}
+
+PhaseEnd carried(PhaseWork& work) {
+  const HandlingUnderWay& under_way = work.state.under_way;
+  const std::string& object = under_way.handling.object;
+  if (work.physics.held() != under_way.object)
+    return failed(Status::dropped, fmt::format("{} slipped out of the fingers", object));
+  if (pushes_hard(work)) return failed(Status::blocked, fmt::format("something is in {}'s way", object));
+  return arrived(work);
+}
+
+PhaseEnd pushed(PhaseWork& work) {
+  if (pushes_hard(work))
+    return failed(Status::blocked, fmt::format("something is in {}'s way", work.state.act.command.object));
+  return arrived(work);
+}
+
+PhaseEnd shoved(PhaseWork& work) { return {work.physics.held() != work.state.under_way.object || has_arrived(work)}; }
+
+PhaseEnd closed(PhaseWork& work) {
+  constexpr int firm_steps = 50;
+  constexpr double patience_s = 1.2;
+  const bool firm = held_for(work, work.physics.held() == work.state.under_way.object, firm_steps);
+  if (work.state.run.steady_steps == 1) hold_firmly(work);
+  if (!firm && work.state.run.elapsed_s > patience_s) return failed(Status::blocked, "the fingers found no hold");
+  return {firm};
+}
+
+PhaseEnd touched_down(PhaseWork& work) {
+  constexpr int firm_steps = 3;
+  const int held = work.physics.held();
+  if (held < 0) return {true};
+  const bool touches =
+      work.physics.outside_force(held) > touch_force_N || work.physics.outside_force(-1) > touch_force_N;
+  return {held_for(work, touches, firm_steps) || has_arrived(work)};
+}
+
+PhaseEnd opened(PhaseWork& work) {
+  constexpr double patience_s = 0.8;
+  const Motion& motion = work.state.motion;
+  return {motion.target().opening_m >= motion.wanted_opening_m || work.state.run.elapsed_s > patience_s};
+}
+
+PhaseEnd settled(PhaseWork& work) {
+  constexpr double patience_s = 1, least_s = 0.1;
+  const AvatarState& state = work.state;
+  const auto& let_go = state.under_way.let_go;
+  const double since_s = let_go ? let_go->ago_s : state.run.elapsed_s;
+  return {state.quiet_steps * work.physics.timestep_s() >= quiet_s ||
+          (since_s > patience_s && state.run.elapsed_s > least_s)};
+}
+
+PhaseEnd halted(PhaseWork& work) {
+  constexpr double patience_s = 0.8;
+  const Motion& motion = work.state.motion;
+  const double elapsed_s = work.state.run.elapsed_s;
+  const bool fingers_done = work.physics.held() >= 0 || motion.target().opening_m == motion.wanted_opening_m;
+  return {elapsed_s > patience_s || (elapsed_s > Motion::fade_s && has_arrived(work) && fingers_done)};
+}
+
+// ---- The table -----------------------------------------------------------------------------------------------------
+
+struct Row {
+  Phase phase;
+  bool (*begin)(PhaseWork&, const WorldSnapshot&);
+  PhaseEnd (*ended)(PhaseWork&);
+};
+
+// In the order of the enumeration.
+constexpr std::array rows = {
+    Row{Phase::hover, begin_hover, arrived},
+    Row{Phase::approach, begin_approach, arrived_unhindered},
+    Row{Phase::close, begin_close, closed},
+    Row{Phase::raise, begin_raise, carried},
+    Row{Phase::carry, begin_carry, carried},
+    Row{Phase::lower, begin_lower, touched_down},
+    Row{Phase::insert, begin_insert, touched_down},
+    Row{Phase::shove, begin_shove, shoved},
+    Row{Phase::open, begin_open, opened},
+    Row{Phase::retreat, begin_retreat, arrived},
+    Row{Phase::behind, begin_behind, arrived_unhindered},
+    Row{Phase::push, begin_push, pushed},
+    Row{Phase::back_off, begin_back_off, arrived},
+    Row{Phase::withdraw, begin_withdraw, got_home},
+    Row{Phase::go_home, begin_go_home, got_home},
+    Row{Phase::settle, begin_nothing, settled},
+    Row{Phase::halt, begin_nothing, halted},
+};
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (static_cast<std::size_t>(rows[i].phase) != i) return false;
+  return rows.size() == static_cast<std::size_t>(Phase::halt) + 1;
+}
+static_assert(in_order(), "each phase has its row");
+
+const Row& row_of(Phase phase) { return rows[static_cast<std::size_t>(phase)]; }
 
 }  // namespace
 
-// ---- Poses ---------------------------------------------------------------------------------------------------------
+bool begin_phase(Phase phase, PhaseWork& work) { return row_of(phase).begin(work, work.physics.snapshot({})); }
 
-/// The hand's pose when what it holds is at `p_WO`, as it was grasped or turned as it shall be at the goal.
-Pose Avatar::hand_for_object(const Vec3& p_WO, bool turned) const {
-  const Pose X_WT = tool_pose(physics_.arm(), physics_.hinges());
-  const Vec3 p_TO = X_WT.R_WB.conjugate() * (physics_.object_pose(object_).p_WB - X_WT.p_WB);
-  const Eigen::Quaterniond R_WT = hand_at(handling_.grip, p_WO, turned).R_WB;
-  return {p_WO + (turned ? handling_.grip.aside_W : Vec3::Zero()) - R_WT * p_TO, R_WT};
-}
+PhaseEnd end_of_phase(Phase phase, PhaseWork& work) { return row_of(phase).ended(work); }
 
-Pose Avatar::gesture_pose(const WorldSnapshot& world) const {
-  const ObjectState* object = world.find(command_.object);
-  Vec3 p_W = object ? object->p_WO : command_.goal.p_WG;
+Pose gesture_pose(const AvatarCommand& command, const Physics& physics, const WorldSnapshot& world) {
+  const ObjectState* object = world.find(command.object);
+  Vec3 p_W = object ? object->p_WO : command.goal.p_WG;
   if (object) p_W.z() = object->bounds_W().max.z();
-  const Arm& arm = physics_.arm();
-  if (command_.what != Capability::point || !world.held.empty())
-    return hover_pose(object, p_W, world, tool_pose(arm, physics_.hinges()), physics_.avatar());
+  const Arm& arm = physics.arm();
+  if (command.what != Capability::point || !world.held.empty())
+    return hover_pose(object, p_W, world, tool_pose(arm, physics.hinges()), physics.avatar());
   const auto poses = pointing_poses(p_W, arm.base_W());
   const auto reached = [&](const Pose& X_WT) { return find_ik(arm, X_WT).reached; };
   const auto found = std::find_if(poses.begin(), poses.end(), reached);
   return found == poses.end() ? poses.front() : *found;
 }
 
-// ---- Motion --------------------------------------------------------------------------------------------------------
-
-bool Avatar::go(const std::vector<Pose>& X_WT, const Pace& pace) {
-  const AvatarForm& avatar = physics_.avatar();
-  const auto things = things_around(physics_.snapshot({}));
-  const auto depth = [&](const ArmVector& q) {
-    return std::max(arm_conflict(avatar, q, things),
-                    hand_conflict(avatar.hand, tool_pose(avatar.arm, q), target_.opening_m, things));
-  };
-  auto path = HandPath::plan(physics_.arm(), target_.hinges.q, X_WT, pace, depth);
-  if (!path) return false;
-  path_ = std::move(*path);
-  path_s_ = 0;
-  leftover_qdot_ = target_.hinges.qdot;
-  behind_q_.setZero();
-  return true;
-}
-
-void Avatar::stop_here() {
-  path_ = HandPath::stay(target_.hinges.q);
-  path_s_ = 0;
-  leftover_qdot_.setZero();
-  behind_q_.setZero();
-}
-
-/// Comes to a stand in the way it is going.
-void Avatar::brake() {
-  const HingeTarget from = target_.hinges;
-  stop_here();
-  behind_q_ = from.qdot * fade_s / 3;
-  path_ = HandPath::stay(from.q + behind_q_);
-}
-
-/// A second attempt goes slowly: a weak hand holds then what had slipped out of it.
-Pace Avatar::carrying_pace() const { return retries_.empty() ? loaded : careful; }
-
-/// Presses by position, not by force: what is between the fingers then has a place there.
-void Avatar::hold_firmly() {
-  wanted_opening_m_ = target_.opening_m - squeeze_N / physics_.avatar().hand.finger_N_per_m;
-}
-
-bool Avatar::arrived() const {
-  constexpr double near_rad = 2e-3, patience_s = 0.25;
-  if (path_s_ < path_.duration_s()) return false;
-  return path_s_ > path_.duration_s() + patience_s ||
-         (physics_.hinges() - path_.end()).cwiseAbs().maxCoeff() < near_rad;
-}
-
-/// The hand, or what it holds, meets something that it should not.
-bool Avatar::pushes_hard() {
-  constexpr double hard_N = 25;
-  constexpr int firm_steps = 5;
-  const int held = physics_.held();
-  const bool hard = physics_.outside_force(-1) > hard_N || (held >= 0 && physics_.outside_force(held) > hard_N);
-  steps_so_ = hard ? steps_so_ + 1 : 0;
-  return steps_so_ >= firm_steps;
-}
-
-const AvatarTarget& Avatar::update() {
-  if (let_go_) let_go_->ago_s += dt_s_;
-  quiet_steps_ = physics_.objects_slower_than(quiet_m_per_s, quiet_rad_per_s) ? quiet_steps_ + 1 : 0;
-  if (busy_ && phase_ended()) {
-    phases_.pop_front();
-    begin_phase();
-  }
-  phase_s_ += dt_s_;
-  path_s_ += dt_s_;
-  target_.hinges = path_.at(path_s_);
-  if (path_s_ < fade_s) {
-    const double left = 1 - path_s_ / fade_s;
-    target_.hinges.q += (leftover_qdot_ * path_s_ - behind_q_) * left * left * left;
-    target_.hinges.qdot += leftover_qdot_ * left * left * (left - 3 * path_s_ / fade_s);
-    target_.hinges.qdot += behind_q_ * 3 / fade_s * left * left;
-  }
-  const double step_m = finger_m_per_s * dt_s_;
-  target_.opening_m += std::clamp(wanted_opening_m_ - target_.opening_m, -step_m, step_m);
-  return target_;
-}
-
-// ---- Phases --------------------------------------------------------------------------------------------------------
-
-void Avatar::begin_phase() {
-  phase_s_ = 0;
-  steps_so_ = 0;
-  // Of what ends a failed handling, the arm leaves out what it cannot do.
-  while (!phases_.empty() && !move_to(phases_.front(), physics_.snapshot({}))) {
-    if (!failing_) return fail(Status::unreachable, "the arm does not get there");
-    phases_.pop_front();
-  }
-  if (phases_.empty()) phases_done();
-}
-
-/// Tells arm and fingers what the phase wants of them. False if the arm cannot do it.
-bool Avatar::move_to(Phase phase, const WorldSnapshot& world) {
-  const int held = physics_.held();
-  const AvatarForm& avatar = physics_.avatar();
-  const Pose from = tool_pose(physics_.arm(), target_.hinges.q);
-  switch (phase) {
-    case Phase::hover:
-      if (world.held.empty()) wanted_opening_m_ = command_.what == Capability::point ? 0 : resting_opening_m;
-      return go(way_over(from, gesture_pose(world), world, avatar));
-    case Phase::approach:
-      wanted_opening_m_ = handling_.grip.opening_m;
-      return go(way_to_grasp(from, hand_at(handling_.grip, world.objects[object_].p_WO, false), world, avatar));
-    case Phase::close:
-      physics_.set_grip(object_);
-      release_opening_m_ = handling_.grip.opening_m;
-      wanted_opening_m_ = 0;
-      return true;
-    case Phase::raise:
-      return go({hand_for_object(p_WG_, false)}, carrying_pace());
-    case Phase::carry: {
-      constexpr double above_m = 0.01, drag_m = 0.001;
-      const Vec3 first_at = handling_.set_down->first_W();
-      const bool may_slide = command_.what == Capability::slide || stage_ == Stage::preparation;
-      along_table_ = may_slide && command_.what != Capability::turn &&
-                     way_is_free(world.objects[object_], first_at, landmark(), world);
-      const Vec3& half_extents_m = world.objects[object_].half_extents_m;
-      const double half_m = handling_.on_end ? half_extents_m.maxCoeff() : half_extents_m.z();
-      double up_m = along_table_ ? drag_m : above_m;
-      if (const ObjectState* container = world.find(handling_.into))
-        up_m = std::max(up_m, container->bounds_W().max.z() + above_m - (first_at.z() - half_m));
-      const Vec3 over_goal = first_at + Vec3(0, 0, up_m);
-      const Pose at_goal = hand_for_object(over_goal, true);
-      if (along_table_) return go({at_goal}, carrying_pace());
-      return go(way_over(from, at_goal, world, avatar, at_goal.p_WB.z() - (over_goal.z() - half_m)), carrying_pace());
-    }
-    case Phase::insert:
-      return held < 0 || go({hand_for_object(handling_.set_down->p_WO - Vec3(0, 0, further_m), true)}, gentle);
-    case Phase::lower: {
-      if (held < 0) return true;
-      const ObjectState& object = world.objects[held];
-      const double down = object.bounds_W().min.z() - height_under(object, world);
-      return go({{from.p_WB - Vec3(0, 0, std::max(0.0, down + further_m)), from.R_WB}}, gentle);
-    }
-    case Phase::shove: {
-      Vec3 p_WO = handling_.set_down->p_WO;
-      if (held >= 0) p_WO.z() = physics_.object_pose(held).p_WB.z();
-      return held != object_ || go({hand_for_object(p_WO, true)}, gentle);
-    }
-    case Phase::open:
-      stop_here();
-      if (held >= 0) let_go_ = {held, physics_.object_pose(held), 0};
-      physics_.set_grip(-1);
-      wanted_opening_m_ = std::max(release_opening_m_, target_.opening_m);
-      return true;
-    case Phase::retreat:
-      return go({before_grasp(from)});
-    case Phase::behind:
-      wanted_opening_m_ = push_.opening_m;
-      return go(way_over(from, push_.behind_X_WT, world, avatar));
-    case Phase::push:
-      return go({push_.end_X_WT}, gentle);
-    case Phase::back_off: {
-      constexpr double back_m = 0.015;
-      const Pose back{from.p_WB - back_m * push_.ahead_W, from.R_WB};
-      let_go_ = {object_, physics_.object_pose(object_), 0};
-      return go({back, before_grasp(back)});
-    }
-    case Phase::withdraw: {
-      if (held < 0) wanted_opening_m_ = resting_opening_m;
-      const double below_m = held < 0 ? 0 : from.p_WB.z() - world.objects[held].bounds_W().min.z();
-      // What cannot be done in a straight line is done by the hinges alone, in the next phase.
-      go(way_over(from, tool_pose(physics_.arm(), physics_.arm().home), world, avatar, below_m));
-      return true;
-    }
-    case Phase::go_home:
-      stop_here();
-      path_ = HandPath::between(target_.hinges.q, physics_.arm().home);
-      return true;
-    case Phase::settle:
-    case Phase::halt:
-      return true;
-  }
-  return true;
-}
-
-bool Avatar::phase_ended() {
-  if (phases_.empty()) return false;
-  const int held = physics_.held();
-  switch (phases_.front()) {
-    case Phase::hover:
-    case Phase::retreat:
-    case Phase::back_off:
-      return arrived();
-    case Phase::withdraw:
-    case Phase::go_home:
-      if (command_.what == Capability::retract && pushes_hard()) {
-        fail(Status::blocked, "something is in the hand's way");
-        return false;
-      }
-      return arrived();
-    case Phase::push:
-      if (pushes_hard()) {
-        fail(Status::blocked, fmt::format("something is in {}'s way", command_.object));
-        return false;
-      }
-      return arrived();
-    case Phase::behind:
-    case Phase::approach:
-      if (pushes_hard()) {
-        fail(Status::blocked, "something is in the hand's way");
-        return false;
-      }
-      return arrived();
-    case Phase::close: {
-      constexpr int firm_steps = 50;
-      constexpr double patience_s = 1.2;
-      steps_so_ = held == object_ ? steps_so_ + 1 : 0;
-      if (steps_so_ == 1) hold_firmly();
-      if (steps_so_ >= firm_steps) return true;
-      if (phase_s_ > patience_s) fail(Status::blocked, "the fingers found no hold");
-      return false;
-    }
-    case Phase::raise:
-    case Phase::carry:
-      if (held != object_) {
-        fail(Status::dropped, fmt::format("{} slipped out of the fingers", handling_.object));
-        return false;
-      }
-      if (pushes_hard()) {
-        fail(Status::blocked, fmt::format("something is in {}'s way", handling_.object));
-        return false;
-      }
-      return arrived();
-    case Phase::shove:
-      return held != object_ || arrived();
-    case Phase::lower:
-    case Phase::insert: {
-      constexpr int firm_steps = 3;
-      if (held < 0) return true;
-      const bool touches = physics_.outside_force(held) > touch_force_N || physics_.outside_force(-1) > touch_force_N;
-      steps_so_ = touches ? steps_so_ + 1 : 0;
-      return steps_so_ >= firm_steps || arrived();
-    }
-    case Phase::open: {
-      constexpr double patience_s = 0.8;
-      return target_.opening_m >= wanted_opening_m_ || phase_s_ > patience_s;
-    }
-    case Phase::settle: {
-      constexpr double patience_s = 1, least_s = 0.1;
-      const double since_s = let_go_ ? let_go_->ago_s : phase_s_;
-      return quiet_steps_ * dt_s_ >= quiet_s || (since_s > patience_s && phase_s_ > least_s);
-    }
-    case Phase::halt: {
-      constexpr double patience_s = 0.8;
-      const bool fingers_done = held >= 0 || target_.opening_m == wanted_opening_m_;
-      return phase_s_ > patience_s || (phase_s_ > fade_s && arrived() && fingers_done);
-    }
-  }
-  return true;
+// By position, not by force: an object between the fingers then has a place there.
+void hold_firmly(PhaseWork& work) {
+  Motion& motion = work.state.motion;
+  motion.wanted_opening_m = motion.target().opening_m - squeeze_N / work.physics.avatar().hand.finger_N_per_m;
 }
 
 }  // namespace continua

@@ -1,8 +1,8 @@
-#include "simulation/box_contacts.h"
+#include "continua/simulation/box_contacts.h"
 
 #include <mujoco/mujoco.h>
 
-#include "simulation/oriented_box.h"
+#include "continua/simulation/oriented_box.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "simulation/geom_bounds.h"
+#include "continua/simulation/geom_bounds.h"
 
 namespace continua {
 

@@ -1,12 +1,12 @@
-#include "simulation/grip_choice.h"
+#include "continua/simulation/grip_choice.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
-#include "simulation/hand_route.h"
-#include "simulation/stacks.h"
+#include "continua/simulation/hand_route.h"
+#include "continua/simulation/stacks.h"
 
 namespace continua {
 

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "simulation/avatar_form.h"
-#include "simulation/hand_turn.h"
-#include "simulation/object_shape.h"
-#include "world/world_snapshot.h"
+#include "continua/simulation/avatar_form.h"
+#include "continua/simulation/hand_turn.h"
+#include "continua/simulation/object_shape.h"
+#include "continua/world/world_snapshot.h"
 
 namespace continua {
 

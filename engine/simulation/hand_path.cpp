@@ -1,4 +1,4 @@
-#include "simulation/hand_path.h"
+#include "continua/simulation/hand_path.h"
 
 #include <algorithm>
 #include <cmath>

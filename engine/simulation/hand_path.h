@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "simulation/arm_ik.h"
+#include "continua/simulation/arm_ik.h"
 
 namespace continua {
 

@@ -1,9 +1,9 @@
-#include "simulation/hand_route.h"
+#include "continua/simulation/hand_route.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/stacks.h"
+#include "continua/simulation/stacks.h"
 
 namespace continua {
 

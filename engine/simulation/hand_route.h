@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "simulation/avatar_form.h"
-#include "simulation/hand_turn.h"
-#include "world/world_snapshot.h"
+#include "continua/simulation/avatar_form.h"
+#include "continua/simulation/hand_turn.h"
+#include "continua/world/world_snapshot.h"
 
 namespace continua {
 

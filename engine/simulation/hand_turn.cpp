@@ -1,4 +1,4 @@
-#include "simulation/hand_turn.h"
+#include "continua/simulation/hand_turn.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // How the hand is turned.
 #pragma once
 
-#include "world/geometry.h"
+#include "continua/world/geometry.h"
 
 namespace continua {
 

@@ -1,11 +1,11 @@
-#include "simulation/handling.h"
+#include "continua/simulation/handling.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "simulation/hand_route.h"
-#include "simulation/stacks.h"
+#include "continua/simulation/hand_route.h"
+#include "continua/simulation/stacks.h"
 
 namespace continua {
 

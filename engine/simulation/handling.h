@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "simulation/grip_choice.h"
-#include "simulation/object_shape.h"
-#include "simulation/set_down.h"
+#include "continua/simulation/grip_choice.h"
+#include "continua/simulation/object_shape.h"
+#include "continua/simulation/set_down.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "simulation/mujoco_model.h"
+#include "continua/simulation/mujoco_model.h"
 
 #include <array>
 #include <csetjmp>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/result.h"
+#include "continua/core/result.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "simulation/mujoco_version.h"
+#include "continua/simulation/mujoco_version.h"
 
 #include <mujoco/mujoco.h>
 

@@ -1,9 +1,9 @@
-#include "simulation/object_shape.h"
+#include "continua/simulation/object_shape.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/mujoco_model.h"
+#include "continua/simulation/mujoco_model.h"
 
 namespace continua {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "world/geometry.h"
+#include "continua/world/geometry.h"
 
 struct mjModel_;
 

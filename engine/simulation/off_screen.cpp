@@ -1,4 +1,4 @@
-#include "simulation/off_screen.h"
+#include "continua/simulation/off_screen.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

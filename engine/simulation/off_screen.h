@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 
-#include "core/result.h"
+#include "continua/core/result.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "simulation/oriented_box.h"
+#include "continua/simulation/oriented_box.h"
 
 #include <algorithm>
 #include <limits>

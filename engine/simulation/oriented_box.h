@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "world/world_snapshot.h"
+#include "continua/world/world_snapshot.h"
 
 namespace continua {
 

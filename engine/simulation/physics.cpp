@@ -1,4 +1,4 @@
-#include "simulation/physics.h"
+#include "continua/simulation/physics.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "simulation/avatar_elements.h"
-#include "simulation/box_contacts.h"
-#include "simulation/mujoco_model.h"
+#include "continua/simulation/avatar_elements.h"
+#include "continua/simulation/box_contacts.h"
+#include "continua/simulation/mujoco_model.h"
 
 namespace continua {
 

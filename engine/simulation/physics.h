@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "simulation/avatar_form.h"
-#include "simulation/hand_path.h"
-#include "simulation/scene.h"
+#include "continua/simulation/avatar_form.h"
+#include "continua/simulation/hand_path.h"
+#include "continua/simulation/scene.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "simulation/physics_body.h"
+#include "continua/simulation/physics_body.h"
 
 #include <algorithm>
 

@@ -4,10 +4,10 @@
 #include <deque>
 #include <memory>
 
-#include "behaviour/avatar_command.h"
-#include "simulation/avatar.h"
-#include "simulation/physics.h"
-#include "simulation/scene.h"
+#include "continua/body/body.h"
+#include "continua/simulation/avatar.h"
+#include "continua/simulation/physics.h"
+#include "continua/simulation/scene.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "simulation/pushing.h"
+#include "continua/simulation/pushing.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "simulation/hand_route.h"
-#include "simulation/stacks.h"
+#include "continua/simulation/hand_route.h"
+#include "continua/simulation/stacks.h"
 
 namespace continua {
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "core/result.h"
-#include "simulation/handling.h"
+#include "continua/core/result.h"
+#include "continua/simulation/handling.h"
 
 namespace continua {
 

@@ -1,16 +1,16 @@
-#include "simulation/renderer.h"
+#include "continua/simulation/renderer.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/located_json.h"
-#include "simulation/avatar_elements.h"
-#include "simulation/geom_bounds.h"
-#include "simulation/mujoco_model.h"
-#include "simulation/off_screen.h"
-#include "simulation/view_fit.h"
+#include "continua/core/located_json.h"
+#include "continua/simulation/avatar_elements.h"
+#include "continua/simulation/geom_bounds.h"
+#include "continua/simulation/mujoco_model.h"
+#include "continua/simulation/off_screen.h"
+#include "continua/simulation/view_fit.h"
 
 namespace continua {
 namespace {

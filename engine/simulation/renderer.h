@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
-#include "world/geometry.h"
+#include "continua/core/result.h"
+#include "continua/world/geometry.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "simulation/scene.h"
+#include "continua/simulation/scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "simulation/avatar_elements.h"
-#include "simulation/geom_bounds.h"
-#include "simulation/mujoco_model.h"
-#include "simulation/scene_source.h"
+#include "continua/simulation/avatar_elements.h"
+#include "continua/simulation/geom_bounds.h"
+#include "continua/simulation/mujoco_model.h"
+#include "continua/simulation/scene_source.h"
 
 namespace continua {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "core/located_json.h"
-#include "core/result.h"
-#include "simulation/object_shape.h"
-#include "world/world_snapshot.h"
+#include "continua/core/located_json.h"
+#include "continua/core/result.h"
+#include "continua/simulation/object_shape.h"
+#include "continua/world/world_snapshot.h"
 
 struct mjModel_;
 

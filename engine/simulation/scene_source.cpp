@@ -1,4 +1,4 @@
-#include "simulation/scene_source.h"
+#include "continua/simulation/scene_source.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 

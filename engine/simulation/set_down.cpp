@@ -1,11 +1,11 @@
-#include "simulation/set_down.h"
+#include "continua/simulation/set_down.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "simulation/oriented_box.h"
-#include "simulation/stacks.h"
+#include "continua/simulation/oriented_box.h"
+#include "continua/simulation/stacks.h"
 
 namespace continua {
 

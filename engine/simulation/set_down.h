@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "world/world_snapshot.h"
+#include "continua/world/world_snapshot.h"
 
 namespace continua {
 

@@ -1,8 +1,8 @@
-#include "simulation/stacks.h"
+#include "continua/simulation/stacks.h"
 
 #include <algorithm>
 
-#include "simulation/oriented_box.h"
+#include "continua/simulation/oriented_box.h"
 
 namespace continua {
 

@@ -1,10 +1,10 @@
-#include "simulation/turning.h"
+#include "continua/simulation/turning.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/hand_route.h"
-#include "simulation/stacks.h"
+#include "continua/simulation/hand_route.h"
+#include "continua/simulation/stacks.h"
 
 namespace continua {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "simulation/handling.h"
+#include "continua/simulation/handling.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "simulation/view_fit.h"
+#include "continua/simulation/view_fit.h"
 
 #include <algorithm>
 #include <array>

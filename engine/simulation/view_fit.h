@@ -7,7 +7,7 @@
 
 #include <mujoco/mujoco.h>
 
-#include "world/geometry.h"
+#include "continua/world/geometry.h"
 
 namespace continua {
 

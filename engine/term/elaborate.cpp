@@ -1,12 +1,12 @@
-#include "term/elaborate.h"
+#include "continua/term/elaborate.h"
 
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "core/located_json.h"
-#include "term/lexer.h"
-#include "term/unify.h"
+#include "continua/core/located_json.h"
+#include "continua/term/lexer.h"
+#include "continua/term/unify.h"
 
 namespace continua {
 namespace {

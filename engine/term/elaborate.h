@@ -1,9 +1,9 @@
 // From what a text says to a term: names are found, types inferred.
 #pragma once
 
-#include "core/result.h"
-#include "term/syntax.h"
-#include "term/term_text.h"
+#include "continua/core/result.h"
+#include "continua/term/syntax.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 

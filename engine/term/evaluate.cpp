@@ -1,10 +1,10 @@
-#include "term/evaluate.h"
+#include "continua/term/evaluate.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "term/substitution.h"
+#include "continua/term/substitution.h"
 
 namespace continua {
 namespace {

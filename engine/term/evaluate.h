@@ -14,8 +14,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "term/term.h"
-#include "term/term_text.h"
+#include "continua/term/term.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 

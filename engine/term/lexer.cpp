@@ -1,4 +1,4 @@
-#include "term/lexer.h"
+#include "continua/term/lexer.h"
 
 #include <algorithm>
 #include <array>

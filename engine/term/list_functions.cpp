@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "term/rules.h"
+#include "continua/term/rules.h"
 
 namespace continua {
 namespace {

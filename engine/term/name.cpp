@@ -1,4 +1,4 @@
-#include "term/name.h"
+#include "continua/term/name.h"
 
 #include <mutex>
 #include <unordered_set>

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "term/lexer.h"
-#include "term/syntax.h"
+#include "continua/term/lexer.h"
+#include "continua/term/syntax.h"
 
 namespace continua {
 namespace {
@@ -59,10 +59,17 @@ class Parser {
   Result<Syntax> expression(int least) {
     if (nesting_ >= deepest_term) return too_deep(token_.begin);
     ++nesting_;
+    const auto from = token_.begin;
     auto left = prefixed();
+    const auto span = [&](Syntax& syntax) {
+      syntax.from = from;
+      syntax.end = read_to_;
+    };
+    if (left) span(*left);
     while (left && binding_of(token_) >= least) {
       auto joined = infix(std::move(*left));
       left = std::move(joined);
+      if (left) span(*left);
     }
     --nesting_;
     return left;
@@ -176,7 +183,7 @@ class Parser {
     }
     if (token_.is(">=")) {  // <0, 0, 0>=p
       token_.text = "=";
-      ++token_.begin;
+      read_to_ = ++token_.begin;
     } else if (auto problem = expect(">")) {
       return *problem;
     }
@@ -265,6 +272,7 @@ class Parser {
   }
 
   Outcome advance() {
+    read_to_ = lexer_.at();
     auto token = lexer_.next();
     if (!token) return token.error();
     token_ = std::move(*token);
@@ -286,6 +294,7 @@ class Parser {
   Token token_;
   const std::vector<std::string>& base_types_;
   std::size_t nesting_ = 0;
+  std::size_t read_to_ = 0;  // the end of the token before token_
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "term/rules.h"
+#include "continua/term/rules.h"
 
 namespace continua {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "term/lexer.h"
-#include "term/substitution.h"
-#include "term/term_text.h"
+#include "continua/term/lexer.h"
+#include "continua/term/substitution.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 namespace {

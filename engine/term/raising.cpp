@@ -1,4 +1,4 @@
-#include "term/raising.h"
+#include "continua/term/raising.h"
 
 #include <utility>
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "term/evaluate.h"
+#include "continua/term/evaluate.h"
 
 namespace continua {
 

@@ -1,122 +1,71 @@
-#include "term/raising_file.h"
+#include "continua/term/raising_file.h"
 
 #include <algorithm>
-#include <initializer_list>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
-#include "core/located_json.h"
+#include "continua/core/document_reader.h"
+#include "continua/term/read_type.h"
 
 namespace continua {
 namespace {
 
-// Reads until the first problem.
-class Reader {
- public:
-  Reader(const LocatedJson& document, const Signature& names) : document_(document), names_(names) {}
+Term read_term(const Item& item, const Signature& names, const Type& expected) {
+  const auto text = item.name("a term");
+  if (text.empty()) return Term();
+  const auto term = parse_term(text, names, expected);
+  if (term) return *term;
+  item.problem_in_text(term.error());
+  return Term();
+}
 
-  Result<RaisingRules> read() {
-    const Json& root = document_.root();
-    if (has_shape(root, "", "raising rules", {"raising", "about", "programs", "rules"}, {"raising", "rules"})) {
-      if (root["raising"] != 1) fail("/raising", "found another version of the format, expected 1");
-      if (root.contains("programs")) read_programs(root["programs"]);
-      if (!root["rules"].is_array()) fail("/rules", "expected the rules, a list");
-    }
-    RaisingRules rules;
-    for (std::size_t i = 0; !error_ && i < root["rules"].size(); ++i) {
-      rules.push_back(read_rule(root["rules"][i], "/rules/" + std::to_string(i)));
-      for (std::size_t j = 0; j < i; ++j)
-        if (rules[j].name == rules[i].name)
-          fail(fmt::format("/rules/{}/name", i), fmt::format("{} is another rule's name", in_quotes(rules[i].name)));
-    }
-    if (error_) return *error_;
-    return rules;
+// `names` and the file's own programs.
+Signature with_programs(const Item& programs, Signature names) {
+  for (const auto& [name, item] : programs.members("programs")) {
+    const auto type = read_type(item);
+    if (const auto [known, added] = names.emplace(name, type); !added && !(known->second == type))
+      item.problem(fmt::format("{} is known already, with the type {}", in_quotes(name), known->second.text()));
   }
+  return names;
+}
 
- private:
-  void fail(const std::string& pointer, std::string sentence) {
-    if (!error_) error_ = document_.error(pointer, std::move(sentence));
-  }
-
-  bool has_shape(const Json& json, const std::string& pointer, const char* what, std::vector<std::string> keys,
-                 std::initializer_list<const char*> required) {
-    if (!json.is_object()) return fail(pointer, fmt::format("expected {}, an object", what)), false;
-    for (const auto& [key, value] : json.items())
-      if (std::find(keys.begin(), keys.end(), key) == keys.end())
-        fail(pointer, fmt::format("unknown key {} of {}{}", in_quotes(key), what, did_you_mean(key, keys)));
-    for (const char* key : required)
-      if (!json.contains(key)) fail(pointer, fmt::format("there is no \"{}\" in {}", key, what));
-    return !error_;
-  }
-
-  std::string text(const Json& json, const std::string& pointer, const char* what) {
-    if (!json.is_string() || json.get<std::string>().empty()) fail(pointer, fmt::format("expected {}, a string", what));
-    return json.is_string() ? json.get<std::string>() : std::string();
-  }
-
-  void fail_in_text(const std::string& pointer, const Error& error) {
-    constexpr std::string_view prefix = "column ";
-    require(error.where.starts_with(prefix), "an error in a text names its column");
-    if (!error_)
-      error_ = document_.error(document_.place_in_text(pointer, std::stoul(error.where.substr(prefix.size())) - 1),
-                               error.sentence);
-  }
-
-  Type read_type(const Json& json, const std::string& pointer) {
-    const auto type = Type::parse(text(json, pointer, "a type"));
-    if (type) return *type;
-    fail_in_text(pointer, type.error());
-    return Type::term();
-  }
-
-  Term read_term(const Json& json, const std::string& pointer, const Type& expected) {
-    const auto term = parse_term(text(json, pointer, "a term"), names_, expected);
-    if (term) return *term;
-    fail_in_text(pointer, term.error());
-    return Term();
-  }
-
-  void read_programs(const Json& programs) {
-    if (!programs.is_object()) return fail("/programs", "expected programs, an object");
-    for (const auto& [name, value] : programs.items()) {
-      const auto pointer = "/programs/" + escaped(name);
-      const auto type = read_type(value, pointer);
-      if (const auto [known, added] = names_.emplace(name, type); !added && !(known->second == type))
-        fail(pointer, fmt::format("{} is known already, with the type {}", in_quotes(name), known->second.text()));
-    }
-  }
-
-  // As part of a JSON pointer (RFC 6901).
-  static std::string escaped(const std::string& key) {
-    std::string result;
-    for (const char c : key) result += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-    return result;
-  }
-
-  RaisingRule read_rule(const Json& json, const std::string& at) {
-    RaisingRule rule;
-    if (!has_shape(json, at, "a rule", {"name", "about", "from", "to", "when", "by"}, {"name", "from", "to", "by"}))
-      return rule;
-    rule.name = text(json["name"], at + "/name", "the rule's name");
-    rule.from = read_type(json["from"], at + "/from");
-    rule.to = read_type(json["to"], at + "/to");
-    if (json.contains("when"))
-      rule.when = read_term(json["when"], at + "/when", Type::function(rule.from, Type::truth()));
-    rule.by = read_term(json["by"], at + "/by", Type::function(rule.from, rule.to));
-    return rule;
-  }
-
-  const LocatedJson& document_;
-  Signature names_;
-  std::optional<Error> error_;
-};
+RaisingRule read_rule(const Item& item, const Signature& names) {
+  RaisingRule rule;
+  if (!item.expect_object("a rule", {"name", "about", "from", "to", "when", "by"})) return rule;
+  rule.name = item.required("name", "the rule's name").name("the rule's name");
+  const auto from = item.required("from", "the type that is raised");
+  const auto to = item.required("to", "the type that it is raised to");
+  const auto by = item.required("by", "the function that raises, a term");
+  if (!from.exists() || !to.exists()) return rule;
+  rule.from = read_type(from);
+  rule.to = read_type(to);
+  if (const auto when = item.member("when"); when.exists())
+    rule.when = read_term(when, names, Type::function(rule.from, Type::truth()));
+  rule.by = read_term(by, names, Type::function(rule.from, rule.to));
+  return rule;
+}
 
 Result<RaisingRules> read(const Result<LocatedJson>& document, const Signature& names) {
   if (!document) return document.error();
-  return Reader(*document, names).read();
+  DocumentReader reader;
+  const auto root = reader.root(*document);
+  RaisingRules rules;
+  if (root.expect_object("raising rules", {"raising", "about", "programs", "rules"})) {
+    root.expect_version("raising", 1);
+    const auto known = with_programs(root.member("programs"), names);
+    const auto items = root.required("rules", "the rules, a list");
+    // A term is read with the programs: where they are wrong, its problems would only follow from theirs.
+    for (const auto& item : reader.sound() ? items.elements("the rules") : std::vector<Item>()) {
+      auto rule = read_rule(item, known);
+      const auto same_name = [&](const RaisingRule& other) { return other.name == rule.name; };
+      if (!rule.name.empty() && std::any_of(rules.begin(), rules.end(), same_name))
+        item.member("name").problem(fmt::format("{} is another rule's name", in_quotes(rule.name)));
+      rules.push_back(std::move(rule));
+    }
+  }
+  if (!reader.sound()) return reader.problems().front();
+  return rules;
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/result.h"
-#include "term/raising.h"
+#include "continua/core/result.h"
+#include "continua/term/raising.h"
 
 namespace continua {
 

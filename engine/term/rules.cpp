@@ -1,4 +1,4 @@
-#include "term/rules.h"
+#include "continua/term/rules.h"
 
 #include <utility>
 #include <vector>

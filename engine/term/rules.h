@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "term/evaluate.h"
+#include "continua/term/evaluate.h"
 
 namespace continua {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "term/term.h"
+#include "continua/term/term.h"
 
 namespace continua {
 

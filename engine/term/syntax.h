@@ -1,4 +1,4 @@
-// What a term's text says, before its types are known. Between parser and elaboration only.
+// The structure of a term's text, before its types are known. For parser, elaboration and written_term only.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/result.h"
-#include "term/term.h"
+#include "continua/core/result.h"
+#include "continua/term/term.h"
 
 namespace continua {
 
@@ -21,7 +21,8 @@ struct Syntax {
     list,    ///< parts: the elements
   };
   Kind kind = Kind::literal;
-  std::size_t begin = 0;  ///< byte where it begins
+  std::size_t begin = 0;          ///< byte where it begins
+  std::size_t from = 0, end = 0;  ///< its bytes [from, end), parentheses around it included
   Term literal;
   std::string name;       ///< of a name, or of a lambda's variable
   bool constant = false;  ///< a name that no variable is meant by: an operator, `quoted`

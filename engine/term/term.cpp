@@ -1,4 +1,4 @@
-#include "term/term.h"
+#include "continua/term/term.h"
 
 #include <algorithm>
 #include <bit>
@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "term/unify.h"
+#include "continua/term/unify.h"
 
 namespace continua {
 namespace {

@@ -15,9 +15,9 @@
 #include <string_view>
 #include <vector>
 
-#include "term/name.h"
-#include "term/term_digest.h"
-#include "term/type.h"
+#include "continua/term/name.h"
+#include "continua/term/term_digest.h"
+#include "continua/term/type.h"
 
 namespace continua {
 

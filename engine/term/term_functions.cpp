@@ -1,13 +1,13 @@
 // The rules of terms (a command that lacks an argument is a term of type function) and of texts.
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <utility>
 
-#include "term/raising.h"
-#include "term/rules.h"
-#include "term/substitution.h"
-#include "term/term_text.h"
+#include "continua/core/characters.h"
+#include "continua/term/raising.h"
+#include "continua/term/rules.h"
+#include "continua/term/substitution.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 namespace {
@@ -99,13 +99,7 @@ Term join(Arguments a, Evaluation& evaluation) {
   return Term::text(std::move(joined));
 }
 
-// Of the letters a to z; others stay, so that it is the same under every locale.
-Term lower(Arguments a, Evaluation&) {
-  std::string text = a[0].text_value();
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return Term::text(std::move(text));
-}
+Term lower(Arguments a, Evaluation&) { return Term::text(folded(a[0].text_value())); }
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-#include "term/term_text.h"
+#include "continua/term/term_text.h"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "term/elaborate.h"
-#include "term/lexer.h"
-#include "term/syntax.h"
+#include "continua/term/elaborate.h"
+#include "continua/term/lexer.h"
+#include "continua/term/syntax.h"
 
 namespace continua {
 namespace {

@@ -20,8 +20,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/result.h"
-#include "term/term.h"
+#include "continua/core/result.h"
+#include "continua/term/term.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "term/type.h"
+#include "continua/term/type.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 

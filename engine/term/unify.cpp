@@ -1,4 +1,4 @@
-#include "term/unify.h"
+#include "continua/term/unify.h"
 
 #include <map>
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "term/type.h"
+#include "continua/term/type.h"
 
 namespace continua {
 

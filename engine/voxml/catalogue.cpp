@@ -1,12 +1,12 @@
-#include "voxml/catalogue.h"
+#include "continua/voxml/catalogue.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "core/digest.h"
-#include "core/located_json.h"
+#include "continua/core/digest.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 namespace fs = std::filesystem;

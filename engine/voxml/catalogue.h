@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/result.h"
-#include "voxml/voxeme.h"
+#include "continua/core/result.h"
+#include "continua/voxml/voxeme.h"
 
 namespace continua {
 

@@ -7,9 +7,9 @@
 #include <pugixml.hpp>
 #include <utility>
 
-#include "core/located_json.h"
-#include "voxml/catalogue.h"
-#include "voxml/catalogue_text.h"
+#include "continua/core/located_json.h"
+#include "continua/voxml/catalogue.h"
+#include "continua/voxml/catalogue_text.h"
 
 namespace continua {
 namespace {

@@ -1,4 +1,4 @@
-#include "voxml/catalogue_text.h"
+#include "continua/voxml/catalogue_text.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <array>
 #include <cstdint>
 
-#include "core/characters.h"
-#include "core/located_json.h"
+#include "continua/core/characters.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 namespace {

@@ -1,11 +1,11 @@
-#include "voxml/expression.h"
+#include "continua/voxml/expression.h"
 
 #include <fmt/format.h>
 
 #include <optional>
 #include <utility>
 
-#include "voxml/expression_reader.h"
+#include "continua/voxml/expression_reader.h"
 
 namespace continua {
 namespace {

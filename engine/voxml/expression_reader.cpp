@@ -1,4 +1,4 @@
-#include "voxml/expression_reader.h"
+#include "continua/voxml/expression_reader.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "core/characters.h"
+#include "continua/core/characters.h"
 
 namespace continua {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "voxml/expression.h"
+#include "continua/voxml/expression.h"
 
 namespace continua {
 

@@ -1,11 +1,11 @@
-#include "voxml/program_check.h"
+#include "continua/voxml/program_check.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "voxml/catalogue.h"
+#include "continua/voxml/catalogue.h"
 
 namespace continua {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "voxml/expression.h"
+#include "continua/voxml/expression.h"
 
 namespace continua {
 

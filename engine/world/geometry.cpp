@@ -1,4 +1,4 @@
-#include "world/geometry.h"
+#include "continua/world/geometry.h"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
-#include "world/relations.h"
+#include "continua/world/relations.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "core/result.h"
+#include "continua/core/result.h"
 
 namespace continua {
 namespace {
@@ -127,7 +127,7 @@ std::optional<Relation> relation_named(std::string_view name) {
   return static_cast<Relation>(found - names.begin());
 }
 
-std::string_view text(Relation relation) { return names[static_cast<std::size_t>(relation)]; }
+std::string_view name_of(Relation relation) { return names[static_cast<std::size_t>(relation)]; }
 
 std::size_t landmarks_of(Relation relation) { return relation == Relation::between ? 2 : 1; }
 

@@ -30,8 +30,8 @@
 #include <span>
 #include <string_view>
 
-#include "world/perspective.h"
-#include "world/world_snapshot.h"
+#include "continua/world/perspective.h"
+#include "continua/world/world_snapshot.h"
 
 namespace continua {
 
@@ -46,7 +46,7 @@ enum class Relation { left, right, in_front, behind, on, in, at, near, beside, t
 
 /// By its name, as place terms have it: "in_front".
 std::optional<Relation> relation_named(std::string_view name);
-std::string_view text(Relation relation);
+std::string_view name_of(Relation relation);
 /// 2 for `between`, else 1.
 std::size_t landmarks_of(Relation relation);
 

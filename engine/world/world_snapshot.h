@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/sim_time.h"
-#include "world/geometry.h"
+#include "continua/core/sim_time.h"
+#include "continua/world/geometry.h"
 
 namespace continua {
 

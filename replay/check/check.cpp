@@ -1,11 +1,12 @@
-#include "replay/check/check.h"
+#include "continua/replay/check/check.h"
 
 #include <algorithm>
 #include <sstream>
 
 #include <fmt/format.h>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/log/kinds.h"
 
 namespace continua {
 namespace {
@@ -45,7 +46,7 @@ std::size_t line_of(const RunDiff& diff, const RunIndex& run) {
   const auto& differing = diff.differences[diff.first].b;
   records.insert(records.end(), differing.begin(), differing.end());
   for (const auto n : records) {
-    if (run.kind(n) != "input") continue;
+    if (!log::is<log::Input>(run.kind(n))) continue;
     const auto input = run.record(n);
     if (input && input->contains("line") && (*input)["line"].is_number_unsigned())
       return (*input)["line"].get<std::size_t>();

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "replay/check/run_approved.h"
-#include "replay/diff/run_diff.h"
-#include "replay/session/session.h"
+#include "continua/replay/check/run_approved.h"
+#include "continua/replay/diff/run_diff.h"
+#include "continua/replay/session/session.h"
 
 namespace continua {
 

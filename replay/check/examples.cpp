@@ -1,13 +1,13 @@
-#include "replay/check/examples.h"
+#include "continua/replay/check/examples.h"
 
 #include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/acceptance.h"
-#include "core/located_json.h"
-#include "pipeline/pipeline.h"
+#include "continua/analysis/acceptance.h"
+#include "continua/core/located_json.h"
+#include "continua/pipeline/pipeline.h"
 
 namespace continua {
 namespace {

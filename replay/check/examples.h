@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "automaton/machine.h"
-#include "moves/understanding.h"
+#include "continua/automaton/machine.h"
+#include "continua/moves/understanding.h"
 
 namespace continua {
 

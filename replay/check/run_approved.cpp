@@ -1,4 +1,4 @@
-#include "replay/check/run_approved.h"
+#include "continua/replay/check/run_approved.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "core/located_json.h"
-#include "replay/run/line_scan.h"
-#include "replay/run/run_log.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/log/line_scan.h"
+#include "continua/replay/log/run_log.h"
 
 namespace continua {
 namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-#include "replay/commands/accept.h"
+#include "continua/replay/commands/accept.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -6,11 +6,11 @@
 #include <iostream>
 #include <iterator>
 
-#include "analysis/acceptance.h"
-#include "core/characters.h"
-#include "core/located_json.h"
-#include "replay/commands/named_machine.h"
-#include "replay/run/run_index.h"
+#include "continua/analysis/acceptance.h"
+#include "continua/core/characters.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/log/run_index.h"
+#include "continua/replay/session/named_machine.h"
 
 namespace continua {
 namespace {
@@ -95,38 +95,35 @@ int run_accept(const AcceptOptions& options) {
   return status;
 }
 
-void add_accept_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("accept", "Tell which words a machine accepts");
-  auto options = std::make_shared<AcceptOptions>();
+void describe_accept(CLI::App& command, AcceptOptions& options) {
   command
-      ->add_option("MACHINE", options->machine,
-                   "a name of the knowledge folder, or a path; also JFLAP's .jff of type fa or pda")
+      .add_option("MACHINE", options.machine,
+                  "a name of the knowledge folder, or a path; also JFLAP's .jff of type fa or pda")
       ->required();
-  command->add_flag("--empty-stack", options->empty_stack, "accept by empty stack instead of by final state");
-  command->add_option("--run", options->runs, "run logs; the moves of each are a word")
+  command.add_flag("--empty-stack", options.empty_stack, "accept by empty stack instead of by final state");
+  command.add_option("--run", options.runs, "run logs; the moves of each are a word")
       ->type_name("RUN")
       ->allow_extra_args(false);
-  command->add_option("--words", options->words_file, "a file with a word a line; '-' is standard input");
+  command.add_option("--words", options.words_file, "a file with a word a line; '-' is standard input");
 
   // A word that begins with '-' looks like an option. So that all words stay in order, WORD takes none of them: they
   // are what remains. It counts as still missing, without which '--' would end the command.
   command
-      ->add_option("WORD", options->words, "input symbols between spaces, or each character one; '' is the empty word")
+      .add_option("WORD", options.words, "input symbols between spaces, or each character one; '' is the empty word")
       ->check([](const std::string&) { return std::string("remains"); });
-  command->validate_positionals();
-  command->allow_extras();
+  command.validate_positionals();
+  command.allow_extras();
 
-  command->footer(
+  command.footer(
       "Prints accept or reject for each word, in a line of its own. Exit status: 0 all accepted, 1 not all.\n"
       "What begins with '-' and is no option is a word; after '--' everything is.\n"
       "--run leaves out moves that the machine does not know.\n"
       "Example: continua accept palindromes abba ab ''\n"
       "         continua accept table_1 --run talk.run.jsonl");
-  command->callback([command, options, &run] {
-    options->words = command->remaining();
-    const auto mark = std::find(options->words.begin(), options->words.end(), "--");
-    if (mark != options->words.end()) options->words.erase(mark);
-    run = [options] { return run_accept(*options); };
+  command.callback([&command, &options] {
+    options.words = command.remaining();
+    const auto mark = std::find(options.words.begin(), options.words.end(), "--");
+    if (mark != options.words.end()) options.words.erase(mark);
   });
 }
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "automaton/machine.h"
-#include "replay/commands/command.h"
+#include "continua/automaton/machine.h"
+#include "continua/replay/commands/command.h"
 
 namespace continua {
 
@@ -29,6 +29,6 @@ Result<std::string> moves_of_run(const std::string& path, const Machine& machine
 /// are accepted, exit_no if one is not, exit_impossible if the question cannot be answered.
 int run_accept(const AcceptOptions& options);
 
-void add_accept_command(CLI::App& program, Run& run);
+void describe_accept(CLI::App& command, AcceptOptions& options);
 
 }  // namespace continua

@@ -1,17 +1,11 @@
 // continua check: is all that the project's files say of themselves still true?
 #pragma once
 
-#include "replay/commands/checking.h"
+#include "continua/replay/check/run_check.h"
+#include "continua/replay/commands/command.h"
 
 namespace continua {
 
-/// Runs the examples of machines and lexicons, and replays traces: their expectations, and the runs that are approved
-/// (traces/FORMAT.md). A line for each file on standard output, what is not true on standard error, a total, and the
-/// reports that are asked for. Or, of reports of shards, the same without checking. exit_done if all is true, exit_no
-/// if not, exit_impossible if a file cannot be used, a shard is missing, or runs are to be approved and nobody can be
-/// asked.
-int run_check(const CheckOptions& options);
-
-void add_check_command(CLI::App& program, Run& run);
+void describe_check(CLI::App& command, CheckOptions& options);
 
 }  // namespace continua

@@ -1,44 +1,11 @@
-// What every subcommand has in common. A new one is a file with `add_…_command` and a row in main.cpp.
+// A subcommand of the program is a file of this folder and a row in main.cpp. The file has
+//   struct XOptions                                       everything that its arguments say, with defaults
+//   void describe_x(CLI::App& command, XOptions& options) adds its arguments and the last lines of its help
+//   int run_x(const XOptions& options)                    does it, once the arguments are read; an ExitStatus
 #pragma once
 
-#include <functional>
-#include <string>
-
-#include "core/result.h"
+#include "continua/replay/terminal/terminal.h"
 
 namespace CLI {
 class App;
 }
-
-namespace continua {
-
-/// What a command ends the program with.
-enum ExitStatus : int {
-  exit_done = 0,        ///< it is done; the answer is yes
-  exit_no = 1,          ///< it is done; the answer is no
-  exit_impossible = 2,  ///< it could not be done
-};
-
-/// Set by the subcommand that the arguments chose; called once they are read. Returns an ExitStatus.
-using Run = std::function<int()>;
-
-/// Adds a subcommand with its options and help to `program`.
-using AddCommand = void (*)(CLI::App& program, Run& run);
-
-/// "continua: where: sentence" on standard error, on one line.
-void report(const Error& error);
-
-/// "continua: warning: where: sentence" likewise: what was found is used all the same.
-void report_warning(const Error& warning);
-
-/// "1 event", "2 events".
-std::string counted(std::size_t count, const std::string& noun);
-
-/// How many traces are replayed at a time: with a file of what was taught (`learned`, or empty) one, since each begins
-/// with what the ones before it taught; that another number was asked for is told.
-int jobs_at_a_time(int jobs, const std::string& learned);
-
-/// Writes a whole file. "-" is standard output.
-Outcome write_file(const std::string& path, const std::string& content);
-
-}  // namespace continua

@@ -1,4 +1,4 @@
-#include "replay/commands/coverage.h"
+#include "continua/replay/commands/coverage.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,15 +13,15 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "core/located_json.h"
-#include "language/reduction.h"
-#include "language/vocabulary.h"
-#include "replay/commands/progress.h"
-#include "replay/coverage/coverage_text.h"
-#include "replay/session/data_paths.h"
-#include "replay/session/language_loading.h"
-#include "replay/session/session.h"
-#include "term/raising_file.h"
+#include "continua/core/located_json.h"
+#include "continua/language/reduction.h"
+#include "continua/language/vocabulary.h"
+#include "continua/replay/coverage/coverage_text.h"
+#include "continua/replay/session/data_paths.h"
+#include "continua/replay/session/language_loading.h"
+#include "continua/replay/session/session.h"
+#include "continua/replay/terminal/progress.h"
+#include "continua/term/raising_file.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -199,29 +199,25 @@ int run_coverage(const CoverageOptions& options) {
   return status;
 }
 
-void add_coverage_command(CLI::App& program, Run& run) {
-  auto* command =
-      program.add_subcommand("coverage", "Tell what of their machines and of the knowledge runs reach, and what never");
-  auto options = std::make_shared<CoverageOptions>();
+void describe_coverage(CLI::App& command, CoverageOptions& options) {
   command
-      ->add_option("PATH", options->paths,
-                   "run logs, traces, or folders of them; traces are replayed in the kinematic world, instead of\n"
-                   "the logs beside them in a folder")
+      .add_option("PATH", options.paths,
+                  "run logs, traces, or folders of them; traces are replayed in the kinematic world, instead of\n"
+                  "the logs beside them in a folder")
       ->required();
-  command->add_flag("--json", options->json, "all that can be reached, with counts, as JSON");
-  command->add_flag("--never", options->never, "tell all that was never reached, not the first few of each kind");
+  command.add_flag("--json", options.json, "all that can be reached, with counts, as JSON");
+  command.add_flag("--never", options.never, "tell all that was never reached, not the first few of each kind");
   command
-      ->add_option("--at-least", options->at_least,
-                   "PERCENT: end with 1 where less of what is a machine's own is reached")
+      .add_option("--at-least", options.at_least,
+                  "PERCENT: end with 1 where less of what is a machine's own is reached")
       ->check(CLI::Range(0, 100));
-  command->add_option("--knowledge", options->knowledge, "folder to use instead of engine/knowledge");
-  command->add_option("-j,--jobs", options->jobs, "how many files at a time")->check(CLI::Range(1, 256));
-  command->footer(
+  command.add_option("--knowledge", options.knowledge, "folder to use instead of engine/knowledge");
+  command.add_option("-j,--jobs", options.jobs, "how many files at a time")->check(CLI::Range(1, 256));
+  command.footer(
       "Of a condition both outcomes count: that it held (its transition could have fired) and that it did not.\n"
       "Exit status: 0 done, 1 less than --at-least, 2 a file cannot be used.\n"
       "Examples: continua coverage traces -j 4\n"
       "          continua coverage runs/*.run.jsonl --never");
-  command->callback([options, &run] { run = [options] { return run_coverage(*options); }; });
 }
 
 }  // namespace continua

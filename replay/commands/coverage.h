@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "replay/commands/command.h"
+#include "continua/replay/commands/command.h"
 
 namespace continua {
 
@@ -22,6 +22,6 @@ struct CoverageOptions {
 /// file cannot be used; the others are told all the same.
 int run_coverage(const CoverageOptions& options);
 
-void add_coverage_command(CLI::App& program, Run& run);
+void describe_coverage(CLI::App& command, CoverageOptions& options);
 
 }  // namespace continua

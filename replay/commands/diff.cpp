@@ -1,4 +1,4 @@
-#include "replay/commands/diff.h"
+#include "continua/replay/commands/diff.h"
 
 #include <unistd.h>
 
@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "replay/diff/run_diff.h"
-#include "replay/diff/run_diff_text.h"
-#include "replay/diff/trace_diff.h"
-#include "replay/run/line_scan.h"
+#include "continua/replay/diff/run_diff.h"
+#include "continua/replay/diff/run_diff_text.h"
+#include "continua/replay/experiment/trace_diff.h"
+#include "continua/replay/log/line_scan.h"
 
 namespace continua {
 namespace {
@@ -72,25 +72,22 @@ int run_diff_command(const DiffCommandOptions& options) {
   return runs(options);
 }
 
-void add_diff_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("diff", "Tell where two runs, or two traces, part and why");
-  auto options = std::make_shared<DiffCommandOptions>();
-  command->add_option("A", options->a, "a run log, or a trace")->required();
-  command->add_option("B", options->b, "another one of the same kind")->required();
-  auto* json = command->add_flag("--json", options->json, "print all of it as one JSON document");
-  command->add_flag("--markdown", options->markdown, "print it for a pull request, details folded")->excludes(json);
+void describe_diff(CLI::App& command, DiffCommandOptions& options) {
+  command.add_option("A", options.a, "a run log, or a trace")->required();
+  command.add_option("B", options.b, "another one of the same kind")->required();
+  auto* json = command.add_flag("--json", options.json, "print all of it as one JSON document");
+  command.add_flag("--markdown", options.markdown, "print it for a pull request, details folded")->excludes(json);
   command
-      ->add_option("--tolerance", options->tolerance_m,
-                   "metres that a body may be elsewhere where all else is the same; 0.001 if left out")
+      .add_option("--tolerance", options.tolerance_m,
+                  "metres that a body may be elsewhere where all else is the same; 0.001 if left out")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--most", options->most, "how many differences to show beside the first; 10 if left out");
-  command->footer(
+  command.add_option("--most", options.most, "how many differences to show beside the first; 10 if left out");
+  command.footer(
       "Runs of different traces, machines, lexicons and worlds can be held against each other; numbers of records, "
       "ids\n"
       "and the times that shift with an input do not count. Exit status: 0 the same, 1 different, 2 it cannot be "
       "told.\n"
       "Example: continua diff before.run.jsonl after.run.jsonl");
-  command->callback([options, &run] { run = [options] { return run_diff_command(*options); }; });
 }
 
 }  // namespace continua

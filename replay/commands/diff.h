@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "replay/commands/command.h"
+#include "continua/replay/commands/command.h"
 
 namespace continua {
 
@@ -16,6 +16,6 @@ struct DiffCommandOptions {
 
 int run_diff_command(const DiffCommandOptions& options);
 
-void add_diff_command(CLI::App& program, Run& run);
+void describe_diff(CLI::App& command, DiffCommandOptions& options);
 
 }  // namespace continua

@@ -1,4 +1,4 @@
-#include "replay/commands/explain.h"
+#include "continua/replay/commands/explain.h"
 
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "replay/explain/explain_text.h"
+#include "continua/replay/explain/explain_text.h"
 
 namespace continua {
 namespace {
@@ -43,25 +43,22 @@ int run_explain(const ExplainOptions& options) {
   return exit_done;
 }
 
-void add_explain_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("explain", "Tell why a run went as it did at one of its records");
-  auto options = std::make_shared<ExplainOptions>();
-  command->add_option("RUN", options->run, "a run log (.run.jsonl)")->required();
-  auto* asked = command->add_option_group("what is asked about",
-                                          "without any: an unmet expectation, the first question or the last act");
-  asked->add_option("--at", options->question.at_s, "the last that the avatar did or refused until then, in seconds");
-  asked->add_option("--step", options->question.step, "the transition of this number, and what it brought about");
-  asked->add_option("--act", options->question.act, "the act of this number");
-  asked->add_option("--record", options->question.record, "the record of this number (#n)");
+void describe_explain(CLI::App& command, ExplainOptions& options) {
+  command.add_option("RUN", options.run, "a run log (.run.jsonl)")->required();
+  auto* asked = command.add_option_group("what is asked about",
+                                         "without any: an unmet expectation, the first question or the last act");
+  asked->add_option("--at", options.question.at_s, "the last that the avatar did or refused until then, in seconds");
+  asked->add_option("--step", options.question.step, "the transition of this number, and what it brought about");
+  asked->add_option("--act", options.question.act, "the act of this number");
+  asked->add_option("--record", options.question.record, "the record of this number (#n)");
   asked->require_option(0, 1);
-  auto* json = command->add_flag("--json", options->json, "one JSON document");
-  command->add_flag("--tree", options->tree, "the derivation alone, as a term tree")->excludes(json);
-  command->add_flag("--all", options->all, "every refused transition, input and symbol");
-  command->footer(
+  auto* json = command.add_flag("--json", options.json, "one JSON document");
+  command.add_flag("--tree", options.tree, "the derivation alone, as a term tree")->excludes(json);
+  command.add_flag("--all", options.all, "every refused transition, input and symbol");
+  command.footer(
       "Examples: continua explain talk.run.jsonl\n"
       "          continua explain talk.run.jsonl --at 12.5\n"
       "          continua explain talk.run.jsonl --act 1 --tree");
-  command->callback([options, &run] { run = [options] { return run_explain(*options); }; });
 }
 
 }  // namespace continua

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "replay/commands/command.h"
-#include "replay/explain/explain.h"
+#include "continua/replay/commands/command.h"
+#include "continua/replay/explain/explain.h"
 
 namespace continua {
 
@@ -16,6 +16,6 @@ struct ExplainOptions {
 
 int run_explain(const ExplainOptions& options);
 
-void add_explain_command(CLI::App& program, Run& run);
+void describe_explain(CLI::App& command, ExplainOptions& options);
 
 }  // namespace continua

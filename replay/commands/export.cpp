@@ -1,4 +1,4 @@
-#include "replay/commands/export.h"
+#include "continua/replay/commands/export.h"
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -6,13 +6,13 @@
 #include <fstream>
 #include <iostream>
 
-#include "replay/commands/progress.h"
-#include "replay/exporters/chrome.h"
-#include "replay/exporters/csv.h"
-#include "replay/exporters/graph_dot.h"
-#include "replay/exporters/graph_svg.h"
-#include "replay/exporters/json.h"
-#include "replay/inspector/page_file.h"
+#include "continua/replay/export/chrome.h"
+#include "continua/replay/export/csv.h"
+#include "continua/replay/export/graph_dot.h"
+#include "continua/replay/export/graph_svg.h"
+#include "continua/replay/export/json.h"
+#include "continua/replay/inspector/page_file.h"
+#include "continua/replay/terminal/progress.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -88,25 +88,22 @@ int run_export(const ExportOptions& options) {
   return exit_done;
 }
 
-void add_export_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("export", "Write a run in another format");
-  auto options = std::make_shared<ExportOptions>();
-  command->add_option("RUN", options->run, "a run log (.run.jsonl)")->required();
+void describe_export(CLI::App& command, ExportOptions& options) {
+  command.add_option("RUN", options.run, "a run log (.run.jsonl)")->required();
   std::vector<std::string> formats;
   std::string described;
   for (const auto& one : exporters) {
     formats.emplace_back(one.format);
     described += std::string(described.empty() ? "" : "; ") + one.format + ": " + one.what;
   }
-  command->add_option("--to", options->format, described)->required()->check(CLI::IsMember(formats));
-  command->add_option("-o,--output", options->output, "a file, or '-'");
-  command->footer(
+  command.add_option("--to", options.format, described)->required()->check(CLI::IsMember(formats));
+  command.add_option("-o,--output", options.output, "a file, or '-'");
+  command.footer(
       "Examples: continua export talk.run.jsonl --to json -o talk.json\n"
       "          continua export talk.run.jsonl --to svg -o talk.svg\n"
       "          continua export talk.run.jsonl --to csv -o talk.csv\n"
       "          continua export talk.run.jsonl --to chrome -o talk.trace.json\n"
       "          continua export talk.run.jsonl --to html -o talk.html");
-  command->callback([options, &run] { run = [options] { return run_export(*options); }; });
 }
 
 }  // namespace continua

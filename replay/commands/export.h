@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "replay/commands/command.h"
+#include "continua/replay/commands/command.h"
 
 namespace continua {
 
@@ -14,6 +14,6 @@ struct ExportOptions {
 
 int run_export(const ExportOptions& options);
 
-void add_export_command(CLI::App& program, Run& run);
+void describe_export(CLI::App& command, ExportOptions& options);
 
 }  // namespace continua

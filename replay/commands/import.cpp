@@ -1,13 +1,13 @@
-#include "replay/commands/import.h"
+#include "continua/replay/commands/import.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <map>
 
-#include "machine_file/machine_parameters.h"
-#include "replay/commands/named_machine.h"
-#include "replay/trace/session_import.h"
+#include "continua/machine_file/machine_parameters.h"
+#include "continua/replay/session/named_machine.h"
+#include "continua/replay/trace/session_import.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -98,14 +98,11 @@ int run_import(const ImportOptions& options) {
   return status;
 }
 
-void add_import_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("import", "Turn VoxSim session logs into traces");
-  auto options = std::make_shared<ImportOptions>();
-  command->add_option("FILE", options->logs, "session logs (.txt)")->required();
-  command->add_option("-o,--output", options->output, "the trace, '-', or a folder; a folder for several logs")
+void describe_import(CLI::App& command, ImportOptions& options) {
+  command.add_option("FILE", options.logs, "session logs (.txt)")->required();
+  command.add_option("-o,--output", options.output, "the trace, '-', or a folder; a folder for several logs")
       ->required();
-  command->footer("Example: continua import logs/*.txt -o traces/pilot");
-  command->callback([options, &run] { run = [options] { return run_import(*options); }; });
+  command.footer("Example: continua import logs/*.txt -o traces/pilot");
 }
 
 }  // namespace continua

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "replay/commands/command.h"
+#include "continua/replay/commands/command.h"
 
 namespace continua {
 
@@ -17,6 +17,6 @@ struct ImportOptions {
 /// Logs that cannot be imported are reported and passed over.
 int run_import(const ImportOptions& options);
 
-void add_import_command(CLI::App& program, Run& run);
+void describe_import(CLI::App& command, ImportOptions& options);
 
 }  // namespace continua

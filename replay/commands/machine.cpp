@@ -1,19 +1,121 @@
-#include "replay/commands/machine.h"
+#include "continua/replay/commands/machine.h"
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
+#include <set>
+#include <vector>
 
-#include "replay/commands/machine_report.h"
-#include "replay/commands/named_machine.h"
-#include "replay/exporters/graph_dot.h"
-#include "replay/exporters/graph_svg.h"
-#include "replay/recorder/recorder.h"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include "continua/analysis/acceptance.h"
+#include "continua/analysis/machine_analysis.h"
+#include "continua/replay/export/graph_dot.h"
+#include "continua/replay/export/graph_svg.h"
+#include "continua/replay/recorder/recorder.h"
+#include "continua/replay/session/named_machine.h"
 
 namespace continua {
 namespace {
 
+using Names = std::vector<std::string>;
+
+std::string list(const Names& names) { return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")); }
+
+Names inputs_of(const Machine& machine) {
+  std::set<std::string> inputs;
+  for (const auto& transition : machine.transitions) {
+    if (!transition.on) continue;
+    inputs.insert(transition.on->names.begin(), transition.on->names.end());
+    for (const auto& prefix : transition.on->prefixes) inputs.insert(prefix + "*");
+  }
+  return {inputs.begin(), inputs.end()};
+}
+
+Names accepting_of(const Machine& machine) {
+  Names names;
+  for (const auto& state : machine.states)
+    if (state.accepting) names.push_back(state.name);
+  return names;
+}
+
+Names slots_of(const Machine& machine) {
+  Names slots;
+  for (const auto& slot : machine.slots)
+    slots.push_back(fmt::format("{}: {}{}", slot.name, slot.type.text(), slot.persists ? ", persists" : ""));
+  return slots;
+}
+
+std::string conflict_line(const Machine& machine, const Conflict& conflict, bool decided) {
+  auto line = fmt::format("  in {}, {}: {} and {}", machine.states[conflict.state].name,
+                          conflict.input ? "input " + *conflict.input : "without input",
+                          machine.transitions[conflict.first].id, machine.transitions[conflict.second].id);
+  if (!conflict.witness.empty()) line += fmt::format("; {} {}", decided ? "with" : "if", conflict.witness);
+  if (conflict.word) line += conflict.word->empty() ? "; at the start" : "; after " + *conflict.word;
+  return line + "\n";
+}
+
+std::string examples_line(const std::shared_ptr<const Machine>& machine) {
+  int words = 0, runs = 0;
+  Names failed;
+  for (const auto& example : machine->examples) {
+    const auto* word = std::get_if<WordExample>(&example);
+    if (!word) {
+      ++runs;
+      continue;
+    }
+    ++words;
+    Acceptance acceptance(machine, word->by_empty_stack ? AcceptBy::empty_stack : AcceptBy::final_state);
+    const auto verdict = acceptance.accepts(word->word);
+    if (!verdict || *verdict != word->accepted) failed.push_back(fmt::format("'{}'", fmt::join(word->word, " ")));
+  }
+  auto line = fmt::format("examples: {}, {}", counted(static_cast<std::size_t>(words), "word"),
+                          counted(static_cast<std::size_t>(runs), "run"));
+  if (words > 0) line += failed.empty() ? "; the words hold" : "; NOT as they say: " + list(failed);
+  return line + "\n";
+}
+
+// Class, size, conflicts with their witnesses, unreachable states, dead ends, transitions that never fire, ε-cycles
+// that change nothing, and whether the words of its examples are accepted as they say. Several lines.
+std::string description_of(const std::shared_ptr<const Machine>& machine) {
+  const auto analysis = analyse(machine);
+  const auto state_names = [&](const std::vector<StateIndex>& states) {
+    Names names;
+    for (const auto state : states) names.push_back(machine->states[state].name);
+    return names;
+  };
+  const auto ids = [&](const std::vector<std::size_t>& transitions) {
+    Names names;
+    for (const auto transition : transitions) names.push_back(machine->transitions[transition].id);
+    return names;
+  };
+  const auto silent = static_cast<std::size_t>(
+      std::count_if(machine->transitions.begin(), machine->transitions.end(), [](const auto& t) { return !t.on; }));
+
+  auto text = fmt::format("{}: {}\n", machine->name, analysis.class_name());
+  if (analysis.decided)
+    text += "decided: every configuration that inputs can lead to has been considered\n";
+  else
+    text += fmt::format("judged by its graph and the text of its conditions, since {}\n", analysis.undecided);
+  text += fmt::format("{}, start {}, accepting {}\n", counted(machine->states.size(), "state"),
+                      machine->states[machine->start].name, list(accepting_of(*machine)));
+  text += fmt::format("{}, {} of them ε{}; policy {}\n", counted(machine->transitions.size(), "transition"), silent,
+                      analysis.weighted ? ", weighted" : "", continua::text(machine->choice));
+  text += fmt::format("inputs: {}\n", list(inputs_of(*machine)));
+  text += fmt::format("slots: {}\n", list(slots_of(*machine)));
+  text += fmt::format("{}: {}\n", analysis.decided ? "conflicts" : "possible conflicts", analysis.conflicts.size());
+  for (const auto& conflict : analysis.conflicts) text += conflict_line(*machine, conflict, analysis.decided);
+  text += fmt::format("unreachable states: {}\n", list(state_names(analysis.unreachable)));
+  text += fmt::format("dead ends: {}\n", list(state_names(analysis.dead_ends)));
+  text += fmt::format("transitions that can never fire: {}\n", list(ids(analysis.never_fires)));
+  for (const auto& cycle : analysis.epsilon_cycles)
+    text += fmt::format("ε-cycle that changes nothing: {}\n", list(ids(cycle)));
+  return text + examples_line(machine);
+}
+
 Result<std::string> answer(const MachineOptions& options, const std::shared_ptr<const Machine>& machine) {
-  if (!options.dot && !options.svg) return describe(machine);
+  if (!options.dot && !options.svg) return description_of(machine);
   const auto graph = state_graph_of(graph_of(*machine), machine->name);
   if (!graph) return graph.error();
   return options.svg ? svg_of(*graph) : dot_of(*graph);
@@ -30,16 +132,13 @@ int run_machine(const MachineOptions& options) {
   return exit_done;
 }
 
-void add_machine_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("machine", "Describe a machine, or draw it");
-  auto options = std::make_shared<MachineOptions>();
-  command->add_option("MACHINE", options->machine, "a name of the knowledge folder, or a path")->required();
-  auto* dot = command->add_flag("--dot", options->dot, "its state graph for Graphviz");
-  command->add_flag("--svg", options->svg, "its state graph as a picture")->excludes(dot);
-  command->add_option("--knowledge", options->knowledge, "folder to use instead of engine/knowledge");
-  command->add_option("-o,--output", options->output, "a file, or '-'");
-  command->footer("Example: continua machine diana2018 --svg -o diana2018.svg");
-  command->callback([options, &run] { run = [options] { return run_machine(*options); }; });
+void describe_machine(CLI::App& command, MachineOptions& options) {
+  command.add_option("MACHINE", options.machine, "a name of the knowledge folder, or a path")->required();
+  auto* dot = command.add_flag("--dot", options.dot, "its state graph for Graphviz");
+  command.add_flag("--svg", options.svg, "its state graph as a picture")->excludes(dot);
+  command.add_option("--knowledge", options.knowledge, "folder to use instead of engine/knowledge");
+  command.add_option("-o,--output", options.output, "a file, or '-'");
+  command.footer("Example: continua machine diana2018 --svg -o diana2018.svg");
 }
 
 }  // namespace continua

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "replay/commands/command.h"
+#include "continua/replay/commands/command.h"
 
 namespace continua {
 
@@ -17,6 +17,6 @@ struct MachineOptions {
 /// A description on standard output, or a picture to `output`.
 int run_machine(const MachineOptions& options);
 
-void add_machine_command(CLI::App& program, Run& run);
+void describe_machine(CLI::App& command, MachineOptions& options);
 
 }  // namespace continua

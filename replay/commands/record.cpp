@@ -1,4 +1,4 @@
-#include "replay/commands/record.h"
+#include "continua/replay/commands/record.h"
 
 #include <atomic>
 #include <filesystem>
@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "replay/commands/event_pipe.h"
-#include "replay/commands/serving.h"
-#include "replay/server/inspector_server.h"
-#include "replay/trace/trace_name.h"
+#include "continua/replay/live/event_pipe.h"
+#include "continua/replay/server/inspector_server.h"
+#include "continua/replay/server/stop_signals.h"
+#include "continua/replay/trace/trace_name.h"
 
 namespace continua {
 namespace {
@@ -51,7 +51,8 @@ int tell(const PipeSummary& told) {
 
 }  // namespace
 
-int run_record(RecordOptions options) {
+int run_record(const RecordOptions& given) {
+  auto options = given;
   if (const auto problem = place(options.output, options.live)) return report(*problem), exit_impossible;
   const bool piped = is_piped();
   options.live.say = [piped](const std::string& sentence) {
@@ -85,41 +86,40 @@ int run_record(RecordOptions options) {
   return told ? tell(*told) : (report(told.error()), exit_impossible);
 }
 
-void add_record_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("record", "Talk and point to the avatar, and keep the session");
-  auto options = std::make_shared<RecordOptions>();
-  auto& live = options->live;
-  command->add_option("-o,--output", options->output,
-                      "the trace, or a folder; otherwise session.trace.jsonl here. The run log is beside it");
-  command->add_option("--scene", live.scene, "a name or an MJCF file; otherwise that of knowledge/live.json");
-  command->add_option("--machine", live.machine, "a name or a machine file; otherwise that of knowledge/live.json");
-  command->add_option("--seed", live.replay.seed, "for draws");
-  command->add_option("--knowledge", live.replay.knowledge,
-                      "folder of machines, lexicon, voxemes; otherwise the program's");
-  command->add_flag_callback(
-      "--no-physics", [options] { options->live.replay.physics = false; },
+void describe_record(CLI::App& command, RecordOptions& options) {
+  auto& live = options.live;
+  command.add_option("-o,--output", options.output,
+                     "the trace, or a folder; otherwise session.trace.jsonl here. The run log is beside it");
+  command.add_option("--scene", live.scene, "a name or an MJCF file; otherwise that of knowledge/live.json");
+  command.add_option("--machine", live.machine, "a name or a machine file; otherwise that of knowledge/live.json");
+  command.add_option("--seed", live.replay.seed, "for draws");
+  command.add_option("--language", live.replay.language,
+                     "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the machine's");
+  command.add_option("--knowledge", live.replay.knowledge,
+                     "folder of machines, lexicon, voxemes; otherwise the program's");
+  command.add_flag_callback(
+      "--no-physics", [&options] { options.live.replay.physics = false; },
       "the kinematic world, in which acts succeed at once");
   auto clock = std::make_shared<std::string>();
   command
-      ->add_option("--clock", *clock,
-                   "what time goes by: the wall's clock, or the times that events tell; otherwise the latter if the "
-                   "first event tells one")
+      .add_option("--clock", *clock,
+                  "what time goes by: the wall's clock, or the times that events tell; otherwise the latter if the "
+                  "first event tells one")
       ->check(CLI::IsMember({"wall", "events"}));
-  command->add_option("--speed", live.speed, "seconds of the session in one of the wall's clock")
+  command.add_option("--speed", live.speed, "seconds of the session in one of the wall's clock")
       ->check(CLI::Range(0.01, 100.0))
       ->capture_default_str();
-  command->add_option("--tests", live.tests, "the folder in which sessions are saved as tests")->capture_default_str();
-  command->add_option("--port", options->port, "of the page; 8080, 0 takes a free one")->check(CLI::Range(0, 65535));
-  command->add_option("--bind", options->address, "address to listen on")->capture_default_str();
-  command->footer(
+  command.add_option("--tests", live.tests, "the folder in which sessions are saved as tests")->capture_default_str();
+  command.add_option("--port", options.port, "of the page; 8080, 0 takes a free one")->check(CLI::Range(0, 65535));
+  command.add_option("--bind", options.address, "address to listen on")->capture_default_str();
+  command.footer(
       "Events may also come through a pipe, as JSON lines of the trace format; the avatar's moves then go to standard "
       "output.\n"
       "Examples: continua record -o talk.trace.jsonl\n"
       "          echo '{\"kind\":\"speech\",\"text\":\"The plate.\"}' | continua record -o plate.trace.jsonl\n"
       "          my_recognisers | continua record --scene workbench -o talk.trace.jsonl | my_synthesiser");
-  command->callback([options, clock, &run] {
-    if (!clock->empty()) options->live.timing = *clock == "wall" ? LiveTiming::wall : LiveTiming::events;
-    run = [options] { return run_record(*options); };
+  command.callback([&options, clock] {
+    if (!clock->empty()) options.live.timing = *clock == "wall" ? LiveTiming::wall : LiveTiming::events;
   });
 }
 

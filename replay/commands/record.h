@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "replay/commands/command.h"
-#include "replay/live/live_sessions.h"
+#include "continua/replay/commands/command.h"
+#include "continua/replay/live/live_sessions.h"
 
 namespace continua {
 
@@ -18,8 +18,8 @@ struct RecordOptions {
 
 /// Records until it is interrupted or the pipe on standard input ends. Exit status 1 where an event of the pipe could
 /// not be used or an expectation of it was not met.
-int run_record(RecordOptions options);
+int run_record(const RecordOptions& options);
 
-void add_record_command(CLI::App& program, Run& run);
+void describe_record(CLI::App& command, RecordOptions& options);
 
 }  // namespace continua

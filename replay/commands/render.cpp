@@ -1,13 +1,13 @@
-#include "replay/commands/render.h"
+#include "continua/replay/commands/render.h"
 
-#include "core/located_json.h"
-#include "replay/commands/progress.h"
-#include "replay/pictures/contact_sheet.h"
-#include "replay/pictures/film_clock.h"
-#include "replay/pictures/film_writer.h"
-#include "replay/pictures/key_moments.h"
-#include "replay/pictures/picture_size.h"
-#include "replay/pictures/run_pictures.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/pictures/contact_sheet.h"
+#include "continua/replay/pictures/film_clock.h"
+#include "continua/replay/pictures/film_writer.h"
+#include "continua/replay/pictures/key_moments.h"
+#include "continua/replay/pictures/picture_size.h"
+#include "continua/replay/pictures/run_pictures.h"
+#include "continua/replay/terminal/progress.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -141,30 +141,27 @@ int run_render(const RenderOptions& options) {
   return exit_done;
 }
 
-void add_render_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("render", "Draw pictures or a film of a run, without a display");
-  auto options = std::make_shared<RenderOptions>();
-  command->add_option("RUN", options->run, "a run log (.run.jsonl)")->required();
+void describe_render(CLI::App& command, RenderOptions& options) {
+  command.add_option("RUN", options.run, "a run log (.run.jsonl)")->required();
   command
-      ->add_option(
-          "-o,--output", options->output,
+      .add_option(
+          "-o,--output", options.output,
           "FILE.mp4: a film with the dialogue as subtitles; FILE.png: the key moments on one sheet, or with --at "
           "one picture; a folder: the key moments as a file each, and the sheet")
       ->required();
-  command->add_option("--at", options->at_s, "the instant to draw, seconds from the start");
-  command->add_option("--size", options->size,
-                      "of a picture in pixels, WxH; otherwise 960x540, and 400x300 for each of several");
-  command->add_option("--fps", options->frames_per_second, "a film's frames a second")
+  command.add_option("--at", options.at_s, "the instant to draw, seconds from the start");
+  command.add_option("--size", options.size,
+                     "of a picture in pixels, WxH; otherwise 960x540, and 400x300 for each of several");
+  command.add_option("--fps", options.frames_per_second, "a film's frames a second")
       ->check(CLI::Range(1, 120))
       ->capture_default_str();
-  command->add_option("--camera", options->camera,
-                      "front, left, right, back, top, or the name of one of the scene's cameras; otherwise front");
-  command->add_flag("!--no-text", options->text, "no subtitles, clock or state in the picture");
-  command->add_flag("--real-time", options->real_time, "a film does not shorten waits");
-  command->footer(
+  command.add_option("--camera", options.camera,
+                     "front, left, right, back, top, or the name of one of the scene's cameras; otherwise front");
+  command.add_flag("!--no-text", options.text, "no subtitles, clock or state in the picture");
+  command.add_flag("--real-time", options.real_time, "a film does not shorten waits");
+  command.footer(
       "Examples: continua render talk.run.jsonl -o talk.mp4\n"
       "          continua render talk.run.jsonl -o talk.png --at 12.5 --size 1280x720 --camera left");
-  command->callback([options, &run] { run = [options] { return run_render(*options); }; });
 }
 
 }  // namespace continua

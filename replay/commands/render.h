@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "core/result.h"
-#include "replay/commands/command.h"
+#include "continua/core/result.h"
+#include "continua/replay/commands/command.h"
 
 namespace continua {
 
@@ -21,6 +21,6 @@ struct RenderOptions {
 
 int run_render(const RenderOptions& options);
 
-void add_render_command(CLI::App& program, Run& run);
+void describe_render(CLI::App& command, RenderOptions& options);
 
 }  // namespace continua

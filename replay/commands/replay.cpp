@@ -1,9 +1,9 @@
-#include "replay/commands/replay.h"
+#include "continua/replay/commands/replay.h"
 
-#include "core/located_json.h"
-#include "replay/commands/progress.h"
-#include "replay/shell_word.h"
-#include "replay/trace/trace_name.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/terminal/progress.h"
+#include "continua/replay/terminal/shell_word.h"
+#include "continua/replay/trace/trace_name.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -197,62 +197,63 @@ int run_replay(const ReplayCommandOptions& options) {
   return Batch(options, std::move(*outputs)).run();
 }
 
-void add_replay_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("replay", "Run traces through the engine and write their run logs");
-  auto options = std::make_shared<ReplayCommandOptions>();
-  command->add_option("TRACE", options->traces, "traces (.jsonl)")->required();
-  command->add_option("-o,--output", options->output, "a run log, a folder, or '-'; otherwise NAME.run.jsonl here");
-  command->add_option("--seed", options->replay.seed, "for draws; otherwise the trace's");
+void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
+  command.add_option("TRACE", options.traces, "traces (.jsonl)")->required();
+  command.add_option("-o,--output", options.output, "a run log, a folder, or '-'; otherwise NAME.run.jsonl here");
+  command.add_option("--seed", options.replay.seed, "for draws; otherwise the trace's");
   auto choice = std::make_shared<std::string>();
   command
-      ->add_option("--choice", *choice,
-                   "which of several applicable transitions fires: likeliest, sample, unique, or all: explore; "
-                   "otherwise the machine's")
+      .add_option("--choice", *choice,
+                  "which of several applicable transitions fires: likeliest, sample, unique, or all: explore; "
+                  "otherwise the machine's")
       ->check([](const std::string& name) {
         return parse_choice(name) ? std::string() : fmt::format("expected {}", choice_names());
       });
-  command->add_option("--branches", options->replay.most_branches, "under explore, how many configurations are kept")
+  command.add_option("--branches", options.replay.most_branches, "under explore, how many configurations are kept")
       ->check(CLI::Range(1, 1000000));
   auto forced = std::make_shared<std::vector<std::string>>();
   command
-      ->add_option("--force", *forced,
-                   "N=TRANSITION: at step N of the run, a transition record's `step`, take this transition")
+      .add_option("--force", *forced,
+                  "N=TRANSITION: at step N of the run, a transition record's `step`, take this transition")
       ->allow_extra_args(false);
   command
-      ->add_option("--from", options->replay.from,
-                   "seconds: what if? --machine, --knowledge, --choice, --seed, --force and --with count from this "
-                   "instant of the run on; until then it is the trace's own run. State, slots and registers go over by "
-                   "their names")
+      .add_option(
+          "--from", options.replay.from,
+          "seconds: what if? --machine, --language, --knowledge, --choice, --seed, --force and --with count from this "
+          "instant of the run on; until then it is the trace's own run. State, slots and registers go over by "
+          "their names")
       ->check(CLI::Range(0.0, 1e9));
-  command->add_option("--with", options->replay.with,
-                      "with --from: a trace, perhaps an edited copy; from then on its events happen, and its machine, "
-                      "seed and perspective count. Its scene and objects must be the same");
-  command->add_option("--scene", options->replay.scene, "a name or an MJCF file; otherwise the trace's");
-  command->add_option("--machine", options->replay.machine, "a name or a machine file; otherwise the trace's");
-  command->add_option("--knowledge", options->replay.knowledge,
-                      "folder of machines, lexicon, voxemes; otherwise the program's");
-  command->add_option("--learned", options->replay.learned,
-                      "a file of what was taught: read if it exists, and written when a run has changed it");
-  command->add_flag_callback(
-      "--no-physics", [options] { options->replay.physics = false; },
+  command.add_option("--with", options.replay.with,
+                     "with --from: a trace, perhaps an edited copy; from then on its events happen, and its machine, "
+                     "seed and perspective count. Its scene and objects must be the same");
+  command.add_option("--scene", options.replay.scene, "a name or an MJCF file; otherwise the trace's");
+  command.add_option("--machine", options.replay.machine, "a name or a machine file; otherwise the trace's");
+  command.add_option(
+      "--language", options.replay.language,
+      "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the trace's, or the machine's");
+  command.add_option("--knowledge", options.replay.knowledge,
+                     "folder of machines, lexicon, voxemes; otherwise the program's");
+  command.add_option("--learned", options.replay.learned,
+                     "a file of what was taught: read if it exists, and written when a run has changed it");
+  command.add_flag_callback(
+      "--no-physics", [&options] { options.replay.physics = false; },
       "the kinematic world, in which acts succeed at once");
   auto variant = std::make_shared<std::string>();
   command
-      ->add_option("--variant", *variant,
-                   "with --no-physics: what the trace has observed of another avatar moves the world (world), and is "
-                   "where the dialogue goes on from after a difference (teacher); otherwise not (free)")
+      .add_option("--variant", *variant,
+                  "with --no-physics: what the trace has observed of another avatar moves the world (world), and is "
+                  "where the dialogue goes on from after a difference (teacher); otherwise not (free)")
       ->check(CLI::IsMember({"free", "world", "teacher"}));
-  command->add_option("-j,--jobs", options->jobs, "how many traces at a time")->check(CLI::Range(1, 256));
-  command->footer(
+  command.add_option("-j,--jobs", options.jobs, "how many traces at a time")->check(CLI::Range(1, 256));
+  command.footer(
       "Examples: continua replay traces/pilot/*.jsonl -o runs -j 2\n"
       "          continua replay session.trace.jsonl --force 12=ask_color -o what_if.run.jsonl\n"
       "          continua replay session.trace.jsonl --from 4.0 --machine edited.json -o what_if.run.jsonl\n"
       "          continua diff session.run.jsonl what_if.run.jsonl");
-  command->callback([options, choice, forced, variant, &run] {
-    options->replay.variant = parse_variant(*variant).value_or(Variant::free);
-    options->replay.choice = parse_choice(*choice);
-    for (const auto& one : *forced) add_forced(one, options->replay.forced);
-    run = [options] { return run_replay(*options); };
+  command.callback([&options, choice, forced, variant] {
+    options.replay.variant = parse_variant(*variant).value_or(Variant::free);
+    options.replay.choice = parse_choice(*choice);
+    for (const auto& one : *forced) add_forced(one, options.replay.forced);
   });
 }
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "replay/commands/command.h"
-#include "replay/session/session.h"
+#include "continua/replay/commands/command.h"
+#include "continua/replay/session/session.h"
 
 namespace continua {
 
@@ -19,6 +19,6 @@ struct ReplayCommandOptions {
 /// One line for each trace on standard output. exit_no if an expectation of a trace was not met.
 int run_replay(const ReplayCommandOptions& options);
 
-void add_replay_command(CLI::App& program, Run& run);
+void describe_replay(CLI::App& command, ReplayCommandOptions& options);
 
 }  // namespace continua

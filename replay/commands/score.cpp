@@ -1,4 +1,4 @@
-#include "replay/commands/score.h"
+#include "continua/replay/commands/score.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,11 +13,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "core/located_json.h"
-#include "replay/commands/progress.h"
-#include "replay/score/score_report.h"
-#include "replay/trace/trace_file.h"
-#include "replay/trace/trace_name.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/score/score_report.h"
+#include "continua/replay/terminal/progress.h"
+#include "continua/replay/trace/trace_file.h"
+#include "continua/replay/trace/trace_name.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -155,40 +155,37 @@ int run_score(const ScoreOptions& options) {
   return usable ? exit_done : exit_impossible;
 }
 
-void add_score_command(CLI::App& program, Run& run) {
-  auto* command =
-      program.add_subcommand("score", "Replay traces and compare the avatar's moves with those that were observed");
-  auto options = std::make_shared<ScoreOptions>();
-  options->replay.physics = false;
-  command->add_option("TRACE", options->traces, "traces (.jsonl) with `observed` events")->required();
+void describe_score(CLI::App& command, ScoreOptions& options) {
+  options.replay.physics = false;
+  command.add_option("TRACE", options.traces, "traces (.jsonl) with `observed` events")->required();
   auto variant = std::make_shared<std::string>();
   command
-      ->add_option("--variant", *variant,
-                   "how far what was observed leads the run. free (the default): not at all; world: the observed acts "
-                   "move the blocks, the engine's do not; teacher: also, after a miss the engine goes on as if it had "
-                   "done what was observed")
+      .add_option("--variant", *variant,
+                  "how far what was observed leads the run. free (the default): not at all; world: the observed acts "
+                  "move the blocks, the engine's do not; teacher: also, after a miss the engine goes on as if it had "
+                  "done what was observed")
       ->check(CLI::IsMember({"free", "world", "teacher"}));
-  command->add_option("-o,--output", options->output,
-                      "a folder for the run logs, NAME.run.jsonl; otherwise they are not kept");
-  auto* json = command->add_flag("--json", options->json, "one JSON document, with all misses");
-  command->add_flag("--markdown", options->markdown, "the tables as Markdown")->excludes(json);
-  command->add_flag("--misses", options->all_misses, "tell all misses, not the first few of each trace");
-  command->add_option("--seed", options->replay.seed, "for draws; otherwise the trace's");
-  command->add_option("--scene", options->replay.scene, "a name or an MJCF file; otherwise the trace's");
-  command->add_option("--machine", options->replay.machine, "a name or a machine file; otherwise the trace's");
-  command->add_option("--knowledge", options->replay.knowledge,
-                      "folder of machines, lexicon, voxemes; otherwise the program's");
-  command->add_option("-j,--jobs", options->jobs, "how many traces at a time")->check(CLI::Range(1, 256));
-  command->footer(
+  command.add_option("-o,--output", options.output,
+                     "a folder for the run logs, NAME.run.jsonl; otherwise they are not kept");
+  auto* json = command.add_flag("--json", options.json, "one JSON document, with all misses");
+  command.add_flag("--markdown", options.markdown, "the tables as Markdown")->excludes(json);
+  command.add_flag("--misses", options.all_misses, "tell all misses, not the first few of each trace");
+  command.add_option("--seed", options.replay.seed, "for draws; otherwise the trace's");
+  command.add_option("--scene", options.replay.scene, "a name or an MJCF file; otherwise the trace's");
+  command.add_option("--machine", options.replay.machine, "a name or a machine file; otherwise the trace's");
+  command.add_option(
+      "--language", options.replay.language,
+      "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the trace's, or the machine's");
+  command.add_option("--knowledge", options.replay.knowledge,
+                     "folder of machines, lexicon, voxemes; otherwise the program's");
+  command.add_option("-j,--jobs", options.jobs, "how many traces at a time")->check(CLI::Range(1, 256));
+  command.footer(
       "Traces are replayed in the kinematic world. replay/score/SCORE.md says what is counted.\n"
       "Exit status: 0 done, 2 a trace cannot be used (the others are scored all the same).\n"
       "Examples: continua score traces/pilot/*.jsonl -j 2\n"
       "          continua score session.trace.jsonl -o runs --misses\n"
       "          continua score traces/pilot/*.jsonl --variant teacher --json");
-  command->callback([options, variant, &run] {
-    options->replay.variant = parse_variant(*variant).value_or(Variant::free);
-    run = [options] { return run_score(*options); };
-  });
+  command.callback([&options, variant] { options.replay.variant = parse_variant(*variant).value_or(Variant::free); });
 }
 
 }  // namespace continua

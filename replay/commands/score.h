@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "replay/commands/command.h"
-#include "replay/session/session.h"
+#include "continua/replay/commands/command.h"
+#include "continua/replay/session/session.h"
 
 namespace continua {
 
@@ -21,6 +21,6 @@ struct ScoreOptions {
 /// Writes the score to standard output. exit_impossible if a trace cannot be used; the others are scored all the same.
 int run_score(const ScoreOptions& options);
 
-void add_score_command(CLI::App& program, Run& run);
+void describe_score(CLI::App& command, ScoreOptions& options);
 
 }  // namespace continua

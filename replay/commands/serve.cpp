@@ -1,12 +1,12 @@
-#include "replay/commands/serve.h"
+#include "continua/replay/commands/serve.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
-#include "replay/commands/serving.h"
-#include "replay/live/live_sessions.h"
-#include "replay/server/inspector_server.h"
+#include "continua/replay/live/live_sessions.h"
+#include "continua/replay/server/inspector_server.h"
+#include "continua/replay/server/stop_signals.h"
 
 namespace continua {
 
@@ -35,16 +35,11 @@ int run_serve(const ServeOptions& options) {
   return exit_done;
 }
 
-void add_serve_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("serve", "Show runs in a browser");
-  auto options = std::make_shared<ServeOptions>();
-  command->add_option("PATH", options->paths, "run logs and folders of them; otherwise this folder");
-  command->add_option("--port", options->port, "0 takes a free one")
-      ->check(CLI::Range(0, 65535))
-      ->capture_default_str();
-  command->add_option("--bind", options->address, "address to listen on")->capture_default_str();
-  command->footer("Example: continua serve runs --port 8080");
-  command->callback([options, &run] { run = [options] { return run_serve(*options); }; });
+void describe_serve(CLI::App& command, ServeOptions& options) {
+  command.add_option("PATH", options.paths, "run logs and folders of them; otherwise this folder");
+  command.add_option("--port", options.port, "0 takes a free one")->check(CLI::Range(0, 65535))->capture_default_str();
+  command.add_option("--bind", options.address, "address to listen on")->capture_default_str();
+  command.footer("Example: continua serve runs --port 8080");
 }
 
 }  // namespace continua

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "replay/commands/command.h"
+#include "continua/replay/commands/command.h"
 
 namespace continua {
 
@@ -17,6 +17,6 @@ struct ServeOptions {
 /// Prints the page's address and answers until it is interrupted.
 int run_serve(const ServeOptions& options);
 
-void add_serve_command(CLI::App& program, Run& run);
+void describe_serve(CLI::App& command, ServeOptions& options);
 
 }  // namespace continua

@@ -1,4 +1,4 @@
-#include "replay/commands/shrink.h"
+#include "continua/replay/commands/shrink.h"
 
 #include <unistd.h>
 
@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "core/located_json.h"
-#include "replay/check/run_approved.h"
-#include "replay/session/data_paths.h"
-#include "replay/shrink/shrink.h"
-#include "replay/trace/trace_name.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/check/run_approved.h"
+#include "continua/replay/experiment/shrink.h"
+#include "continua/replay/session/data_paths.h"
+#include "continua/replay/trace/trace_name.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -105,14 +105,12 @@ int run_shrink(const ShrinkCommandOptions& options) {
   return exit_done;
 }
 
-void add_shrink_command(CLI::App& program, Run& run) {
-  auto* command = program.add_subcommand("shrink", "Find the smallest trace that still does something");
-  auto options = std::make_shared<ShrinkCommandOptions>();
-  options->replay.physics = false;
-  command->add_option("TRACE", options->trace, "a trace (.jsonl)")->required();
+void describe_shrink(CLI::App& command, ShrinkCommandOptions& options) {
+  options.replay.physics = false;
+  command.add_option("TRACE", options.trace, "a trace (.jsonl)")->required();
   command
-      ->add_option(
-          "--until", options->until,
+      .add_option(
+          "--until", options.until,
           "what it must still do. A situation, met at some instant of the run, after an input or the end of an act: "
           "FIELD=VALUE with a field of an `expect` line (state, says, indicated, referents, act, holding, "
           "stack_depth), or JSON; given several times, all of it at one instant. Or unmet, refusal, problem: an "
@@ -121,19 +119,22 @@ void add_shrink_command(CLI::App& program, Run& run) {
           "another one with the same cause, as diff tells it")
       ->required()
       ->allow_extra_args(false);
-  command->add_option("--against", options->against,
-                      "with --until changed: a run log, or a trace; otherwise the approved run beside the trace. Where "
-                      "that had another machine, each smaller trace is replayed with both");
-  command->add_option("-o,--output", options->output, "a trace, or '-'; otherwise NAME.shrunk.trace.jsonl here");
-  command->add_flag("--physics,!--no-physics", options->replay.physics,
-                    "with physics; otherwise in the kinematic world, in which acts succeed at once");
-  command->add_option("--scene", options->replay.scene, "a name or an MJCF file; otherwise the trace's");
-  command->add_option("--machine", options->replay.machine, "a name or a machine file; otherwise the trace's");
-  command->add_option("--knowledge", options->replay.knowledge,
-                      "folder of machines, lexicon, voxemes; otherwise the program's");
-  command->add_option("--learned", options->replay.learned, "a file of what was taught; it is not written");
-  command->add_option("--seed", options->replay.seed, "for draws; otherwise the trace's");
-  command->footer(
+  command.add_option("--against", options.against,
+                     "with --until changed: a run log, or a trace; otherwise the approved run beside the trace. Where "
+                     "that had another machine, each smaller trace is replayed with both");
+  command.add_option("-o,--output", options.output, "a trace, or '-'; otherwise NAME.shrunk.trace.jsonl here");
+  command.add_flag("--physics,!--no-physics", options.replay.physics,
+                   "with physics; otherwise in the kinematic world, in which acts succeed at once");
+  command.add_option("--scene", options.replay.scene, "a name or an MJCF file; otherwise the trace's");
+  command.add_option("--machine", options.replay.machine, "a name or a machine file; otherwise the trace's");
+  command.add_option(
+      "--language", options.replay.language,
+      "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the trace's, or the machine's");
+  command.add_option("--knowledge", options.replay.knowledge,
+                     "folder of machines, lexicon, voxemes; otherwise the program's");
+  command.add_option("--learned", options.replay.learned, "a file of what was taught; it is not written");
+  command.add_option("--seed", options.replay.seed, "for draws; otherwise the trace's");
+  command.footer(
       "Takes away events by delta debugging, until taking away any single one would lose it, then alternatives of "
       "n-best lists, words, and objects of the header. `expect` lines that hold in the smaller run are kept.\n"
       "Examples: continua shrink session.trace.jsonl --until state=Ask\n"
@@ -141,7 +142,6 @@ void add_shrink_command(CLI::App& program, Run& run) {
       "          continua shrink session.trace.jsonl --until '{\"state\":\"Ask\",\"stack_depth\":3}' -o -\n"
       "          continua shrink session.trace.jsonl --until unmet:14\n"
       "          continua shrink session.trace.jsonl --until changed --machine edited.json");
-  command->callback([options, &run] { run = [options] { return run_shrink(*options); }; });
 }
 
 }  // namespace continua

@@ -1,12 +1,13 @@
-#include "replay/coverage/coverage.h"
+#include "continua/replay/coverage/coverage.h"
 
 #include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
 
-#include "replay/coverage/coverage_phrases.h"
-#include "replay/views/run_brief.h"
+#include "continua/replay/coverage/coverage_phrases.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
 
 namespace continua {
 namespace {
@@ -77,12 +78,12 @@ class Counting {
   using Count = void (Counting::*)(const RunIndex&, std::size_t, const Json&);
 
   static Count counter_of(const std::string& kind) {
-    if (kind == "transition") return &Counting::transition;
-    if (kind == "refusal") return &Counting::refusal;
-    if (kind == "branches") return &Counting::branches;
-    if (kind == "application") return &Counting::application;
-    if (kind == "reading") return &Counting::reading;
-    if (kind == "utterance") return &Counting::utterance;
+    if (log::is<log::Transition>(kind)) return &Counting::transition;
+    if (log::is<log::Refusal>(kind)) return &Counting::refusal;
+    if (log::is<log::Branches>(kind)) return &Counting::branches;
+    if (log::is<log::Application>(kind)) return &Counting::application;
+    if (log::is<log::Reading>(kind)) return &Counting::reading;
+    if (log::is<log::Utterance>(kind)) return &Counting::utterance;
     return nullptr;
   }
 
@@ -140,7 +141,7 @@ class Counting {
   // What was said belongs to the transition that brought it about and to the state that it led to.
   void utterance(const RunIndex& run, std::size_t n, const Json& record) {
     const auto cause = run.cause(n);
-    if (!cause || run.kind(*cause) != "transition") return;
+    if (!cause || !log::is<log::Transition>(run.kind(*cause))) return;
     const auto transition = run.record(*cause);
     if (transition) phrases_.said(text_of(record, "text"), text_of(*transition, "id"), text_of(*transition, "to"));
   }

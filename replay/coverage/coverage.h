@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
-#include "replay/run/run_index.h"
+#include "continua/core/result.h"
+#include "continua/replay/log/run_index.h"
 
 namespace continua {
 

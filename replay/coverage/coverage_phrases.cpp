@@ -1,10 +1,10 @@
-#include "replay/coverage/coverage_phrases.h"
+#include "continua/replay/coverage/coverage_phrases.h"
 
 #include <algorithm>
 #include <optional>
 
-#include "replay/coverage/coverage.h"
-#include "replay/views/run_brief.h"
+#include "continua/replay/coverage/coverage.h"
+#include "continua/replay/log/run_brief.h"
 
 namespace continua {
 namespace {

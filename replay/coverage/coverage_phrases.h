@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "replay/coverage/coverage_text.h"
+#include "continua/replay/coverage/coverage_text.h"
 
 #include <algorithm>
 

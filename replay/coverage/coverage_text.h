@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/located_json.h"
-#include "replay/coverage/coverage.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/coverage/coverage.h"
 
 namespace continua {
 

@@ -1,9 +1,9 @@
-#include "replay/diff/event_changes.h"
+#include "continua/replay/diff/event_changes.h"
 
 #include <algorithm>
 #include <map>
 
-#include "replay/diff/sequence_alignment.h"
+#include "continua/replay/diff/sequence_alignment.h"
 
 namespace continua {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/sim_time.h"
+#include "continua/core/sim_time.h"
 
 namespace continua {
 

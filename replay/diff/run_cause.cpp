@@ -1,4 +1,4 @@
-#include "replay/diff/run_cause.h"
+#include "continua/replay/diff/run_cause.h"
 
 #include <algorithm>
 #include <set>
@@ -7,23 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "replay/diff/run_diff_words.h"
-#include "replay/views/run_brief.h"
+#include "continua/replay/diff/run_diff_words.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
+#include "continua/term/written_term.h"
 
 namespace continua {
 namespace {
-
-bool is_name_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
-// Whether `name` stands in `text` as a word of its own.
-bool names(std::string_view text, std::string_view name) {
-  for (auto at = text.find(name); !name.empty() && at != std::string_view::npos; at = text.find(name, at + 1)) {
-    const auto end = at + name.size();
-    if ((at == 0 || !is_name_character(text[at - 1])) && (end == text.size() || !is_name_character(text[end])))
-      return true;
-  }
-  return false;
-}
 
 // What is looked at to tell the cause: the first difference, and the transitions that it belongs to.
 struct Pivot {
@@ -35,6 +25,29 @@ struct Pivot {
   bool by_gesture = false;               ///< the input behind it is none that was said
   std::string text_a, text_b;            ///< of all that it is about, to look names up in
 };
+
+// How much the first difference speaks for a part of the runs as its cause; the order decides. A part that the
+// difference names speaks loudest, then one of the kind that makes such differences, then one that might have an
+// effect, and last one that is known to have none here.
+namespace rank {
+constexpr int forced_here = 99;         // only one run was made to take the transition
+constexpr int sense_of_words = 97;      // a word of the input has another sense
+constexpr int other_draw = 96;          // the same candidates, another random number
+constexpr int names_it = 95;            // the transition that fired, or the phrase that was said
+constexpr int makes_its_kind = 90;      // phrases of what was said, gestures of what was shown, the choice made
+constexpr int state_reached = 85;       // the state that the transition leads to; also a raising rule of an application
+constexpr int transition_weighed = 80;  // a transition that was a candidate or refused
+constexpr int named_in_text = 72;       // any other part of the machine that the records name
+constexpr int object_in_text = 65;      // an object of the scene that the records name
+constexpr int guides_readings = 60;     // context, fusion and programs of a reading; the world, of an act or a time
+constexpr int viewpoint = 58;           // sides are seen from it
+constexpr int voxeme_of_act = 55;
+constexpr int lexicon_of_reading = 50, raising_of_reading = 45;
+constexpr int scene = 40, learned = 35, machine = 30;
+constexpr int world = 28, choice = 27, perspective = 26, lexicon = 25, gestures = 24, voxemes = 22;
+constexpr int machine_of_reading = 20, raising = 20, phrases = 15;
+constexpr int other_of_act = 5, other = 2, seed = 1;
+}  // namespace rank
 
 class Inquiry {
  public:
@@ -102,31 +115,32 @@ class Inquiry {
     one = *first;
     std::optional<std::size_t> at, read;
     for (const auto n : records) {
-      if (!at && run.kind(n) == "transition") at = n;
-      if (!read && run.kind(n) == "reading") read = n;
+      if (!at && log::is<log::Transition>(run.kind(n))) at = n;
+      if (!read && log::is<log::Reading>(run.kind(n))) read = n;
     }
     const auto cause_of = [&](std::string_view kind) {
       auto cause = run.cause(records.front());
       while (cause && run.kind(*cause) != kind) cause = run.cause(*cause);
       return cause;
     };
-    if (!at && run.kind(records.front()) == "symbol") {
+    if (!at && log::is<log::Symbol>(run.kind(records.front()))) {
       for (auto n = records.front() + 1; n < run.size() && run.entry(n).cause == run.entry(records.front()).cause; ++n)
-        if (run.kind(n) == "transition") {
+        if (log::is<log::Transition>(run.kind(n))) {
           at = n;
           break;
         }
-    } else if (!at && run.kind(records.front()) != "reading" && run.kind(records.front()) != "percept") {
-      at = cause_of("transition");
+    } else if (!at && !log::is<log::Reading>(run.kind(records.front())) &&
+               !log::is<log::Percept>(run.kind(records.front()))) {
+      at = cause_of(log::Transition::kind.name);
     }
-    if (!read) read = cause_of("reading");
+    if (!read) read = cause_of(log::Reading::kind.name);
     for (const auto& [n, into] : {std::pair(at, &transition), std::pair(read, &reading)}) {
       if (!n) continue;
       auto record = run.record(*n);
       if (!record) return record.error();
       *into = *std::move(record);
     }
-    if (const auto input = cause_of("input")) {
+    if (const auto input = cause_of(log::Input::kind.name)) {
       const auto record = run.record(*input);
       if (!record) return record.error();
       pivot_.by_gesture = text_of(member_of(*record, "event"), "kind") != "speech";
@@ -138,7 +152,7 @@ class Inquiry {
 
   // Of all that was read in an input.
   static Outcome add_senses(const RunIndex& run, std::size_t input, std::vector<Json>& senses) {
-    for (const auto n : run.of_kind("reading")) {
+    for (const auto n : run.of_kind(log::Reading::kind.name)) {
       auto cause = run.cause(n);
       while (cause && *cause > input) cause = run.cause(*cause);
       if (cause != input) continue;
@@ -179,23 +193,30 @@ class Inquiry {
     return ids;
   }
 
-  // How much the first difference speaks for this one as its cause. Only the order counts.
+  // Its rank as the cause of the first difference.
   int relevance(const GivenDifference& given) {
     const auto& kind = given.kind;
     const auto at_first = first_kind();
-    const bool reading = at_first == "reading" || at_first == "percept";
+    const bool reading = log::is<log::Reading>(at_first) || log::is<log::Percept>(at_first);
     if (kind == "machine") return relevance_of_machine(given, reading);
-    if (kind == "phrases") return at_first == "utterance" ? (says(given) ? 95 : 90) : 15;
-    if (kind == "lexicon") return differing_sense() ? 97 : reading ? 50 : 25;
-    if (kind == "gestures") return reading && pivot_.by_gesture ? 90 : 24;
-    if (kind == "raising") return at_first == "application" ? 85 : reading ? 45 : 20;
-    if (kind == "voxemes") return at_first == "act" || is_act() ? 55 : 22;
-    if (kind == "scene") return names(pivot_.text_a + " " + pivot_.text_b, given.name) ? 65 : 40;
-    if (kind == "learned") return 35;
+    if (kind == "phrases")
+      return log::is<log::Utterance>(at_first) ? (says(given) ? rank::names_it : rank::makes_its_kind) : rank::phrases;
+    if (kind == "lexicon")
+      return differing_sense() ? rank::sense_of_words : reading ? rank::lexicon_of_reading : rank::lexicon;
+    if (kind == "gestures") return reading && pivot_.by_gesture ? rank::makes_its_kind : rank::gestures;
+    if (kind == "raising")
+      return log::is<log::Application>(at_first) ? rank::state_reached
+             : reading                           ? rank::raising_of_reading
+                                                 : rank::raising;
+    if (kind == "voxemes") return log::is<log::Act>(at_first) || is_act() ? rank::voxeme_of_act : rank::voxemes;
+    if (kind == "scene")
+      return mentions(pivot_.text_a + " " + pivot_.text_b, given.name) ? rank::object_in_text : rank::scene;
+    if (kind == "learned") return rank::learned;
     if (kind == "choice") return relevance_of_choice(given);
-    if (kind == "world") return is_act() || pivot_.kind == RunDifference::Kind::timing ? 60 : 28;
-    if (kind == "perspective") return reading ? 58 : 26;
-    return is_act() ? 5 : 2;
+    if (kind == "world")
+      return is_act() || pivot_.kind == RunDifference::Kind::timing ? rank::guides_readings : rank::world;
+    if (kind == "perspective") return reading ? rank::viewpoint : rank::perspective;
+    return is_act() ? rank::other_of_act : rank::other;
   }
 
   bool is_act() const {
@@ -207,29 +228,30 @@ class Inquiry {
   int relevance_of_machine(const GivenDifference& given, bool reading) const {
     if (reading)
       return given.what.starts_with("context") || given.what.starts_with("fusion") || given.what.starts_with("program")
-                 ? 60
-                 : 20;
+                 ? rank::guides_readings
+                 : rank::machine_of_reading;
     const auto &a = pivot_.transition_a, &b = pivot_.transition_b;
     const auto of_transition = given.what.starts_with("transition");
-    if (of_transition && (given.name == text_of(a, "id") || given.name == text_of(b, "id"))) return 95;
+    if (of_transition && (given.name == text_of(a, "id") || given.name == text_of(b, "id"))) return rank::names_it;
     if (given.what.starts_with("state") && (given.name == text_of(a, "to") || given.name == text_of(b, "to")))
-      return 85;
+      return rank::state_reached;
     if (of_transition)
       for (const char* list : {"candidates", "refused"})
         for (const auto* one : {&a, &b})
-          if (ids_of(*one, list).contains(given.name)) return 80;
-    return names(pivot_.text_a + " " + pivot_.text_b, given.name) ? 72 : 30;
+          if (ids_of(*one, list).contains(given.name)) return rank::transition_weighed;
+    return mentions(pivot_.text_a + " " + pivot_.text_b, given.name) ? rank::named_in_text : rank::machine;
   }
 
   int relevance_of_choice(const GivenDifference& given) const {
     const auto &a = pivot_.transition_a, &b = pivot_.transition_b;
-    if (given.what == "forced") return member_of(a, "forced") != member_of(b, "forced") ? 99 : 27;
+    if (given.what == "forced")
+      return member_of(a, "forced") != member_of(b, "forced") ? rank::forced_here : rank::choice;
     const bool same_choice = ids_of(a, "candidates") == ids_of(b, "candidates") && !a.is_null();
     if (given.what == "seed") {
       const auto &one = member_of(a, "draw"), &other = member_of(b, "draw");
-      return same_choice && one.is_number() && other.is_number() && one != other ? 96 : 1;
+      return same_choice && one.is_number() && other.is_number() && one != other ? rank::other_draw : rank::seed;
     }
-    return same_choice ? 90 : 27;
+    return same_choice ? rank::makes_its_kind : rank::choice;
   }
 
   bool says(const GivenDifference& given) const {

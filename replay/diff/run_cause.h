@@ -1,8 +1,8 @@
 // Why two runs part: of all that they do not have in common, what the first difference speaks for.
 #pragma once
 
-#include "core/result.h"
-#include "replay/diff/run_diff.h"
+#include "continua/core/result.h"
+#include "continua/replay/diff/run_diff.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "replay/diff/run_diff.h"
+#include "continua/replay/diff/run_diff.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,9 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "replay/diff/run_cause.h"
-#include "replay/diff/sequence_alignment.h"
+#include "continua/replay/diff/run_cause.h"
+#include "continua/replay/diff/sequence_alignment.h"
+#include "continua/replay/log/kinds.h"
 
 namespace continua {
 namespace {
@@ -27,7 +28,8 @@ struct Shape {
 // counts that they were asked for.
 Shape shape_of(const RunIndex& run) {
   std::vector<bool> left_out;
-  for (const auto& kind : run.kinds()) left_out.push_back(kind == "pose" || kind == "act" || kind == "observed");
+  for (const auto& kind : run.kinds())
+    left_out.push_back(log::is<log::Pose>(kind) || log::is<log::Act>(kind) || log::is<log::Observed>(kind));
   std::vector<bool> counts(run.size(), false);
   for (const auto& mark : run.act_marks())
     if (mark.asked) counts[mark.n] = true;
@@ -91,7 +93,8 @@ class Comparison {
   /// The first transition in both after these records that leads to the same state with the same stack.
   std::optional<std::pair<std::size_t, std::size_t>> meeting_after(std::size_t a, std::size_t b) const {
     for (const auto& [n, m] : pairs_)
-      if (n > a && m > b && a_.kind(n) == "transition" && stack_at(a_, n) == stack_at(b_, m)) return std::pair(n, m);
+      if (n > a && m > b && log::is<log::Transition>(a_.kind(n)) && stack_at(a_, n) == stack_at(b_, m))
+        return std::pair(n, m);
     return std::nullopt;
   }
 
@@ -259,7 +262,7 @@ class Comparison {
     collect(a_, last_a, act_a);
     collect(b_, last_b, act_b);
     for (const auto& [n, m] : pairs_) {
-      if (a_.kind(n) != "act") continue;
+      if (!log::is<log::Act>(a_.kind(n))) continue;
       const auto one = act_a.find(n), other = act_b.find(m);
       if (one == act_a.end() || other == act_b.end()) continue;
       const auto end_a = last_a[one->second], end_b = last_b[other->second];
@@ -283,7 +286,7 @@ class PoseComparison {
   PoseComparison(const RunIndex& a, const RunIndex& b, double tolerance_m) : tolerance_m_(tolerance_m) {
     sides_[0].run = &a;
     sides_[1].run = &b;
-    for (auto& side : sides_) side.poses = side.run->of_kind("pose");
+    for (auto& side : sides_) side.poses = side.run->of_kind(log::Pose::kind.name);
   }
 
   Outcome compare(RunDiff& diff) {
@@ -401,7 +404,8 @@ std::vector<std::size_t> led_to(const RunIndex& run, const std::vector<std::size
 // What is only told, or checked, brings nothing about: it is the first where nothing else differs.
 std::size_t first_that_counts(const RunIndex& a, const RunIndex& b, const std::vector<RunDifference>& differences) {
   const auto counts = [](const RunIndex& run, const std::vector<std::size_t>& records) {
-    return !records.empty() && run.kind(records.front()) != "expect" && run.kind(records.front()) != "observed";
+    return !records.empty() && !log::is<log::Expect>(run.kind(records.front())) &&
+           !log::is<log::Observed>(run.kind(records.front()));
   };
   const auto found = std::find_if(differences.begin(), differences.end(), [&](const RunDifference& one) {
     return one.kind == RunDifference::Kind::poses || counts(a, one.a) || counts(b, one.b);

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "core/located_json.h"
-#include "core/result.h"
-#include "core/sim_time.h"
-#include "replay/diff/event_changes.h"
-#include "replay/diff/run_givens.h"
-#include "replay/run/run_index.h"
+#include "continua/core/located_json.h"
+#include "continua/core/result.h"
+#include "continua/core/sim_time.h"
+#include "continua/replay/diff/event_changes.h"
+#include "continua/replay/diff/run_givens.h"
+#include "continua/replay/log/run_index.h"
 
 namespace continua {
 

@@ -1,11 +1,11 @@
-#include "replay/diff/run_diff_text.h"
+#include "continua/replay/diff/run_diff_text.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "replay/diff/run_diff_words.h"
-#include "replay/views/run_brief.h"
+#include "continua/replay/diff/run_diff_words.h"
+#include "continua/replay/log/run_brief.h"
 
 namespace continua {
 namespace {

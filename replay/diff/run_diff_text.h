@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "core/located_json.h"
-#include "replay/diff/run_diff.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/diff/run_diff.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "replay/diff/run_diff_words.h"
+#include "continua/replay/diff/run_diff_words.h"
 
 #include <algorithm>
 #include <sstream>
@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "replay/views/run_brief.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
 
 namespace continua {
 namespace {
@@ -99,7 +100,7 @@ std::string decided_in_words(const Json& a, const Json& b) {
                           "depth", "parses", "unknown", "unused", "found", "reason", "confidence", "types", "rule"})
     if (const auto& one = member_of(a, key), &other = member_of(b, key); one != other) {
       const auto subject =
-          text_of(a, "kind") == "transition" ? fmt::format("transition '{}'", text_of(a, "id")) : brief_of(a);
+          log::is<log::Transition>(text_of(a, "kind")) ? fmt::format("transition '{}'", text_of(a, "id")) : brief_of(a);
       const auto was = value_text(one), is = value_text(other);
       if (was.size() + is.size() > 120) return fmt::format("{} is the same, with other {}", subject, key);
       return fmt::format("{} is the same, with {} {} in A, {} in B", subject, key, was, is);
@@ -112,8 +113,9 @@ std::string happened_in_words(const Json& a, const Json& b) {
   if (b.is_null()) return fmt::format("only A has: {}", brief_of(a));
   const auto kind = text_of(a, "kind");
   if (kind != text_of(b, "kind")) return fmt::format("A has {}, B {}", brief_of(a), brief_of(b));
-  if (kind == "reading") return fmt::format("“{}” means {} in A, {} in B", text_of(a, "words"), brief(a), brief(b));
-  if (kind == "utterance") return fmt::format("A says {}, B {}", brief(a), brief(b));
+  if (log::is<log::Reading>(kind))
+    return fmt::format("“{}” means {} in A, {} in B", text_of(a, "words"), brief(a), brief(b));
+  if (log::is<log::Utterance>(kind)) return fmt::format("A says {}, B {}", brief(a), brief(b));
   return fmt::format("{} {} in A, {} in B", kind, brief(a), brief(b));
 }
 
@@ -136,7 +138,7 @@ std::string how(const RunIndex& run_a, const RunIndex& run_b, const RunDiff& dif
       break;
   }
   const bool stepped = !transition_a.is_null() && !transition_b.is_null();
-  if (stepped && !same_step(transition_a, transition_b) && text_of(a, "kind") != "reading")
+  if (stepped && !same_step(transition_a, transition_b) && !log::is<log::Reading>(text_of(a, "kind")))
     return transitions_in_words(transition_a, transition_b);
   return happened_in_words(a, b);
 }

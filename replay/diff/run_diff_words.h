@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "replay/diff/run_diff.h"
+#include "continua/replay/diff/run_diff.h"
 
 namespace continua {
 

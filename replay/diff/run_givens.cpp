@@ -1,4 +1,4 @@
-#include "replay/diff/run_givens.h"
+#include "continua/replay/diff/run_givens.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "replay/views/run_brief.h"
+#include "continua/replay/log/run_brief.h"
 
 namespace continua {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 

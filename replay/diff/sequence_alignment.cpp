@@ -1,4 +1,4 @@
-#include "replay/diff/sequence_alignment.h"
+#include "continua/replay/diff/sequence_alignment.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "replay/explain/explain.h"
+#include "continua/replay/explain/explain.h"
 
 #include <algorithm>
 #include <array>
@@ -7,15 +7,16 @@
 
 #include <fmt/format.h>
 
-#include "replay/explain/explain_cells.h"
-#include "replay/explain/explain_derivation.h"
-#include "replay/explain/explain_headline.h"
-#include "replay/explain/explain_scope.h"
-#include "replay/explain/explain_stack.h"
-#include "replay/explain/explain_steps.h"
-#include "replay/run/line_scan.h"
-#include "replay/views/run_brief.h"
-#include "replay/views/run_listing.h"
+#include "continua/replay/explain/explain_cells.h"
+#include "continua/replay/explain/explain_derivation.h"
+#include "continua/replay/explain/explain_headline.h"
+#include "continua/replay/explain/explain_scope.h"
+#include "continua/replay/explain/explain_stack.h"
+#include "continua/replay/explain/explain_steps.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/line_scan.h"
+#include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/run_listing.h"
 
 namespace continua {
 namespace {
@@ -48,7 +49,7 @@ struct Numbers {
 
 Result<std::size_t> transition_of_step(const RunIndex& run, std::int64_t wanted) {
   Numbers numbers;
-  const auto all = run.of_kind("transition");
+  const auto all = run.of_kind(log::Transition::kind.name);
   // Where nothing is missing it is the one at its place.
   if (wanted >= 1 && static_cast<std::size_t>(wanted) <= all.size())
     if (const auto n = all[static_cast<std::size_t>(wanted) - 1]; number_of(run, n, "step") == wanted) return n;
@@ -80,8 +81,9 @@ bool is_deed(const RunIndex& run, std::size_t n) {
   const auto place = rank(run, n);
   if (place == deeds.size()) return false;
   const auto cause = run.cause(n);
-  if (run.kind(n) == "act") return !cause || run.kind(*cause) != "act";  // asked for, and not how it goes on
-  return run.kind(n) != "refusal" || !cause || !run.entry(*cause).sample;
+  if (log::is<log::Act>(run.kind(n)))
+    return !cause || !log::is<log::Act>(run.kind(*cause));  // asked for, and not how it goes on
+  return !log::is<log::Refusal>(run.kind(n)) || !cause || !run.entry(*cause).sample;
 }
 
 Result<std::size_t> last_deed(const RunIndex& run, double until_s) {
@@ -111,7 +113,7 @@ std::size_t held_against(const RunIndex& run, std::size_t expect) {
   std::size_t decision = expect;
   for (auto n = expect; n-- > 0;) {
     if (run.kind(n) == wanted && (wanted != "act" || is_deed(run, n))) return n;
-    if (decision == expect && (run.kind(n) == "transition" || is_deed(run, n))) decision = n;
+    if (decision == expect && (log::is<log::Transition>(run.kind(n)) || is_deed(run, n))) decision = n;
   }
   return decision;
 }
@@ -124,7 +126,7 @@ Json fragile_among(const RunIndex& run, ExplainScope& scope) {
   if (!all.is_array()) return fragile;
   std::set<std::size_t> behind(scope.chain().begin(), scope.chain().end());
   for (const auto input : scope.inputs())
-    for (const auto reading : scope.of_turn(input, "reading")) behind.insert(reading);
+    for (const auto reading : scope.of_turn(input, log::Reading::kind.name)) behind.insert(reading);
   for (const auto& one : all)
     if (const auto& n = member_of(one, "n"); n.is_number_unsigned() && behind.count(n.get<std::size_t>()) != 0)
       fragile.push_back(one);
@@ -156,9 +158,9 @@ Result<Json> explain(const RunIndex& run, std::size_t n) {
   const auto header = run.record(0);
   if (!header) return header.error();
   auto about = n;
-  if (run.kind(n) == "expect") about = held_against(run, n);
-  if (run.kind(n) == "act")
-    if (const auto cause = run.cause(n); cause && run.kind(*cause) == "act") about = *cause;
+  if (log::is<log::Expect>(run.kind(n))) about = held_against(run, n);
+  if (log::is<log::Act>(run.kind(n)))
+    if (const auto cause = run.cause(n); cause && log::is<log::Act>(run.kind(*cause))) about = *cause;
   ExplainScope scope(run, about);
   ExplainScope own(run, n);
   auto act = explained_act(scope, about);
@@ -169,7 +171,7 @@ Result<Json> explain(const RunIndex& run, std::size_t n) {
             {"brief", brief(*record)},
             {"headline", headline(own, act)},
             {"about", about}};
-  if (run.kind(n) == "expect" && about != n)
+  if (log::is<log::Expect>(run.kind(n)) && about != n)
     told["headline"] = told["headline"].get<std::string>() + " " + headline(scope, act);
   auto& chain = told["chain"] = Json::array();
   for (const auto at : own.chain()) chain.push_back(brief_json(own, at));
@@ -177,7 +179,7 @@ Result<Json> explain(const RunIndex& run, std::size_t n) {
   const auto& graph = member_of(*header, "graph");
   told["steps"] = explained_steps(scope, graph);
   told["choice"] = member_of(*header, "choice");
-  told["refused"] = run.kind(about) == "refusal" ? explained_refusals(scope.record(about), graph) : Json();
+  told["refused"] = log::is<log::Refusal>(run.kind(about)) ? explained_refusals(scope.record(about), graph) : Json();
   auto stack = explained_stack(scope);
   if (!stack) return stack.error();
   told["stack"] = *std::move(stack);

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "core/located_json.h"
-#include "core/result.h"
-#include "replay/run/run_index.h"
+#include "continua/core/located_json.h"
+#include "continua/core/result.h"
+#include "continua/replay/log/run_index.h"
 
 namespace continua {
 

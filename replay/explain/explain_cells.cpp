@@ -1,12 +1,13 @@
-#include "replay/explain/explain_cells.h"
+#include "continua/replay/explain/explain_cells.h"
 
 #include <algorithm>
 #include <set>
 
-#include "replay/explain/explain_origin.h"
-#include "replay/explain/explain_term.h"
-#include "replay/run/line_scan.h"
-#include "replay/views/run_brief.h"
+#include "continua/replay/explain/explain_origin.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/line_scan.h"
+#include "continua/replay/log/run_brief.h"
+#include "continua/term/written_term.h"
 
 namespace continua {
 namespace {
@@ -35,7 +36,7 @@ class Cells {
   explicit Cells(ExplainScope& scope) : scope_(scope), run_(scope.run()), marks_(run_.stack_marks()) {
     const auto header = run_.record(0);
     if (header) conditions_of(member_of(*header, "graph"));
-    if (run_.size() > 1 && run_.kind(1) == "symbol")
+    if (run_.size() > 1 && log::is<log::Symbol>(run_.kind(1)))
       if (const auto& id = member_of(scope_.record(1), "id"); id.is_number_integer()) first_ = id.get<std::int64_t>();
   }
 

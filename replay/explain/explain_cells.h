@@ -1,7 +1,7 @@
 // The cells of a stack: every slot of every symbol, since when it has its value, and who looked at it last.
 #pragma once
 
-#include "replay/explain/explain_scope.h"
+#include "continua/replay/explain/explain_scope.h"
 
 namespace continua {
 

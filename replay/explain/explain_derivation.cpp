@@ -1,19 +1,20 @@
-#include "replay/explain/explain_derivation.h"
+#include "continua/replay/explain/explain_derivation.h"
 
 #include <algorithm>
 #include <optional>
 #include <set>
 
-#include "replay/explain/explain_origin.h"
-#include "replay/explain/explain_term.h"
-#include "replay/views/run_brief.h"
+#include "continua/replay/explain/explain_origin.h"
+#include "continua/replay/explain/explain_term.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
 
 namespace continua {
 namespace {
 
 class Derivation {
  public:
-  explicit Derivation(ExplainScope& scope) : scope_(scope), applications_(scope.latest("application")) {}
+  explicit Derivation(ExplainScope& scope) : scope_(scope), applications_(scope.latest(log::Application::kind.name)) {}
 
   // The tree of `term` as record `at` has it.
   Json of(const std::string& term, const std::string& type, std::size_t at, const std::set<std::string>& open) {
@@ -119,7 +120,7 @@ class Derivation {
 
 // The name of what was taught, where a program is one step of it.
 bool was_taught(ExplainScope& scope, const std::string& name, std::size_t before) {
-  for (const auto n : scope.run().of_kind("learned"))
+  for (const auto n : scope.run().of_kind(log::Learned::kind.name))
     if (n < before && text_of(scope.record(n), "name") == name) return true;
   return false;
 }
@@ -156,12 +157,12 @@ Json derivation_of(ExplainScope& scope) {
   const auto last_result = made_last ? text_of(scope.record(*made_last), "result") : std::string();
 
   std::string term;
-  if (kind == "act") term = text_of(record, "program");
-  if (kind == "gesture") term = text_of(record, "gesture");
-  if (kind == "learned" || kind == "memory") term = text_of(record, "value");
-  if (kind == "application") term = text_of(record, "result");
-  if (kind == "reading") term = text_of(record, "meaning");
-  if (kind == "act" && !derivation.application(term, n) && was_taught(scope, term_parts(last_result).head, n))
+  if (log::is<log::Act>(kind)) term = text_of(record, "program");
+  if (log::is<log::AvatarGesture>(kind)) term = text_of(record, "gesture");
+  if (log::is<log::Learned>(kind) || log::is<log::Memory>(kind)) term = text_of(record, "value");
+  if (log::is<log::Application>(kind)) term = text_of(record, "result");
+  if (log::is<log::Reading>(kind)) term = text_of(record, "meaning");
+  if (log::is<log::Act>(kind) && !derivation.application(term, n) && was_taught(scope, term_parts(last_result).head, n))
     return {{"term", term},
             {"type", nullptr},
             {"how", "taught"},
@@ -170,9 +171,9 @@ Json derivation_of(ExplainScope& scope) {
   if (term.empty()) term = last_result;
   if (term.empty())
     for (const auto at : scope.chain())
-      if (term.empty() && scope.run().kind(at) == "reading") term = text_of(scope.record(at), "meaning");
+      if (term.empty() && log::is<log::Reading>(scope.run().kind(at))) term = text_of(scope.record(at), "meaning");
   if (term.empty()) return nullptr;
-  return derivation.of(term, "", n + (kind == "application" ? 1 : 0), {});
+  return derivation.of(term, "", n + (log::is<log::Application>(kind) ? 1 : 0), {});
 }
 
 }  // namespace continua

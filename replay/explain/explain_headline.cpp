@@ -1,13 +1,15 @@
-#include "replay/explain/explain_headline.h"
+#include "continua/replay/explain/explain_headline.h"
 
 #include <algorithm>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "replay/explain/explain_origin.h"
-#include "replay/views/run_brief.h"
+#include "continua/replay/explain/explain_origin.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
 
 namespace continua {
 namespace {
@@ -53,9 +55,9 @@ std::string due_to(ExplainScope& scope, std::size_t input) {
               : kind == "act"      ? "the body reported " + told
                                    : "there was the input " + told;
   std::vector<std::size_t> with, after;
-  for (const auto percept : scope.of_turn(input, "percept"))
+  for (const auto percept : scope.of_turn(input, log::Percept::kind.name))
     for (const auto other : record_numbers(scope.record(percept), "because", percept))
-      if (other != input && scope.run().kind(other) == "input") with.push_back(other);
+      if (other != input && log::is<log::Input>(scope.run().kind(other))) with.push_back(other);
   for (const auto other : scope.inputs())
     if (other < input && std::find(with.begin(), with.end(), other) == with.end()) after.push_back(other);
   if (!with.empty()) text += " with " + listed(scope, with);
@@ -65,7 +67,7 @@ std::string due_to(ExplainScope& scope, std::size_t input) {
 
 // Why the turn's words did not do: what they leave open, or that they mean nothing.
 std::string left_open(ExplainScope& scope, std::size_t input) {
-  const auto readings = scope.of_turn(input, "reading");
+  const auto readings = scope.of_turn(input, log::Reading::kind.name);
   if (readings.empty()) return {};
   const Json& reading = scope.record(readings.back());
   const auto& unknown = member_of(reading, "unknown");
@@ -84,52 +86,73 @@ std::string left_open(ExplainScope& scope, std::size_t input) {
 
 std::string quoted(const std::string& text) { return "“" + text + "”"; }
 
-// What happened, without its cause: "the avatar asks “Which block?”".
-std::string happened(ExplainScope& scope) {
-  const auto n = scope.n();
-  const Json& record = scope.record(n);
-  const auto& kind = scope.run().kind(n);
-  const auto of = [&](const char* key) { return text_of(record, key); };
-  if (kind == "utterance") {
-    const auto text = of("text");
-    return fmt::format("the avatar {} {}", text.ends_with('?') ? "asks" : "says", quoted(text));
+// An event of the run without its cause, by the kind of its record: "the avatar asks “Which block?”".
+struct Happened {
+  const Json& record;
+
+  std::string operator()(const log::Utterance& said) const {
+    return fmt::format("the avatar {} {}", said.text.ends_with('?') ? "asks" : "says", quoted(said.text));
   }
-  if (kind == "gesture") return "the avatar gestures " + of("gesture");
-  if (kind == "act")
-    return record.contains("step")
-               ? fmt::format("step {} of act {}, {}, is {}", of("step"), of("act"), of("program"), of("status"))
-           : of("status") == "asked" ? "the avatar does " + of("program")
-                                     : fmt::format("act {}, {}, is {}", of("act"), of("program"), of("status"));
-  if (kind == "transition")
-    return fmt::format("{} goes to {} by the transition ‘{}’, step {}", of("from"), of("to"), of("id"), of("step"));
-  if (kind == "correction")
-    return fmt::format("what was observed takes the dialogue from {} to {}", of("from"), of("to"));
-  if (kind == "rewrite") return fmt::format("entering {} changes the stack", of("state"));
-  if (kind == "refusal")
+  std::string operator()(const log::AvatarGesture& made) const { return "the avatar gestures " + made.gesture; }
+  std::string operator()(const log::Act& act) const {
+    if (act.step) return fmt::format("step {} of act {}, {}, is {}", *act.step, act.act, act.program, act.status);
+    if (act.status == "asked") return "the avatar does " + act.program;
+    return fmt::format("act {}, {}, is {}", act.act, act.program, act.status);
+  }
+  std::string operator()(const log::Transition& fired) const {
+    return fmt::format("{} goes to {} by the transition ‘{}’, step {}", fired.from, fired.to, fired.id, fired.step);
+  }
+  std::string operator()(const log::Correction& corrected) const {
+    return fmt::format("what was observed takes the dialogue from {} to {}", corrected.from, corrected.to);
+  }
+  std::string operator()(const log::Rewrite& rewrite) const {
+    return fmt::format("entering {} changes the stack", rewrite.state);
+  }
+  std::string operator()(const log::Refusal& refusal) const {
+    const auto reason = text_of(record, "reason");
     return "the machine refuses an input: " +
-           (of("reason").empty() ? fmt::format("‘{}’ in {}", of("input"), of("state")) : of("reason"));
-  if (kind == "reading") {
-    const auto what = of("words").empty() ? "what was shown" : quoted(of("words"));
-    if (of("move").empty()) return what + " is not understood";
-    const auto& referents = member_of(record, "referents");
-    const auto meaning = !of("meaning").empty()                       ? of("meaning")
-                         : referents.is_array() && !referents.empty() ? alternatives_text(referents)
-                                                                      : std::string();
-    return meaning.empty() ? fmt::format("{} is taken as {}", what, of("move"))
-                           : fmt::format("{} is taken to mean {}, as {}", what, meaning, of("move"));
+           (reason.empty() ? fmt::format("‘{}’ in {}", text_of(record, "input"), refusal.state) : reason);
   }
-  if (kind == "input") {
-    const auto input = kind_of_input(scope, n);
-    return input == "speech" ? "the human says " + input_text(record) : "there is the input " + input_text(record);
+  std::string operator()(const log::Reading& reading) const {
+    const auto words = reading.words.value_or("");
+    const auto what = words.empty() ? "what was shown" : quoted(words);
+    if (!reading.move || reading.move->empty()) return what + " is not understood";
+    auto meaning = reading.meaning.value_or("");
+    if (meaning.empty() && reading.referents && !reading.referents->empty())
+      meaning = alternatives_text(Json(*reading.referents));
+    return meaning.empty() ? fmt::format("{} is taken as {}", what, *reading.move)
+                           : fmt::format("{} is taken to mean {}, as {}", what, meaning, *reading.move);
   }
-  if (kind == "application")
-    return fmt::format("{} is applied to {} and gives {}", of("function"), of("argument"), of("result"));
-  if (kind == "learned")
-    return fmt::format("the avatar learns that the {} {} means {}", of("of"), of("name"), of("value"));
-  if (kind == "forgotten") return fmt::format("the avatar forgets the {} {}", of("of"), of("name"));
-  if (kind == "memory") return fmt::format("the register {} becomes {}", of("register"), of("value"));
-  if (kind == "belief") return fmt::format("{} is certain to {}, before {}", of("concept"), of("value"), of("was"));
-  return fmt::format("there is a record of kind {}: {}", kind, brief(record));
+  std::string operator()(const log::Input& input) const {
+    const bool speech = text_of(input.event, "kind") == "speech";
+    return (speech ? "the human says " : "there is the input ") + input_text(record);
+  }
+  std::string operator()(const log::Application& made) const {
+    return fmt::format("{} is applied to {} and gives {}", made.function, made.argument, made.result);
+  }
+  std::string operator()(const log::Learned& learned) const {
+    return fmt::format("the avatar learns that the {} {} means {}", learned.of, learned.name, learned.value);
+  }
+  std::string operator()(const log::Forgotten& forgotten) const {
+    return fmt::format("the avatar forgets the {} {}", forgotten.of, forgotten.name);
+  }
+  std::string operator()(const log::Memory& memory) const {
+    return fmt::format("the register {} becomes {}", memory.register_name, memory.value);
+  }
+  std::string operator()(const log::Belief& belief) const {
+    return fmt::format("{} is certain to {}, before {}", belief.concept_name, text_of(record, "value"),
+                       text_of(record, "was"));
+  }
+  template <class Other>
+  std::string operator()(const Other&) const {
+    return fmt::format("there is a record of kind {}: {}", text_of(record, "kind"), brief(record));
+  }
+};
+
+// Where the log is none of ours, its record may have members of other types than declared.
+std::string happened(const Json& record) {
+  const auto read = log::read_record(record);
+  return std::visit(Happened{record}, read ? *read : log::Record(log::Unknown()));
 }
 
 // What an input led to, in the order of its turn.
@@ -140,19 +163,20 @@ std::string led_to(ExplainScope& scope, std::size_t input) {
   of_turn[0] = true;
   for (auto n = input + 1; n < run.size() && told.size() <= most_named; ++n) {
     const auto cause = run.cause(n);
-    if (!cause || *cause < input || !of_turn[*cause - input] || run.kind(n) == "input") continue;
+    if (!cause || *cause < input || !of_turn[*cause - input] || log::is<log::Input>(run.kind(n))) continue;
     of_turn[n - input] = true;
     const Json& record = scope.record(n);
     const auto& kind = run.kind(n);
-    if (kind == "utterance") told.push_back("the avatar says " + quoted(text_of(record, "text")));
-    if (kind == "gesture") told.push_back("it gestures " + text_of(record, "gesture"));
-    if (kind == "act" && text_of(record, "status") == "asked") told.push_back("it does " + text_of(record, "program"));
-    if (kind == "refusal") told.push_back(fmt::format("{} refuses it", text_of(record, "state")));
-    if (kind == "reading" && !text_of(record, "meaning").empty() && member_of(record, "taken") != false)
+    if (log::is<log::Utterance>(kind)) told.push_back("the avatar says " + quoted(text_of(record, "text")));
+    if (log::is<log::AvatarGesture>(kind)) told.push_back("it gestures " + text_of(record, "gesture"));
+    if (log::is<log::Act>(kind) && text_of(record, "status") == "asked")
+      told.push_back("it does " + text_of(record, "program"));
+    if (log::is<log::Refusal>(kind)) told.push_back(fmt::format("{} refuses it", text_of(record, "state")));
+    if (log::is<log::Reading>(kind) && !text_of(record, "meaning").empty() && member_of(record, "taken") != false)
       told.push_back("it is taken to mean " + text_of(record, "meaning"));
   }
   // What only came along with another input is bound to that one's words.
-  const auto percepts = run.of_kind("percept");
+  const auto percepts = run.of_kind(log::Percept::kind.name);
   for (auto n = std::upper_bound(percepts.begin(), percepts.end(), input); n != percepts.end() && told.empty(); ++n) {
     const auto drawn_on = record_numbers(scope.record(*n), "because", *n);
     const auto other = scope.input_of(*n);
@@ -180,39 +204,39 @@ std::string expectation(ExplainScope& scope, const Json& expect) {
 std::string headline(ExplainScope& scope, const Json& act) {
   const auto n = scope.n();
   const auto& kind = scope.run().kind(n);
-  if (kind == "expect") return expectation(scope, scope.record(n)) + ".";
-  auto text = fmt::format("At {} {}", time_text(scope.run().entry(n).t.seconds()), happened(scope));
+  if (log::is<log::Expect>(kind)) return expectation(scope, scope.record(n)) + ".";
+  auto text = fmt::format("At {} {}", time_text(scope.run().entry(n).t.seconds()), happened(scope.record(n)));
   const auto end = [](const std::string& told) {
     return told.ends_with('.') || told.ends_with(".”") || told.ends_with("?”") ? "" : ".";
   };
-  if (kind == "input") {
+  if (log::is<log::Input>(kind)) {
     const auto consequences = led_to(scope, n);
     text += consequences.empty() ? "; nothing came of it" : ": " + consequences;
     return text + end(text);
   }
   const auto input = scope.input_of(n);
   if (!input) {
-    text += scope.chain().size() > 1 || kind == "transition" ? ", without any input" : "";
+    text += scope.chain().size() > 1 || log::is<log::Transition>(kind) ? ", without any input" : "";
     return text + end(text);
   }
-  text += (kind == "refusal" ? "; " : ", because ") + due_to(scope, *input);
-  if (kind == "utterance" || kind == "refusal")
+  text += (log::is<log::Refusal>(kind) ? "; " : ", because ") + due_to(scope, *input);
+  if (log::is<log::Utterance>(kind) || log::is<log::Refusal>(kind))
     if (const auto open = left_open(scope, *input); !open.empty()) text += ": " + open;
   text += end(text);
-  if (kind == "act") text += " " + text_of(act, "sentence");
+  if (log::is<log::Act>(kind)) text += " " + text_of(act, "sentence");
   return text;
 }
 
 Json explained_act(ExplainScope& scope, std::size_t n) {
   const auto& run = scope.run();
-  if (run.kind(n) != "act") return nullptr;
+  if (!log::is<log::Act>(run.kind(n))) return nullptr;
   const auto cause = run.cause(n);
-  const auto asked = cause && run.kind(*cause) == "act" ? *cause : n;
+  const auto asked = cause && log::is<log::Act>(run.kind(*cause)) ? *cause : n;
   const Json& first = scope.record(asked);
   Json records = Json::array(), outcome;
   std::size_t ended = asked;
   for (auto at = asked; at < run.size(); ++at) {
-    if (at != asked && (run.cause(at) != asked || run.kind(at) != "act")) continue;
+    if (at != asked && (run.cause(at) != asked || !log::is<log::Act>(run.kind(at)))) continue;
     const Json& record = scope.record(at);
     records.push_back({{"n", at}, {"t", run.entry(at).t.seconds()}});
     for (const char* part : {"status", "step", "program", "result"}) records.back()[part] = member_of(record, part);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "replay/explain/explain_scope.h"
+#include "continua/replay/explain/explain_scope.h"
 
 namespace continua {
 

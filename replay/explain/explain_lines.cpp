@@ -1,4 +1,4 @@
-#include "replay/explain/explain_lines.h"
+#include "continua/replay/explain/explain_lines.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "replay/explain/explain_origin.h"
+#include "continua/replay/explain/explain_origin.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "replay/explain/explain_term.h"
-#include "replay/views/run_brief.h"
+#include "continua/replay/explain/explain_term.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
+#include "continua/term/written_term.h"
 
 namespace continua {
 namespace {
@@ -57,7 +59,7 @@ Found found_before(ExplainScope& scope, const std::string& value, std::size_t in
 
 // The pointings that a percept of this turn bound to the words.
 Found found_pointing(ExplainScope& scope, const std::string& words, std::size_t input) {
-  for (const auto n : scope.of_turn(input, "percept"))
+  for (const auto n : scope.of_turn(input, log::Percept::kind.name))
     for (const auto& bound : member_of(scope.record(n), "bound")) {
       if (text_of(bound, "words") != words) continue;
       const auto& deixis = member_of(bound, "deixis");
@@ -67,7 +69,7 @@ Found found_pointing(ExplainScope& scope, const std::string& words, std::size_t 
         text += fmt::format(" ({})", time_text(from.get<double>()));
       auto found = origin(scope, "pointing", text, n);
       for (const auto other : record_numbers(scope.record(n), "because", n))
-        if (other != input && scope.run().kind(other) == "input") {
+        if (other != input && log::is<log::Input>(scope.run().kind(other))) {
           found["input"] = other;
           found["t"] = scope.run().entry(other).t.seconds();
         }
@@ -78,7 +80,7 @@ Found found_pointing(ExplainScope& scope, const std::string& words, std::size_t 
 
 // Whether a lesson is what the value, or the gesture of this turn, goes back to.
 Found found_taught(ExplainScope& scope, const std::string& name, std::size_t at) {
-  const auto lessons = scope.run().of_kind("learned");
+  const auto lessons = scope.run().of_kind(log::Learned::kind.name);
   for (auto n = std::lower_bound(lessons.begin(), lessons.end(), at); n != lessons.begin();) {
     const auto& lesson = scope.record(*--n);
     if (text_of(lesson, "name") != name) continue;
@@ -176,7 +178,7 @@ Found found_in_reading(ExplainScope& scope, const std::string& value, std::size_
 
 Found found_in_turn(ExplainScope& scope, const std::string& value, std::size_t input, std::size_t at, int depth) {
   if (depth > deepest) return std::nullopt;
-  const auto readings = scope.of_turn(input, "reading");
+  const auto readings = scope.of_turn(input, log::Reading::kind.name);
   for (auto n = readings.rbegin(); n != readings.rend(); ++n)
     if (*n <= at)
       if (auto found = found_in_reading(scope, value, *n, input, depth)) return found;
@@ -187,13 +189,13 @@ Found found_in_turn(ExplainScope& scope, const std::string& value, std::size_t i
 Found first_kept(ExplainScope& scope, const std::string& value, std::size_t at) {
   for (const auto input : scope.inputs()) {
     if (input > at) break;
-    for (const auto n : scope.of_turn(input, "memory"))
+    for (const auto n : scope.of_turn(input, log::Memory::kind.name))
       if (n <= at && mentions(text_of(scope.record(n), "value"), value))
         return origin(
             scope, "memory",
             fmt::format("register {} since {}  #{}", text_of(scope.record(n), "register"), told_input(scope, input), n),
             n);
-    for (const auto n : scope.of_turn(input, "symbol")) {
+    for (const auto n : scope.of_turn(input, log::Symbol::kind.name)) {
       const auto& slots = member_of(scope.record(n), "slots");
       if (n > at || !slots.is_object()) continue;
       for (const auto& [slot, held] : slots.items())
@@ -205,7 +207,7 @@ Found first_kept(ExplainScope& scope, const std::string& value, std::size_t at) 
 }
 
 Found in_a_lesson(ExplainScope& scope, const std::string& value, std::size_t at) {
-  for (const auto n : scope.latest("reading"))
+  for (const auto n : scope.latest(log::Reading::kind.name))
     if (const auto head = term_parts(text_of(scope.record(n), "meaning")).head; n <= at && !head.empty())
       if (auto taught = found_taught(scope, head, at); taught && mentions((*taught)["text"].get<std::string>(), value))
         return taught;
@@ -216,7 +218,7 @@ Found in_a_lesson(ExplainScope& scope, const std::string& value, std::size_t at)
 
 std::string told_input(ExplainScope& scope, std::size_t input) {
   const auto t = time_text(scope.run().entry(input).t.seconds());
-  for (const auto n : scope.of_turn(input, "reading")) {
+  for (const auto n : scope.of_turn(input, log::Reading::kind.name)) {
     const auto& reading = scope.record(n);
     const auto& alternative = member_of(reading, "alternative");
     if (member_of(reading, "taken") != true || !alternative.is_number_unsigned() || alternative == 0) continue;

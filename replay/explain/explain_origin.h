@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "replay/explain/explain_scope.h"
+#include "continua/replay/explain/explain_scope.h"
 
 namespace continua {
 

@@ -1,10 +1,11 @@
-#include "replay/explain/explain_scope.h"
+#include "continua/replay/explain/explain_scope.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "replay/views/run_brief.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
 
 namespace continua {
 
@@ -19,11 +20,11 @@ ExplainScope::ExplainScope(const RunIndex& run, std::size_t n) : run_(run) {
   for (std::optional<std::size_t> at = n; at; at = run.cause(*at)) chain_.push_back(*at);
   const std::vector<std::size_t> near(chain_.begin(), chain_.begin() + std::min(chain_.size(), most_read));
   for (const auto at : near) {
-    if (run.kind(at) == "input") inputs_.push_back(at);
+    if (log::is<log::Input>(run.kind(at))) inputs_.push_back(at);
     add_inputs_of(at);
   }
   // What was applied on the way drew on more than the record itself may name.
-  for (const auto at : run.of_kind("application")) {
+  for (const auto at : run.of_kind(log::Application::kind.name)) {
     if (at > n) break;
     if (const auto cause = run.cause(at); cause && std::binary_search(near.rbegin(), near.rend(), *cause))
       add_inputs_of(at);
@@ -34,7 +35,7 @@ ExplainScope::ExplainScope(const RunIndex& run, std::size_t n) : run_(run) {
   // Which turn each record belongs to, in one pass: a cause comes before what it brings about.
   std::vector<std::int64_t> turn(n + 1, -1);
   for (std::size_t at = 0; at <= n; ++at) {
-    if (run.kind(at) == "input")
+    if (log::is<log::Input>(run.kind(at)))
       turn[at] = static_cast<std::int64_t>(at);
     else if (const auto cause = run.cause(at))
       turn[at] = turn[*cause];
@@ -53,12 +54,12 @@ const Json& ExplainScope::record(std::size_t n) {
 
 void ExplainScope::add_inputs_of(std::size_t n) {
   for (const auto input : record_numbers(record(n), "because", n))
-    if (run_.kind(input) == "input") inputs_.push_back(input);
+    if (log::is<log::Input>(run_.kind(input))) inputs_.push_back(input);
 }
 
 std::optional<std::size_t> ExplainScope::input_of(std::size_t n) const {
   for (std::optional<std::size_t> at = n; at; at = run_.cause(*at))
-    if (run_.kind(*at) == "input") return at;
+    if (log::is<log::Input>(run_.kind(*at))) return at;
   return std::nullopt;
 }
 

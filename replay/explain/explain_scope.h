@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/located_json.h"
-#include "replay/run/run_index.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/log/run_index.h"
 
 namespace continua {
 

@@ -1,10 +1,11 @@
-#include "replay/explain/explain_stack.h"
+#include "continua/replay/explain/explain_stack.h"
 
 #include <algorithm>
 
-#include "replay/explain/explain_origin.h"
-#include "replay/views/run_brief.h"
-#include "replay/views/run_views.h"
+#include "continua/replay/explain/explain_origin.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/run_views.h"
 
 namespace continua {
 namespace {
@@ -14,9 +15,10 @@ namespace {
 std::size_t begin_of_change(ExplainScope& scope) {
   const auto n = scope.n();
   const auto& kind = scope.run().kind(n);
-  if (kind == "symbol" || kind == "transition" || kind == "correction" || kind == "rewrite") {
+  if (log::is<log::Symbol>(kind) || log::is<log::Transition>(kind) || log::is<log::Correction>(kind) ||
+      log::is<log::Rewrite>(kind)) {
     auto begin = n;
-    while (begin > 1 && (begin == n || scope.run().kind(begin) == "symbol")) --begin;
+    while (begin > 1 && (begin == n || log::is<log::Symbol>(scope.run().kind(begin)))) --begin;
     return begin;
   }
   return scope.input_of(n).value_or(0);
@@ -59,7 +61,7 @@ std::optional<std::size_t> setter_of(ExplainScope& scope, const std::string& slo
 }
 
 std::optional<std::size_t> application_of(ExplainScope& scope, const std::string& term, std::size_t before) {
-  for (const auto n : scope.latest("application"))
+  for (const auto n : scope.latest(log::Application::kind.name))
     if (n < before && text_of(scope.record(n), "result") == term) return n;
   return std::nullopt;
 }

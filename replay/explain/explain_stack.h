@@ -1,7 +1,7 @@
 // What a record's turn did to the stack, and where each changed slot has its value from.
 #pragma once
 
-#include "replay/explain/explain_scope.h"
+#include "continua/replay/explain/explain_scope.h"
 
 namespace continua {
 

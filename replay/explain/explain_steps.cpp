@@ -1,18 +1,19 @@
-#include "replay/explain/explain_steps.h"
+#include "continua/replay/explain/explain_steps.h"
 
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "replay/explain/explain_origin.h"
-#include "replay/views/run_brief.h"
-#include "replay/views/run_views.h"
+#include "continua/replay/explain/explain_origin.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/run_views.h"
 
 namespace continua {
 namespace {
 
-Json records_of(ExplainScope& scope, std::size_t input, const char* kind) {
+Json records_of(ExplainScope& scope, std::size_t input, std::string_view kind) {
   Json records = Json::array();
   for (const auto n : scope.of_turn(input, kind)) records.push_back(scope.record(n));
   return records;
@@ -84,8 +85,8 @@ Json explained_inputs(ExplainScope& scope) {
                       {"told", input_text(record)},
                       {"symbol", member_of(record, "symbol")},
                       {"here", n == here},
-                      {"percepts", records_of(scope, n, "percept")},
-                      {"readings", records_of(scope, n, "reading")}});
+                      {"percepts", records_of(scope, n, log::Percept::kind.name)},
+                      {"readings", records_of(scope, n, log::Reading::kind.name)}});
     if (kind == "pointing") {
       inputs.back()["hand"] = text_of(event, "hand");
       inputs.back()["count"] = 1;
@@ -99,7 +100,7 @@ Json explained_steps(ExplainScope& scope, const Json& graph) {
   Json steps = Json::array();
   const auto& chain = scope.chain();
   for (auto n = chain.rbegin(); n != chain.rend(); ++n) {
-    if (scope.run().kind(*n) != "transition") continue;
+    if (!log::is<log::Transition>(scope.run().kind(*n))) continue;
     const Json& record = scope.record(*n);
     Json step{{"n", *n}, {"t", scope.run().entry(*n).t.seconds()}};
     for (const char* part : {"step", "id", "from", "to", "input"}) step[part] = member_of(record, part);
@@ -116,7 +117,7 @@ Json brought_about(ExplainScope& scope, std::size_t n) {
   const auto& run = scope.run();
   Json records = Json::array();
   for (std::size_t at = n + 1; at < run.size(); ++at)
-    if (run.cause(at) == n && run.kind(at) != "symbol")
+    if (run.cause(at) == n && !log::is<log::Symbol>(run.kind(at)))
       records.push_back({{"n", at}, {"kind", run.kind(at)}, {"brief", brief(scope.record(at))}});
   return records;
 }

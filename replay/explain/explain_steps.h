@@ -1,7 +1,7 @@
 // What led from an input to a record: what was heard and seen, and which transitions fired and which did not.
 #pragma once
 
-#include "replay/explain/explain_scope.h"
+#include "continua/replay/explain/explain_scope.h"
 
 namespace continua {
 

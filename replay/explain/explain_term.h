@@ -1,4 +1,4 @@
-// Terms as logs write them, taken apart as text: a reader of logs knows no more of them than their notation.
+// Terms as logs write them, and their parts as texts: what a derivation looks up in the log.
 #pragma once
 
 #include <string>
@@ -17,8 +17,5 @@ struct TermParts {
 };
 
 TermParts term_parts(std::string_view text);
-
-/// Whether `name` stands in `text` as a whole word.
-bool mentions(std::string_view text, std::string_view name);
 
 }  // namespace continua

@@ -1,4 +1,4 @@
-#include "replay/explain/explain_text.h"
+#include "continua/replay/explain/explain_text.h"
 
 #include <algorithm>
 #include <vector>
@@ -6,11 +6,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "replay/explain/explain_lines.h"
-#include "replay/explain/explain_origin.h"
-#include "replay/explain/explain_scope.h"
-#include "replay/explain/explain_steps.h"
-#include "replay/views/run_brief.h"
+#include "continua/replay/explain/explain_lines.h"
+#include "continua/replay/explain/explain_origin.h"
+#include "continua/replay/explain/explain_scope.h"
+#include "continua/replay/explain/explain_steps.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
 
 namespace continua {
 namespace {
@@ -345,9 +346,10 @@ class Teller {
       std::string text;
       for (const auto& one : list_of(told_, key)) {
         const auto kind = text_of(one, "kind");
-        if (kind == "act" && text_of(told_, "kind") == "act") continue;  // how it went has been told
-        if (!options_.all && (kind == "memory" || kind == "belief")) continue;
-        text += fmt::format("{}{} {} {}", text.empty() ? "" : "; ", kind == "rewrite" ? "on entering" : kind,
+        if (log::is<log::Act>(kind) && log::is<log::Act>(text_of(told_, "kind")))
+          continue;  // how it went has been told
+        if (!options_.all && (log::is<log::Memory>(kind) || log::is<log::Belief>(kind))) continue;
+        text += fmt::format("{}{} {} {}", text.empty() ? "" : "; ", log::is<log::Rewrite>(kind) ? "on entering" : kind,
                             text_of(one, "brief"), numbered(one));
       }
       if (!text.empty()) {

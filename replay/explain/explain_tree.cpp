@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "replay/explain/explain_lines.h"
-#include "replay/explain/explain_text.h"
-#include "replay/views/run_brief.h"
+#include "continua/replay/explain/explain_lines.h"
+#include "continua/replay/explain/explain_text.h"
+#include "continua/replay/log/run_brief.h"
 
 namespace continua {
 namespace {

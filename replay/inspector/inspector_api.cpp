@@ -1,18 +1,18 @@
-#include "replay/inspector/inspector_api.h"
+#include "continua/replay/inspector/inspector_api.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "replay/diff/run_diff.h"
-#include "replay/diff/run_diff_text.h"
-#include "replay/explain/explain.h"
-#include "replay/run/line_scan.h"
-#include "replay/views/run_columns.h"
-#include "replay/views/run_find.h"
-#include "replay/views/run_labels.h"
-#include "replay/views/run_listing.h"
-#include "replay/views/run_views.h"
+#include "continua/replay/diff/run_diff.h"
+#include "continua/replay/diff/run_diff_text.h"
+#include "continua/replay/explain/explain.h"
+#include "continua/replay/inspector/run_columns.h"
+#include "continua/replay/inspector/run_find.h"
+#include "continua/replay/inspector/run_labels.h"
+#include "continua/replay/log/line_scan.h"
+#include "continua/replay/log/run_listing.h"
+#include "continua/replay/log/run_views.h"
 
 namespace continua {
 namespace {

@@ -10,13 +10,13 @@
 #include <string_view>
 #include <vector>
 
-#include "replay/inspector/run_library.h"
-#include "replay/inspector/run_listings.h"
-#include "replay/run/run_index.h"
-#include "replay/views/run_frames.h"
-#include "replay/views/run_world.h"
-#include "replay/what_if/run_temporary.h"
-#include "replay/what_if/run_what_if.h"
+#include "continua/replay/inspector/run_library.h"
+#include "continua/replay/inspector/run_listings.h"
+#include "continua/replay/inspector/run_temporary.h"
+#include "continua/replay/inspector/run_what_if.h"
+#include "continua/replay/log/run_index.h"
+#include "continua/replay/scene/run_frames.h"
+#include "continua/replay/scene/run_world.h"
 
 namespace continua {
 

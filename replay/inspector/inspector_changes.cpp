@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "replay/diff/run_diff.h"
-#include "replay/inspector/inspector_api.h"
-#include "replay/views/run_notes.h"
-#include "replay/what_if/run_what_if.h"
+#include "continua/replay/diff/run_diff.h"
+#include "continua/replay/inspector/inspector_api.h"
+#include "continua/replay/inspector/run_notes.h"
+#include "continua/replay/inspector/run_what_if.h"
 
 namespace continua {
 namespace {

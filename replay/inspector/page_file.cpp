@@ -1,4 +1,4 @@
-#include "replay/inspector/page_file.h"
+#include "continua/replay/inspector/page_file.h"
 
 #include <algorithm>
 #include <array>
@@ -7,14 +7,15 @@
 
 #include <fmt/format.h>
 
-#include "core/located_json.h"
-#include "replay/inspector/gzip.h"
-#include "replay/inspector/inspector_api.h"
-#include "replay/report/run_html.h"
-#include "replay/run/run_index.h"
-#include "replay/views/run_brief.h"
-#include "replay/views/run_stops.h"
-#include "web/assets.h"
+#include "continua/core/gzip.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/export/run_html.h"
+#include "continua/replay/inspector/inspector_api.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/run_index.h"
+#include "continua/replay/log/run_stops.h"
+#include "continua/web/assets.h"
 
 namespace continua {
 namespace {
@@ -48,6 +49,18 @@ const WebAsset& asset(std::string_view path) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const WebAsset& one) { return one.path == path; });
   require(found != all.end(), "the page's files are built in");
   return *found;
+}
+
+// The page's style sheets, in the order in which it links them.
+std::string style_sheets() {
+  constexpr std::string_view link = "<link rel=\"stylesheet\" href=\"";
+  const auto index = gunzipped(asset("/index.html").gzip);
+  std::string all;
+  for (auto at = index.find(link); at != std::string::npos; at = index.find(link, at)) {
+    at += link.size();
+    all += gunzipped(asset(index.substr(at, index.find('"', at) - at)).gzip);
+  }
+  return all;
 }
 
 std::string_view unquoted(std::string_view quoted) { return quoted.substr(1, quoted.size() - 2); }
@@ -137,7 +150,7 @@ Outcome collect(Answers& answers, const RunIndex& run, const std::function<void(
   if (run.stack_marks().empty()) answers.view("stack 0", "stack?n=0");
   for (const auto& mark : run.stack_marks())
     answers.view(fmt::format("stack {}", mark.n), fmt::format("stack?n={}", mark.n));
-  for (const auto n : run.of_kind("branches")) {
+  for (const auto n : run.of_kind(log::Branches::kind.name)) {
     const auto record = run.record(n);
     if (!record) return record.error();
     for (const auto& one : member_of(*record, "branches"))
@@ -173,7 +186,7 @@ Outcome write_page(const std::string& run_path, std::ostream& out, const std::fu
   if (const auto problem = answers.begin()) return *problem;
   if (const auto problem = collect(answers, *run, progress)) return *problem;
 
-  const auto starter = gunzipped(asset("/exported.js").gzip), style = gunzipped(asset("/style.css").gzip);
+  const auto starter = gunzipped(asset("/exported.js").gzip), style = style_sheets();
   require(!ends_element(starter) && !ends_element(style), "scripts and styles stand in the file as they are");
   out << "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       << "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'sha256-"

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-#include "core/result.h"
+#include "continua/core/result.h"
 
 namespace continua {
 

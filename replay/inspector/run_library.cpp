@@ -1,4 +1,4 @@
-#include "replay/inspector/run_library.h"
+#include "continua/replay/inspector/run_library.h"
 
 #include <algorithm>
 #include <chrono>

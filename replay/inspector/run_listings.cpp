@@ -1,9 +1,9 @@
-#include "replay/inspector/run_listings.h"
+#include "continua/replay/inspector/run_listings.h"
 
 #include <algorithm>
 #include <chrono>
 
-#include "replay/views/run_listing.h"
+#include "continua/replay/log/run_listing.h"
 
 namespace continua {
 namespace {

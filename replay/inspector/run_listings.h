@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
-#include "core/located_json.h"
-#include "replay/inspector/run_library.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/inspector/run_library.h"
 
 namespace continua {
 

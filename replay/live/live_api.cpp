@@ -1,10 +1,10 @@
-#include "replay/live/live_api.h"
+#include "continua/replay/live/live_api.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "replay/live/live_save.h"
+#include "continua/replay/live/live_save.h"
 
 namespace continua {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "replay/inspector/inspector_api.h"
-#include "replay/live/live_sessions.h"
+#include "continua/replay/inspector/inspector_api.h"
+#include "continua/replay/live/live_sessions.h"
 
 namespace continua {
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <optional>
 
-#include "core/sim_time.h"
+#include "continua/core/sim_time.h"
 
 namespace continua {
 

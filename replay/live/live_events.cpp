@@ -1,11 +1,11 @@
-#include "replay/live/live_events.h"
+#include "continua/replay/live/live_events.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "replay/trace/trace_event.h"
+#include "continua/replay/trace/trace_event.h"
 
 namespace continua {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/located_json.h"
-#include "replay/trace/trace_file.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/trace/trace_file.h"
 
 namespace continua {
 

@@ -1,6 +1,6 @@
-#include "replay/live/live_log.h"
+#include "continua/replay/live/live_log.h"
 
-#include "replay/run/line_scan.h"
+#include "continua/replay/log/line_scan.h"
 
 namespace continua {
 

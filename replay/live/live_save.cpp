@@ -1,13 +1,13 @@
-#include "replay/live/live_save.h"
+#include "continua/replay/live/live_save.h"
 
 #include <filesystem>
 #include <fstream>
 
 #include <fmt/format.h>
 
-#include "replay/check/check.h"
-#include "replay/trace/trace_file.h"
-#include "replay/trace/whole_file.h"
+#include "continua/replay/check/check.h"
+#include "continua/replay/trace/trace_file.h"
+#include "continua/replay/trace/whole_file.h"
 
 namespace continua {
 namespace {

@@ -1,10 +1,10 @@
-#include "replay/live/live_session.h"
+#include "continua/replay/live/live_session.h"
 
 #include <algorithm>
 #include <filesystem>
 
-#include "replay/live/live_setup.h"
-#include "replay/session/session_loop.h"
+#include "continua/replay/session/live_setup.h"
+#include "continua/replay/session/session_loop.h"
 
 namespace continua {
 namespace {

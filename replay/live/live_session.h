@@ -10,10 +10,10 @@
 #include <thread>
 #include <vector>
 
-#include "replay/live/live_clock.h"
-#include "replay/live/live_events.h"
-#include "replay/live/live_log.h"
-#include "replay/session/session.h"
+#include "continua/replay/live/live_clock.h"
+#include "continua/replay/live/live_events.h"
+#include "continua/replay/live/live_log.h"
+#include "continua/replay/session/session.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "replay/live/live_sessions.h"
+#include "continua/replay/live/live_sessions.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "replay/live/live_setup.h"
-#include "replay/trace/trace_name.h"
+#include "continua/replay/session/live_setup.h"
+#include "continua/replay/trace/trace_name.h"
 
 namespace continua {
 namespace {
@@ -19,8 +19,8 @@ constexpr std::size_t most_live = 8;
 constexpr double least_speed = 0.01, most_speed = 100;
 constexpr std::size_t longest_name = 64;
 
-const std::vector<std::string> fields = {"scene",   "machine", "seed",  "perspective", "objects",
-                                         "physics", "clock",   "speed", "name",        "recorder"};
+const std::vector<std::string> fields = {"scene",   "machine", "language", "seed", "perspective", "objects",
+                                         "physics", "clock",   "speed",    "name", "recorder"};
 
 LiveRefusal bad(const std::string& name, const Json& found, const std::string& expected) {
   return {400, fmt::format("'{}' is {}; expected {}", name, in_quotes(compact(found)), expected)};
@@ -69,7 +69,8 @@ std::variant<LiveOptions, LiveRefusal> LiveSessions::options_of(const Json& aske
 
   Json header{{"kind", "trace"}, {"version", is_header && asked.contains("version") ? asked["version"] : Json(1)}};
   if (defaults_.replay.seed) header["seed"] = *defaults_.replay.seed;
-  for (const char* field : {"seed", "perspective", "objects"})
+  if (!defaults_.replay.language.empty()) header["language"] = defaults_.replay.language;
+  for (const char* field : {"language", "seed", "perspective", "objects"})
     if (asked.contains(field)) header[field] = asked[field];
   for (const std::string field : {"scene", "machine"}) {
     const Json name = asked.contains(field) ? asked[field] : setup_[field];
@@ -83,6 +84,7 @@ std::variant<LiveOptions, LiveRefusal> LiveSessions::options_of(const Json& aske
   options.header = std::move(read->header);
   options.header.json = nullptr;
   options.replay.seed.reset();
+  options.replay.language.clear();
 
   if (const auto physics = asked.find("physics"); physics != asked.end()) {
     if (!physics->is_boolean()) return bad("physics", *physics, "true or false");

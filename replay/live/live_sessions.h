@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "replay/live/live_session.h"
+#include "continua/replay/live/live_session.h"
 
 namespace continua {
 

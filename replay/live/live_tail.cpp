@@ -1,4 +1,4 @@
-#include "replay/live/live_tail.h"
+#include "continua/replay/live/live_tail.h"
 
 #include <algorithm>
 

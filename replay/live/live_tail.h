@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "replay/live/live_session.h"
+#include "continua/replay/live/live_session.h"
 
 namespace continua {
 

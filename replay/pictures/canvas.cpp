@@ -1,11 +1,11 @@
-#include "replay/pictures/canvas.h"
+#include "continua/replay/pictures/canvas.h"
 
 #include <cairo.h>
 
 #include <algorithm>
 #include <numbers>
 
-#include "core/characters.h"
+#include "continua/core/characters.h"
 
 namespace continua {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
-#include "simulation/renderer.h"
+#include "continua/core/result.h"
+#include "continua/simulation/renderer.h"
 
 namespace continua {
 

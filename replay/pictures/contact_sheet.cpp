@@ -1,9 +1,9 @@
-#include "replay/pictures/contact_sheet.h"
+#include "continua/replay/pictures/contact_sheet.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "replay/pictures/run_pictures.h"
+#include "continua/replay/pictures/run_pictures.h"
 
 namespace continua {
 namespace {

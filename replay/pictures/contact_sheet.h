@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "replay/pictures/canvas.h"
-#include "replay/pictures/key_moments.h"
+#include "continua/replay/pictures/canvas.h"
+#include "continua/replay/pictures/key_moments.h"
 
 namespace continua {
 

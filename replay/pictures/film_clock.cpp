@@ -1,4 +1,4 @@
-#include "replay/pictures/film_clock.h"
+#include "continua/replay/pictures/film_clock.h"
 
 #include <algorithm>
 

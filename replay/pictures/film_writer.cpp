@@ -1,4 +1,4 @@
-#include "replay/pictures/film_writer.h"
+#include "continua/replay/pictures/film_writer.h"
 
 #include <fcntl.h>
 #include <spawn.h>

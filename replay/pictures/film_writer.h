@@ -7,8 +7,8 @@
 
 #include <sys/types.h>
 
-#include "core/result.h"
-#include "simulation/renderer.h"
+#include "continua/core/result.h"
+#include "continua/simulation/renderer.h"
 
 namespace continua {
 

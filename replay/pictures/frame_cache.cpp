@@ -1,11 +1,11 @@
-#include "replay/pictures/frame_cache.h"
+#include "continua/replay/pictures/frame_cache.h"
 
 #include <algorithm>
 #include <list>
 #include <mutex>
 
-#include "replay/pictures/picture_size.h"
-#include "replay/pictures/run_pictures.h"
+#include "continua/replay/pictures/picture_size.h"
+#include "continua/replay/pictures/run_pictures.h"
 
 namespace continua {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "replay/views/run_frames.h"
+#include "continua/replay/scene/run_frames.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "replay/pictures/key_moments.h"
+#include "continua/replay/pictures/key_moments.h"
 
 #include <algorithm>
 

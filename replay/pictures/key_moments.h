@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "replay/pictures/run_story.h"
+#include "continua/replay/pictures/run_story.h"
 
 namespace continua {
 

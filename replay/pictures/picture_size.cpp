@@ -1,10 +1,10 @@
-#include "replay/pictures/picture_size.h"
+#include "continua/replay/pictures/picture_size.h"
 
 #include <charconv>
 
 #include <fmt/format.h>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 namespace {

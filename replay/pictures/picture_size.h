@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "core/result.h"
-#include "simulation/renderer.h"
+#include "continua/core/result.h"
+#include "continua/simulation/renderer.h"
 
 namespace continua {
 

@@ -1,8 +1,9 @@
-#include "replay/pictures/run_motion.h"
+#include "continua/replay/pictures/run_motion.h"
 
 #include <algorithm>
 
-#include "replay/views/run_points.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/scene/run_points.h"
 
 namespace continua {
 namespace {
@@ -33,7 +34,7 @@ Result<RunMotion> RunMotion::read(const RunIndex& run) {
     if (!pose) return Error{run.where(0), "body '" + name + "' has no pose [x, y, z, qw, qx, qy, qz]"};
     motion.at_start_[name] = *pose;
   }
-  for (const auto n : run.of_kind("pose")) {
+  for (const auto n : run.of_kind(log::Pose::kind.name)) {
     const auto record = run.record(n);
     if (!record) return record.error();
     const auto bodies = record->find("bodies");

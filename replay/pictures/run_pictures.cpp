@@ -1,4 +1,4 @@
-#include "replay/pictures/run_pictures.h"
+#include "continua/replay/pictures/run_pictures.h"
 
 #include <algorithm>
 #include <filesystem>

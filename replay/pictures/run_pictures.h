@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "replay/pictures/canvas.h"
-#include "replay/pictures/run_motion.h"
-#include "replay/pictures/run_story.h"
-#include "replay/pictures/subtitles.h"
-#include "replay/run/run_index.h"
-#include "simulation/renderer.h"
+#include "continua/replay/log/run_index.h"
+#include "continua/replay/pictures/canvas.h"
+#include "continua/replay/pictures/run_motion.h"
+#include "continua/replay/pictures/run_story.h"
+#include "continua/replay/pictures/subtitles.h"
+#include "continua/simulation/renderer.h"
 
 namespace continua {
 

@@ -1,12 +1,13 @@
-#include "replay/pictures/run_story.h"
+#include "continua/replay/pictures/run_story.h"
 
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "replay/views/run_brief.h"
-#include "replay/views/run_pointing.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
+#include "continua/replay/scene/run_pointing.h"
 
 namespace continua {
 namespace {
@@ -41,24 +42,25 @@ class StoryReader {
   Outcome read() {
     for (std::size_t n = 0; n < run_.size(); ++n) {
       const auto& kind = run_.kind(n);
-      if (kind != "input" && kind != "utterance" && kind != "gesture" && kind != "act" && kind != "transition")
+      if (!log::is<log::Input>(kind) && !log::is<log::Utterance>(kind) && !log::is<log::AvatarGesture>(kind) &&
+          !log::is<log::Act>(kind) && !log::is<log::Transition>(kind))
         continue;
       const auto record = run_.record(n);
       if (!record) return record.error();
       const auto t = run_.entry(n).t;
-      if (kind == "input")
+      if (log::is<log::Input>(kind))
         input(n, t, member_of(*record, "event"));
-      else if (kind == "transition")
+      else if (log::is<log::Transition>(kind))
         story_.states.push_back({t, text_of(*record, "to")});
-      else if (kind == "act")
+      else if (log::is<log::Act>(kind))
         act(t, *record);
-      else if (kind == "utterance")
+      else if (log::is<log::Utterance>(kind))
         story_.lines.push_back({Speaker::avatar, text_of(*record, "text"), t, t});
       else
         avatar_gesture(n, t, text_of(*record, "gesture"));
       for (const auto& because : member_of(*record, "because"))
         if (because.is_number_unsigned()) effective_.insert(because.get<std::size_t>());
-      if (const auto cause = run_.cause(n); cause && kind == "transition") effective_.insert(*cause);
+      if (const auto cause = run_.cause(n); cause && log::is<log::Transition>(kind)) effective_.insert(*cause);
     }
     return std::nullopt;
   }

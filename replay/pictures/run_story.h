@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
-#include "core/sim_time.h"
-#include "replay/run/run_index.h"
-#include "world/geometry.h"
+#include "continua/core/result.h"
+#include "continua/core/sim_time.h"
+#include "continua/replay/log/run_index.h"
+#include "continua/world/geometry.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "replay/pictures/subtitles.h"
+#include "continua/replay/pictures/subtitles.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "replay/pictures/run_story.h"
+#include "continua/replay/pictures/run_story.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "replay/recorder/reading_record.h"
+#include "continua/replay/recorder/reading_record.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "term/term_text.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/located_json.h"
-#include "moves/move.h"
+#include "continua/core/located_json.h"
+#include "continua/moves/move.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "replay/recorder/recorder.h"
+#include "continua/replay/recorder/recorder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "composition/learning_file.h"
-#include "replay/recorder/reading_record.h"
+#include "continua/learning/learning_file.h"
+#include "continua/replay/recorder/reading_record.h"
 
 namespace continua {
 namespace {
@@ -110,7 +110,8 @@ void Recorder::engine(const std::vector<EngineEvent>& events, SimTime t) {
 void Recorder::one(const Perceived& perceived) {
   if (perceived.act) {
     const Act& act = acts_.at(perceived.act);
-    const Json event{{"kind", "act"}, {"act", perceived.act}, {"program", act.program}, {"status", text(act.status)}};
+    const Json event{
+        {"kind", "act"}, {"act", perceived.act}, {"program", act.program}, {"status", name_of(act.status)}};
     measured_ = true;
     cause_ = act.ended;
     latest_input_ = write("input", {{"line", nullptr}, {"event", event}, {"symbol", perceived.symbol}});
@@ -291,7 +292,7 @@ void Recorder::one(const ActStep& step) {
 
 void Recorder::one(const ActEnd& end) {
   acts_.at(end.act.number).status = end.status;
-  write_act(end.act.number, text(end.status), {{"result", result_of(end)}}, now_);
+  write_act(end.act.number, name_of(end.status), {{"result", result_of(end)}}, now_);
 }
 
 void Recorder::one(const Remembered& remembered) {
@@ -371,7 +372,7 @@ void Recorder::report(const ActReport& report) {
   if (found == steps_.end()) return;
   Json more{{"step", found->second.step}, {"program", print(found->second.program)}};
   if (report.status != ActReport::Status::started) more["result"] = result_of(report);
-  write_act(found->second.act, text(report.status), std::move(more), report.t);
+  write_act(found->second.act, name_of(report.status), std::move(more), report.t);
 }
 
 void Recorder::expectation(const TraceEvent& event, bool met, const Json& found) {

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/pipeline.h"
-#include "replay/run/run_log.h"
-#include "replay/score/agreement.h"
-#include "replay/trace/trace_file.h"
+#include "continua/pipeline/pipeline.h"
+#include "continua/replay/log/run_log.h"
+#include "continua/replay/score/agreement.h"
+#include "continua/replay/trace/trace_file.h"
 
 namespace continua {
 

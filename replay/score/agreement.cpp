@@ -1,111 +1,56 @@
-#include "replay/score/agreement.h"
+#include "continua/replay/score/agreement.h"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
+
+#include "continua/term/written_term.h"
 
 namespace continua {
 namespace {
 
-// A term as it is printed: a head and its arguments, a place or a list with its elements; nothing is known of types.
-struct Node {
-  std::string head;  // "<" of a place, "[" of a list
-  std::vector<Node> parts;
-};
-
-constexpr std::size_t deepest_term = 200;
 constexpr double rounding_m = 1e-9;  // 0.102 - 0.1 is more than 0.002
 
-class TermReader {
- public:
-  explicit TermReader(std::string_view text) : rest_(text) {}
+using Kind = WrittenTerm::Kind;
 
-  // Nothing, if the text is no term.
-  std::optional<Node> whole() {
-    auto node = term(0);
-    skip_spaces();
-    if (!node || !rest_.empty()) return std::nullopt;
-    return node;
-  }
+bool is_place(const WrittenTerm& term) { return term.kind == Kind::place; }
 
- private:
-  std::optional<Node> term(std::size_t depth) {
-    skip_spaces();
-    if (rest_.empty() || depth > deepest_term) return std::nullopt;
-    if (take('<')) return closed({"<", {}}, '>', depth);
-    if (take('[')) return closed({"[", {}}, ']', depth);
-    Node node;
-    if (rest_.front() == '\'') {
-      const auto end = rest_.find('\'', 1);
-      if (end == std::string_view::npos) return std::nullopt;
-      node.head = take_until(end + 1);
-      return node;
-    }
-    node.head = take_until(std::min(rest_.find_first_of("(),<>[]' "), rest_.size()));
-    if (node.head.empty()) return std::nullopt;
-    if (take('(')) return closed(std::move(node), ')', depth);
-    return node;
-  }
-
-  std::optional<Node> closed(Node node, char end, std::size_t depth) {
-    skip_spaces();
-    if (take(end)) return node;
-    for (;;) {
-      auto part = term(depth + 1);
-      if (!part) return std::nullopt;
-      node.parts.push_back(std::move(*part));
-      skip_spaces();
-      if (take(end)) return node;
-      if (!take(',')) return std::nullopt;
-    }
-  }
-
-  bool take(char c) {
-    if (rest_.empty() || rest_.front() != c) return false;
-    rest_.remove_prefix(1);
-    return true;
-  }
-
-  std::string take_until(std::size_t end) {
-    std::string taken(rest_.substr(0, end));
-    rest_.remove_prefix(end);
-    return taken;
-  }
-
-  void skip_spaces() { rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size())); }
-
-  std::string_view rest_;
-};
-
-std::optional<double> number(const std::string& text) {
-  double value = 0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+bool holds_place(const WrittenTerm& term) {
+  return is_place(term) || std::any_of(term.parts.begin(), term.parts.end(), holds_place);
 }
 
-bool is_place(const Node& node) { return node.head == "<"; }
-
-bool holds_place(const Node& node) {
-  return is_place(node) || std::any_of(node.parts.begin(), node.parts.end(), holds_place);
+// No variables and no operators, as in the programs of acts.
+bool is_plain(const WrittenTerm& term) {
+  if (term.kind == Kind::lambda || (term.kind == Kind::other && !term.parts.empty())) return false;
+  return std::all_of(term.parts.begin(), term.parts.end(), is_plain);
 }
 
-bool same(const Node& observed, const Node& produced, bool lax) {
+// The term that an act's content is; nothing where it is none.
+std::optional<WrittenTerm> plain_term(const std::string& content) {
+  auto term = read_written_term(content);
+  if (!term || !is_plain(*term)) return std::nullopt;
+  return *std::move(term);
+}
+
+bool near(double a, double b) { return std::abs(a - b) <= place_tolerance_m + rounding_m; }
+
+bool same(const WrittenTerm& observed, const WrittenTerm& produced, bool lax) {
   // part('front', 'left', <0.1, 0, 0>) describes a place: which one was taken was left open.
   if (lax && is_place(observed) && !is_place(produced) && holds_place(produced)) return true;
-  if (observed.parts.size() != produced.parts.size()) return false;
-  const auto a = number(observed.head), b = number(produced.head);
-  if (a && b ? std::abs(*a - *b) > place_tolerance_m + rounding_m : observed.head != produced.head) return false;
+  if (observed.kind != produced.kind || observed.parts.size() != produced.parts.size()) return false;
+  if (is_place(observed))
+    return std::equal(observed.place.min.begin(), observed.place.min.end(), produced.place.min.begin(), near);
+  if (observed.kind == Kind::number) return near(observed.number, produced.number);
+  if (observed.parts.empty() ? observed.written != produced.written : observed.name != produced.name) return false;
   return std::equal(observed.parts.begin(), observed.parts.end(), produced.parts.begin(),
-                    [lax](const Node& one, const Node& other) { return same(one, other, lax); });
+                    [lax](const WrittenTerm& one, const WrittenTerm& other) { return same(one, other, lax); });
 }
 
 bool same(const AvatarMove& observed, const AvatarMove& produced, bool lax) {
   if (observed.channel != produced.channel) return false;
   if (observed.content == produced.content) return true;
   if (observed.channel == "speech") return false;
-  const auto a = TermReader(observed.content).whole(), b = TermReader(produced.content).whole();
+  const auto a = plain_term(observed.content), b = plain_term(produced.content);
   return a && b && same(*a, *b, lax);
 }
 
@@ -129,16 +74,16 @@ std::string blanked_words(std::string_view text, const Blanks& blanks) {
   return out;
 }
 
-std::string blanked(const Node& node, const Blanks& blanks) {
-  if (is_place(node)) return "_";
-  const bool list = node.head == "[";
-  if (node.parts.empty() && !list)
-    return blanks.names.contains(lower(node.head)) ? "_" : blanked_words(node.head, blanks);
+std::string blanked(const WrittenTerm& term, const Blanks& blanks) {
+  if (is_place(term)) return "_";
+  const bool list = term.kind == Kind::list;
+  if (term.parts.empty() && !list)
+    return blanks.names.contains(lower(term.written)) ? "_" : blanked_words(term.written, blanks);
   // What describes a place is blanked like the place; on(block1) describes none by coordinates.
   std::string parts;
-  for (const auto& part : node.parts)
+  for (const auto& part : term.parts)
     parts += (parts.empty() ? "" : ", ") + (holds_place(part) ? "_" : blanked(part, blanks));
-  return list ? "[" + parts + "]" : node.head + "(" + parts + ")";
+  return list ? "[" + parts + "]" : term.name + "(" + parts + ")";
 }
 
 }  // namespace
@@ -181,7 +126,7 @@ AgreementLevel agreement(const std::vector<AvatarMove>& observed, const std::vec
 }
 
 std::string template_of(const AvatarMove& move, const Blanks& blanks) {
-  const auto term = move.channel == "action" ? TermReader(move.content).whole() : std::nullopt;
+  const auto term = move.channel == "action" ? plain_term(move.content) : std::nullopt;
   return term ? blanked(*term, blanks) : blanked_words(move.content, blanks);
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "world/world_snapshot.h"
+#include "continua/world/world_snapshot.h"
 
 namespace continua {
 

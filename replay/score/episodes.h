@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/sim_time.h"
-#include "replay/score/agreement.h"
+#include "continua/core/sim_time.h"
+#include "continua/replay/score/agreement.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "replay/score/score.h"
+#include "continua/replay/score/score.h"
 
 #include <algorithm>
 

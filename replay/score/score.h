@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "replay/score/episodes.h"
+#include "continua/replay/score/episodes.h"
 
 namespace continua {
 

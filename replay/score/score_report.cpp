@@ -1,11 +1,11 @@
-#include "replay/score/score_report.h"
+#include "continua/replay/score/score_report.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "replay/shell_word.h"
+#include "continua/replay/terminal/shell_word.h"
 
 namespace continua {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/located_json.h"
-#include "replay/score/score.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/score/score.h"
 
 namespace continua {
 

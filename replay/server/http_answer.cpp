@@ -1,10 +1,10 @@
-#include "replay/server/http_answer.h"
+#include "continua/replay/server/http_answer.h"
 
 #include <algorithm>
 
 #include <httplib.h>
 
-#include "replay/inspector/gzip.h"
+#include "continua/core/gzip.h"
 
 namespace continua {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "replay/inspector/inspector_api.h"
+#include "continua/replay/inspector/inspector_api.h"
 
 namespace httplib {
 struct Request;

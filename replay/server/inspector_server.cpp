@@ -1,4 +1,4 @@
-#include "replay/server/inspector_server.h"
+#include "continua/replay/server/inspector_server.h"
 
 #include <algorithm>
 #include <array>
@@ -9,13 +9,13 @@
 
 #include <fmt/format.h>
 
-#include "replay/inspector/gzip.h"
-#include "replay/inspector/inspector_api.h"
-#include "replay/pictures/frame_cache.h"
-#include "replay/server/http_answer.h"
-#include "replay/server/live_routes.h"
-#include "replay/what_if/what_if_session.h"
-#include "web/assets.h"
+#include "continua/core/gzip.h"
+#include "continua/replay/experiment/what_if_session.h"
+#include "continua/replay/inspector/inspector_api.h"
+#include "continua/replay/pictures/frame_cache.h"
+#include "continua/replay/server/http_answer.h"
+#include "continua/replay/server/live_routes.h"
+#include "continua/web/assets.h"
 
 // After Eigen, whose names are macros of a header of the library's.
 #include <httplib.h>

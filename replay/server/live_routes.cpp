@@ -1,12 +1,12 @@
-#include "replay/server/live_routes.h"
+#include "continua/replay/server/live_routes.h"
 
 #include <thread>
 
 #include <fmt/format.h>
 
-#include "replay/live/live_tail.h"
-#include "replay/run/line_scan.h"
-#include "replay/server/http_answer.h"
+#include "continua/replay/live/live_tail.h"
+#include "continua/replay/log/line_scan.h"
+#include "continua/replay/server/http_answer.h"
 
 // After Eigen, whose names are macros of a header of the library's.
 #include <httplib.h>

@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "replay/live/live_api.h"
+#include "continua/replay/live/live_api.h"
 
 namespace httplib {
 class Server;

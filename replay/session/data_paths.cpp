@@ -1,4 +1,4 @@
-#include "replay/session/data_paths.h"
+#include "continua/replay/session/data_paths.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 namespace fs = std::filesystem;

@@ -1,6 +1,6 @@
-#include "replay/session/expectation.h"
+#include "continua/replay/session/expectation.h"
 
-#include "term/term_text.h"
+#include "continua/term/term_text.h"
 
 namespace continua {
 namespace {

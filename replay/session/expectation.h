@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "automaton/machine.h"
-#include "replay/trace/trace_file.h"
-#include "world/world_snapshot.h"
+#include "continua/automaton/machine.h"
+#include "continua/replay/trace/trace_file.h"
+#include "continua/world/world_snapshot.h"
 
 namespace continua {
 

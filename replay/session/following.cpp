@@ -1,8 +1,8 @@
-#include "replay/session/following.h"
+#include "continua/replay/session/following.h"
 
 #include <algorithm>
 
-#include "replay/session/language_loading.h"
+#include "continua/replay/session/language_loading.h"
 
 namespace continua {
 namespace {

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "behaviour/reenactment.h"
-#include "pipeline/pipeline.h"
-#include "replay/score/episodes.h"
-#include "replay/session/session.h"
-#include "replay/trace/trace_file.h"
+#include "continua/behaviour/reenactment.h"
+#include "continua/pipeline/pipeline.h"
+#include "continua/replay/score/episodes.h"
+#include "continua/replay/session/session.h"
+#include "continua/replay/trace/trace_file.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "replay/session/language_loading.h"
+#include "continua/replay/session/language_loading.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "composition/methods.h"
-#include "core/digest.h"
-#include "core/located_json.h"
-#include "language/vocabulary.h"
-#include "machine_file/machine_loader.h"
-#include "term/raising_file.h"
-#include "term/term_text.h"
-#include "voxml/catalogue.h"
+#include "continua/core/digest.h"
+#include "continua/core/located_json.h"
+#include "continua/facts/methods.h"
+#include "continua/language/vocabulary.h"
+#include "continua/machine_file/machine_loader.h"
+#include "continua/term/raising_file.h"
+#include "continua/term/term_text.h"
+#include "continua/voxml/catalogue.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -107,8 +107,14 @@ std::vector<Error> check_meanings(const GestureCatalogue& gestures, const std::s
   return problems;
 }
 
-Result<Machine> load_machine(const std::string& path, const DataPaths& data) {
-  return load_machine(path, Methods::signature(), phrases_folder(data));
+Result<Machine> load_machine(const std::string& path, const DataPaths& data, const std::string& language,
+                             const std::string& where) {
+  const auto known = data.knowledge / "lexicon";
+  if (!language.empty() && !is_folder(known / language))
+    return Error{where,
+                 fmt::format("there is no language {}{}; expected the name of a folder in {}", in_quotes(language),
+                             did_you_mean(language, folders_in(known)), known.lexically_normal().string())};
+  return load_machine(path, Methods::signature(), phrases_folder(data), language);
 }
 
 Result<Language> load_language(const DataPaths& data, const Machine& machine) {

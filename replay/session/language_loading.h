@@ -6,18 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "automaton/machine.h"
-#include "core/result.h"
-#include "moves/understanding.h"
-#include "replay/session/data_paths.h"
+#include "continua/automaton/machine.h"
+#include "continua/core/result.h"
+#include "continua/moves/understanding.h"
+#include "continua/replay/session/data_paths.h"
 
 namespace continua {
 
 /// What the terms of lexicons and raising rules may use: the language's names and facts of the world.
 Signature names_of_terms();
 
-/// A machine with this data's phrases. `path` and errors as machine_file/machine_loader.h has them.
-Result<Machine> load_machine(const std::string& path, const DataPaths& data);
+/// A machine with this data's phrases, in `language` instead of its own unless that is empty. `path` and errors as
+/// machine_file/machine_loader.h has them; `where` is the error's place if there is no such language.
+Result<Machine> load_machine(const std::string& path, const DataPaths& data, const std::string& language = "",
+                             const std::string& where = "");
 
 /// Lexicon and gestures are null for a machine that names none; the voxemes are none without a folder of them. The
 /// error is the first problem of a file, or that there is no such lexicon or such gestures.

@@ -1,4 +1,4 @@
-#include "replay/session/learned_file.h"
+#include "continua/replay/session/learned_file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "composition/learning_file.h"
-#include "core/located_json.h"
-#include "pipeline/lessons.h"
-#include "replay/session/language_loading.h"
+#include "continua/core/located_json.h"
+#include "continua/learning/learning_file.h"
+#include "continua/pipeline/lessons.h"
+#include "continua/replay/session/language_loading.h"
 
 namespace continua {
 namespace fs = std::filesystem;

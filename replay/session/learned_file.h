@@ -1,12 +1,12 @@
-// Where what was taught is kept from run to run (composition/learning_file.h).
+// Where what was taught is kept from run to run (learning/learning_file.h).
 #pragma once
 
 #include <string>
 
-#include "automaton/machine.h"
-#include "composition/learning.h"
-#include "core/result.h"
-#include "moves/understanding.h"
+#include "continua/automaton/machine.h"
+#include "continua/core/result.h"
+#include "continua/learning/learning.h"
+#include "continua/moves/understanding.h"
 
 namespace continua {
 

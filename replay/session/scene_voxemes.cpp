@@ -1,9 +1,9 @@
-#include "replay/session/scene_voxemes.h"
+#include "continua/replay/session/scene_voxemes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
-#include "simulation/scene.h"
-#include "voxml/catalogue.h"
+#include "continua/core/result.h"
+#include "continua/simulation/scene.h"
+#include "continua/voxml/catalogue.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "replay/session/session.h"
+#include "continua/replay/session/session.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -7,16 +7,16 @@
 
 #include <fmt/format.h>
 
-#include "behaviour/kinematic_body.h"
-#include "core/located_json.h"
-#include "machine_file/machine_parameters.h"
-#include "replay/session/data_paths.h"
-#include "replay/session/language_loading.h"
-#include "replay/session/learned_file.h"
-#include "replay/session/scene_voxemes.h"
-#include "replay/session/session_loop.h"
-#include "replay/session/session_parts.h"
-#include "simulation/physics_body.h"
+#include "continua/body/kinematic_body.h"
+#include "continua/core/located_json.h"
+#include "continua/machine_file/machine_parameters.h"
+#include "continua/replay/session/data_paths.h"
+#include "continua/replay/session/language_loading.h"
+#include "continua/replay/session/learned_file.h"
+#include "continua/replay/session/scene_voxemes.h"
+#include "continua/replay/session/session_loop.h"
+#include "continua/replay/session/session_parts.h"
+#include "continua/simulation/physics_body.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -98,7 +98,9 @@ Result<EngineParts> load_parts(const Trace& trace, const ReplayOptions& options)
   if (!data) return data.error();
   const auto path = machine_of(trace, options.machine, *data);
   if (!path) return path.error();
-  auto machine = load_machine(*path, *data);
+  const auto& language_name = options.language.empty() ? trace.header.language : options.language;
+  auto machine =
+      load_machine(*path, *data, language_name, options.language.empty() ? header_line(trace) : "--language");
   if (!machine) return machine.error();
   if (const auto problem = set_parameters_of(trace, options, *machine)) return *problem;
   auto language = load_language(*data, *machine);
@@ -140,6 +142,7 @@ Result<Trace> read_edited(const Trace& original, const ReplayOptions& options, c
     const auto machine = machine_of(original, "", data);
     if (!machine) return machine.error();
     edited->header.machine = *machine;
+    if (edited->header.language.empty()) edited->header.language = original.header.language;
   }
   return edited;
 }

@@ -9,10 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "automaton/machine.h"
-#include "core/result.h"
-#include "core/sim_time.h"
-#include "replay/score/episodes.h"
+#include "continua/automaton/machine.h"
+#include "continua/core/result.h"
+#include "continua/core/sim_time.h"
+#include "continua/replay/score/episodes.h"
+#include "continua/replay/trace/trace_file.h"
 
 namespace continua {
 
@@ -31,10 +32,11 @@ struct ReplayOptions {
   std::optional<std::uint64_t> seed;  ///< else the trace's
   std::optional<Choice> choice;       ///< else the machine's
   std::string scene, machine;         ///< names or paths; empty: the trace's
+  std::string language;               ///< of speech and phrases, a name; empty: the trace's, else the machine's
   std::string knowledge;              ///< folder; empty: the program's own
   std::string learned;                ///< file of what was taught in earlier runs; empty: none
-  /// What if: seed, choice, machine, knowledge, forced and `with` count from this instant of the run on, seconds; until
-  /// then it is the trace's own run. The configuration goes over by names.
+  /// What if: seed, choice, machine, language, knowledge, forced and `with` count from this instant of the run on,
+  /// seconds; until then it is the trace's own run. The configuration goes over by names.
   std::optional<double> from;
   /// With `from`: what counts until then, instead of what makes the trace's own run.
   std::shared_ptr<const ReplayOptions> before;
@@ -63,9 +65,7 @@ struct ReplaySummary {
 
 struct GestureCatalogue;
 struct LoadedSession;
-struct Note;
 struct Situation;
-struct Trace;
 class SessionLoop;
 
 /// Looks on: called after all that the engine did at an instant, with what it left. Where it returns true the replay

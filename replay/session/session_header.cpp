@@ -1,16 +1,16 @@
 // The first line of a session's run logs.
 #include <filesystem>
 
-#include "composition/learning_file.h"
-#include "core/digest.h"
-#include "core/located_json.h"
-#include "machine_file/machine_parameters.h"
-#include "replay/recorder/recorder.h"
-#include "replay/run/run_record.h"
-#include "replay/session/scene_voxemes.h"
-#include "replay/session/session_parts.h"
-#include "replay/session/version.h"
-#include "voxml/catalogue.h"
+#include "continua/core/digest.h"
+#include "continua/core/located_json.h"
+#include "continua/learning/learning_file.h"
+#include "continua/machine_file/machine_parameters.h"
+#include "continua/replay/log/run_record.h"
+#include "continua/replay/recorder/recorder.h"
+#include "continua/replay/session/scene_voxemes.h"
+#include "continua/replay/session/session_parts.h"
+#include "continua/replay/session/version.h"
+#include "continua/voxml/catalogue.h"
 
 namespace continua {
 namespace {

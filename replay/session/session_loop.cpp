@@ -1,10 +1,10 @@
-#include "replay/session/session_loop.h"
+#include "continua/replay/session/session_loop.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "replay/session/expectation.h"
+#include "continua/replay/session/expectation.h"
 
 namespace continua {
 namespace {

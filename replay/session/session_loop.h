@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "behaviour/kinematic_body.h"
-#include "pipeline/pipeline.h"
-#include "replay/recorder/recorder.h"
-#include "replay/session/following.h"
-#include "replay/session/session_parts.h"
+#include "continua/body/kinematic_body.h"
+#include "continua/pipeline/pipeline.h"
+#include "continua/replay/recorder/recorder.h"
+#include "continua/replay/session/following.h"
+#include "continua/replay/session/session_parts.h"
 
 namespace continua {
 

@@ -5,13 +5,13 @@
 #include <memory>
 #include <optional>
 
-#include "behaviour/avatar_command.h"
-#include "composition/learning.h"
-#include "core/located_json.h"
-#include "pipeline/pipeline.h"
-#include "replay/session/session.h"
-#include "replay/trace/trace_file.h"
-#include "simulation/scene.h"
+#include "continua/body/body.h"
+#include "continua/core/located_json.h"
+#include "continua/learning/learning.h"
+#include "continua/pipeline/pipeline.h"
+#include "continua/replay/session/session.h"
+#include "continua/replay/trace/trace_file.h"
+#include "continua/simulation/scene.h"
 
 namespace continua {
 

@@ -1,8 +1,8 @@
-#include "replay/session/version.h"
+#include "continua/replay/session/version.h"
 
 #include <fmt/format.h>
 
-#include "simulation/mujoco_version.h"
+#include "continua/simulation/mujoco_version.h"
 
 namespace continua {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 

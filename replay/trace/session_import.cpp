@@ -1,4 +1,4 @@
-#include "replay/trace/session_import.h"
+#include "continua/replay/trace/session_import.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/digest.h"
-#include "core/local_time.h"
-#include "replay/trace/session_notation.h"
-#include "replay/trace/trace_event.h"
+#include "continua/core/digest.h"
+#include "continua/core/local_time.h"
+#include "continua/replay/trace/session_notation.h"
+#include "continua/replay/trace/trace_event.h"
 
 namespace continua {
 namespace {

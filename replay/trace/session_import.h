@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/result.h"
-#include "replay/trace/trace_file.h"
+#include "continua/core/result.h"
+#include "continua/replay/trace/trace_file.h"
 
 namespace continua {
 

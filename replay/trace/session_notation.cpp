@@ -1,4 +1,4 @@
-#include "replay/trace/session_notation.h"
+#include "continua/replay/trace/session_notation.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "perception/input_event.h"
+#include "continua/perception/input_event.h"
 
 namespace continua {
 

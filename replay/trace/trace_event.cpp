@@ -1,10 +1,10 @@
-#include "replay/trace/trace_event.h"
+#include "continua/replay/trace/trace_event.h"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <map>
 
-#include "replay/trace/trace_fields.h"
+#include "continua/replay/trace/trace_fields.h"
 
 namespace continua {
 namespace {

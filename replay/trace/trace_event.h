@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "replay/trace/trace_file.h"
+#include "continua/replay/trace/trace_file.h"
 
 namespace continua {
 

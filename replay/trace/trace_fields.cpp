@@ -1,4 +1,4 @@
-#include "replay/trace/trace_fields.h"
+#include "continua/replay/trace/trace_fields.h"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/located_json.h"
-#include "world/geometry.h"
+#include "continua/core/located_json.h"
+#include "continua/world/geometry.h"
 
 namespace continua {
 

@@ -1,12 +1,12 @@
-#include "replay/trace/trace_file.h"
+#include "continua/replay/trace/trace_file.h"
 
 #include <fmt/format.h>
 #include <algorithm>
 
-#include "core/digest.h"
-#include "core/local_time.h"
-#include "replay/trace/trace_event.h"
-#include "replay/trace/trace_fields.h"
+#include "continua/core/digest.h"
+#include "continua/core/local_time.h"
+#include "continua/replay/trace/trace_event.h"
+#include "continua/replay/trace/trace_fields.h"
 
 namespace continua {
 namespace {
@@ -67,6 +67,7 @@ TraceHeader read_header(Json json, const std::string& where, std::vector<Error>&
   const TraceFields fields(json, where, "the trace", problems);
   header.scene = fields.text("scene");
   header.machine = fields.text("machine");
+  header.language = fields.text("language");
   header.recorded = fields.text("recorded");
   if (!header.recorded.empty() && !is_local_time(header.recorded)) fields.wrong("recorded", local_time_wanted);
   header.source = fields.text("source");

@@ -12,11 +12,11 @@
 #include <variant>
 #include <vector>
 
-#include "core/located_json.h"
-#include "core/result.h"
-#include "core/sim_time.h"
-#include "perception/input_event.h"
-#include "world/perspective.h"
+#include "continua/core/located_json.h"
+#include "continua/core/result.h"
+#include "continua/core/sim_time.h"
+#include "continua/perception/input_event.h"
+#include "continua/world/perspective.h"
 
 namespace continua {
 
@@ -28,8 +28,9 @@ struct ObjectStart {
 };
 
 struct TraceHeader {
-  std::string scene;    ///< a name or a path; empty when the trace does not say
-  std::string machine;  ///< a name or a path; empty when the trace does not say
+  std::string scene;     ///< a name or a path; empty when the trace does not say
+  std::string machine;   ///< a name or a path; empty when the trace does not say
+  std::string language;  ///< of speech and phrases, a name in the knowledge folder; empty: the machine's own
   std::uint64_t seed = 0;
   Perspective perspective = Perspective::human;  ///< whose left, right, front and behind the words mean
   std::string recorded;              ///< when, 2018-02-05T13:53:17 by the clock of the place; empty if it is not known

@@ -1,14 +1,14 @@
 // Writes traces: the inverse of trace_file.cpp and trace_event.cpp.
 #include <algorithm>
 
-#include "replay/trace/trace_event.h"
-#include "replay/trace/trace_file.h"
+#include "continua/replay/trace/trace_event.h"
+#include "continua/replay/trace/trace_file.h"
 
 namespace continua {
 namespace {
 
 const std::vector<std::string>& header_fields() {
-  static const std::vector<std::string> names = {"kind",        "version", "scene",    "machine",    "seed",
+  static const std::vector<std::string> names = {"kind",        "version", "scene",    "machine",    "language", "seed",
                                                  "perspective", "source",  "recorded", "parameters", "objects"};
   return names;
 }
@@ -102,6 +102,7 @@ std::string write_header(const TraceHeader& header) {
   json["version"] = 1;
   if (!header.scene.empty()) json["scene"] = header.scene;
   if (!header.machine.empty()) json["machine"] = header.machine;
+  if (!header.language.empty()) json["language"] = header.language;
   json["seed"] = header.seed;
   json["perspective"] = text(header.perspective);
   if (!header.source.empty()) json["source"] = header.source;

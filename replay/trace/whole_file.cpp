@@ -1,4 +1,4 @@
-#include "replay/trace/whole_file.h"
+#include "continua/replay/trace/whole_file.h"
 
 #include <cerrno>
 #include <cstring>

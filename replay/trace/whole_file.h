@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/result.h"
+#include "continua/core/result.h"
 
 namespace continua {
 

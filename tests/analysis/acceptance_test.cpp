@@ -1,5 +1,5 @@
 // Which words machines accept, where searching would not end.
-#include "analysis/acceptance.h"
+#include "continua/analysis/acceptance.h"
 
 #include "support/machines.h"
 
@@ -13,7 +13,7 @@ std::vector<std::string> letters(const std::string& word) {
   return letters;
 }
 
-// Of the words, those that are accepted.
+// The accepted words among these.
 std::string accepted(const std::string& machine, const std::vector<std::string>& words,
                      AcceptBy by = AcceptBy::final_state) {
   Acceptance acceptance(machine_of(machine), by);
@@ -45,7 +45,7 @@ TEST_CASE("even palindromes: the middle is guessed") {
         "'' aa abba aabaabaa bbaabb");
 }
 
-TEST_CASE("λ-cycles that grow the stack are decided, not followed") {
+TEST_CASE("ε-cycles that grow the stack are decided, not followed") {
   // Any number of x is pushed before the first letter; each letter takes one off.
   const auto growing = machine(R"(
     {"id":"grow","from":"p","on":null,"to":"p","push":{"s":"'x'"}},
@@ -57,7 +57,7 @@ TEST_CASE("λ-cycles that grow the stack are decided, not followed") {
   CHECK(accepted(growing, {"", "a", "c"}, AcceptBy::empty_stack) == "'' a");
 }
 
-TEST_CASE("a λ-cycle that changes nothing ends") {
+TEST_CASE("an ε-cycle that changes nothing ends") {
   const auto circle = machine(R"(
     {"id":"there","from":"p","on":null,"to":"q"},
     {"id":"back","from":"q","on":null,"to":"p"},

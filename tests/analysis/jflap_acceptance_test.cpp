@@ -1,9 +1,9 @@
 // JFLAP files accept the words they should: known languages, and automata at random against the textbook's.
 #include <random>
 
-#include "analysis/acceptance.h"
-#include "core/characters.h"
-#include "machine_file/jflap.h"
+#include "continua/analysis/acceptance.h"
+#include "continua/core/characters.h"
+#include "continua/machine_file/jflap.h"
 #include "support/jflap_files.h"
 #include "support/machines.h"
 

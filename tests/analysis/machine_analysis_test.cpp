@@ -1,5 +1,5 @@
-// What is told of a machine: against what machines of known classes are, and against what random ones do.
-#include "analysis/machine_analysis.h"
+// The analysis of machines: for machines of known classes, and for random ones, against their behaviour.
+#include "continua/analysis/machine_analysis.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <deque>
 
-#include "analysis/acceptance.h"
+#include "continua/analysis/acceptance.h"
 #include "reference/naive_exploration.h"
 #include "reference/naive_machines.h"
 #include "support/machines.h"

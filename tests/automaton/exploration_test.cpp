@@ -1,5 +1,5 @@
 // The policy explore: which configurations are carried along, which leads, what is merged, dropped and pruned.
-#include "automaton/exploration.h"
+#include "continua/automaton/exploration.h"
 
 #include <algorithm>
 

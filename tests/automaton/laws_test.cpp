@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "automaton/stack_operation.h"
+#include "continua/automaton/stack_operation.h"
 #include "reference/naive_exploration.h"
 #include "reference/naive_machines.h"
 #include "support/small_engine.h"
@@ -50,7 +50,7 @@ Configuration any_configuration(int least = 1) {
   return configuration;
 }
 
-// Of some slots, or of all of them.
+// For some slots, or for all.
 std::pair<Operation, Contents> any_change(Kind kind, bool all = false) {
   Operation operation;
   operation.kind = kind;

@@ -1,5 +1,5 @@
 // Corner cases of the operations and of gates: one machine, an operation at the input x, and what it leaves.
-#include "automaton/stack_operation.h"
+#include "continua/automaton/stack_operation.h"
 
 #include "support/machines.h"
 

@@ -1,4 +1,4 @@
-#include "automaton/stack.h"
+#include "continua/automaton/stack.h"
 
 #include "support/catch.h"
 

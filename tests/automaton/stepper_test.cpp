@@ -1,4 +1,4 @@
-#include "automaton/stepper.h"
+#include "continua/automaton/stepper.h"
 
 #include "support/machines.h"
 

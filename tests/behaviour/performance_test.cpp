@@ -1,12 +1,12 @@
-// Programs as steps: what the body is told, what it answers, and how the act ends.
-#include "behaviour/performance.h"
+// Programs as steps: commands to the body, its reports, and the end of the act.
+#include "continua/behaviour/performance.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "behaviour/kinematic_body.h"
+#include "continua/body/kinematic_body.h"
+#include "continua/term/term_text.h"
 #include "support/catch.h"
-#include "term/term_text.h"
 
 using namespace continua;
 
@@ -98,7 +98,7 @@ WorldSnapshot table() {
   return world;
 }
 
-/// An avatar whose acts are told as text: their steps, and how they end.
+/// An avatar that gives its acts as text: their steps, and their end.
 class Avatar {
  public:
   explicit Avatar(WorldSnapshot world = table()) : body_(std::move(world)) {}
@@ -108,7 +108,7 @@ class Avatar {
 
   void ask(const std::string& program) { performer_.begin(performance_, {++acts_, term(program), {}}); }
 
-  /// What happens until the body has to report.
+  /// The events until the body has to report.
   std::string begin() {
     std::vector<std::string> told;
     const auto world = body_.snapshot();
@@ -116,7 +116,7 @@ class Avatar {
       std::visit([&](const auto& e) { tell(e, told); }, *event);
     return fmt::to_string(fmt::join(told, ", "));
   }
-  /// The body does what it was told, and reports.
+  /// The body performs its command, and reports.
   bool work() {
     if (!under_way_) return false;
     ActReport end{under_way_->id, {}, ActReport::Status::done, 0, ""};
@@ -144,7 +144,7 @@ class Avatar {
   std::string where(const std::string& object) const {
     return print(place_term(*body_.snapshot().find(object), body_.snapshot()));
   }
-  /// What is held moves though no act moves it.
+  /// The held object moves although no act moves it.
   void drifts(const std::string& held, const Vec3& p_W) {
     AvatarCommand drift;
     drift.what = Capability::move;
@@ -159,17 +159,17 @@ class Avatar {
   void tell(const ActStep& step, std::vector<std::string>& told) {
     std::string next;
     if (step.command && step.command->next)
-      next =
-          step.command->next->relation ? fmt::format(" for {}", text(*step.command->next->relation)) : " for a place";
+      next = step.command->next->relation ? fmt::format(" for {}", name_of(*step.command->next->relation))
+                                          : " for a place";
     told.push_back(print(step.program) + next + (step.command ? "" : " [" + step.reason + "]"));
     if (step.command) under_way_ = step.command;
   }
   void tell(const ActEnd& end, std::vector<std::string>& told) {
-    told.push_back(fmt::format("{}: {}{}", print(end.act.program), text(end.status),
+    told.push_back(fmt::format("{}: {}{}", print(end.act.program), name_of(end.status),
                                end.reason.empty() ? "" : " (" + end.reason + ")"));
   }
   void tell(const GestureCommand& gesture, std::vector<std::string>& told) {
-    told.push_back("gesture " + text(gesture.command.what));
+    told.push_back("gesture " + name_of(gesture.command.what));
   }
 
   Performer performer_{&catalogue(), Perspective::human};

@@ -1,9 +1,9 @@
-#include "behaviour/planner.h"
+#include "continua/behaviour/planner.h"
 
 #include <cmath>
 
+#include "continua/term/term_text.h"
 #include "support/catch.h"
-#include "term/term_text.h"
 
 using namespace continua;
 
@@ -38,9 +38,9 @@ std::string planned(const std::string& text, bool gesture = false, Perspective p
   const auto command = plan(*term, gesture, perspective);
   if (!command) return command.error().sentence;
   const auto& goal = command->goal;
-  std::string told = continua::text(command->what) + " [" + command->object + "]";
+  std::string told = name_of(command->what) + " [" + command->object + "]";
   if (goal.relation) told += goal.perspective == Perspective::avatar ? " avatar's " : " human's ";
-  if (goal.relation) told += continua::text(*goal.relation);
+  if (goal.relation) told += name_of(*goal.relation);
   for (const auto& landmark : goal.landmarks) told += " " + landmark;
   if (!goal.relation) told += " " + print(Term::point(goal.p_WG.x(), goal.p_WG.y(), goal.p_WG.z()));
   if (command->turn_rad != 0) told += " by " + std::to_string(std::lround(command->turn_rad * 1000));

@@ -1,6 +1,6 @@
-#include "behaviour/reenactment.h"
+#include "continua/behaviour/reenactment.h"
 
-#include "composition/methods.h"
+#include "continua/facts/methods.h"
 #include "support/catch.h"
 
 using namespace continua;

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/acceptance.h"
-#include "automaton/stepper.h"
-#include "core/located_json.h"
-#include "machine_file/machine_loader.h"
+#include "continua/analysis/acceptance.h"
+#include "continua/automaton/stepper.h"
+#include "continua/core/located_json.h"
+#include "continua/machine_file/machine_loader.h"
 
 namespace continua {
 namespace {

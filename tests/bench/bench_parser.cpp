@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "composition/methods.h"
-#include "language/parser.h"
+#include "continua/facts/methods.h"
+#include "continua/language/parser.h"
 
 namespace continua {
 namespace {

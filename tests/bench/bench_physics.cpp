@@ -1,5 +1,5 @@
-// What a replay with physics costs: recorded sessions replayed, beside MuJoCo alone stepping the same scene through the
-// same time. bench_physics LOG… writes a table; README.md tells how.
+// The cost of a replay with physics: recorded sessions replayed, and MuJoCo alone stepping the same scene through the
+// same time. bench_physics LOG… writes a table; see README.md.
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "replay/session/session.h"
-#include "replay/trace/session_import.h"
-#include "simulation/mujoco_model.h"
-#include "simulation/scene.h"
+#include "continua/replay/session/session.h"
+#include "continua/replay/trace/session_import.h"
+#include "continua/simulation/mujoco_model.h"
+#include "continua/simulation/scene.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
@@ -19,7 +19,7 @@ namespace {
 
 double wall_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// Wall time of `simulated_s` of MuJoCo alone: the arm is told to stay as it is.
+/// Wall time of `simulated_s` of MuJoCo alone: the arm is commanded to stay as it is.
 double plain_steps_s(const Scene& scene, double simulated_s) {
   const mjModel& model = scene.model();
   const DataOwner data(mj_makeData(&model));

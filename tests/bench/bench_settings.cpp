@@ -1,5 +1,5 @@
 // How step size, solver, contacts and the rest rule change what acts cost and how well they go: bench_settings [PUTS]
-// writes two tables; README.md tells what is in them.
+// writes two tables; README.md describes them.
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "simulation/avatar.h"
-#include "simulation/mujoco_model.h"
-#include "simulation/physics.h"
+#include "continua/simulation/avatar.h"
+#include "continua/simulation/mujoco_model.h"
+#include "continua/simulation/physics.h"
 #include "simulation/random_puts.h"
 #include "support/temporary_folder.h"
 
@@ -19,10 +19,10 @@ namespace {
 
 const std::string scenes = CONTINUA_SOURCE_DIR "/mjcf/scenes/";
 
-/// Of this program, whatever else the machine does.
+/// Processor time of this program, whatever else the machine does.
 double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Writes the scene with other options beside each other.
+/// Writes the scene with other options.
 std::string with_option(const TemporaryFolder& folder, const std::string& scene, const std::string& option) {
   std::string text = load_scene(scenes + scene).value().text();
   const auto from = text.find("<option ");
@@ -77,7 +77,7 @@ double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return most;
 }
 
-/// Of a stack of six, in ten seconds after it has settled for half a second.
+/// Creep of a stack of six, in ten seconds after it has settled for half a second.
 double stack_drift_m(const std::string& path) {
   std::vector<ObjectOverride> stack;
   double z = 0.03;
@@ -92,7 +92,7 @@ double stack_drift_m(const std::string& path) {
   return farthest(before, world.places());
 }
 
-/// Of a lifted block in the hand, carried to and fro.
+/// Slip of a lifted block in the hand, carried to and fro.
 double slip_m(const std::string& path) {
   World world(load_scene(path).value());
   world.act(Capability::grasp, "block1");

@@ -147,7 +147,7 @@ def without_rules(traces, folder):
 
 
 def machines(folder):
-    """What is left out, and the machine without it."""
+    """Each left-out rule, and the machine without it."""
     def changed(name, change):
         machine = json.loads(MACHINE.read_text(encoding="utf-8"))
         change(machine)
@@ -169,7 +169,7 @@ def machines(folder):
 
 def ablations(program, traces, reports, folder):
     rows = [("nothing", reports["world"], reports["teacher"])]
-    scored = [("the rules of the time: the last ones count for all", without_rules(traces, folder / "rules"), [])]
+    scored = [("the dates of rules: the last rules count for all", without_rules(traces, folder / "rules"), [])]
     scored += [(name, traces, ["--machine", machine]) for name, machine in machines(folder).items()]
     for name, paths, options in scored:
         rows.append([name] + [program.score(name, paths, variant, *options) for variant in ("world", "teacher")])

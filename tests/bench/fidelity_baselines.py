@@ -1,4 +1,4 @@
-"""What avatars that know nothing of the dialogue would be right about: one that is always silent, and a bigram table."""
+"""The scores of avatars that know nothing of the dialogue: one that is always silent, and a bigram table."""
 import collections
 import json
 import pathlib
@@ -18,7 +18,7 @@ def names_in(scene):
 
 
 def template(moves, names):
-    """What is said and done, with places and names left out. Gestures do not count."""
+    """Words and acts, with places and names left out. Gestures do not count."""
     def blank(word):
         return "_" if word[0].lower() in names else word[0]
 
@@ -54,7 +54,7 @@ class Session:
 
 
 def words(moves, names):
-    """What is said and done, word for word."""
+    """Words and acts, word for word."""
     return tuple(move for move in moves if move[0] != "gesture")
 
 

@@ -59,7 +59,7 @@ def by_hand(program, source, folder):
 
 
 def cells(page, variant):
-    """Of its row in the table of all sessions, which is the widest."""
+    """The cells of its row in the table of all sessions, the widest table."""
     rows = [line for line in page.splitlines() if line.startswith(f"| {variant} | ")]
     return [cell.strip() for cell in max(rows, key=lambda row: row.count("|")).strip("|").split("|")][1:]
 

@@ -1,6 +1,6 @@
-#include "core/digest.h"
+#include "continua/core/digest.h"
 
-#include "core/random.h"
+#include "continua/core/random.h"
 #include "support/catch.h"
 
 using namespace continua;

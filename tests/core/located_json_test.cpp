@@ -1,4 +1,4 @@
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 #include <fmt/format.h>
 

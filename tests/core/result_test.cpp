@@ -1,8 +1,8 @@
-#include "core/result.h"
+#include "continua/core/result.h"
 
 #include <memory>
 
-#include "core/sim_time.h"
+#include "continua/core/sim_time.h"
 #include "support/catch.h"
 
 using namespace continua;

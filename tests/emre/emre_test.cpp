@@ -3,7 +3,7 @@
 #include <regex>
 #include <sstream>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 #include "support/small_talk.h"
 
 namespace continua {

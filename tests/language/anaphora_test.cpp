@@ -1,9 +1,9 @@
-#include "language/anaphora.h"
+#include "continua/language/anaphora.h"
 
+#include "continua/language/parser.h"
+#include "continua/term/substitution.h"
 #include "language/english.h"
-#include "language/parser.h"
 #include "support/catch.h"
-#include "term/substitution.h"
 
 using namespace continua;
 

@@ -1,5 +1,5 @@
 // Categories: their text, and which fit together.
-#include "language/category.h"
+#include "continua/language/category.h"
 
 #include "support/catch.h"
 
@@ -21,7 +21,7 @@ std::string error(const char* text) {
   return parsed ? "read as " + parsed->text() : parsed.error().text();
 }
 
-// What `one` makes of `other` when they are a function and its argument.
+// The result of `one` applied to `other`, when they are a function and its argument.
 std::string made(const char* one, const char* other) {
   const auto function = category(one);
   Agreement agreement;
@@ -62,6 +62,23 @@ TEST_CASE("features agree, and an atom without one passes on what it meets") {
   CHECK(made("NP/N[one]", "N") == "NP");
   CHECK(made("N\\N/(N/N)", "N/N[many]") == "N[many]\\N[many]");
   CHECK(made("N/(N/N)", "N[one]/N[many]") == "");
+}
+
+TEST_CASE("atoms of different names settle their features apart") {
+  Atoms german = atoms();
+  german["N"].features = {"m", "f"};
+  german["NP"].features = {"nom", "acc"};
+  const auto read = [&](const char* text) { return Category::parse(text, german).value(); };
+  const auto made = [&](const char* one, const char* other) {
+    const auto function = read(one);
+    Agreement agreement;
+    return agreement.agree(function.argument(), read(other)) ? agreement.settled_one(function.result()).text() : "";
+  };
+  CHECK(made("NP/N", "N[m]") == "NP");
+  CHECK(made("NP[acc]/N[m]", "N[m]") == "NP[acc]");
+  CHECK(made("NP[acc]/N[m]", "N[f]") == "");
+  CHECK(made("NP/N/(NP/N)", "NP[acc]/N[f]") == "NP[acc]/N[f]");
+  CHECK(made("NP/N/(NP/NP)", "NP[acc]/NP[nom]") == "");
 }
 
 TEST_CASE("types follow from categories") {

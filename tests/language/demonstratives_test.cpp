@@ -1,8 +1,8 @@
 // Which parts of an utterance pointing can give content to.
-#include "language/demonstratives.h"
+#include "continua/language/demonstratives.h"
 
+#include "continua/language/parser.h"
 #include "english.h"
-#include "language/parser.h"
 #include "support/catch.h"
 
 using namespace continua;

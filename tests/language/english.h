@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "composition/methods.h"
-#include "language/parser.h"
+#include "continua/facts/methods.h"
+#include "continua/language/parser.h"
+#include "continua/term/term_text.h"
 #include "support/catch.h"
-#include "term/term_text.h"
 
 namespace continua {
 
@@ -22,7 +22,7 @@ inline std::shared_ptr<const Lexicon> english() {
   return lexicon;
 }
 
-/// An object of which the scene says this, "type=banana color=cyan".
+/// An object with these attributes in the scene, "type=banana color=cyan".
 inline ObjectState object_of(const std::string& name, const std::string& attributes) {
   ObjectState object;
   object.name = name;
@@ -35,7 +35,7 @@ inline ObjectState object_of(const std::string& name, const std::string& attribu
   return object;
 }
 
-/// What can be said without any scene.
+/// The words that need no scene.
 inline const Vocabulary& english_words() {
   static const Vocabulary words(english(), WorldSnapshot());
   return words;

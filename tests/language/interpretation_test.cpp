@@ -1,12 +1,12 @@
-#include "language/interpretation.h"
+#include "continua/language/interpretation.h"
 
 #include <map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "continua/term/raising_file.h"
 #include "support/catch.h"
-#include "term/raising_file.h"
 
 namespace continua {
 namespace {

@@ -1,10 +1,10 @@
-// What is wrong with a lexicon is told with its place; what a scene says of its objects can be said.
-#include "language/lexicon.h"
+// Problems of a lexicon come with their place; all attributes of a scene's objects have words.
+#include "continua/language/lexicon.h"
 
 #include <fmt/format.h>
 
-#include "core/located_json.h"
-#include "core/random.h"
+#include "continua/core/located_json.h"
+#include "continua/core/random.h"
 #include "language/english.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"

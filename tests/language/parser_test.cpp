@@ -1,5 +1,5 @@
-// Sentences and their readings, beside the examples of the lexicon itself.
-#include "language/parser.h"
+// Sentences and their readings, besides the examples of the lexicon itself.
+#include "continua/language/parser.h"
 
 #include <algorithm>
 #include <set>
@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "core/located_json.h"
-#include "core/random.h"
+#include "continua/core/located_json.h"
+#include "continua/core/random.h"
+#include "continua/core/words.h"
 #include "language/english.h"
-#include "language/words.h"
 #include "support/catch.h"
 
 using namespace continua;

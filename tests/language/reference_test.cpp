@@ -1,10 +1,10 @@
-#include "language/reference.h"
+#include "continua/language/reference.h"
 
 #include <algorithm>
 #include <cstdlib>
 
+#include "continua/term/substitution.h"
 #include "support/small_talk.h"
-#include "term/substitution.h"
 
 #include <rapidcheck.h>
 
@@ -110,7 +110,7 @@ TEST_CASE("what answers a question is compared with what was asked about") {
   CHECK(names_of(talk.refer(leftmost)) == "green1");
   talk.context.among = {"red1", "red2"};
   CHECK(names_of(talk.refer(leftmost)) == "red1");
-  // What is inside of it is compared with all there is: none of the two has the color of the leftmost block.
+  // The inner phrase ranges over the whole scene: neither of the two has the color of the leftmost block.
   CHECK(names_of(talk.refer(
             "the(\\x. attribute(x, 'color') = attribute(the(\\y. leftmost(\\z. block(z))(y)), 'color'))")) == "");
 }

@@ -26,7 +26,7 @@ WITH_PHYSICS = 0.2    # of all sessions: their replays take long, since acts und
 WORDS = ["Put the knife in the cup.", "The white cup.", "Yes.", "No.", "Put it there.", "Never mind.", "The plate.",
          "glorp"]
 GESTURES = ["posack", "negack", "nevermind", "wobble", "grab"]
-# What a run log says of the trace as a whole, which is longer in the replay than it was to the killed server.
+# Statements about the trace as a whole: it is longer in the replay than it was for the killed server.
 OF_THE_WHOLE = ("run", "block", "rest", "end")
 
 

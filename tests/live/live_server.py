@@ -63,7 +63,7 @@ class Answer:
         return json.loads(self.body)
 
     def must(self, status=200):
-        """What was answered, if it has that status."""
+        """The answer, if it has that status."""
         if self.status != status:
             raise AssertionError(f"answered {self.status} instead of {status}: {self.body[:300]!r}")
         return self.json
@@ -109,7 +109,7 @@ class Client:
 
 
 class Stream:
-    """What a session's stream tells, read by a thread: (event, data) pairs."""
+    """The stream of a session, read by a thread: (event, data) pairs."""
 
     def __init__(self, server, session, heard=None):
         self.heard = heard or (lambda event, data: None)

@@ -1,4 +1,4 @@
-"""What is asked of a live session and must be refused: a table, for safety_test.py."""
+"""Requests that a live session must refuse: a table, for safety_test.py."""
 import json
 import typing
 

@@ -157,7 +157,7 @@ def check_by_hand(server, _):
 
 
 def check_smuggled(server, _):
-    """What a refused request brings along must not be taken for the next request: that one would have no origin."""
+    """The body of a refused request must not be taken for the next request, which would have no origin."""
     begin = f"POST /api/sessions HTTP/1.1\r\nHost: {server.host}:{server.port}\r\n"
     inner = f"{begin}Content-Length: 2\r\n\r\n{{}}".encode()
     outer = f"{begin}Origin: http://elsewhere.example\r\nContent-Length: {len(inner)}\r\n\r\n".encode()

@@ -27,7 +27,7 @@ def decisions(run):
 
 
 def told(run):
-    """What the log tells apart from what it says of itself."""
+    """The log without its statements about itself."""
     return [record for record in records(run) if record["kind"] not in ("run", "block", "end")]
 
 

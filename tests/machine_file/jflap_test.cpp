@@ -1,7 +1,7 @@
 // JFLAP files become machines that mean the same: their shape here, the words they accept in jflap_acceptance_test.cpp.
-#include "machine_file/jflap.h"
+#include "continua/machine_file/jflap.h"
 
-#include "core/characters.h"
+#include "continua/core/characters.h"
 #include "support/jflap_files.h"
 #include "support/machines.h"
 

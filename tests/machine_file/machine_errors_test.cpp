@@ -1,4 +1,4 @@
-// Everything that is wrong with a machine file is told at load, with its place: the table of machine_errors.txt, and a
+// Each problem of a machine file is reported at load, with its place: the table of machine_errors.txt, and a
 // fuzz of the project's own machines.
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <sstream>
 
-#include "core/located_json.h"
-#include "core/random.h"
-#include "machine_file/machine_keys.h"
-#include "machine_file/machine_loader.h"
+#include "continua/core/located_json.h"
+#include "continua/core/random.h"
+#include "continua/machine_file/machine_keys.h"
+#include "continua/machine_file/machine_loader.h"
 #include "support/catch.h"
 
 using namespace continua;

@@ -1,4 +1,4 @@
-#include "machine_file/machine_loader.h"
+#include "continua/machine_file/machine_loader.h"
 
 #include "support/machines.h"
 

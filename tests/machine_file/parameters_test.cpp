@@ -1,5 +1,5 @@
 // Rules that traces set: their values, when they held, and that terms read them.
-#include "machine_file/machine_parameters.h"
+#include "continua/machine_file/machine_parameters.h"
 
 #include "support/catch.h"
 #include "support/machines.h"

@@ -1,7 +1,7 @@
-// What holds of fixations in any samples, and how near they are to what was pointed at.
+// Laws of fixations in any samples, and their distance from the target of pointing.
 #include <algorithm>
 
-#include "perception/deixis.h"
+#include "continua/perception/deixis.h"
 #include "perception/pointing_samples.h"
 #include "support/catch.h"
 #include "term/law.h"

@@ -1,4 +1,4 @@
-#include "perception/deixis.h"
+#include "continua/perception/deixis.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// What holds of fusion whatever happens and whenever it is told.
+// Laws of fusion, for any events in any order of arrival.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -48,7 +48,7 @@ Happening any_happening() {
   return happening;
 }
 
-// Everything, each told after its own delay; released whenever something was told, and in between every `every_s`.
+// All events, each arriving after its own delay; a release at each arrival, and every `every_s` in between.
 std::vector<Ensemble> told(const Happening& happening, const std::vector<int>& delays_ms, const FusionWindow& window,
                            double every_s) {
   std::map<SimTime, std::vector<std::size_t>> arrivals;

@@ -1,4 +1,4 @@
-#include "perception/fusion.h"
+#include "continua/perception/fusion.h"
 
 #include "perception/pointing_samples.h"
 #include "perception/talk.h"
@@ -15,7 +15,7 @@ struct Samples {
   std::string hand = "right";
 };
 
-// What a recogniser that tells everything at its time gets, to the end.
+// The ensembles for a recogniser that reports everything at its time, to the end.
 std::string fused(const std::vector<Percept>& percepts, const std::vector<Samples>& pointing = {},
                   FusionWindow w = window) {
   struct Arrival {
@@ -27,7 +27,7 @@ std::string fused(const std::vector<Percept>& percepts, const std::vector<Sample
   Random random(1);
   for (const auto& [from_s, until_s, x, y, hand] : pointing)
     for (auto& event :
-         pointing_samples([x, y](double) { return Vec3(x, y, 0); }, from_s, until_s, 20, {}, random, hand))
+         pointing_samples([x = x, y = y](double) { return Vec3(x, y, 0); }, from_s, until_s, 20, {}, random, hand))
       arrivals.push_back({event.t, nullptr, event});
   for (const auto& percept : percepts) arrivals.push_back({percept.event.t, &percept, {}});
   std::stable_sort(arrivals.begin(), arrivals.end(), [](const auto& a, const auto& b) { return a.t < b.t; });

@@ -1,8 +1,8 @@
-#include "perception/gesture.h"
+#include "continua/perception/gesture.h"
 
 #include <map>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -123,7 +123,7 @@ TEST_CASE("the gestures of the knowledge folder are sound and have an example ea
     CHECK(has_example);
     CHECK_FALSE((entry.about.empty() && !name.starts_with("count")));
   }
-  // What the recordings' recogniser tells (traces/FORMAT.md).
+  // The names that the recordings' recogniser uses (traces/FORMAT.md).
   for (const auto* name : {"engage", "point", "posack", "negack", "grab", "count_one", "count_two", "count_three",
                            "count_four", "count_five"}) {
     CAPTURE(name);

@@ -1,4 +1,4 @@
-#include "perception/input_event.h"
+#include "continua/perception/input_event.h"
 
 #include "support/catch.h"
 

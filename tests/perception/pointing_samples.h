@@ -1,4 +1,4 @@
-// Pointing as trackers tell it: places over time with the faults that recordings show, from a seed.
+// Pointing as trackers report it: places over time, with the faults that recordings show, from a seed.
 #pragma once
 
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/random.h"
-#include "perception/deixis.h"
+#include "continua/core/random.h"
+#include "continua/perception/deixis.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "perception/speech_times.h"
+#include "continua/perception/speech_times.h"
 
 #include <fmt/format.h>
 
@@ -50,7 +50,7 @@ TEST_CASE("words that were told begin when they did") {
   CHECK(times(told, {"put", "it", "there"}) == "1.10-1.50 1.50-2.20 2.40-3.00");
   CHECK(times(speech(1, {}, {{"put", 1.1}, {"it", 1.5}, {"there", 1.7}}), {"put", "it", "there"}) ==
         "1.10-1.50 1.50-1.70 1.70-2.05");
-  // Of a word twice, each in its turn.
+  // A word that occurs twice: each occurrence in its turn.
   CHECK(times(speech(1, 2.2, {{"that", 1.0}, {"on", 1.5}, {"that", 1.8}}), {"that", "on", "that"}) ==
         "1.00-1.50 1.50-1.80 1.80-2.20");
 }

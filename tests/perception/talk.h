@@ -1,4 +1,4 @@
-// What happened and what was made of it, briefly, for tests of fusion; times in seconds.
+// Short notation for events and the ensembles made of them, for tests of fusion; times in seconds.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "perception/fusion.h"
+#include "continua/perception/fusion.h"
 
 namespace continua {
 

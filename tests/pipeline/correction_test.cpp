@@ -1,6 +1,6 @@
 // The engine goes on from what another avatar was observed to do.
-#include "machine_file/machine_loader.h"
-#include "pipeline/pipeline.h"
+#include "continua/machine_file/machine_loader.h"
+#include "continua/pipeline/pipeline.h"
 #include "support/catch.h"
 
 using namespace continua;

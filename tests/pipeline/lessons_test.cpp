@@ -1,11 +1,11 @@
-// What machines have learned and forgotten, and that it counts from then on.
-#include "pipeline/lessons.h"
+// Lessons learned and forgotten by machines, and their effect from then on.
+#include "continua/pipeline/lessons.h"
 
 #include <fmt/format.h>
 
-#include "composition/learning_file.h"
-#include "machine_file/machine_loader.h"
-#include "pipeline/pipeline.h"
+#include "continua/learning/learning_file.h"
+#include "continua/machine_file/machine_loader.h"
+#include "continua/pipeline/pipeline.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -40,7 +40,7 @@ struct Play {
     state.emplace(pipeline->begin({Choice::likeliest, Random(1), {}, 0}, {}, std::move(learned)).after);
   }
 
-  // What was learned, forgotten, said or in vain, each as a line.
+  // A line for each lesson, each lesson forgotten, each utterance and each failed effect.
   std::string say(const std::string& words) {
     InputEvent event;
     event.text = words;

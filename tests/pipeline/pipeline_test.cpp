@@ -1,8 +1,8 @@
-#include "pipeline/pipeline.h"
+#include "continua/pipeline/pipeline.h"
 
 #include <fmt/format.h>
 
-#include "machine_file/machine_loader.h"
+#include "continua/machine_file/machine_loader.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -76,9 +76,9 @@ struct Play {
       if (const auto* change = std::get_if<BeliefChange>(&one))
         add(fmt::format("belief {} {}", change->name, change->value));
       if (const auto* gesture = std::get_if<GestureCommand>(&one))
-        add(text(gesture->command.what) + " " + gesture->command.object);
+        add(name_of(gesture->command.what) + " " + gesture->command.object);
       if (const auto* act = std::get_if<ActStep>(&one)) add(print(act->program)), latest = act->command->id;
-      if (const auto* end = std::get_if<ActEnd>(&one)) add("act " + text(end->status) + " " + end->reason);
+      if (const auto* end = std::get_if<ActEnd>(&one)) add("act " + name_of(end->status) + " " + end->reason);
       if (const auto* unplanned = std::get_if<Unplanned>(&one)) add(unplanned->reason);
       if (const auto* step = std::get_if<StepEvent>(&one)) {
         if (const auto* said = std::get_if<Said>(step)) add("\"" + said->text + "\"");

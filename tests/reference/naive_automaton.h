@@ -109,7 +109,7 @@ Symbol filled(const Pattern& content, const Symbol& before, const Symbol& top);
 Symbol flushed(const Pattern& content, const Symbol& top);
 inline const Symbol bottom = {'-', '-'};
 
-/// Whether everything goes on alike from both: state, stack, and as much of the history as a pop_until may look at.
+/// Whether both have the same future: state, stack, and as much of the history as a pop_until may look at.
 bool same(const Machine& machine, const Configuration& a, const Configuration& b);
 
 }  // namespace naive

@@ -17,7 +17,7 @@ bool tries_epsilon(const Machine& machine, const Configuration& before, const Tr
          way->operation.kind == Operation::Kind::rewrite_each;
 }
 
-// What `input` leads to from a configuration.
+// The configurations that `input` leads to from one.
 void add_next(const Machine& machine, const Configuration& before, std::optional<char> input,
               std::vector<Reached>& reached) {
   for (const auto& transition : applicable(machine, before, input)) {

@@ -10,7 +10,7 @@
 
 namespace naive {
 
-/// Configurations of which no two are the same.
+/// Configurations, no two of them equal.
 using Configurations = std::vector<Configuration>;
 
 /// All in which a run may be that has not yet read anything. Nothing if there are more than `most`.

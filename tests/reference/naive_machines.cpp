@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/random.h"
+#include "continua/core/random.h"
 
 namespace naive {
 

@@ -15,7 +15,7 @@ std::string json(const Machine& machine);
 /// For every two operations, a machine that does one at `a` and the other at `b`; every fourth also has ε-transitions.
 std::vector<Machine> machines_of_two_operations();
 
-/// What a sampled machine may have.
+/// The features that a sampled machine may have.
 struct Limits {
   bool pop_until = true;
   bool after_rewrite = true;

@@ -1,7 +1,7 @@
 // The traces of the repository are valid, whatever is odd about them.
 #include <filesystem>
 
-#include "replay/trace/trace_file.h"
+#include "continua/replay/trace/trace_file.h"
 #include "support/catch.h"
 
 using namespace continua;

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "core/located_json.h"
-#include "replay/session/session.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/session/session.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -22,7 +22,7 @@ std::string point(double x, double y) {
   return fmt::format(R"("kind":"gesture","name":"point","hand":"right","phase":"start","target":[{},{}])", x, y);
 }
 
-// What the avatar says and is asked to do after the inputs, a second apart; gestures are left out.
+// The avatar's utterances and acts after the inputs, a second apart; gestures are left out.
 std::string answers(const std::string& parameters, const std::vector<std::string>& inputs,
                     const std::string& objects = "{}") {
   const auto path = fs::temp_directory_path() / fmt::format("continua_rules_{}.jsonl", ::getpid());

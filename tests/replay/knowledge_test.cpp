@@ -1,11 +1,11 @@
-// What the knowledge folder holds loads, and its examples are true of it.
+// All files of the knowledge folder load, and their examples are true.
 #include <filesystem>
 
-#include "composition/methods.h"
-#include "core/located_json.h"
-#include "machine_file/machine_loader.h"
-#include "replay/check/examples.h"
-#include "replay/session/language_loading.h"
+#include "continua/core/located_json.h"
+#include "continua/facts/methods.h"
+#include "continua/machine_file/machine_loader.h"
+#include "continua/replay/check/examples.h"
+#include "continua/replay/session/language_loading.h"
 #include "support/catch.h"
 
 using namespace continua;

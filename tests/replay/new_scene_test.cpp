@@ -1,12 +1,12 @@
-// Scenes that are brought along: the one that mjcf/README.md shows, and those of whose objects nothing is known.
+// Scenes outside the project: the example of mjcf/README.md, and scenes with objects that have no voxeme.
 #include <algorithm>
 #include <fstream>
 
-#include "replay/check/check.h"
-#include "replay/commands/validate.h"
-#include "replay/session/data_paths.h"
-#include "replay/session/session.h"
-#include "simulation/scene.h"
+#include "continua/replay/check/check.h"
+#include "continua/replay/check/file_kinds.h"
+#include "continua/replay/session/data_paths.h"
+#include "continua/replay/session/session.h"
+#include "continua/simulation/scene.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 

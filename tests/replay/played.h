@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/located_json.h"
-#include "replay/session/session.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/session/session.h"
 #include "support/catch.h"
 
 namespace continua {

@@ -3,8 +3,8 @@
 #include <map>
 #include <sstream>
 
-#include "replay/session/session.h"
-#include "simulation/physics.h"
+#include "continua/replay/session/session.h"
+#include "continua/simulation/physics.h"
 #include "support/catch.h"
 
 using namespace continua;

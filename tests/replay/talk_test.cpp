@@ -1,9 +1,9 @@
-// Speech in replays: what the run log tells of it.
+// Speech in replays: its records in the run log.
 #include <algorithm>
 #include <fstream>
 
-#include "replay/commands/accept.h"
-#include "replay/commands/named_machine.h"
+#include "continua/replay/commands/accept.h"
+#include "continua/replay/session/named_machine.h"
 #include "replay/played.h"
 #include "support/temporary_folder.h"
 

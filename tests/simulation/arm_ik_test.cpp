@@ -1,8 +1,8 @@
-#include "simulation/arm_ik.h"
+#include "continua/simulation/arm_ik.h"
 
-#include "core/random.h"
-#include "simulation/hand_path.h"
-#include "simulation/physics.h"
+#include "continua/core/random.h"
+#include "continua/simulation/hand_path.h"
+#include "continua/simulation/physics.h"
 #include "support/catch.h"
 
 using namespace continua;

@@ -2,7 +2,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "simulation/physics.h"
+#include "continua/simulation/physics.h"
 #include "support/stage.h"
 #include "support/temporary_folder.h"
 
@@ -88,7 +88,7 @@ TEST_CASE("every arm handles plate, cup and knife") {
     Stage stage(scene_with(arm, "place_setting"));
     const auto put = [&](const std::string& object, const Goal& goal) {
       const ActReport end = stage.act(Capability::put, object, goal);
-      INFO(object << ": " << text(end.status) << ", " << end.reason);
+      INFO(object << ": " << name_of(end.status) << ", " << end.reason);
       CHECK(end.status == Status::done);
     };
     put("knife", at(-0.02, -0.1));

@@ -1,17 +1,17 @@
-#include "simulation/handling.h"
+#include "continua/simulation/handling.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/scene.h"
-#include "simulation/stacks.h"
+#include "continua/simulation/scene.h"
+#include "continua/simulation/stacks.h"
 #include "support/catch.h"
 
 using namespace continua;
 
 namespace {
 
-/// A hand of thin fingers, on an arm whose base is behind the table.
+/// A hand with thin fingers, on an arm with its base behind the table.
 AvatarForm thin_fingers() {
   AvatarForm avatar;
   avatar.arm.joints.push_back({{Vec3(0, 0.428, 0.42), Eigen::Quaterniond::Identity()}, Vec3::UnitZ(), -2.6, 2.6});

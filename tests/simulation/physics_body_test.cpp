@@ -1,8 +1,8 @@
-#include "simulation/physics_body.h"
+#include "continua/simulation/physics_body.h"
 
 #include <algorithm>
 
-#include "core/random.h"
+#include "continua/core/random.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 
@@ -16,7 +16,7 @@ const Scene& staircase() {
   return scene;
 }
 
-/// A body, the time it is at, and everything it ever told.
+/// A body, its time, and all its reports.
 struct Stage {
   std::unique_ptr<PhysicsBody> body;
   SimTime now;

@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "core/random.h"
-#include "simulation/physics_body.h"
+#include "continua/core/random.h"
+#include "continua/simulation/physics_body.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -209,7 +209,7 @@ TEST_CASE("after every act, whatever came of it and whenever it was stopped, the
                                  -0.3 + 0.6 * random.uniform(), -0.25 + 0.3 * random.uniform());
       command.turn_rad = 6 * random.uniform() - 3;
       command.height_m = 0.1;
-      INFO(text(command.what) << " " << command.object);
+      INFO(name_of(command.what) << " " << command.object);
       stage.body->command(command);
       stage.run(random.uniform() < 0.5 ? 3 * random.uniform() : 90);
       stage.end_of(::command(Capability::stop));
@@ -219,7 +219,7 @@ TEST_CASE("after every act, whatever came of it and whenever it was stopped, the
       const bool may_hold = held.empty() || held == command.object || command.what == Capability::retract ||
                             command.what == Capability::push || stage.ends.size() > 1;
       CHECK(may_hold);
-      // What is in the hand goes with it, and nothing else does.
+      // The object in the hand goes with it, and nothing else does.
       std::map<std::string, Vec3> before;
       for (const auto& object : objects) before[object.name] = stage.object(object.name).p_WO;
       AvatarCommand lift = ::command(Capability::lift, held);
@@ -249,8 +249,8 @@ TEST_CASE("things are pushed and turned at random, nearly always to where they s
       if (turn.status == Status::blocked && turn.retries.empty()) continue;
       ++turns;
       turned += turn.status == Status::done && std::abs(turn.yaw_error) < 0.05;
-      UNSCOPED_INFO(name << " " << object << " " << angle << " " << way_m << ": " << text(push.status) << " "
-                         << push.reason << " " << push.position_error_m << "; " << text(turn.status) << " "
+      UNSCOPED_INFO(name << " " << object << " " << angle << " " << way_m << ": " << name_of(push.status) << " "
+                         << push.reason << " " << push.position_error_m << "; " << name_of(turn.status) << " "
                          << turn.reason << " " << turn.yaw_error);
     }
   }

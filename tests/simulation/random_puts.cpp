@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "core/random.h"
-#include "simulation/mujoco_model.h"
-#include "simulation/physics_body.h"
+#include "continua/core/random.h"
+#include "continua/simulation/mujoco_model.h"
+#include "continua/simulation/physics_body.h"
 
 namespace continua {
 
@@ -53,7 +53,7 @@ class Bones {
   double limbs_m_ = 0, hand_m_ = 0;
 };
 
-/// A model of its own, set to the poses that are told.
+/// A model of its own, set to the reported poses.
 class Depths {
  public:
   explicit Depths(const Scene& scene) : scene_(scene), data_(mj_makeData(&scene.model())) {
@@ -132,7 +132,7 @@ class Table {
     });
   }
 
-  /// Of those that do not count, most are passed over: then nothing.
+  /// Most puts that do not count are passed over: then nothing.
   std::optional<PutTrial> random_put(Random& random, bool in_steps) {
     const WorldSnapshot world = body_->snapshot();
     const ObjectState& object = world.objects[static_cast<std::size_t>(below(random, world.objects.size()))];
@@ -155,7 +155,7 @@ class Table {
       while (landmark == &object)
         landmark = &world.objects[static_cast<std::size_t>(below(random, world.objects.size()))];
       put.goal.landmarks = {landmark->name};
-      trial.what = fmt::format("put({}, {}({}))", put.object, text(*put.goal.relation), landmark->name);
+      trial.what = fmt::format("put({}, {}({}))", put.object, name_of(*put.goal.relation), landmark->name);
       trial.counted = is_sensible(object, *put.goal.relation, *landmark, world);
     }
     const auto place = placement(put, world, Occupied::avoided);
@@ -284,7 +284,7 @@ class Table {
 };
 
 std::string told(const PutTrial& trial) {
-  return fmt::format("{}: {}{}{}", trial.what, text(trial.end.status), trial.end.reason.empty() ? "" : ", ",
+  return fmt::format("{}: {}{}{}", trial.what, name_of(trial.end.status), trial.end.reason.empty() ? "" : ", ",
                      trial.end.reason);
 }
 

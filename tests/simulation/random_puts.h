@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "behaviour/avatar_command.h"
-#include "simulation/scene.h"
+#include "continua/body/body.h"
+#include "continua/body/placement.h"
+#include "continua/simulation/scene.h"
 
 namespace continua {
 
@@ -21,7 +22,7 @@ struct PutTrial {
   bool hopeless = false;  ///< the arm surely does not reach
   bool refused = false;   ///< it ended as it began, and nothing had moved
   bool at_goal = false;   ///< measured: the object stands still where it was wanted
-  /// Of the object's centre from the goal, seen from above, where the goal is a point.
+  /// Distance of the object's centre from a goal that is a point, seen from above.
   std::optional<double> error_m;
   std::string measured;  ///< why it is not at its goal, or how far off
   double deepest_m = 0;  ///< of what is in the table or in another object, at any pose that was told
@@ -36,7 +37,7 @@ struct PutTrial {
 /// REQUIRES a scene that loads.
 std::vector<PutTrial> random_puts(const std::string& path, std::uint64_t seed, int counted);
 
-/// What is asked of many puts together.
+/// The bounds that many puts together must keep.
 struct PutFigures {
   int trials = 0, counted = 0, done = 0;  ///< done of those counted
   int refused = 0;                        ///< of all trials

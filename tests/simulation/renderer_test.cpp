@@ -1,4 +1,4 @@
-#include "simulation/renderer.h"
+#include "continua/simulation/renderer.h"
 
 #include "support/catch.h"
 
@@ -29,7 +29,7 @@ Renderer renderer(const RenderView& view = {"top"}, const RenderScene& scene = {
   return std::move(opened).value();
 }
 
-/// Where the pixels are of which one channel is far above the others: their number and the middle of them.
+/// The pixels with one channel far above the others: their number and their middle.
 struct Spot {
   int pixels = 0;
   double column = 0, row = 0;

@@ -1,4 +1,4 @@
-#include "simulation/scene.h"
+#include "continua/simulation/scene.h"
 
 #include <algorithm>
 #include "support/catch.h"

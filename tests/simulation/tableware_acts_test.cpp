@@ -1,4 +1,4 @@
-// What the hand can do with plates, cups and knives: gripped by an edge, by the sides, or across, and put where people
+// The hand with plates, cups and knives: gripped by an edge, by the sides, or across, and put where people
 // put them.
 #include "support/stage.h"
 

@@ -1,6 +1,6 @@
 // The scenes with tableware, and how objects of every kind are placed in them.
-#include "simulation/physics_body.h"
-#include "simulation/scene.h"
+#include "continua/simulation/physics_body.h"
+#include "continua/simulation/scene.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 
@@ -130,7 +130,7 @@ TEST_CASE("whatever is asked of the arm ends with how it went, and things of eve
   auto body = PhysicsBody::create(loaded("place_setting")).value();
   SimTime now;
   for (const auto& row : rows) {
-    INFO(row.object << " " << (row.relation ? text(*row.relation) : "at a point"));
+    INFO(row.object << " " << (row.relation ? name_of(*row.relation) : "at a point"));
     AvatarCommand put;
     put.what = Capability::put;
     put.object = row.object;

@@ -1,11 +1,11 @@
-// Reads the answer of /api/runs/ID/columns (replay/views/run_columns.h).
+// Reads the answer of /api/runs/ID/columns (replay/inspector/run_columns.h).
 #pragma once
 
 #include <cstring>
 #include <string>
 #include <vector>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 
 namespace continua {
 

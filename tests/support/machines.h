@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "automaton/stepper.h"
-#include "machine_file/machine_loader.h"
+#include "continua/automaton/stepper.h"
+#include "continua/machine_file/machine_loader.h"
+#include "continua/term/term_text.h"
 #include "support/catch.h"
-#include "term/term_text.h"
 
 namespace continua {
 
@@ -23,7 +23,7 @@ inline std::shared_ptr<const Machine> machine_of(const std::string& text) {
   return std::make_shared<const Machine>(std::move(*machine));
 }
 
-/// A machine that is fed one symbol after another and tells where it is.
+/// A machine that takes one symbol after another and reports its state.
 class Player {
  public:
   explicit Player(const std::string& text, std::optional<Choice> choice = std::nullopt, std::uint64_t seed = 1)
@@ -76,7 +76,7 @@ class Player {
   std::size_t depth() const { return configuration_.stack.depth(); }
   const Configuration& configuration() const { return configuration_; }
   Beliefs& beliefs() { return beliefs_; }
-  /// What the latest step did.
+  /// The events of the latest step.
   const std::vector<StepEvent>& events() const { return events_; }
 
   template <class Event>

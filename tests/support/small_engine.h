@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "automaton/exploration.h"
+#include "continua/automaton/exploration.h"
 #include "reference/naive_automaton.h"
 #include "support/machines.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "composition/methods.h"
-#include "language/reference.h"
+#include "continua/facts/methods.h"
+#include "continua/language/reference.h"
 #include "support/catch.h"
 
 namespace continua {
@@ -70,7 +70,7 @@ class SmallTalk {
     return *term;
   }
 
-  /// Of a noun phrase, "the(\x. red(x) and block(x))".
+  /// For a noun phrase, "the(\x. red(x) and block(x))".
   Reference refer(const std::string& phrase) { return refer(read(phrase)); }
   Reference refer(const Term& phrase) {
     const auto [determiner, arguments] = phrase.spine();

@@ -1,4 +1,4 @@
-// A scene with the avatar's body in MuJoCo, told one act after another.
+// A scene with the avatar's body in MuJoCo, commanded one act after another.
 #pragma once
 
 #include <memory>
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/physics_body.h"
+#include "continua/simulation/physics_body.h"
 #include "support/catch.h"
 
 namespace continua {
@@ -37,7 +37,7 @@ struct Stage {
     }
   }
 
-  /// What is grasped is grasped for the goal.
+  /// The grip suits the goal.
   void tell(Capability what, const std::string& object = "", const std::optional<Goal>& goal = {}) {
     AvatarCommand command;
     command.what = what;

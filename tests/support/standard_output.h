@@ -1,4 +1,4 @@
-// What a function writes to standard output, as text instead.
+// The standard output of a function, as text.
 #pragma once
 
 #include <unistd.h>
@@ -44,7 +44,7 @@ class StandardOutput {
   int kept_ = -1;
 };
 
-/// What `run` returns, and what it writes.
+/// The result of `run`, and its output.
 template <class Run>
 auto told(Run run) {
   const StandardOutput output;

@@ -1,4 +1,4 @@
-// What the comparisons with the naive twin have in common.
+// Common parts of the comparisons with the naive twin.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "term/substitution.h"
+#include "continua/term/substitution.h"
 
 #include "generate_terms.h"
 #include "law.h"

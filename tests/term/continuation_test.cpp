@@ -1,4 +1,4 @@
-#include "term/continuation.h"
+#include "continua/term/continuation.h"
 
 #include <string>
 #include <vector>

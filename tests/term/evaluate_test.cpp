@@ -1,7 +1,7 @@
-#include "term/evaluate.h"
+#include "continua/term/evaluate.h"
 
+#include "continua/term/substitution.h"
 #include "read_terms.h"
-#include "term/substitution.h"
 
 namespace continua {
 namespace {

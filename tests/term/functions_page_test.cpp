@@ -1,6 +1,6 @@
 #include <set>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 #include "read_terms.h"
 #include "support/markdown_table.h"
 

@@ -10,7 +10,7 @@
 
 namespace continua {
 
-/// What a term may use where it stands: the variables around it, the innermost last.
+/// The variables that a term may use in its place, the innermost last.
 using Variables = std::vector<Type>;
 
 class TermGenerator {

@@ -1,6 +1,6 @@
+#include "continua/term/substitution.h"
 #include "generate_terms.h"
 #include "law.h"
-#include "term/substitution.h"
 
 namespace continua {
 namespace {

@@ -109,7 +109,7 @@ inline Named substituted(const Named& term, const std::string& name, const Named
 
 inline std::optional<Named> reduced_once(const Named& term);
 
-/// What `if`, `and` and `or` choose where their condition is known; nothing where they wait or are something else.
+/// The choice of `if`, `and` and `or` where their condition is known; nothing where they wait or are something else.
 inline std::optional<Named> chosen(const Named& term) {
   std::vector<Named> arguments;
   Named head = term;

@@ -1,7 +1,7 @@
-#include "term/raising.h"
+#include "continua/term/raising.h"
 
+#include "continua/term/raising_file.h"
 #include "read_terms.h"
-#include "term/raising_file.h"
 
 namespace continua {
 namespace {
@@ -121,24 +121,25 @@ TEST_CASE("what is wrong in a file of rules is said where it stands") {
     return error_in("{ \"raising\": 1, \"rules\": [\n{ \"name\": \"r\", " + members + " } ] }");
   };
   CHECK(error_in("") == "raising.json:1:1: the file is empty; expected a JSON document");
-  CHECK(error_in("[]") == "raising.json:1:1: expected raising rules, an object");
+  CHECK(error_in("[]") == "raising.json:1:1: found a list, expected raising rules, an object");
   CHECK(error_in("{ \"raising\": 2, \"rules\": [] }") ==
-        "raising.json:1:14: found another version of the format, expected 1");
-  CHECK(error_in("{ \"raising\": 1 }") == "raising.json:1:1: there is no \"rules\" in raising rules");
-  CHECK(error_in("{ \"raising\": 1, \"rules\": 3 }") == "raising.json:1:26: expected the rules, a list");
+        "raising.json:1:14: found 2, expected 1, the version of the format");
+  CHECK(error_in("{ \"raising\": 1 }") == "raising.json:1:1: there is no \"rules\"; expected the rules, a list");
+  CHECK(error_in("{ \"raising\": 1, \"rules\": 3 }") == "raising.json:1:26: found 3, expected the rules, a list");
   CHECK(error_in("{ \"raising\": 1, \"rule\": [], \"rules\": [] }") ==
-        "raising.json:1:1: unknown key 'rule' of raising rules (did you mean 'rules'?)");
+        "raising.json:1:17: unknown key 'rule' of raising rules (did you mean 'rules'?)");
   CHECK(error_in("{ \"raising\": 1, \"programs\": { \"in\": \"e -> lok\" }, \"rules\": [] }") ==
         "raising.json:1:43: unknown type 'lok' (did you mean 'loc'?)");
   CHECK(error_in("{ \"raising\": 1, \"programs\": { \"in\": \"e -> e\" }, \"rules\": [] }") ==
         "raising.json:1:37: 'in' is known already, with the type e -> loc");
   CHECK(rule("\"from\": \"e\", \"to\": \"loc\", \"by\": \"on\"") == "read");
-  CHECK(rule("\"from\": \"e\", \"to\": \"loc\"") == "raising.json:2:1: there is no \"by\" in a rule");
+  CHECK(rule("\"from\": \"e\", \"to\": \"loc\"") ==
+        "raising.json:2:1: there is no \"by\"; expected the function that raises, a term");
   CHECK(rule("\"from\": \"e\", \"to\": \"loc\", \"by\": \"grasp\"") ==
         "raising.json:2:49: found a function from e to t, expected a function from e to loc");
   CHECK(rule("\"from\": \"e\", \"to\": \"loc\", \"by\": \"on\", \"when\": \"\\\\x. x\"") ==
         "raising.json:2:63: found a function from e to e, expected a function from e to t");
-  CHECK(rule("\"from\": \"e\", \"to\": \"loc\", \"by\": 3") == "raising.json:2:48: expected a term, a string");
+  CHECK(rule("\"from\": \"e\", \"to\": \"loc\", \"by\": 3") == "raising.json:2:48: found 3, expected a term, a string");
   CHECK(error_in(R"({ "raising": 1, "rules": [
 { "name": "r", "from": "e", "to": "loc", "by": "on" },
 { "name": "r", "from": "e", "to": "loc", "by": "in" } ] })") == "raising.json:3:11: 'r' is another rule's name");

@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
+#include "continua/term/evaluate.h"
 #include "support/catch.h"
-#include "term/evaluate.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "term/term_text.h"
+#include "continua/term/term_text.h"
 
 #include "read_terms.h"
 

@@ -1,7 +1,7 @@
-#include "term/type.h"
+#include "continua/term/type.h"
 
+#include "continua/term/unify.h"
 #include "support/catch.h"
-#include "term/unify.h"
 
 namespace continua {
 namespace {

@@ -1,4 +1,4 @@
-#include "voxml/catalogue.h"
+#include "continua/voxml/catalogue.h"
 
 #include <fmt/format.h>
 

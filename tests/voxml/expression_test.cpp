@@ -1,4 +1,4 @@
-#include "voxml/expression.h"
+#include "continua/voxml/expression.h"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ struct Row {
   const char* printed;  ///< or the error
 };
 
-// What every parser makes of its rows, and that what is printed is read as the same.
+// Each parser's result for its rows; the printed result reads back as the same.
 template <class Parse>
 void check(const std::vector<Row>& rows, Parse parse) {
   for (const auto& [text, printed] : rows) {
@@ -165,7 +165,7 @@ rc::Gen<std::vector<Expression>> expressions(int depth, std::size_t least) {
   });
 }
 
-// What is joined is not joined again.
+// Joined parts are not joined again.
 rc::Gen<Expression> joined(Expression::Kind kind, int depth) {
   return rc::gen::suchThat(rc::gen::map(expressions(depth, 2),
                                         [kind](std::vector<Expression> arguments) {
@@ -218,7 +218,7 @@ TEST_CASE("Reading what was printed gives the same") {
     const auto x = *expression(3);
     RC_ASSERT(parse_expression(print(x)).value() == x);
   });
-  // What steps and affordances are made of are calls, as in documents: a bracket at their beginning is the whole's.
+  // Steps and affordances consist of calls, as in documents: a bracket at the beginning belongs to the whole.
   const auto event =
       rc::gen::suchThat(expression(3), [](const Expression& x) { return x.kind == Expression::Kind::call; });
   law("subevents", [event] {

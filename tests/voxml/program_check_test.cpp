@@ -1,4 +1,4 @@
-#include "voxml/program_check.h"
+#include "continua/voxml/program_check.h"
 
 #include "support/catch.h"
 
@@ -17,7 +17,7 @@ void add(Catalogue& catalogue, Voxeme::Entity entity, const char* name, std::vec
   catalogue.add(std::move(voxeme));
 }
 
-// What is wrong with a program whose steps are these.
+// The problems of a program with these steps.
 std::string wrong(const char* body) {
   const VoxemeArgument x{"x", "agent"}, y{"y", "physobj"}, z{"z", "location"};
   Catalogue catalogue;

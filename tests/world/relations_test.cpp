@@ -1,4 +1,4 @@
-#include "world/relations.h"
+#include "continua/world/relations.h"
 
 #include <rapidcheck.h>
 
@@ -59,7 +59,7 @@ const char* any_relation() {
 TEST_CASE("relations have names") {
   for (const char* name :
        {"left", "right", "in_front", "behind", "on", "in", "at", "near", "beside", "touching", "under", "between"})
-    CHECK(text(relation_named(name).value()) == name);
+    CHECK(name_of(relation_named(name).value()) == name);
   CHECK_FALSE(relation_named("over"));
   CHECK(participant_named("human") == Perspective::human);
   CHECK_FALSE(participant_named("left"));

@@ -1,4 +1,4 @@
-#include "world/world_snapshot.h"
+#include "continua/world/world_snapshot.h"
 
 #include "support/catch.h"
 

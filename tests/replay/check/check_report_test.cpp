@@ -1,15 +1,14 @@
 // What came out of a check: its lines and totals, GitHub's annotations and summary, and shards put together again.
-#include "replay/commands/check_report.h"
+#include "continua/replay/check/check_report.h"
 
 #include <algorithm>
 #include <random>
 
 #include <rapidcheck.h>
 
-#include "replay/commands/annotations.h"
-#include "replay/commands/check_failures.h"
-#include "replay/commands/check_items.h"
-#include "replay/commands/check_summary.h"
+#include "continua/replay/check/annotations.h"
+#include "continua/replay/check/check_items.h"
+#include "continua/replay/check/check_summary.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 
@@ -244,19 +243,4 @@ TEST_CASE("each trace of a list has a name of its own") {
     names += (item.name.starts_with(prefix) ? "…" + item.name.substr(prefix.size()) : item.name) + " ";
   CHECK(names == "…a-one …b-one …b-two b-one …b-two-2 ");
   CHECK(items_of({folder.at("nothing")}).error().sentence == "there is no such file or folder");
-}
-
-TEST_CASE("a path is written as a shell takes it") {
-  struct Case {
-    const char* path;
-    const char* words;
-  };
-  const Case cases[] = {{"traces/a-b_1.jsonl", "traces/a-b_1.jsonl"},
-                        {"my traces/a", "'my traces/a'"},
-                        {"it's", "'it'\\''s'"},
-                        {"$(rm)", "'$(rm)'"},
-                        {"~", "'~'"},
-                        {"", "''"},
-                        {"Grüße", "'Grüße'"}};
-  for (const auto& [path, words] : cases) CHECK(in_shell(path) == words);
 }

@@ -1,16 +1,16 @@
-// continua check: what becomes of a trace whose run was approved, once something is another.
+// continua check: the verdicts on a trace with an approved run, after a change.
 #include <unistd.h>
 
 #include <functional>
 #include <set>
 #include <sstream>
 
-#include "core/digest.h"
-#include "core/located_json.h"
-#include "replay/check/check.h"
-#include "replay/commands/check.h"
-#include "replay/commands/junit.h"
-#include "replay/run/run_log.h"
+#include "continua/core/digest.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/check/check.h"
+#include "continua/replay/check/junit.h"
+#include "continua/replay/check/run_check.h"
+#include "continua/replay/log/run_log.h"
 #include "support/catch.h"
 #include "support/standard_output.h"
 #include "support/temporary_folder.h"
@@ -277,7 +277,7 @@ TEST_CASE("the shards of a check, merged, are the check that is not shared") {
   CheckOptions options;
   options.paths = {folder.path().string()};
   options.physics = false;
-  // What it prints but for the seconds, and what it writes.
+  // Its output without the seconds, and the files that it writes.
   const auto outcome = [&](const CheckOptions& chosen, const std::string& name) {
     auto with_reports = chosen;
     with_reports.junit = folder.at(name + ".xml");
@@ -328,7 +328,7 @@ TEST_CASE("of a trace that fails a folder holds its run, the approved one, their
   CHECK(status == exit_no);
   const auto in_folder = [&](const std::string& name) { return (fs::path(options.failures) / "one" / name).string(); };
   CHECK(text.find("\n     see " + in_folder("report.html") + "\n") != std::string::npos);
-  // At the line of the trace whose input led to what was said.
+  // At the line of the trace whose input led to the utterance.
   CHECK(text.find("\n::error file=" + one.trace + ",line=2,title=continua check%3A changed::") != std::string::npos);
   CHECK(read_file(in_folder("one.run.jsonl")).value() == one.run);
   CHECK(read_file(in_folder("one.approved.run.jsonl")).value() == read_file(one.run_path).value());
@@ -336,7 +336,7 @@ TEST_CASE("of a trace that fails a folder holds its run, the approved one, their
   CHECK(read_file(in_folder("diff.md")).value().find("Well.") != std::string::npos);
   CHECK(read_file(in_folder("report.html")).value().find("“Well.”") != std::string::npos);
 
-  // What is left of an earlier failure goes: now nothing is approved, and an expectation is not met.
+  // The folder of an earlier failure goes: now nothing is approved, and an expectation is not met.
   fs::remove(one.run_path);
   one.folder.file("one.trace.jsonl", replaced(conversation, "blue", "white"));
   const auto broken = told([&] { return run_check(options); });
@@ -389,7 +389,7 @@ TEST_CASE("a world may have an approved run of its own") {
   CHECK(in_world("physics") == own);
   CHECK(in_world("kinematic") == one.run_path);
 
-  // What is approved in another world stands beside what was approved before.
+  // A run approved in another world stands next to the one approved before.
   std::string elsewhere = one.run;
   const std::string kinematic = R"("world":"kinematic")";
   elsewhere.replace(elsewhere.find(kinematic), kinematic.size(), R"("world":"physics")");

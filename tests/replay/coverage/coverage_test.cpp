@@ -1,12 +1,12 @@
-// What runs reach: counted from small logs whose numbers can be told by looking, and from the project's traces.
-#include "replay/coverage/coverage_text.h"
+// Coverage of runs: of small logs, counted by hand, and of the project's traces.
+#include "continua/replay/coverage/coverage_text.h"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 
-#include "replay/commands/coverage.h"
-#include "replay/coverage/coverage_phrases.h"
+#include "continua/replay/commands/coverage.h"
+#include "continua/replay/coverage/coverage_phrases.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
 #include "support/standard_output.h"
@@ -272,7 +272,7 @@ TEST_CASE("the project's traces reach what they are there for") {
   CHECK(kinds["states"]["reached"] == kinds["states"]["of"]);
   const auto rules = read_file(std::string(CONTINUA_SOURCE_DIR) + "/engine/knowledge/raising.json").value();
   CHECK(kinds["raising rules"]["of"] == Json::parse(rules)["rules"].size());
-  // What a reading is made of is what the lexicon says, letter for letter; after that come words that were taught.
+  // The parts of a reading are the lexicon's, letter for letter; taught words follow.
   std::string taught;
   for (const auto& item : kinds["lexicon entries"]["items"]) {
     if (item["count"] == 0) taught.clear();

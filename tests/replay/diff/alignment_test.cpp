@@ -1,4 +1,4 @@
-// What is common to two sequences, and what became of events.
+// The common parts of two sequences, and the fate of events.
 #include <rapidcheck.h>
 
 #include <algorithm>
@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "replay/diff/event_changes.h"
-#include "replay/diff/sequence_alignment.h"
+#include "continua/replay/diff/event_changes.h"
+#include "continua/replay/diff/sequence_alignment.h"
 #include "support/catch.h"
 
 using namespace continua;

@@ -5,16 +5,16 @@
 
 #include <fmt/format.h>
 
+#include "continua/replay/diff/run_diff.h"
+#include "continua/replay/diff/run_diff_text.h"
 #include "replay/diff/edited_example.h"
-#include "replay/diff/run_diff.h"
-#include "replay/diff/run_diff_text.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
 
 namespace {
 
-// What diff has to say of an edit.
+// The answer that diff must give for an edit.
 struct Named {
   std::string kind;         ///< of the cause
   std::string what;         ///< part of what the cause is about, or of its sentence
@@ -207,7 +207,7 @@ const std::vector<std::pair<std::string, Edit>> edits{
     {"move an object", move_object},
 };
 
-// What is wrong with what diff says; empty if nothing is.
+// The fault of diff's answer; empty if it has none.
 std::string wrong(const RunDiff& diff, const Named& named) {
   if (is_same(diff)) return "called the same";
   if (diff.cause.kind != named.kind) return "cause is " + diff.cause.kind;

@@ -1,11 +1,11 @@
-// What diff tells of two runs and of two traces.
+// Differences of two runs and of two traces.
 #include <filesystem>
 
-#include "replay/commands/diff.h"
+#include "continua/replay/commands/diff.h"
+#include "continua/replay/diff/run_diff.h"
+#include "continua/replay/diff/run_diff_text.h"
+#include "continua/replay/experiment/trace_diff.h"
 #include "replay/diff/edited_example.h"
-#include "replay/diff/run_diff.h"
-#include "replay/diff/run_diff_text.h"
-#include "replay/diff/trace_diff.h"
 #include "replay/inspector/inspector_log.h"
 
 using namespace continua;

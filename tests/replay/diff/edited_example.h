@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "core/located_json.h"
-#include "replay/run/run_index.h"
-#include "replay/session/session.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/log/run_index.h"
+#include "continua/replay/session/session.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 

@@ -1,9 +1,9 @@
-#include "replay/explain/explain_cells.h"
+#include "continua/replay/explain/explain_cells.h"
 
 #include <filesystem>
 
-#include "replay/explain/explain.h"
-#include "replay/inspector/inspector_api.h"
+#include "continua/replay/explain/explain.h"
+#include "continua/replay/inspector/inspector_api.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
 
@@ -79,7 +79,7 @@ TEST_CASE("a cell tells since when it has its value, from what, and who read it"
   CHECK(cell_at(*run, 7, 2, "mood")["origin"]["input"] == 2);
   CHECK(cell_at(*run, 7, 2, "mood")["origin"]["text"] == "what the machine made of “Red blocks.” (1.0 s)");
 
-  // What is pushed inherits what the operation does not set.
+  // A pushed symbol inherits the slots that the operation does not set.
   CHECK(cell_at(*run, 9, 3, "things")["set"] == 5);
   CHECK(cell_at(*run, 9, 3, "mood")["set"] == 9);
   CHECK(cell_at(*run, 9, 2, "things")["read"] == 9);

@@ -1,15 +1,15 @@
-#include "replay/explain/explain.h"
+#include "continua/replay/explain/explain.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
 #include <vector>
 
-#include "replay/explain/explain_lines.h"
-#include "replay/explain/explain_term.h"
-#include "replay/explain/explain_text.h"
+#include "continua/replay/explain/explain_lines.h"
+#include "continua/replay/explain/explain_term.h"
+#include "continua/replay/explain/explain_text.h"
+#include "continua/replay/log/run_brief.h"
 #include "replay/inspector/inspector_log.h"
-#include "replay/views/run_brief.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -296,7 +296,7 @@ TEST_CASE("terms are taken apart as they are written") {
   const auto row = GENERATE(values<Row>({
       {"put(plate, <-0.1, -0.15, 0>)", {}, {"plate", "<-0.1, -0.15, 0>"}, "put"},
       {"\\x v. put(x, v)", {"x", "v"}, {}, ""},
-      {"\\x: e v: loc. put(x, v)", {"x", "v"}, {}, ""},
+      {"\\x: e. \\v: loc. put(x, v)", {"x"}, {}, ""},
       {"[a, f(b, c)]", {}, {"a", "f(b, c)"}, ""},
       {"plate", {}, {}, ""},
       {"f(a) and g(b)", {}, {}, ""},

@@ -1,4 +1,4 @@
-#include "replay/inspector/inspector_api.h"
+#include "continua/replay/inspector/inspector_api.h"
 
 #include <chrono>
 #include <filesystem>

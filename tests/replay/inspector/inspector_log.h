@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 #include "support/catch.h"
 
 namespace continua {

@@ -1,15 +1,15 @@
-// What the inspector replays: runs as their logs tell them, otherwise where it is asked for.
+// Replays by the inspector: runs as their logs have them, with the changes that a request asks for.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <future>
 #include <sstream>
 
-#include "replay/diff/run_diff.h"
-#include "replay/inspector/inspector_api.h"
+#include "continua/replay/diff/run_diff.h"
+#include "continua/replay/experiment/what_if_session.h"
+#include "continua/replay/inspector/inspector_api.h"
+#include "continua/replay/session/session.h"
 #include "replay/inspector/inspector_log.h"
-#include "replay/session/session.h"
-#include "replay/what_if/what_if_session.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -100,7 +100,7 @@ TEST_CASE("a run that was edited is served, and its log is as a replay of the ed
   CHECK(asked.whole("what-if-2", "input")[0]["event"] == event);
   CHECK(asked.whole("what-if-2", "input")[0]["line"] == input["line"]);
 
-  // What was made can be changed again, back to what it was.
+  // A changed run can be changed again, back to the first.
   const auto back = asked.post({{"run", "what-if-2"}, {"edits", {{{"n", input["n"]}, {"event", input["event"]}}}}});
   CHECK(asked.get("/api/diff?a=dialogue_language&b=" + back["run"].get<std::string>())["same"] == true);
 }

@@ -1,10 +1,10 @@
-#include "replay/inspector/page_file.h"
+#include "continua/replay/inspector/page_file.h"
 
 #include <sstream>
 
+#include "continua/web/assets.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
-#include "web/assets.h"
 
 using namespace continua;
 

@@ -1,8 +1,8 @@
-#include "replay/live/live_api.h"
+#include "continua/replay/live/live_api.h"
 
 #include <filesystem>
 
-#include "replay/check/check.h"
+#include "continua/replay/check/check.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 

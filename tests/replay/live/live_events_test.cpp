@@ -1,6 +1,6 @@
-#include "replay/live/live_events.h"
+#include "continua/replay/live/live_events.h"
 
-#include "replay/live/live_clock.h"
+#include "continua/replay/live/live_clock.h"
 #include "support/catch.h"
 
 using namespace continua;

@@ -1,13 +1,13 @@
-#include "replay/live/live_session.h"
+#include "continua/replay/live/live_session.h"
 
 #include <filesystem>
 #include <sstream>
 #include <thread>
 
-#include "core/random.h"
+#include "continua/core/random.h"
+#include "continua/replay/session/session_loop.h"
+#include "continua/replay/trace/trace_file.h"
 #include "replay/played.h"
-#include "replay/session/session_loop.h"
-#include "replay/trace/trace_file.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 
@@ -43,7 +43,7 @@ LiveSession::Reply sent(LiveSession& session, const std::string& event) {
 
 std::string content(const std::string& path) { return read_file(path).value(); }
 
-// A log but for what is not known while it is live: the digest of the trace, and with it those of the log.
+// A log without the digest of the trace, which a live session does not know, and without the digests that depend on it.
 std::vector<std::string> comparable(const std::string& log) {
   std::vector<std::string> lines;
   std::istringstream stream(log);

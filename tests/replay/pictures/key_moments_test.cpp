@@ -1,12 +1,12 @@
-#include "replay/pictures/key_moments.h"
+#include "continua/replay/pictures/key_moments.h"
 
 #include <fmt/format.h>
 #include <sstream>
 
-#include "replay/exporters/drawable_log.h"
-#include "replay/pictures/film_clock.h"
-#include "replay/pictures/run_motion.h"
-#include "replay/pictures/subtitles.h"
+#include "continua/replay/pictures/film_clock.h"
+#include "continua/replay/pictures/run_motion.h"
+#include "continua/replay/pictures/subtitles.h"
+#include "replay/export/drawable_log.h"
 #include "support/catch.h"
 
 using namespace continua;

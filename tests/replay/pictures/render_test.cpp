@@ -1,13 +1,13 @@
-#include "replay/commands/render.h"
+#include "continua/replay/commands/render.h"
 
 #include <cmath>
 #include <filesystem>
 
-#include "replay/exporters/drawable_log.h"
-#include "replay/inspector/inspector_api.h"
-#include "replay/pictures/contact_sheet.h"
-#include "replay/pictures/frame_cache.h"
-#include "replay/pictures/picture_size.h"
+#include "continua/replay/inspector/inspector_api.h"
+#include "continua/replay/pictures/contact_sheet.h"
+#include "continua/replay/pictures/frame_cache.h"
+#include "continua/replay/pictures/picture_size.h"
+#include "replay/export/drawable_log.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 
@@ -40,7 +40,7 @@ ImageSize png_size(const std::string& png) {
   return {number(16), number(20)};
 }
 
-// Frames that tell what was asked for.
+// Frames that show which instant and camera were asked for.
 struct ToldFrames : RunFrames {
   Outcome unavailable() override { return missing ? Outcome(Error{"", "no EGL"}) : std::nullopt; }
   Outcome wrong_size(const std::string& size) override {

@@ -1,5 +1,5 @@
-// How far moves agree, told by tables: what was observed, what came out, the level.
-#include "replay/score/agreement.h"
+// Agreement of deeds, as tables: observed, came out, level.
+#include "continua/replay/score/agreement.h"
 
 #include "support/catch.h"
 

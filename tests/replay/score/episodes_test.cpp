@@ -1,5 +1,5 @@
 // To which input what was done belongs.
-#include "replay/score/episodes.h"
+#include "continua/replay/score/episodes.h"
 
 #include "support/catch.h"
 

@@ -1,9 +1,9 @@
 // continua score: traces as they are replayed, from a system that answers at once and from a person in its place.
-#include "replay/commands/score.h"
+#include "continua/replay/commands/score.h"
 
 #include <filesystem>
 
-#include "core/located_json.h"
+#include "continua/core/located_json.h"
 #include "support/catch.h"
 #include "support/standard_output.h"
 #include "support/temporary_folder.h"

@@ -1,7 +1,7 @@
-// What is counted of episodes, and how it is told.
-#include "replay/score/score.h"
+// Counts of episodes, and their tables.
+#include "continua/replay/score/score.h"
 
-#include "replay/score/score_report.h"
+#include "continua/replay/score/score_report.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -90,7 +90,7 @@ TEST_CASE("F1 weighs what is missing and what is too much") {
   CHECK(score_of({exact, lax}).f1() == 1);
   CHECK(score_of({exact, missing}).f1() == Approx(2.0 / 3));
   CHECK(score_of({exact, spurious}).f1() == Approx(2.0 / 3));
-  // What is wrong is both missing and too much.
+  // A wrong answer counts as missing and as spurious.
   CHECK(score_of({exact, same_template}).f1() == Approx(2.0 / 4));
   CHECK(score_of({exact, loud_sample}).f1() == 1);
   CHECK(score_of({exact, missed_sample}).f1() == Approx(2.0 / 3));

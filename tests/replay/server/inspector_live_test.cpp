@@ -7,8 +7,8 @@
 #include <memory>
 #include <thread>
 
+#include "continua/replay/server/inspector_server.h"
 #include "replay/inspector/inspector_log.h"
-#include "replay/server/inspector_server.h"
 #include "support/catch.h"
 
 using namespace continua;

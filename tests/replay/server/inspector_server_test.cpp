@@ -1,4 +1,4 @@
-#include "replay/server/inspector_server.h"
+#include "continua/replay/server/inspector_server.h"
 #include <thread>
 
 #include "replay/inspector/inspector_log.h"

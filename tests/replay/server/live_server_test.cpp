@@ -1,7 +1,7 @@
 #include <thread>
 
-#include "replay/live/live_sessions.h"
-#include "replay/server/inspector_server.h"
+#include "continua/replay/live/live_sessions.h"
+#include "continua/replay/server/inspector_server.h"
 #include "replay/server/plain_client.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "replay/session/data_paths.h"
+#include "continua/replay/session/data_paths.h"
 
 #include <cstdlib>
 #include <filesystem>

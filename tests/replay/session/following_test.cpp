@@ -1,12 +1,12 @@
 // Replays that follow what was observed of another avatar.
-#include "replay/session/following.h"
+#include "continua/replay/session/following.h"
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
-#include "core/located_json.h"
-#include "replay/session/session.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/session/session.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -62,7 +62,7 @@ struct Play {
     }
   }
 
-  // Of each episode how far it agrees.
+  // The agreement of each episode.
   std::string levels() const {
     std::string all;
     for (const auto& episode : summary.episodes) all += (all.empty() ? "" : " ") + text(episode.level);

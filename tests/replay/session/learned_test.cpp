@@ -1,10 +1,10 @@
-// What is taught in one replay is known in the next.
+// Lessons of one replay are known in the next.
 #include <fmt/format.h>
 
-#include "core/located_json.h"
-#include "replay/commands/replay.h"
-#include "replay/session/learned_file.h"
-#include "replay/session/session.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/commands/replay.h"
+#include "continua/replay/session/learned_file.h"
+#include "continua/replay/session/session.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A machine that learns what it is told to, and says what it has learned.
+// A machine that learns on command, and says its lessons.
 struct Lessons {
   Lessons() {
     folder.file("m.json", R"json({"machine":1,"name":"m","start":"A","phrases":"english",

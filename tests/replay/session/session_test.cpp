@@ -1,4 +1,4 @@
-#include "replay/session/session.h"
+#include "continua/replay/session/session.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "core/digest.h"
-#include "core/located_json.h"
-#include "replay/trace/session_import.h"
-#include "replay/trace/trace_file.h"
+#include "continua/core/digest.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/trace/session_import.h"
+#include "continua/replay/trace/trace_file.h"
 #include "support/catch.h"
 
 using namespace continua;

@@ -1,11 +1,11 @@
-#include "replay/trace/session_import.h"
+#include "continua/replay/trace/session_import.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <map>
 
-#include "replay/trace/session_notation.h"
+#include "continua/replay/trace/session_notation.h"
 #include "support/catch.h"
 
 using namespace continua;

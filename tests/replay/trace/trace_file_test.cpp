@@ -1,4 +1,4 @@
-#include "replay/trace/trace_file.h"
+#include "continua/replay/trace/trace_file.h"
 
 #include <filesystem>
 
@@ -10,7 +10,7 @@ namespace {
 
 const std::string header = R"({"kind":"trace","version":1,"scene":"table","machine":"diana","seed":0})";
 
-// What read_trace_text says about a trace of these lines after a sound header.
+// The answer of read_trace_text to a sound header followed by these lines.
 std::string error_of(const std::string& lines) {
   const auto trace = read_trace_text(header + "\n" + lines, "t.jsonl");
   return trace ? "" : trace.error().text();
@@ -29,7 +29,7 @@ const InputEvent& input(const Trace& trace, std::size_t i) { return std::get<Inp
 
 TEST_CASE("a trace with every kind is read") {
   const auto trace = sound(
-      R"({"kind":"trace","version":1,"scene":"s","machine":"m","seed":18446744073709551615,"perspective":"avatar","source":"log.txt","objects":{"cup":{"position":[0.1,0.2,0.05],"yaw":1.5},"knife":null,"plate":{"yaw":0.5}},"note":"x"})"
+      R"({"kind":"trace","version":1,"scene":"s","machine":"m","language":"german","seed":18446744073709551615,"perspective":"avatar","source":"log.txt","objects":{"cup":{"position":[0.1,0.2,0.05],"yaw":1.5},"knife":null,"plate":{"yaw":0.5}},"note":"x"})"
       "\n"
       R"({"t":1.2,"kind":"speech","text":"Put it there.","until":2.0,"confidence":0.93,"words":[{"text":"Put","t":1.2}],"alternatives":[{"text":"Put in there","confidence":0.05}]})"
       "\n"
@@ -48,6 +48,7 @@ TEST_CASE("a trace with every kind is read") {
   CHECK(trace.header.scene == "s");
   CHECK(trace.header.machine == "m");
   CHECK(trace.header.seed == UINT64_MAX);
+  CHECK(trace.header.language == "german");
   CHECK(trace.header.perspective == Perspective::avatar);
   CHECK(trace.header.source == "log.txt");
   CHECK(trace.header.json["note"] == "x");

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "replay/trace/trace_file.h"
+#include "continua/replay/trace/trace_file.h"
 #include "support/catch.h"
 
 using namespace continua;

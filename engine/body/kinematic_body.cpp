@@ -1,0 +1,221 @@
+#include "continua/body/kinematic_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "continua/body/push_apart.h"
+#include "continua/body/standing.h"
+
+namespace continua {
+
+namespace {
+
+using Status = ActReport::Status;
+
+constexpr double full_turn = 6.283185307179586;
+
+ObjectState& object_of(WorldSnapshot& world, std::string_view name) {
+  const auto found = std::find_if(world.objects.begin(), world.objects.end(),
+                                  [&](const ObjectState& one) { return one.name == name; });
+  require(found != world.objects.end(), "an object of the world has a place in it");
+  return *found;
+}
+
+/// How an object is turned that lay like `lying` and may stand on its end now.
+Eigen::Quaterniond turn_of(const ObjectState& now, const ObjectState* lying) {
+  const Eigen::Quaterniond yaw(Eigen::AngleAxisd(now.yaw, Vec3::UnitZ()));
+  if (!lying) return yaw;
+  constexpr double quarter_turn = 1.5707963267948966;
+  const bool x_upright = lying->half_extents_m.x() >= lying->half_extents_m.y();
+  return yaw * Eigen::AngleAxisd(quarter_turn, x_upright ? Vec3::UnitY() : Vec3(-Vec3::UnitX()));
+}
+
+/// What an object touches: other objects, and `table`.
+std::vector<std::string> touched_by(const ObjectState& object, const WorldSnapshot& world) {
+  std::vector<std::string> touched;
+  for (const auto& other : world.objects) {
+    if (other.name == object.name) continue;
+    const Vec3 depth = depth_of(object.bounds_W(), other.bounds_W());
+    // By a face, not only along an edge.
+    const bool faces = (depth.array() > touching_m).count() >= 2;
+    if (faces && depth.minCoeff() > -touching_m) touched.push_back(other.name);
+  }
+  if (object.bounds_W().min.z() < world.table.max.z() + touching_m) touched.emplace_back("table");
+  std::sort(touched.begin(), touched.end());
+  return touched;
+}
+
+}  // namespace
+
+WorldReport KinematicBody::advance(SimTime t) {
+  WorldReport report;
+  report.until = waiting_.empty() ? std::max(world_.t, t) : world_.t;
+  world_.t = report.until;
+  const WorldSnapshot before = world_;
+  const auto is_stop = [](const AvatarCommand& command) { return command.what == Capability::stop; };
+  const auto last_stop = std::find_if(waiting_.rbegin(), waiting_.rend(), is_stop).base();  // after it
+  for (auto it = waiting_.begin(); it != waiting_.end(); ++it) {
+    if (it + 1 < last_stop && effect_of(it->what) != ActEffect::announced) {
+      report.acts.push_back({it->id, world_.t, Status::stopped, 0, ""});
+      continue;
+    }
+    report.acts.push_back({it->id, world_.t, Status::started, 0, ""});
+    const std::string held = world_.held;
+    ActReport end = act(*it);
+    end.id = it->id;
+    end.t = world_.t;
+    const bool handles = needs_object(it->what) || it->what == Capability::ungrasp;
+    if (const ObjectState* object = world_.find(it->object.empty() ? held : it->object); object && handles)
+      end.touches = touched_by(*object, world_);
+    report.acts.push_back(std::move(end));
+  }
+  waiting_.clear();
+
+  auto moved = moved_since(before);
+  if (!moved.bodies.empty()) report.poses.push_back(std::move(moved));
+  return report;
+}
+
+PoseSample KinematicBody::become(const KinematicBody& other) {
+  const WorldSnapshot before = std::move(world_);
+  world_ = other.world_;
+  world_.t = before.t;
+  lying_ = other.lying_;
+  waiting_.clear();
+  return moved_since(before);
+}
+
+PoseSample KinematicBody::moved_since(const WorldSnapshot& before) const {
+  PoseSample moved{world_.t, {}};
+  for (std::size_t i = 0; i < world_.objects.size(); ++i) {
+    const ObjectState& now = world_.objects[i];
+    const ObjectState& then = before.objects[i];
+    if (now.p_WO == then.p_WO && now.half_extents_m == then.half_extents_m && now.yaw == then.yaw) continue;
+    const auto lying = lying_.find(now.name);
+    moved.bodies[now.name] = {now.p_WO, turn_of(now, lying == lying_.end() ? nullptr : &lying->second)};
+  }
+  return moved;
+}
+
+ActReport KinematicBody::act(const AvatarCommand& command) {
+  ActReport end;
+  const auto failed = [&](Status status, std::string reason) {
+    end.status = status;
+    end.reason = std::move(reason);
+    return end;
+  };
+
+  if (const auto name = missing_thing(command, world_))
+    return failed(Status::unreachable, fmt::format("there is no '{}'", *name));
+  if (command.what == Capability::ungrasp) {
+    release();
+    return end;
+  }
+  if (!needs_object(command.what)) return end;
+
+  AvatarCommand handling = command;
+  if (handling.object.empty()) handling.object = world_.held;
+  if (handling.object.empty()) return failed(Status::blocked, "there is nothing to move");
+  const bool in_hand = handling.object == world_.held;
+  if (command.what == Capability::move && !in_hand)
+    return failed(Status::blocked, fmt::format("{} is not in the hand", handling.object));
+  const WorldSnapshot before = world_;
+  if (!in_hand) release();
+  if (command.what == Capability::turn) {
+    if (const auto why = turn(handling)) {
+      world_ = before;
+      return failed(Status::blocked, *why);
+    }
+    return end;
+  }
+  if (moves_to_goal(command.what)) {
+    end = move(handling);
+    if (end.status != Status::done) world_ = before;
+    const bool lets_go = command.what == Capability::put || command.what == Capability::push || !in_hand;
+    if (end.status == Status::done && lets_go) world_.held.clear();
+    return end;
+  }
+  if (command.what == Capability::grasp && command.next && !in_hand) {
+    handling.goal = *command.next;
+    const auto place = placement(handling, lying_down(handling.object), occupied_);
+    if (!place) {
+      world_ = before;
+      return failed(Status::blocked, place.error().sentence);
+    }
+  }
+  world_.held = handling.object;
+  if (command.what == Capability::lift) shift(handling.object, Vec3(0, 0, command.height_m));
+  return end;
+}
+
+ActReport KinematicBody::move(const AvatarCommand& command) {
+  ActReport end;
+  const WorldSnapshot laid = lying_down(command.object);
+  const auto place = placement(command, laid, occupied_);
+  if (!place) {
+    end.status = Status::blocked;
+    end.reason = place.error().sentence;
+    return end;
+  }
+  shift(command.object, place->p_WO - world_.find(command.object)->p_WO);
+  ObjectState& object = object_of(world_, command.object);
+  const ObjectState lying = *laid.find(command.object);
+  const ObjectState shaped = place->upright ? stood_on_end(lying) : lying;
+  object.half_extents_m = shaped.half_extents_m;
+  object.interior = shaped.interior;
+  lying_.erase(command.object);
+  if (!command.goal.relation || occupied_ == Occupied::cleared)
+    world_ = pushed_apart(std::move(world_), command.object);
+  if (place->upright) {
+    lying_.emplace(command.object, lying);
+    end.reason = fmt::format("{} stands on its end", command.object);
+  }
+  return end;
+}
+
+/// Why the object cannot be turned, if it cannot. What stands on it turns along.
+std::optional<std::string> KinematicBody::turn(const AvatarCommand& command) {
+  const auto moves = carried_with(command.object, world_);
+  const Vec3 axis_W = world_.find(command.object)->p_WO;
+  const Eigen::AngleAxisd R(command.turn_rad, Vec3::UnitZ());
+  WorldSnapshot turned = world_;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    if (!moves[i]) continue;
+    ObjectState& object = turned.objects[i];
+    object.p_WO = on_grid(Vec3(axis_W + R * (object.p_WO - axis_W)));
+    object.yaw = std::remainder(object.yaw + command.turn_rad, full_turn);
+    for (std::size_t j = 0; j < moves.size(); ++j)
+      if (!moves[j] && overlap(object, world_.objects[j]) && !overlap(world_.objects[i], world_.objects[j]))
+        return fmt::format("there is no room to turn {}: {} is in the way", command.object, world_.objects[j].name);
+  }
+  world_ = std::move(turned);
+  return std::nullopt;
+}
+
+WorldSnapshot KinematicBody::lying_down(const std::string& name) const {
+  WorldSnapshot laid = world_;
+  const auto stood = lying_.find(name);
+  if (stood == lying_.end()) return laid;
+  ObjectState& object = object_of(laid, name);
+  object.half_extents_m = stood->second.half_extents_m;
+  object.interior = stood->second.interior;
+  return laid;
+}
+
+void KinematicBody::shift(const std::string& object, const Vec3& by_W) {
+  // Who moves is settled before anything does.
+  const auto moves = carried_with(object, world_);
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    if (moves[i]) world_.objects[i].p_WO = on_grid(Vec3(world_.objects[i].p_WO + by_W));
+  }
+}
+
+void KinematicBody::release() {
+  const ObjectState* held = world_.find(world_.held);
+  world_.held.clear();
+  if (held) shift(held->name, Vec3(0, 0, height_below(*held, world_) - held->bounds_W().min.z()));
+}
+
+}  // namespace continua

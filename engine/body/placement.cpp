@@ -1,0 +1,296 @@
+#include "continua/body/placement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "continua/body/standing.h"
+
+namespace continua {
+
+namespace {
+
+// How much air is left beside the landmark: enough for a hand, and near enough for world/relations.
+constexpr double beside_gap_m = 0.02, near_gap_m = 0.05, at_gap_m = 0.005, step_gap_m = 0.02, edge_gap_m = 0.03;
+// By how much the relation has to hold, so that it still does when it is measured.
+constexpr double least_margin_m = 5e-4;
+// How far within the edge of what bears it a centre has to be.
+constexpr double rim_m = 0.006;
+
+constexpr std::array sides = {Relation::left, Relation::right, Relation::in_front, Relation::behind};
+
+Vec3 half_of(const Box& box) { return (box.max - box.min) / 2; }
+
+/// Whether a point is over a box, `rim` within its edge.
+bool is_over(const Box& box, const Vec3& p_W, double rim) {
+  return p_W.x() > box.min.x() + rim && p_W.x() < box.max.x() - rim && p_W.y() > box.min.y() + rim &&
+         p_W.y() < box.max.y() - rim;
+}
+
+/// Steps of a grid around a place, nearest first, at most `farthest_m` long.
+std::vector<Vec3> steps_around(double farthest_m) {
+  constexpr double step_m = 0.005;
+  const int most = static_cast<int>(std::lround(farthest_m / step_m));
+  std::vector<std::array<int, 3>> steps;
+  for (int y = -most; y <= most; ++y)
+    for (int x = -most; x <= most; ++x)
+      if (x * x + y * y <= most * most) steps.push_back({x * x + y * y, y, x});
+  std::sort(steps.begin(), steps.end());
+  std::vector<Vec3> found;
+  for (const auto& [distance, y, x] : steps) found.emplace_back(x * step_m, y * step_m, 0);
+  return found;
+}
+
+/// The search for one object's place.
+class Places {
+ public:
+  Places(const ObjectState& object, const Goal& goal, const WorldSnapshot& world)
+      : object_(object), goal_(goal), world_(world), carried_(carried_with(object.name, world)) {
+    for (const auto& name : goal.landmarks) {
+      landmarks_.push_back(*Landmark::named(name, world));
+      if (name != object.name) continue;
+      // A step: what the object is beside is where it stands now.
+      before_ = object;
+      before_.name.clear();
+      landmarks_.back().thing = &before_;
+    }
+  }
+
+  Result<Placement> find(Occupied occupied) const;
+
+ private:
+  Error no(std::string_view why) const { return {"", std::string(why)}; }
+  Error no_room() const;
+  Placement at_point() const;
+  Result<Placement> in_hollow() const;
+  Result<Placement> on_top(Occupied occupied) const;
+  Result<Placement> nearby(Occupied occupied) const;
+
+  std::vector<Vec3> ideals() const;
+  std::vector<Vec3> before_participant(Perspective who) const;
+  std::vector<std::string> contents_of(const ObjectState& container) const;
+  bool is_narrow(const ObjectState& below) const;
+  double support_height(const Vec3& p_W, Occupied occupied) const;
+  bool free(const ObjectState& placed) const;
+  bool on_table(const ObjectState& placed) const;
+  bool holds(const ObjectState& placed) const {
+    return holds_by(*goal_.relation, placed, landmarks_, world_.table, goal_.perspective) >= least_margin_m;
+  }
+  ObjectState placed(const Vec3& p_WO) const {
+    ObjectState there = object_;
+    there.p_WO = on_grid(p_WO);
+    return there;
+  }
+  bool is_step() const { return landmarks_.front().thing == &before_; }
+
+  const ObjectState& object_;
+  const Goal& goal_;
+  const WorldSnapshot& world_;
+  std::vector<bool> carried_;
+  std::vector<Landmark> landmarks_;
+  ObjectState before_;
+};
+
+Error Places::no_room() const {
+  if (!goal_.relation) return no(fmt::format("there is no room for {} at that place", object_.name));
+  return no(fmt::format("there is no room for {} {} {}", object_.name, in_words(*goal_.relation),
+                        fmt::join(goal_.landmarks, " and ")));
+}
+
+/// Whether nothing is in the way of the object there, nor of what goes along with it.
+bool Places::free(const ObjectState& placed) const {
+  const Vec3 by_W = placed.p_WO - object_.p_WO;
+  for (std::size_t i = 0; i < carried_.size(); ++i) {
+    if (!carried_[i]) continue;
+    ObjectState moved = world_.objects[i].name == placed.name ? placed : world_.objects[i];
+    if (moved.name != placed.name) moved.p_WO += by_W;
+    for (std::size_t j = 0; j < carried_.size(); ++j)
+      if (!carried_[j] && overlap(moved, world_.objects[j])) return false;
+  }
+  return true;
+}
+
+bool Places::on_table(const ObjectState& placed) const {
+  const Box box = placed.bounds_W();
+  return box.min.x() >= world_.table.min.x() - grid_slack_m && box.max.x() <= world_.table.max.x() + grid_slack_m &&
+         box.min.y() >= world_.table.min.y() - grid_slack_m && box.max.y() <= world_.table.max.y() + grid_slack_m;
+}
+
+/// Whether the object would fall off that thing.
+bool Places::is_narrow(const ObjectState& below) const {
+  const Vec3 mine = half_of(object_.bounds_W()), theirs = half_of(below.bounds_W());
+  return theirs.x() < mine.x() / 2 || theirs.y() < mine.y() / 2;
+}
+
+/// What an object beside the landmark comes to stand on: the table, or things that are no higher than what the landmark
+/// itself stands on, and not so narrow that it falls off them.
+double Places::support_height(const Vec3& p_W, Occupied occupied) const {
+  constexpr double slack_m = 0.01;
+  double height = world_.table.max.z();
+  if (!landmarks_.front().thing) return height;
+  const double bottom = landmarks_.front().bounds_W.min.z();
+  for (std::size_t i = 0; i < world_.objects.size(); ++i) {
+    const auto& other = world_.objects[i];
+    if (other.name == object_.name || other.name == landmarks_.front().thing->name) continue;
+    const Box box = other.bounds_W();
+    if (occupied == Occupied::avoided && (carried_[i] || is_narrow(other))) continue;
+    if (is_over(box, p_W, 0) && box.max.z() <= bottom + slack_m) height = std::max(height, box.max.z());
+  }
+  return height;
+}
+
+/// On a participant's side of the table, near its edge.
+std::vector<Vec3> Places::before_participant(Perspective who) const {
+  const Vec3 half = half_of(object_.bounds_W()), front = side_W(Relation::in_front, who);
+  Vec3 p = world_.table.center() + front * (half_of(world_.table).y() - edge_gap_m - half.y());
+  if (*goal_.relation == Relation::left || *goal_.relation == Relation::right)
+    p += side_W(*goal_.relation, who) * half_of(world_.table).x() / 2;
+  return {p};
+}
+
+/// The places that are looked around, the nearest to the object first.
+std::vector<Vec3> Places::ideals() const {
+  const Relation relation = *goal_.relation;
+  const Landmark& landmark = landmarks_.front();
+  if (relation == Relation::between) return {(landmark.bounds_W.center() + landmarks_[1].bounds_W.center()) / 2};
+  if (landmark.who) return before_participant(*landmark.who);
+  // Extents along the world's axes: an object may be turned.
+  const Box mine = object_.bounds_W();
+  const Vec3 reach = (mine.max - mine.min + landmark.bounds_W.max - landmark.bounds_W.min) / 2;
+  const auto beside = [&](Relation side, double gap_m) -> Vec3 {
+    const Vec3 direction = side_W(side, goal_.perspective);
+    return landmark.thing->p_WO + direction * (direction.cwiseAbs().dot(reach) + gap_m);
+  };
+  if (is_side(relation)) return {beside(relation, is_step() ? step_gap_m : 0)};
+  const double gap_m = relation == Relation::near     ? near_gap_m
+                       : relation == Relation::beside ? beside_gap_m
+                       : relation == Relation::at     ? at_gap_m
+                                                      : 0;
+  std::vector<Vec3> places;
+  for (const Relation side : sides) places.push_back(beside(side, gap_m));
+  const auto way = [&](const Vec3& p) { return on_grid((p - object_.p_WO).head<2>().norm()); };
+  std::stable_sort(places.begin(), places.end(), [&](const Vec3& a, const Vec3& b) { return way(a) < way(b); });
+  // Beside is at the left or the right, if it can be.
+  if (relation == Relation::beside)
+    std::stable_partition(places.begin(), places.end(),
+                          [&](const Vec3& p) { return std::abs(p.y() - landmark.thing->p_WO.y()) < position_grid_m; });
+  return places;
+}
+
+/// Points are taken as they are meant, whatever stands there.
+Placement Places::at_point() const {
+  return Placement{on_grid(Vec3(goal_.p_WG.x(), goal_.p_WG.y(), world_.table.max.z() + object_.half_extents_m.z()))};
+}
+
+/// On the floor of a container, where the object fits as it lies or on its end.
+Result<Placement> Places::in_hollow() const {
+  const ObjectState* container = landmarks_.front().thing;
+  const auto hollow = container->interior_W();
+  if (!hollow) return no(fmt::format("{} has no hollow that anything could be put in", container->name));
+  bool fits = false;
+  const bool alone = std::count(carried_.begin(), carried_.end(), true) == 1;
+  for (const bool upright : {false, true}) {
+    if (upright && !alone) continue;
+    ObjectState there = upright ? stood_on_end(object_) : object_;
+    const Vec3 half = half_of(there.bounds_W()), room = half_of(*hollow) - half;
+    if (room.x() < -grid_slack_m || room.y() < -grid_slack_m) continue;
+    fits = true;
+    for (const Vec3& step : steps_around(std::hypot(half_of(*hollow).x(), half_of(*hollow).y()))) {
+      there.p_WO = on_grid(Vec3(hollow->center() + step));
+      there.p_WO.z() = on_grid(hollow->min.z() + there.half_extents_m.z());
+      if (is_inside(there, *container) && free(there)) return Placement{there.p_WO, upright};
+    }
+  }
+  if (!fits) return no(fmt::format("{} does not fit into {}", object_.name, container->name));
+  const auto inside = contents_of(*container);
+  if (inside.empty()) return no_room();
+  return no(fmt::format("{} is full: {} {} in it", container->name, fmt::join(inside, " and "),
+                        inside.size() > 1 ? "are" : "is"));
+}
+
+/// What is in a container, the object itself apart.
+std::vector<std::string> Places::contents_of(const ObjectState& container) const {
+  std::vector<std::string> inside;
+  const std::array landmarks = {Landmark::object(container)};
+  for (const auto& other : world_.objects)
+    if (other.name != container.name && other.name != object_.name &&
+        holds_by(Relation::in, other, landmarks, world_.table, goal_.perspective) > 0)
+      inside.push_back(other.name);
+  return inside;
+}
+
+Result<Placement> Places::on_top(Occupied occupied) const {
+  constexpr double farthest_m = 0.2;
+  const ObjectState& below = *landmarks_.front().thing;
+  const Box top = below.bounds_W();
+  const Vec3 ideal(below.p_WO.x(), below.p_WO.y(), top.max.z() + object_.half_extents_m.z());
+  // What is set down on less than a quarter of its width tips at the least push.
+  const Vec3 bearing = half_of(top), needed = (half_of(object_.bounds_W()) / 4).cwiseMax(rim_m);
+  if (bearing.x() <= needed.x() || bearing.y() <= needed.y())
+    return no(fmt::format("{} is too narrow to bear {}", below.name, object_.name));
+  if (occupied == Occupied::cleared) return Placement{on_grid(ideal)};
+  for (const Vec3& step : steps_around(farthest_m)) {
+    const ObjectState there = placed(ideal + step);
+    if (!is_over(top, there.p_WO, rim_m) || !free(there) || !holds(there)) continue;
+    if (is_inside(there, below)) return no(fmt::format("{} would fall into {}", object_.name, below.name));
+    return Placement{there.p_WO};
+  }
+  return no_room();
+}
+
+Result<Placement> Places::nearby(Occupied occupied) const {
+  constexpr double farthest_m = 0.3;
+  const auto centers = ideals();
+  const auto standing = [&](Vec3 p) {
+    p.z() = support_height(p, occupied) + object_.half_extents_m.z();
+    return placed(p);
+  };
+  if (occupied == Occupied::cleared && is_side(*goal_.relation) && landmarks_.front().thing && !is_step())
+    return Placement{standing(centers.front()).p_WO};
+  for (const Vec3& step : steps_around(farthest_m)) {
+    for (const Vec3& center : centers) {
+      const ObjectState there = standing(center + step);
+      if (on_table(there) && free(there) && holds(there)) return Placement{there.p_WO};
+    }
+  }
+  return no_room();
+}
+
+Result<Placement> Places::find(Occupied occupied) const {
+  if (!goal_.relation) return at_point();
+  const Relation relation = *goal_.relation;
+  const std::string words = in_words(relation);
+  if (landmarks_.size() != landmarks_of(relation)) return no(fmt::format("it is not said {} what", words));
+  for (std::size_t i = 0; i < landmarks_.size(); ++i) {
+    const std::string& name = goal_.landmarks[i];
+    if (name == object_.name && !is_side(relation)) return no(fmt::format("{} cannot be put {} itself", name, words));
+    for (std::size_t j = 0; j < carried_.size(); ++j)
+      if (occupied == Occupied::avoided && carried_[j] && world_.objects[j].name == name && name != object_.name)
+        return no(fmt::format("{} stands on or in {}, and would move along", name, object_.name));
+    const bool impossible = relation == Relation::on || relation == Relation::in || relation == Relation::touching ||
+                            relation == Relation::behind;
+    if (relation == Relation::under || (landmarks_[i].who && impossible))
+      return no(fmt::format("nothing can be put {} {}", words, name));
+  }
+  if (relation == Relation::in) return in_hollow();
+  if (relation == Relation::on) return on_top(occupied);
+  return nearby(occupied);
+}
+
+}  // namespace
+
+std::string in_words(Relation relation) {
+  std::string words(name_of(relation));
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+Result<Placement> placement(const AvatarCommand& command, const WorldSnapshot& world, Occupied occupied) {
+  const ObjectState* object = world.find(command.object);
+  require(object && !missing_thing(command, world), "a place is sought for and beside things that are in the world");
+  return Places(*object, command.goal, world).find(occupied);
+}
+
+}  // namespace continua

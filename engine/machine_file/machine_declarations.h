@@ -1,0 +1,23 @@
+// Reads what a machine file declares for its terms: programs, slots, registers. Each name becomes known to the terms.
+#pragma once
+
+#include <vector>
+
+#include "continua/automaton/machine.h"
+#include "continua/core/document_reader.h"
+#include "continua/machine_file/machine_terms.h"
+
+namespace continua {
+
+/// Programs and their types.
+Signature read_programs(const Item& item, TermReader& terms);
+
+std::vector<Slot> read_slots(const Item& item, TermReader& terms);
+
+/// The symbol at the bottom of every stack: the item's values for some slots, empty values for the others. `declared`
+/// has slots and programs.
+Symbol read_bottom(const Item& item, const Machine& declared);
+
+std::vector<Register> read_memory(const Item& item, TermReader& terms);
+
+}  // namespace continua

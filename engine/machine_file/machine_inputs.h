@@ -1,0 +1,38 @@
+// Reads input symbols of a machine file and the names of their sets.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "continua/automaton/symbol_set.h"
+#include "continua/core/document_reader.h"
+
+namespace continua {
+
+class SymbolReader {
+ public:
+  /// The machine's `inputs`: sets by name. A set may name other sets.
+  void read_sets(const Item& inputs);
+  /// A symbol, the name of a set, or a list of both.
+  SymbolSet symbols(const Item& item);
+  /// Symbols of examples are spelt as meant.
+  void add_known(const std::vector<std::string>& symbols) { known_.insert(symbols.begin(), symbols.end()); }
+
+  /// A symbol that stands in one place only may be any input. It is a problem where it is a slip away from the name of
+  /// a set, or resembles the name of a set that nothing uses.
+  void report_misspelt() const;
+
+ private:
+  const SymbolSet& named_set(const Item& inputs, const std::string& name);
+  void add(SymbolSet& set, const Item& item);
+
+  std::map<std::string, SymbolSet, std::less<>> sets_;
+  std::vector<std::string> path_;  ///< the sets that are being read, each named by the one before
+  std::set<std::string, std::less<>> used_sets_;
+  std::map<std::string, std::vector<Item>, std::less<>> places_;  ///< of each symbol that is no set's name
+  std::set<std::string, std::less<>> known_;
+};
+
+}  // namespace continua

@@ -1,0 +1,54 @@
+// Reads the terms of a machine file: definitions, conditions, templates, wordings.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "continua/automaton/machine.h"
+#include "continua/core/document_reader.h"
+
+namespace continua {
+
+/// Reads terms with the names that are known so far. Declarations add names.
+class TermReader {
+ public:
+  /// Knows the term language, the names of the moment (FORMAT.md) and `facts`, names of facts of the world.
+  explicit TermReader(const Signature& facts);
+
+  /// Knows the term language and `programs` alone: there is no moment yet and no world.
+  static TermReader of_programs(const Signature& programs);
+
+  /// Adds the names that only machines with a lexicon know: the understood parts of an input.
+  void add_understood();
+  /// Adds a name. A name that is taken already is a problem at the key of `at`.
+  void declare(const Item& at, const std::string& name, const Type& type);
+
+  /// A term of the type; nothing when the item is absent or, after a problem, when it is no such term.
+  std::optional<Term> term(const Item& item, const Type& expected) const;
+  /// A text with terms in braces.
+  std::optional<Template> text_template(const Item& item) const { return text_template(item, ""); }
+
+  struct Definitions {
+    std::map<std::string, Term, std::less<>> terms;
+    std::map<std::string, std::map<std::string, Term, std::less<>>, std::less<>> tables;
+  };
+  /// Declares the definitions and reads them; they may use one another in any order.
+  Definitions definitions(const Item& item);
+  std::vector<Wording> wordings(const Item& item) const;
+
+ private:
+  TermReader() = default;
+
+  /// `text` begins at the byte `from` of the item's own text. `binders`, such as "\x y. ", are put before it.
+  std::optional<Term> part(const Item& item, std::size_t from, const std::string& text, const Type& expected,
+                           const std::string& binders) const;
+  std::optional<Template> text_template(const Item& item, const std::string& binders) const;
+  std::optional<Wording> wording(const Item& item) const;
+
+  Signature facts_, scope_;  ///< scope_: every name that a term may use
+};
+
+}  // namespace continua

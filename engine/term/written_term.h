@@ -1,0 +1,42 @@
+// Terms as they are written, where nothing declares the types of their names: readers of logs walk them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "continua/core/result.h"
+#include "continua/term/term.h"
+
+namespace continua {
+
+struct WrittenTerm {
+  enum class Kind {
+    name,    ///< name
+    number,  ///< number
+    text,    ///< 'a quoted text'
+    place,   ///< place: <x, y, z>, all of them numbers
+    list,    ///< parts: the elements
+    call,    ///< name(a, b); name; parts: the arguments
+    lambda,  ///< \x y. body; binders; parts: the body
+    other,   ///< null, a truth, operators between operands, a function that is no name; parts: what they hold
+  };
+  Kind kind = Kind::other;
+  std::string written;  ///< its text
+  std::string name;
+  double number = 0;
+  Place place;
+  std::vector<std::string> binders;
+  std::vector<WrittenTerm> parts;  ///< from left to right
+};
+
+/// Reads the notation of term_text.h. Errors as of parse_term, but for names that are unknown and types.
+Result<WrittenTerm> read_written_term(std::string_view text);
+
+/// The last place in the term, from left to right; nullptr if there is none.
+const Place* last_place(const WrittenTerm& term);
+
+/// Whether `name` stands in `text` as a whole word. The text may be any number of terms and what stands between them.
+bool mentions(std::string_view text, std::string_view name);
+
+}  // namespace continua

@@ -1,0 +1,26 @@
+// What shows why a trace fails, in a folder of its own: its run, the approved one, their diff, and a page of both.
+#pragma once
+
+#include <string>
+
+#include "continua/core/result.h"
+#include "continua/replay/check/check.h"
+
+namespace continua {
+
+struct FailureReport {
+  std::string folder;          ///< made where it is missing
+  std::string name;            ///< of the files in it
+  std::string trace;           ///< its path
+  std::string replay_options;  ///< how it was replayed, as on a command line: "", " --no-physics"
+};
+
+/// Writes NAME.run.jsonl, the approved run as NAME.approved.run.jsonl (or .json), diff.json, diff.md and report.html;
+/// what of these an earlier failure left and there is not now is removed. Gives the path of report.html. REQUIRES a
+/// run.
+Result<std::string> write_failure(const FailureReport& report, const TraceCheck& check);
+
+/// What is different, as Markdown; empty where nothing can be compared.
+std::string details_of(const TraceCheck& check);
+
+}  // namespace continua

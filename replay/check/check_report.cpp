@@ -1,0 +1,182 @@
+#include "continua/replay/check/check_report.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+
+namespace continua {
+namespace {
+
+// "41 traces: 38 same, 1 changed; " or nothing.
+std::string total_of(const CheckReport& report, bool traces, const std::string& noun) {
+  std::size_t count = 0;
+  std::string text;
+  for (const auto& [verdict, number] : verdicts_of(report, traces)) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, verdict);
+    count += number;
+  }
+  return count == 0 ? "" : counted(count, noun) + ": " + text + "; ";
+}
+
+// A member of the wanted type, or what stands for a missing one.
+template <class T>
+T member(const Json& object, const char* key, T otherwise, bool (Json::*is)() const noexcept) {
+  const auto found = object.find(key);
+  return found != object.end() && ((*found).*is)() ? found->template get<T>() : otherwise;
+}
+
+std::string text_in(const Json& object, const char* key) {
+  return member<std::string>(object, key, "", &Json::is_string);
+}
+
+CheckCase case_of(const Json& json) {
+  CheckCase one;
+  one.path = text_in(json, "path");
+  one.is_trace = member(json, "trace", false, &Json::is_boolean);
+  one.verdict = text_in(json, "verdict");
+  one.sentence = text_in(json, "sentence");
+  one.status = member(json, "status", static_cast<int>(exit_impossible), &Json::is_number_integer);
+  one.line = member(json, "line", std::size_t{0}, &Json::is_number_unsigned);
+  if (const auto problems = json.find("problems"); problems != json.end() && problems->is_array())
+    for (const auto& problem : *problems)
+      if (problem.is_object()) one.problems.push_back({text_in(problem, "where"), text_in(problem, "sentence")});
+  one.details = text_in(json, "details");
+  one.page = text_in(json, "page");
+  return one;
+}
+
+Json json_of(const CheckCase& one) {
+  Json json{{"path", one.path}};
+  if (one.is_trace) json["trace"] = true;
+  json["verdict"] = one.verdict;
+  json["sentence"] = one.sentence;
+  json["status"] = one.status;
+  if (one.line > 0) json["line"] = one.line;
+  for (const auto& problem : one.problems)
+    json["problems"].push_back({{"where", problem.where}, {"sentence", problem.sentence}});
+  if (!one.details.empty()) json["details"] = one.details;
+  if (!one.page.empty()) json["page"] = one.page;
+  return json;
+}
+
+constexpr std::size_t most_shards = 10000;
+
+// How many of the files are a shard's.
+std::size_t share_of(const Shard& shard, std::size_t files) {
+  return (files + shard.count - shard.index) / shard.count;
+}
+
+}  // namespace
+
+std::optional<Shard> parse_shard(const std::string& text) {
+  Shard shard;
+  const auto* end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, shard.index);
+  if (index.ec != std::errc() || index.ptr == end || *index.ptr != '/') return std::nullopt;
+  const auto count = std::from_chars(index.ptr + 1, end, shard.count);
+  if (count.ec != std::errc() || count.ptr != end || shard.index < 1 || shard.index > shard.count) return std::nullopt;
+  return shard;
+}
+
+int CheckReport::status() const {
+  int status = exit_done;
+  for (const auto& one : cases) status = std::max(status, one.status);
+  return status;
+}
+
+std::string line_of(const CheckCase& one) {
+  return fmt::format("{} {}: {}", one.status == exit_done ? "ok  " : "FAIL", one.path, one.sentence);
+}
+
+std::vector<std::pair<std::string, std::size_t>> verdicts_of(const CheckReport& report, bool traces) {
+  std::vector<std::pair<std::string, std::size_t>> times;
+  for (const char* verdict : {"same", "same decisions", "new", "changed", "stale", "broken", "true", "not true"})
+    times.emplace_back(verdict, 0);
+  for (const auto& one : report.cases) {
+    if (one.is_trace != traces) continue;
+    auto found =
+        std::find_if(times.begin(), times.end(), [&](const auto& known) { return known.first == one.verdict; });
+    if (found == times.end()) found = times.insert(times.end(), {one.verdict, 0});
+    ++found->second;
+  }
+  std::erase_if(times, [](const auto& verdict) { return verdict.second == 0; });
+  return times;
+}
+
+std::string total_of(const CheckReport& report) {
+  const auto traces = total_of(report, true, "trace");
+  return fmt::format("{}{}in {:.1f} s", traces, total_of(report, false, traces.empty() ? "file" : "other file"),
+                     report.seconds);
+}
+
+Json json_of(const CheckReport& report) {
+  Json cases = Json::array();
+  for (const auto& one : report.cases) cases.push_back(json_of(one));
+  return {{"check", 1},
+          {"shard", {report.shard.index, report.shard.count}},
+          {"files", report.files},
+          {"seconds", report.seconds},
+          {"cases", std::move(cases)}};
+}
+
+Result<CheckReport> read_report(std::string_view text, const std::string& name) {
+  const auto document = LocatedJson::parse(text, name);
+  if (!document) return document.error();
+  const auto& root = document->root();
+  if (!root.is_object() || !root.contains("check") || root["check"] != 1)
+    return document->error("", "found no report of a check; expected \"check\": 1");
+  const Json shard = root.contains("shard") ? root["shard"] : Json();
+  const auto is_count = [](const Json& json) { return json.is_number_unsigned() && json > 0 && json <= most_shards; };
+  if (!shard.is_array() || shard.size() != 2 || !is_count(shard[0]) || !is_count(shard[1]) || shard[0] > shard[1])
+    return document->error("/shard",
+                           fmt::format("found {}; expected \"shard\": [I, N], I from 1 to N", compact(shard)));
+  CheckReport report;
+  report.shard = {shard[0].get<std::size_t>(), shard[1].get<std::size_t>()};
+  report.files = member(root, "files", std::size_t{0}, &Json::is_number_unsigned);
+  report.seconds = member(root, "seconds", 0.0, &Json::is_number);
+  if (!root.contains("cases") || !root["cases"].is_array())
+    return document->error("/cases", "expected \"cases\": a list of what came out, file by file");
+  for (const auto& one : root["cases"])
+    if (one.is_object()) report.cases.push_back(case_of(one));
+  if (report.cases.size() != share_of(report.shard, report.files))
+    return document->error("/cases",
+                           fmt::format("found {}; expected {}, the share of shard {}/{} of {}",
+                                       counted(report.cases.size(), "case"), share_of(report.shard, report.files),
+                                       report.shard.index, report.shard.count, counted(report.files, "file")));
+  return report;
+}
+
+MergedReports merged(const std::vector<std::string>& names, const std::vector<CheckReport>& reports) {
+  MergedReports all;
+  const auto& first = reports.front();
+  all.report.files = first.files;
+  std::vector<std::size_t> places(first.shard.count, reports.size());  // of each shard, its report
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    const auto& [shard, files, seconds, cases] = reports[i];
+    if (shard.count != first.shard.count || files != first.files) {
+      all.problems.push_back({names[i], fmt::format("is shard {}/{} of {}; expected one of {} of {} as in {}",
+                                                    shard.index, shard.count, counted(files, "file"), first.shard.count,
+                                                    counted(first.files, "file"), names.front())});
+      continue;
+    }
+    auto& place = places[shard.index - 1];
+    if (place < reports.size()) {
+      all.problems.push_back({names[i], fmt::format("is shard {}/{}, and so is {}; expected each once", shard.index,
+                                                    shard.count, names[place])});
+      continue;
+    }
+    place = i;
+    all.report.seconds += seconds;
+  }
+  for (std::size_t shard = 0; shard < places.size(); ++shard)
+    if (places[shard] == reports.size())
+      all.problems.push_back({"--merge", fmt::format("shard {}/{} is missing", shard + 1, places.size())});
+  for (std::size_t file = 0; file < first.files; ++file) {
+    const auto place = places[file % places.size()];
+    if (place < reports.size()) all.report.cases.push_back(reports[place].cases[file / places.size()]);
+  }
+  return all;
+}
+
+}  // namespace continua

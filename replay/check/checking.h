@@ -1,0 +1,75 @@
+// The check of one file after another, or of several at once.
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "continua/replay/check/check.h"
+#include "continua/replay/check/check_items.h"
+#include "continua/replay/check/check_report.h"
+#include "continua/replay/session/data_paths.h"
+#include "continua/replay/terminal/progress.h"
+
+namespace continua {
+
+struct CheckOptions {
+  std::vector<std::string> paths;  ///< machines, lexicons, traces, or folders of them; empty: the knowledge folder
+  std::string learned;             ///< file of what was taught, for traces; empty: none
+  std::string knowledge;           ///< folder; empty: the program's own
+  std::string language;            ///< for traces; empty: their own
+  std::optional<bool> physics;     ///< false: the kinematic world; nullopt: that one if runs are to be approved
+  int jobs = 1;
+  Shard shard;
+  std::string junit, report, summary;  ///< files to write; empty: none
+  std::string failures;                ///< folder for what shows why a trace fails; empty: none
+  std::vector<std::string> merge;      ///< reports to be told as one; empty: check
+  bool strict = false;                 ///< the same decisions are not enough
+  bool github = false;                 ///< tell failures as GitHub's annotations too
+  bool approve = false;
+  bool yes = false;  ///< approve without asking
+};
+
+/// Checks files, several at once; their lines come out in order.
+class Checking {
+ public:
+  /// `options` must outlive it.
+  Checking(const CheckOptions& options, const DataPaths& data, std::vector<CheckItem> items);
+
+  void run();
+
+  /// Once it has run: what came out, and of traces that can be approved, or whose run fails, the check. One for each
+  /// item.
+  std::vector<CheckCase> cases() const;
+  const TraceCheck* trace(std::size_t index) const;
+
+ private:
+  struct Finding {
+    CheckCase told;
+    std::optional<TraceCheck> trace;
+  };
+  void work();
+  Finding check(std::size_t index);
+  Finding trace_finding(std::size_t index);
+  void finish(std::size_t index, Finding finding);
+  /// What to see why it fails by, in a folder of its own. Gives the path of the page.
+  Result<std::string> keep_failure(std::size_t index, const TraceCheck& check) const;
+
+  const CheckOptions& options_;
+  const DataPaths& data_;
+  std::vector<CheckItem> items_;
+  std::mutex mutex_;
+  std::vector<std::optional<Finding>> findings_;
+  Progress progress_;
+  std::set<std::string> warned_;
+  std::size_t printed_ = 0;
+  std::atomic<std::size_t> next_ = 0;
+};
+
+/// A case's line, what is wrong on standard error, and where to see it.
+void tell(const CheckCase& one, bool github);
+
+}  // namespace continua

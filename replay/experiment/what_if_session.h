@@ -1,0 +1,13 @@
+// Replays runs as they would have gone otherwise, from their logs: scene, machine, phrases and what was taught are the
+// log's; words, gestures and voxemes are the program's own.
+#pragma once
+
+#include <memory>
+
+#include "continua/replay/inspector/run_what_if.h"
+
+namespace continua {
+
+std::shared_ptr<RunWhatIf> replayed_what_if();
+
+}  // namespace continua

@@ -1,0 +1,19 @@
+// A run as Chrome trace events, for viewers of time lines that read them: Perfetto, chrome://tracing, speedscope.
+#pragma once
+
+#include <iosfwd>
+
+#include "continua/core/result.h"
+#include "continua/replay/log/run_index.h"
+
+namespace continua {
+
+/// Writes {"traceEvents": [{"ph", "ts", "pid", "tid", "name", …}, …]}, times in microseconds of the run's clock. A lane
+/// (thread) for what the human did, for the states the machine was in, from one transition to another state to the next
+/// (X), for its transitions, and for what the avatar said and showed; acts and their steps as nested spans (b, e); the
+/// number of stack symbols as a counter (C). `args` has the record's number and members. Samples of pointing, poses and
+/// what the log keeps for itself are left out. An act that the log does not see end goes on to its last record.
+/// Source of the format: Google, Trace Event Format.
+Outcome export_chrome(const RunIndex& run, std::ostream& out);
+
+}  // namespace continua

@@ -1,0 +1,62 @@
+#include "continua/replay/export/csv.h"
+
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+#include "continua/replay/export/each_record.h"
+
+namespace continua {
+namespace {
+
+void write_cell(std::string_view text, std::ostream& out) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    out << text;
+    return;
+  }
+  out << '"';
+  for (const char c : text) {
+    if (c == '"') out << '"';
+    out << c;
+  }
+  out << '"';
+}
+
+void write_value(const Json& value, std::ostream& out) {
+  if (value.is_null()) return;
+  if (const auto* text = value.get_ptr<const std::string*>())
+    write_cell(*text, out);
+  else
+    write_cell(value.dump(-1, ' ', false, Json::error_handler_t::replace), out);
+}
+
+}  // namespace
+
+Outcome export_csv(const RunIndex& run, std::ostream& out) {
+  std::vector<std::string> columns = {"n", "t", "kind", "cause"};
+  std::unordered_set<std::string> known(columns.begin(), columns.end());
+  const auto note_members = [&](const Json& record) {
+    for (const auto& [name, value] : record.items())
+      if (known.insert(name).second) columns.push_back(name);
+  };
+  if (auto problem = each_record(run, note_members)) return problem;
+  for (const auto& name : columns) {
+    if (&name != &columns.front()) out << ',';
+    write_cell(name, out);
+  }
+  out << '\n';
+  const auto write_row = [&](const Json& record) {
+    for (const auto& name : columns) {
+      if (&name != &columns.front()) out << ',';
+      if (const auto found = record.find(name); found != record.end()) write_value(*found, out);
+    }
+    out << '\n';
+  };
+  if (auto problem = each_record(run, write_row)) return problem;
+  if (!out) return Error{run.path(), "the export could not be written"};
+  return std::nullopt;
+}
+
+}  // namespace continua

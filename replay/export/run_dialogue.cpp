@@ -1,0 +1,76 @@
+#include "continua/replay/export/run_dialogue.h"
+
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
+
+namespace continua {
+namespace {
+
+Json part(const Json& object, const char* key) { return object.is_object() ? object.value(key, Json()) : Json(); }
+
+struct Told {
+  std::string who, how, what;
+};
+
+std::optional<Told> of_input(const Json& record) {
+  const auto kind = text_of(part(record, "event"), "kind");
+  if (kind == "speech") return Told{"human", "says", brief(record)};
+  if (kind == "gesture") return Told{"human", "shows", brief(record)};
+  return std::nullopt;
+}
+
+std::optional<Told> of_act(const Json& record) {
+  if (record.contains("step")) return std::nullopt;
+  const auto status = text_of(record, "status"), program = text_of(record, "program");
+  if (status == "asked") return Told{"avatar", "does", program};
+  if (status == "started" || status == "done") return std::nullopt;
+  const auto reason = text_of(part(record, "result"), "reason");
+  return Told{"avatar", "did not", fmt::format("{}: {}{}{}", program, status, reason.empty() ? "" : ", ", reason)};
+}
+
+// Of what the human did; pointing samples are refused by the hundred.
+std::optional<Told> of_refusal(const RunIndex& run, std::size_t n, const Json& record) {
+  const auto cause = run.cause(n);
+  if (cause && log::is<log::Input>(run.kind(*cause))) {
+    const auto input = run.record(*cause);
+    if (input && !of_input(*input)) return std::nullopt;
+  }
+  return Told{"avatar", "did not take", brief(record)};
+}
+
+std::optional<Told> told(const RunIndex& run, std::size_t n, const Json& record) {
+  const auto& kind = run.kind(n);
+  if (log::is<log::Input>(kind)) return of_input(record);
+  if (log::is<log::Utterance>(kind)) return Told{"avatar", "says", brief(record)};
+  if (log::is<log::AvatarGesture>(kind)) return Told{"avatar", "shows", brief(record)};
+  if (log::is<log::Act>(kind)) return of_act(record);
+  if (log::is<log::Refusal>(kind)) return of_refusal(run, n, record);
+  if (log::is<log::Expect>(kind) && part(record, "met") == false) return Told{"expectation", "is", brief(record)};
+  return std::nullopt;
+}
+
+bool may_tell(const std::string& kind) {
+  for (const char* telling : {"input", "utterance", "gesture", "act", "refusal", "expect"})
+    if (kind == telling) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<DialogueLine> dialogue_of(const RunIndex& run) {
+  std::vector<DialogueLine> lines;
+  for (std::size_t n = 0; n < run.size(); ++n) {
+    if (!may_tell(run.kind(n))) continue;
+    const auto record = run.record(n);
+    if (!record) continue;
+    if (auto line = told(run, n, *record))
+      lines.push_back({n, run.entry(n).t, std::move(line->who), std::move(line->how), std::move(line->what)});
+  }
+  return lines;
+}
+
+}  // namespace continua

@@ -1,0 +1,120 @@
+#include "continua/replay/export/svg_canvas.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+namespace continua {
+namespace {
+
+constexpr double margin = 12, head_width = 6;
+
+constexpr const char* style = R"(<style>
+  svg { color: #1b1f24; }
+  .paper { fill: #ffffff; }
+  text { fill: currentColor; text-anchor: middle; }
+  .state text { font: 13px Helvetica, Arial, "DejaVu Sans", sans-serif; }
+  .label text { font: 10px "DejaVu Sans Mono", Menlo, Consolas, "Liberation Mono", monospace; }
+  .label text { stroke: #ffffff; stroke-width: 3px; stroke-linejoin: round; paint-order: stroke; }
+  .box { fill: #f3f5f8; stroke: currentColor; stroke-width: 1.2px; }
+  .ring { fill: none; stroke: currentColor; stroke-width: 1.2px; }
+  .everywhere .box { fill: none; stroke-dasharray: 2 3; }
+  .line { fill: none; stroke: currentColor; stroke-width: 1px; }
+  .head { fill: currentColor; }
+  .rejected .line { stroke-dasharray: 5 3; }
+  .taken .line { stroke: #0a58ca; stroke-width: 2px; }
+  .taken .head { fill: #0a58ca; }
+  .taken .box { fill: #dbe8fb; stroke: #0a58ca; stroke-width: 2px; }
+  .never { opacity: 0.45; }
+  @media (prefers-color-scheme: dark) {
+    svg { color: #e3e6ea; }
+    .paper { fill: #15181c; }
+    .label text { stroke: #15181c; }
+    .box { fill: #23282f; }
+    .taken .line { stroke: #6ea8fe; }
+    .taken .head { fill: #6ea8fe; }
+    .taken .box { fill: #1c2f4d; stroke: #6ea8fe; }
+  }
+</style>
+)";
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto character = text.substr(i, 3);
+    if (text[i] == '&') {
+      out += "&amp;";
+    } else if (text[i] == '<') {
+      out += "&lt;";
+    } else if (text[i] == '>') {
+      out += "&gt;";
+    } else if (character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF") {  // may not stand in XML
+      out += "\xEF\xBF\xBD";
+      i += 2;
+    } else {
+      out += text[i];
+    }
+  }
+  return out;
+}
+
+// To a tenth of a pixel.
+std::string number(double value) { return fmt::format("{}", std::round(value * 10) / 10 + 0.0); }
+
+std::string pair(const PagePoint& p) { return number(p.x) + "," + number(p.y); }
+
+}  // namespace
+
+void SvgCanvas::begin_group(std::string_view kind, std::string_view title) {
+  body_ += fmt::format("<g class=\"{}\"><title>{}</title>", kind, escaped(title));
+}
+
+void SvgCanvas::end_group() { body_ += "</g>\n"; }
+
+void SvgCanvas::arrow(const Curve& line, const PagePoint& tip) {
+  if (line.empty()) return;
+  body_ += "<path class=\"line\" d=\"M" + pair(line[0]);
+  for (std::size_t i = 1; i < line.size(); ++i) body_ += (i % 3 == 1 ? " C" : " ") + pair(line[i]);
+  for (const auto& point : line) reach(point);
+  const auto& base = line.back();
+  const double length = std::max(std::hypot(tip.x - base.x, tip.y - base.y), 1e-6);
+  const double x = (tip.x - base.x) / length * head_width / 2, y = (tip.y - base.y) / length * head_width / 2;
+  body_ += fmt::format("\"/><path class=\"head\" d=\"M{} L{} L{} Z\"/>", pair(tip), pair({base.x - y, base.y + x}),
+                       pair({base.x + y, base.y - x}));
+}
+
+void SvgCanvas::pill(std::string_view kind, const Pill& pill, double grown) {
+  const double width = pill.width + 2 * grown, height = pill.height + 2 * grown;
+  const PagePoint corner{pill.centre.x - width / 2, pill.centre.y - height / 2};
+  body_ += fmt::format(R"(<rect class="{}" x="{}" y="{}" width="{}" height="{}" rx="{}"/>)", kind, number(corner.x),
+                       number(corner.y), number(width), number(height), number(height / 2));
+  reach(corner);
+  reach({corner.x + width, corner.y + height});
+}
+
+void SvgCanvas::text(const std::vector<std::string>& lines, const PagePoint& centre, double line_height, double width) {
+  const double height = line_height * static_cast<double>(lines.size()), top = centre.y - height / 2;
+  body_ += "<text>";
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    body_ += fmt::format(R"(<tspan x="{}" y="{}">{}</tspan>)", number(centre.x),
+                         number(top + line_height * (static_cast<double>(i) + 0.78)), escaped(lines[i]));
+  body_ += "</text>";
+  reach({centre.x - width / 2, top});
+  reach({centre.x + width / 2, top + height});
+}
+
+std::string SvgCanvas::document(std::string_view title) const {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\" "
+      "role=\"img\">\n<title>{4}</title>\n{5}<rect class=\"paper\" x=\"{0}\" y=\"{1}\" width=\"{2}\" "
+      "height=\"{3}\"/>\n{6}</svg>\n",
+      number(low_.x - margin), number(low_.y - margin), number(high_.x - low_.x + 2 * margin),
+      number(high_.y - low_.y + 2 * margin), escaped(title), style, body_);
+}
+
+void SvgCanvas::reach(const PagePoint& p) {
+  low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+  high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+}
+
+}  // namespace continua

@@ -1,0 +1,129 @@
+#include "continua/replay/inspector/run_find.h"
+
+#include <algorithm>
+#include <string_view>
+#include <unordered_map>
+
+#include "continua/core/characters.h"
+#include "continua/replay/inspector/run_labels.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/line_scan.h"
+#include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/run_stops.h"
+#include "continua/replay/log/run_text.h"
+
+namespace continua {
+namespace {
+
+std::vector<std::string> words_in(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t from = 0; from < text.size();) {
+    const auto begin = text.find_first_not_of(" \t\r\n", from);
+    if (begin == std::string::npos) break;
+    from = std::min(text.find_first_of(" \t\r\n", begin), text.size());
+    words.push_back(text.substr(begin, from - begin));
+  }
+  return words;
+}
+
+constexpr std::size_t most_told = 5000;
+
+bool is_small_letter(char c) { return c >= 'a' && c <= 'z'; }
+
+bool all_in(std::string_view text, const std::vector<std::string>& words) {
+  return std::all_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return text.find(word) != std::string_view::npos; });
+}
+
+// Whether brief() shows the value as it is written.
+bool shows_as_written(std::string_view value) {
+  if (is_plain_text(value) || value == "null" || value == "true" || value == "false") return true;
+  return value.size() <= 15 && number_in<std::int64_t>(value) && !value.starts_with("-0");
+}
+
+// Finds words in records of a kind. A label is made only where what it is made from holds the words.
+class Finder {
+ public:
+  Finder(std::string kind, const std::vector<std::string>& words)
+      : kind_(std::move(kind)), parts_(brief_parts(kind_)), words_(words) {
+    const auto told = folded(kind_);
+    const auto adds = folded(parts_ ? parts_->adds : "");
+    for (const auto& word : words_) {
+      if (told.find(word) != std::string::npos) continue;
+      told_by_kind_ = false;
+      // What brief() adds may hold it, or a part of it.
+      const bool added = adds.find(word) != std::string::npos || std::any_of(word.begin(), word.end(), [&](char c) {
+                           return !is_small_letter(c) && adds.find(c) != std::string::npos;
+                         });
+      if (added) continue;
+      plain_.push_back(word);
+      if (std::all_of(word.begin(), word.end(), is_small_letter)) letters_.push_back(word);
+    }
+  }
+
+  bool tells_of_words(std::string_view line) {
+    if (told_by_kind_) return true;
+    if (log::is<log::Pose>(kind_)) return false;
+    shown_.clear();
+    bool as_written = parts_.has_value();
+    if (parts_) {
+      const auto& members = parts_->members;
+      scan_members(line, [&](std::string_view key, std::string_view value) {
+        const auto member = std::find(members.begin(), members.end(), key);
+        if (member == members.end()) return;
+        shown_.append(1, static_cast<char>(1 + (member - members.begin()))).append(value);
+        as_written = as_written && shows_as_written(value);
+      });
+    } else {
+      shown_ = line;
+    }
+    if (!may_tell_of_words(as_written)) return false;
+    // Many records of a run say the same.
+    if (const auto known = told_.find(shown_); known != told_.end()) return known->second;
+    const bool tells = all_in(folded(kind_ + " " + label_of(kind_, line)), words_);
+    if (told_.size() < most_told) told_.emplace(shown_, tells);
+    return tells;
+  }
+
+ private:
+  // False only if the label cannot. Letters stay what they are even where a value is shown otherwise than written.
+  bool may_tell_of_words(bool as_written) const {
+    if (plain_.empty()) return true;
+    if (!as_written && (letters_.empty() || shown_.find("\\u") != std::string::npos)) return true;
+    return all_in(folded(shown_), as_written ? plain_ : letters_);
+  }
+
+  std::string kind_;
+  std::optional<BriefParts> parts_;
+  std::vector<std::string> words_;
+  bool told_by_kind_ = true;
+  std::string shown_;                           // of the record at hand, what its label is made from
+  std::unordered_map<std::string, bool> told_;  // by that
+  std::vector<std::string> plain_;              // words that stand in what is shown as written, if in the label at all
+  std::vector<std::string> letters_;            // of these, those of small letters alone
+};
+
+}  // namespace
+
+Result<std::vector<std::uint32_t>> run_find(const RunIndex& run, const std::string& text, const std::string& kind) {
+  const auto words = words_in(folded(text));
+  std::vector<Finder> finders;
+  for (const auto& one : run.kinds()) finders.emplace_back(one, words);
+  std::vector<std::uint32_t> found;
+  const auto stops = kind.empty() ? records_worth_stopping_at(run) : std::vector<std::uint32_t>();
+  auto stop = stops.begin();
+  const auto problem = run.read_lines(
+      [&](std::size_t n) {
+        if (!kind.empty()) return kind == "*" || run.kind(n) == kind;
+        while (stop != stops.end() && *stop < n) ++stop;
+        return stop != stops.end() && *stop == n;
+      },
+      [&](std::size_t n, std::string_view line) {
+        if (finders[run.entry(n).kind].tells_of_words(line)) found.push_back(static_cast<std::uint32_t>(n));
+        return true;
+      });
+  if (problem) return *problem;
+  return found;
+}
+
+}  // namespace continua

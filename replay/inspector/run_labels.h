@@ -1,0 +1,23 @@
+// Records in a few words, as many as a page shows at a time.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "continua/core/located_json.h"
+#include "continua/core/result.h"
+#include "continua/replay/log/run_index.h"
+
+namespace continua {
+
+/// What brief() says of the record in this line, whose kind is known; empty for poses and for what is no JSON.
+std::string label_of(const std::string& kind, std::string_view line);
+
+/// {"labels": {"N": [LABEL, TEXT], …}} of these records: the label, and what a lane or a bubble of the dialogue shows:
+/// the words, the gesture's name and direction, the act's program, what was observed; else "".
+/// REQUIRES that the numbers are in order and below run.size().
+Result<Json> run_labels(const RunIndex& run, const std::vector<std::size_t>& numbers);
+
+}  // namespace continua

@@ -1,0 +1,57 @@
+// A run as it would have gone otherwise: what is asked for, and the trace of it, made of the run's log alone.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "continua/core/located_json.h"
+#include "continua/core/result.h"
+#include "continua/replay/log/run_index.h"
+
+namespace continua {
+
+/// An input that was something else, or was not.
+struct InputEdit {
+  std::size_t n = 0;  ///< of its record
+  Json event;         ///< as the log has events, without `t`; null: taken out
+};
+
+struct WhatIfRequest {
+  std::string run;             ///< its id
+  std::optional<double> from;  ///< seconds; what is asked for counts from then on
+  std::vector<InputEdit> edits;
+  std::map<int, std::string> forced;  ///< step → transition
+  std::optional<std::uint64_t> seed;
+  std::string choice;  ///< empty: the run's own
+};
+
+/// {"run", "from", "edits": [{"n", "event"}], "force": {"STEP": "TRANSITION"}, "seed", "choice"}, all but `run`
+/// optional. The error is a sentence.
+Result<WhatIfRequest> what_if_request(const Json& json);
+
+/// The lines of a trace after its first: inputs as edited, what others did, what was expected, and the end of the run.
+/// They stand on the lines where they stood in the run's own trace, as far as the log tells. The error is a sentence:
+/// an edit is of no input of the trace, or of one before `from`; there are two of one input.
+Result<std::string> trace_lines(const RunIndex& run, const WhatIfRequest& request);
+
+/// Replays runs, for those who ask for it without knowing the engine.
+class RunWhatIf {
+ public:
+  virtual ~RunWhatIf() = default;
+
+  struct Replayed {
+    std::string log;                    ///< path of the new run log, in the folder given
+    std::vector<std::string> warnings;  ///< why it may differ from the run for other reasons
+  };
+  /// Writes all it needs, and the log, into `folder`, which is there and empty. May be called from several threads.
+  /// Gives up when `stop` becomes true. The error is what is wrong with what was asked for, or with the log.
+  virtual Result<Replayed> replay(const RunIndex& run, const WhatIfRequest& request, const std::string& folder,
+                                  const std::atomic<bool>& stop) = 0;
+};
+
+}  // namespace continua

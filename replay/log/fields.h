@@ -1,0 +1,125 @@
+// How a record of a run log declares its members. Everything else that must know them is derived from that list: JSON
+// both ways, the digest of decisions, the comparison of two runs, the tables of RUNLOG.md and the schema for the page.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "continua/core/located_json.h"
+
+namespace continua::log {
+
+/// The part that a member plays when runs are compared.
+enum class Says : std::uint8_t {
+  what,   ///< tells what happened; counts as a decision and when two runs are compared
+  how,    ///< tells how that was decided; counts as a decision, and makes two records of one event differ
+  where,  ///< a place in this log or a time: ids, running numbers; counts as a decision only
+  aside,  ///< measured, or an explanation; counts nowhere
+};
+
+/// A value that is written as null when there is none. A std::optional, in contrast, is left out.
+template <class T>
+struct OrNull : std::optional<T> {
+  using std::optional<T>::optional;
+  OrNull(std::optional<T> value) : std::optional<T>(std::move(value)) {}  // NOLINT(google-explicit-constructor)
+};
+
+/// The smallest distance of a compared number from the comparison; null if nothing was compared. Records with a margin
+/// below `fragile_margin` are listed as fragile at the end of the log.
+struct Margin : OrNull<double> {
+  using OrNull<double>::OrNull;
+};
+
+/// A JSON object whose members are named by data, in their order.
+template <class T>
+using Named = std::vector<std::pair<std::string, T>>;
+
+/// One member of a record, or of an object within a record.
+template <class Struct, class Value>
+struct Field {
+  std::string_view name;
+  Value Struct::*member;
+  Says says;
+  std::string_view sentence;                     ///< its meaning, for RUNLOG.md
+  std::string_view form{};                       ///< what the value is beyond its type: "term", "seconds", "record"
+  bool in_brief = false;                         ///< brief() reads it
+  std::array<std::string_view, 4> leaves_out{};  ///< of a Json value: members that say where
+
+  constexpr Field as(std::string_view what) const {
+    auto field = *this;
+    field.form = what;
+    return field;
+  }
+  constexpr Field briefly() const {
+    auto field = *this;
+    field.in_brief = true;
+    return field;
+  }
+  constexpr Field without(std::array<std::string_view, 4> names) const {
+    auto field = *this;
+    field.leaves_out = names;
+    return field;
+  }
+};
+
+template <class Struct, class Value>
+constexpr Field<Struct, Value> field(std::string_view name, Value Struct::*member, Says says,
+                                     std::string_view sentence) {
+  return {name, member, says, sentence};
+}
+
+/// Whether records of a kind are decisions, which must be equal on every machine and in every world.
+enum class Decision : std::uint8_t {
+  no,
+  yes,
+  outcome,  ///< only what it came to counts: the progress of an act between other records is measured
+};
+
+/// Whether the arrow keys of the page stop at records of a kind. Pointing samples and what they bring about come by the
+/// hundred.
+enum class Stop : std::uint8_t {
+  never,
+  unless_of_sample,         ///< not at samples and what they bring about
+  if_sample_changed_stack,  ///< at what a sample brought about only where the stack changed
+  always,
+};
+
+/// A kind of record.
+struct Kind {
+  std::string_view name;
+  std::string_view when;  ///< when such a record is written, for RUNLOG.md
+  Decision decision = Decision::no;
+  Stop stop = Stop::always;
+  std::string_view brief_adds{};  ///< everything that brief() puts between the values of members
+};
+
+/// A struct that declares its members.
+template <class T>
+concept HasFields = requires {
+  T::fields();
+};
+
+/// A kind of record that declares its members and can be told to people.
+template <class T>
+concept IsRecord = HasFields<T> && requires {
+  { T::kind } -> std::convertible_to<Kind>;
+};
+
+template <class T>
+concept HasBrief = requires(const T& record) {
+  { record.brief() } -> std::same_as<std::string>;
+};
+
+/// Calls `use(field)` for each member of T, in the order in which they are written.
+template <HasFields T, class Use>
+constexpr void for_each_field(Use&& use) {
+  std::apply([&use](const auto&... field) { (use(field), ...); }, T::fields());
+}
+
+}  // namespace continua::log

@@ -1,0 +1,109 @@
+#include "continua/replay/log/records.h"
+
+#include <cmath>
+#include <limits>
+
+#include "continua/replay/log/record_json.h"
+
+namespace continua::log {
+namespace {
+
+// Where a kind is missing its sentence, the compiler says so here.
+constexpr bool all_kinds_have_a_brief() {
+  for_each_kind([]<class T>() {
+    static_assert(IsRecord<T>, "a kind of record has a constant `kind` and a list `fields()`");
+    static_assert(HasBrief<T>, "a kind of record has `std::string brief() const`, its sentence for people");
+  });
+  return true;
+}
+static_assert(all_kinds_have_a_brief());
+
+Unknown unknown(std::string_view name, const Json& line) {
+  Unknown record{std::string(name), line};
+  for (const char* member : {"kind", "n", "t", "cause"}) record.members.erase(member);
+  return record;
+}
+
+template <class T>
+void take(const Json& object, const char* name, T& value) {
+  const auto found = object.find(name);
+  if (found != object.end()) (void)read_value(*found, value);
+}
+
+}  // namespace
+
+Result<Record> read_record(const Json& line, const std::string& where) {
+  if (!line.is_object()) return Error{where, unexpected("a record", line).sentence};
+  const auto name = line.find("kind");
+  if (name == line.end() || !name->is_string()) return Error{where, "a record without 'kind'"};
+  const auto& kind = name->get_ref<const std::string&>();
+  std::optional<Record> record;
+  Outcome problem;
+  for_each_kind([&]<class T>() {
+    if (record || T::kind.name != kind) return;
+    problem = read_members(line, std::get<T>(record.emplace(T{})));
+  });
+  if (!record) return Record(unknown(kind, line));
+  if (problem) return Error{where, fmt::format("{}{}: {}", kind, problem->where, problem->sentence)};
+  return *std::move(record);
+}
+
+Stamp stamp_of(const Json& line) {
+  Stamp stamp;
+  if (!line.is_object()) return stamp;
+  take(line, "n", stamp.n);
+  take(line, "t", stamp.t_s);
+  take(line, "cause", stamp.cause);
+  take(line, "measured", stamp.measured);
+  return stamp;
+}
+
+Json members_of(const Record& record) {
+  return std::visit(
+      []<class T>(const T& known) {
+        if constexpr (std::is_same_v<T, Unknown>)
+          return known.members;
+        else
+          return to_json(known);
+      },
+      record);
+}
+
+Json line_of(const Stamp& stamp, const Record& record) {
+  Json line{{"kind", kind_of(record)}, {"n", stamp.n}, {"t", stamp.t_s}};
+  if (stamp.cause) line["cause"] = *stamp.cause;
+  auto members = members_of(record);
+  for (auto& [name, value] : members.items()) line.emplace(name, std::move(value));
+  if (stamp.measured) line["measured"] = true;
+  return line;
+}
+
+std::string_view kind_of(const Record& record) {
+  return std::visit(
+      []<class T>(const T& known) -> std::string_view {
+        if constexpr (std::is_same_v<T, Unknown>)
+          return known.name;
+        else
+          return T::kind.name;
+      },
+      record);
+}
+
+std::string brief(const Record& record) {
+  return std::visit([](const auto& known) { return known.brief(); }, record);
+}
+
+double margin_of(const Record& record) {
+  double least = std::numeric_limits<double>::infinity();
+  std::visit(
+      [&]<class T>(const T& known) {
+        if constexpr (!std::is_same_v<T, Unknown>)
+          for_each_margin(known, [&](const Margin& margin) {
+            if (margin) least = std::min(least, std::abs(*margin));
+          });
+      },
+      record);
+  return least;
+}
+
+}  // namespace continua::log

@@ -1,0 +1,286 @@
+// Records of a run log about the automaton: transitions, its stack, registers and certainties.
+#pragma once
+
+#include "continua/replay/log/fields.h"
+
+namespace continua::log {
+
+struct Belief {
+  std::string concept_name;
+  double value = 0, was = 0;
+
+  static constexpr Kind kind{.name = "belief",
+                             .when = "A certainty changed.",
+                             .decision = Decision::yes,
+                             .stop = Stop::never,
+                             .brief_adds = "(was )"};
+  static constexpr auto fields() {
+    return std::tuple{field("concept", &Belief::concept_name, Says::what, "Name of the concept.").briefly(),
+                      field("value", &Belief::value, Says::what, "The certainty now, 0 to 1.").briefly(),
+                      field("was", &Belief::was, Says::how, "The certainty before.").briefly()};
+  }
+  std::string brief() const;
+};
+
+struct Memory {
+  std::string register_name, value;
+
+  static constexpr Kind kind{.name = "memory",
+                             .when = "A register changed.",
+                             .decision = Decision::yes,
+                             .stop = Stop::never,
+                             .brief_adds = ":="};
+  static constexpr auto fields() {
+    return std::tuple{field("register", &Memory::register_name, Says::what, "Name of the register.").briefly(),
+                      field("value", &Memory::value, Says::what, "Its new value.").as("term").briefly()};
+  }
+  std::string brief() const;
+};
+
+/// A transition that could have fired.
+struct Candidate {
+  std::string id;
+  double weight = 0;
+  std::optional<std::int64_t> alternative;
+
+  static constexpr auto fields() {
+    return std::tuple{field("id", &Candidate::id, Says::how, "The transition."),
+                      field("weight", &Candidate::weight, Says::how, "Its weight."),
+                      field("alternative", &Candidate::alternative, Says::how,
+                            "The input that it takes, from 0; left out where one was offered.")};
+  }
+};
+
+/// A transition that could not fire.
+struct Refused {
+  std::string id, reason;
+  std::optional<std::int64_t> alternative;
+
+  static constexpr auto fields() {
+    return std::tuple{field("id", &Refused::id, Says::how, "The transition."),
+                      field("reason", &Refused::reason, Says::aside,
+                            "The first part of its condition that did not hold, with its value."),
+                      field("alternative", &Refused::alternative, Says::how,
+                            "The input that it would take, from 0; left out where one was offered.")};
+  }
+};
+
+/// The condition of a state that was entered.
+struct Gate {
+  std::string state, condition;
+  bool passed = false;
+
+  static constexpr auto fields() {
+    return std::tuple{field("state", &Gate::state, Says::how, "The state."),
+                      field("condition", &Gate::condition, Says::how, "Its condition.").as("term"),
+                      field("passed", &Gate::passed, Says::how, "Whether it held; else the way went on to `else`.")};
+  }
+};
+
+struct Transition {
+  std::string id;
+  std::int64_t step = 0;
+  std::string from, to;
+  OrNull<std::string> input;
+  Json operation;
+  double weight = 0, probability = 0;
+  OrNull<double> draw;
+  bool forced = false;
+  std::vector<Candidate> candidates;
+  std::vector<Refused> refused;
+  std::vector<Gate> gates;
+  std::int64_t stack = 0, depth = 0;
+  Margin margin;
+  std::optional<std::int64_t> alternative;
+
+  static constexpr Kind kind{.name = "transition",
+                             .when = "A transition fired.",
+                             .decision = Decision::yes,
+                             .stop = Stop::if_sample_changed_stack,
+                             .brief_adds = "→"};
+  static constexpr auto fields() {
+    return std::tuple{
+        field("id", &Transition::id, Says::what, "The machine's id of the transition."),
+        field("step", &Transition::step, Says::where, "Running number of the step, from 1."),
+        field("from", &Transition::from, Says::what, "The state before.").briefly(),
+        field("to", &Transition::to, Says::what, "The state after.").briefly(),
+        field("input", &Transition::input, Says::what, "The input symbol; null for ε."),
+        field("operation", &Transition::operation, Says::how,
+              "As in the machine file, an object with one key: `none`, `push`, `push_each`, `pop`, `rewrite`, "
+              "`rewrite_each`, `flush` or `pop_until`."),
+        field("weight", &Transition::weight, Says::how, "Its weight."),
+        field("probability", &Transition::probability, Says::how, "Its share of the weights of all candidates."),
+        field("draw", &Transition::draw, Says::how, "The random number that chose it, or null."),
+        field("forced", &Transition::forced, Says::how, "Whether the run's options forced it."),
+        field("candidates", &Transition::candidates, Says::how, "All transitions that could fire."),
+        field("refused", &Transition::refused, Says::how, "Those of fitting state and input that could not."),
+        field("gates", &Transition::gates, Says::how,
+              "Conditions of the state that it leads to, then of each `else` on the way."),
+        field("stack", &Transition::stack, Says::where, "Id of the top symbol afterwards."),
+        field("depth", &Transition::depth, Says::how, "Number of symbols on the stack afterwards."),
+        field("margin", &Transition::margin, Says::aside,
+              "Smallest distance of a compared number from the comparison, or null."),
+        field("alternative", &Transition::alternative, Says::how,
+              "Which of the inputs offered was taken, from 0; left out where one was offered.")};
+  }
+  std::string brief() const;
+};
+
+struct Correction {
+  std::string id, from, to;
+  OrNull<std::int64_t> implied;
+  std::int64_t stack = 0, depth = 0;
+
+  static constexpr Kind kind{.name = "correction",
+                             .when =
+                                 "In the variant `teacher`: the engine did otherwise than was observed, and goes "
+                                 "on from the state that the observation implies.",
+                             .decision = Decision::yes,
+                             .brief_adds = "→"};
+  static constexpr auto fields() {
+    return std::tuple{
+        field("id", &Correction::id, Says::where, "`observed`."),
+        field("from", &Correction::from, Says::what, "The state before.").briefly(),
+        field("to", &Correction::to, Says::what, "The state after.").briefly(),
+        field("implied", &Correction::implied, Says::how,
+              "Row of the machine's `implied`, from 1; null: nothing was observed, so all is as before the input."),
+        field("stack", &Correction::stack, Says::where, "Id of the top symbol afterwards."),
+        field("depth", &Correction::depth, Says::how, "Number of symbols on the stack afterwards.")};
+  }
+  std::string brief() const;
+};
+
+/// One configuration that the automaton may be in.
+struct Branch {
+  std::int64_t id = 0, parent = 0;
+  std::string state;
+  std::int64_t stack = 0, depth = 0;
+  double weight = 0;
+  bool settled = false;
+  std::vector<std::string> by;
+
+  static constexpr auto fields() {
+    return std::tuple{field("id", &Branch::id, Says::where, "Number of the branch."),
+                      field("parent", &Branch::parent, Says::where, "The branch that it comes from."),
+                      field("state", &Branch::state, Says::what, "Its state."),
+                      field("stack", &Branch::stack, Says::where, "Id of its top symbol."),
+                      field("depth", &Branch::depth, Says::what, "Number of symbols on its stack."),
+                      field("weight", &Branch::weight, Says::what, "Its weight; all weights sum to 1."),
+                      field("settled", &Branch::settled, Says::what, "Whether no ε-transition applies."),
+                      field("by", &Branch::by, Says::what, "The transitions of this step that led to it.")};
+  }
+};
+
+struct Branches {
+  std::vector<Branch> branches;
+  std::vector<std::int64_t> dropped;
+  std::int64_t merged = 0, pruned = 0;
+
+  static constexpr Kind kind{.name = "branches",
+                             .when =
+                                 "Under `explore`, after a step, while there is more than one branch. The records "
+                                 "before it are the leading branch's.",
+                             .decision = Decision::yes,
+                             .brief_adds = "or"};
+  static constexpr auto fields() {
+    return std::tuple{
+        field("branches", &Branches::branches, Says::what, "The branches, the leading one first.").briefly(),
+        field("dropped", &Branches::dropped, Says::how, "The branches that could not take the input."),
+        field("merged", &Branches::merged, Says::how, "Number of configurations that equalled another."),
+        field("pruned", &Branches::pruned, Says::how, "Number of configurations beyond the bound.")};
+  }
+  std::string brief() const;
+};
+
+struct Symbol {
+  std::int64_t id = 0;
+  OrNull<std::int64_t> below;
+  Named<std::string> slots;
+
+  static constexpr Kind kind{.name = "symbol",
+                             .when =
+                                 "A stack symbol was made. Written once, before the first record that names it; "
+                                 "the stack is a walk down the ids.",
+                             .decision = Decision::yes,
+                             .stop = Stop::never,
+                             .brief_adds = "# ,"};
+  static constexpr auto fields() {
+    return std::tuple{field("id", &Symbol::id, Says::where, "Id of the symbol in this log.").briefly(),
+                      field("below", &Symbol::below, Says::where, "Id of the symbol below it; null at the bottom."),
+                      field("slots", &Symbol::slots, Says::what, "{slot: term}, without slots that are null or empty.")
+                          .as("term")
+                          .briefly()};
+  }
+  std::string brief() const;
+};
+
+struct Rewrite {
+  std::string state;
+  Json operation;
+  std::int64_t stack = 0, depth = 0;
+
+  static constexpr Kind kind{.name = "rewrite",
+                             .when = "The entry behaviour of a state changed the stack.",
+                             .decision = Decision::yes,
+                             .stop = Stop::if_sample_changed_stack};
+  static constexpr auto fields() {
+    return std::tuple{
+        field("state", &Rewrite::state, Says::what, "The state.").briefly(),
+        field("operation", &Rewrite::operation, Says::how, "As in the machine file, an object with one key.").briefly(),
+        field("stack", &Rewrite::stack, Says::where, "Id of the top symbol afterwards."),
+        field("depth", &Rewrite::depth, Says::how, "Number of symbols on the stack afterwards.")};
+  }
+  std::string brief() const;
+};
+
+/// The types of a function, its argument and its result.
+struct ApplicationTypes {
+  std::string function, argument, result;
+
+  static constexpr auto fields() {
+    return std::tuple{field("function", &ApplicationTypes::function, Says::how, "Type of the function."),
+                      field("argument", &ApplicationTypes::argument, Says::how, "Type of the argument."),
+                      field("result", &ApplicationTypes::result, Says::how, "Type of the result.")};
+  }
+};
+
+struct Application {
+  std::string function, argument, result;
+  ApplicationTypes types;
+  OrNull<std::string> rule;
+  std::vector<std::int64_t> because;
+
+  static constexpr Kind kind{
+      .name = "application", .when = "A continuation was applied.", .decision = Decision::yes, .brief_adds = "@ ="};
+  static constexpr auto fields() {
+    return std::tuple{
+        field("function", &Application::function, Says::what, "The function.").as("term").briefly(),
+        field("argument", &Application::argument, Says::what, "The argument.").as("term").briefly(),
+        field("result", &Application::result, Says::what, "The result.").as("term").briefly(),
+        field("types", &Application::types, Says::how, "Their types."),
+        field("rule", &Application::rule, Says::how, "The raising rule that made the argument fit, or null."),
+        field("because", &Application::because, Says::aside, "The inputs that contributed.").as("record")};
+  }
+  std::string brief() const;
+};
+
+struct Refusal {
+  std::string state, input, reason;
+  std::vector<Refused> refused;
+
+  static constexpr Kind kind{.name = "refusal",
+                             .when = "No transition could take the input.",
+                             .decision = Decision::yes,
+                             .stop = Stop::unless_of_sample,
+                             .brief_adds = "in :"};
+  static constexpr auto fields() {
+    return std::tuple{
+        field("state", &Refusal::state, Says::what, "The state.").briefly(),
+        field("input", &Refusal::input, Says::what, "The input symbol, the first of those offered.").briefly(),
+        field("reason", &Refusal::reason, Says::how, "The reason, a sentence.").briefly(),
+        field("refused", &Refusal::refused, Says::how, "The transitions of this state and input.")};
+  }
+  std::string brief() const;
+};
+
+}  // namespace continua::log

@@ -1,0 +1,114 @@
+// Records of a run log about the avatar: what it says and shows, its acts, and where bodies are.
+#pragma once
+
+#include "continua/replay/log/fields.h"
+
+namespace continua::log {
+
+struct Utterance {
+  std::string text;
+  std::vector<std::int64_t> because;
+
+  static constexpr Kind kind{.name = "utterance",
+                             .when = "The avatar speaks. Words equal to the last are neither said again nor logged.",
+                             .decision = Decision::yes,
+                             .brief_adds = "“”"};
+  static constexpr auto fields() {
+    return std::tuple{field("text", &Utterance::text, Says::what, "The words.").briefly(),
+                      field("because", &Utterance::because, Says::aside, "The inputs that contributed.").as("record")};
+  }
+  std::string brief() const;
+};
+
+/// The avatar's; the human's gestures are inputs.
+struct AvatarGesture {
+  std::string gesture;
+  std::vector<std::int64_t> because;
+
+  static constexpr Kind kind{
+      .name = "gesture", .when = "The avatar gestures or looks somewhere.", .decision = Decision::yes};
+  static constexpr auto fields() {
+    return std::tuple{
+        field("gesture", &AvatarGesture::gesture, Says::what, "The avatar gesture.").as("term").briefly(),
+        field("because", &AvatarGesture::because, Says::aside, "The inputs that contributed.").as("record")};
+  }
+  std::string brief() const;
+};
+
+/// What an act, or a step of one, came to.
+struct ActResult {
+  std::optional<double> position_error_m, yaw_error;
+  std::optional<std::string> reason;
+  std::optional<std::vector<std::string>> touches, moved_aside, retries;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("position_error_m", &ActResult::position_error_m, Says::aside, "Distance from the goal.").as("metres"),
+        field("yaw_error", &ActResult::yaw_error, Says::aside, "Turn from the goal.").as("radians"),
+        field("reason", &ActResult::reason, Says::aside, "The reason why it went otherwise, a sentence."),
+        field("touches", &ActResult::touches, Says::aside,
+              "Objects, and `table`, that the handled object touches in the end."),
+        field("moved_aside", &ActResult::moved_aside, Says::aside, "Other objects that had to make room, in order."),
+        field("retries", &ActResult::retries, Says::aside, "The reasons why earlier attempts failed, in order.")};
+  }
+};
+
+struct Act {
+  std::int64_t act = 0;
+  std::string program, status;
+  std::optional<std::int64_t> step;
+  std::optional<std::vector<std::int64_t>> because;
+  std::optional<ActResult> result;
+
+  static constexpr Kind kind{.name = "act",
+                             .when =
+                                 "An act is asked for, or its state changed; with `step`, the state of a step that "
+                                 "the body does itself. The `cause` of all but the first is the first.",
+                             .decision = Decision::outcome};
+  static constexpr auto fields() {
+    return std::tuple{
+        field("act", &Act::act, Says::where, "Running number of the act, from 1."),
+        field("program", &Act::program, Says::what, "The act, or the step: `move(cup, on(plate))`.")
+            .as("term")
+            .briefly(),
+        field("status", &Act::status, Says::what,
+              "`asked`, `started`, `done`, `missed`, `dropped`, `blocked`, `unreachable`, `unstable` (the object moved "
+              "again within a second) or `stopped` (given up). A step that needs no doing is `done` alone.")
+            .briefly(),
+        field("step", &Act::step, Says::where, "Running number of the step within the act, from 1."),
+        field("because", &Act::because, Says::aside, "When asked for: the inputs that contributed.").as("record"),
+        field("result", &Act::result, Says::aside, "When it has ended: how it went.")};
+  }
+  std::string brief() const;
+};
+
+/// [x, y, z, qw, qx, qy, qz] in frame W, metres.
+using PoseNumbers = std::array<double, 7>;
+
+struct Pose {
+  Named<PoseNumbers> bodies;
+
+  static constexpr Kind kind{.name = "pose", .when = "Bodies moved.", .stop = Stop::never, .brief_adds = "bodies"};
+  static constexpr auto fields() {
+    return std::tuple{field("bodies", &Pose::bodies, Says::what, "{body: [x, y, z, qw, qx, qy, qz]} in frame W.")
+                          .as("metres")
+                          .briefly()};
+  }
+  std::string brief() const;
+};
+
+struct Rest {
+  double from_s = 0, to_s = 0;
+
+  static constexpr Kind kind{.name = "rest",
+                             .when = "Physics was not stepped, since nothing moved. Written at the end of the rest.",
+                             .stop = Stop::never,
+                             .brief_adds = "– s"};
+  static constexpr auto fields() {
+    return std::tuple{field("from", &Rest::from_s, Says::where, "Its beginning.").as("seconds").briefly(),
+                      field("to", &Rest::to_s, Says::where, "Its end.").as("seconds").briefly()};
+  }
+  std::string brief() const;
+};
+
+}  // namespace continua::log

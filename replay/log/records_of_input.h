@@ -1,0 +1,292 @@
+// Records of a run log about the human and the trace: inputs and their meanings, lessons, expectations.
+#pragma once
+
+#include "continua/replay/log/fields.h"
+
+namespace continua::log {
+
+struct Input {
+  OrNull<std::int64_t> line;
+  Json event;
+  OrNull<std::string> symbol;
+
+  static constexpr Kind kind{.name = "input",
+                             .when = "An event was read, or an act has ended: the machine knows that end as an input.",
+                             .decision = Decision::yes,
+                             .stop = Stop::unless_of_sample,
+                             .brief_adds = "“” pointing observed"};
+  static constexpr auto fields() {
+    return std::tuple{field("line", &Input::line, Says::where, "Line of the trace; null for an act."),
+                      field("event", &Input::event, Says::what,
+                            "The event as read, without `t`; of an act {`kind`: `act`, `act`, `program`, `status`}.")
+                          .briefly()
+                          .without({"t", "until", "act", "row"}),
+                      field("symbol", &Input::symbol, Says::how, "The input symbol that it became, or null.")};
+  }
+  std::string brief() const;
+};
+
+/// A pointing, as the fusion of words and gestures uses it.
+struct Deixis {
+  std::vector<double> place;
+  double from_s = 0, until_s = 0;
+  OrNull<std::string> hand;
+  bool gesture = false;
+  double spread_m = 0;
+  std::int64_t samples = 0, left_out = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("place", &Deixis::place, Says::what, "The place on the table, [x, y] in frame W.").as("metres"),
+        field("from", &Deixis::from_s, Says::where, "Its beginning.").as("seconds"),
+        field("until", &Deixis::until_s, Says::where, "Its end.").as("seconds"),
+        field("hand", &Deixis::hand, Says::what, "`left` or `right`; null where the trace does not say."),
+        field("gesture", &Deixis::gesture, Says::what,
+              "Whether the place is a gesture's own target; else it was found in samples."),
+        field("spread_m", &Deixis::spread_m, Says::where, "Spread of the samples around the place.").as("metres"),
+        field("samples", &Deixis::samples, Says::where, "Number of its samples."),
+        field("left_out", &Deixis::left_out, Says::where, "Number of samples in its time that were not believed.")};
+  }
+};
+
+/// Words and the pointing that goes with them.
+struct BoundPointing {
+  std::string words;
+  Deixis deixis;
+
+  static constexpr auto fields() {
+    return std::tuple{field("words", &BoundPointing::words, Says::what, "The words that the pointing goes with."),
+                      field("deixis", &BoundPointing::deixis, Says::what, "The pointing.")};
+  }
+};
+
+struct Percept {
+  double waited_s = 0;
+  std::vector<BoundPointing> bound;
+  std::vector<std::int64_t> because;
+
+  static constexpr Kind kind{.name = "percept",
+                             .when = "An input is attended to together with pointings, or had to wait for one.",
+                             .decision = Decision::yes,
+                             .brief_adds = ": pointed at, nothing is pointed at, after s"};
+  static constexpr auto fields() {
+    return std::tuple{
+        field("waited_s", &Percept::waited_s, Says::where, "Time since the input began.").as("seconds").briefly(),
+        field("bound", &Percept::bound, Says::what, "The pointings, each with its words.").briefly(),
+        field("because", &Percept::because, Says::aside, "The inputs that contributed.").as("record")};
+  }
+  std::string brief() const;
+};
+
+/// A lambda of a meaning for which no value was found.
+struct Missing {
+  std::string type, why;
+  std::vector<std::string> choices;
+  std::string words;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("type", &Missing::type, Says::how, "Type of the missing value."),
+        field("why", &Missing::why, Says::how, "`unsaid`, `several` or `none`."),
+        field("choices", &Missing::choices, Says::how, "For `several`: the objects meant, the likeliest first."),
+        field("words", &Missing::words, Says::how, "The noun without its determiner; empty if unsaid.")};
+  }
+};
+
+/// An object that a noun phrase does not mean.
+struct RuledOut {
+  std::string object, reason;
+
+  static constexpr auto fields() {
+    return std::tuple{field("object", &RuledOut::object, Says::how, "Name of the object."),
+                      field("reason", &RuledOut::reason, Says::how, "The reason, a sentence.")};
+  }
+};
+
+/// What a noun phrase or pro-form was taken to mean.
+struct Resolution {
+  std::string phrase, words, value, by;
+  std::optional<std::vector<std::string>> referents;
+  std::optional<std::vector<double>> weights;
+  std::optional<std::vector<RuledOut>> ruled_out;
+  std::optional<std::string> sides;
+  std::optional<Margin> margin;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("phrase", &Resolution::phrase, Says::how, "The phrase.").as("term"),
+        field("words", &Resolution::words, Says::how, "Its words."),
+        field("value", &Resolution::value, Says::how, "Its meaning here and now.").as("term"),
+        field("by", &Resolution::by, Says::how, "`words`, `focus`, `pointed`, `topic` or `presence`."),
+        field("referents", &Resolution::referents, Says::how,
+              "Of a noun phrase: the objects that it can mean, the likeliest first."),
+        field("weights", &Resolution::weights, Says::how, "The weights of these objects."),
+        field("ruled_out", &Resolution::ruled_out, Says::how, "The objects that it cannot mean."),
+        field("sides", &Resolution::sides, Says::how,
+              "`rough` or `loose`: how \"left of\" and its like had to be taken; left out when exact."),
+        field("margin", &Resolution::margin, Says::aside, "How near the choice of objects was, or null.")};
+  }
+};
+
+/// One way to read the words.
+struct Parse {
+  std::string reading, type, category, move;
+  double cost = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{field("reading", &Parse::reading, Says::how, "What the words say.").as("term"),
+                      field("type", &Parse::type, Says::how, "Its type."),
+                      field("category", &Parse::category, Says::how, "Its category."),
+                      field("move", &Parse::move, Says::how, "The move that it would be."),
+                      field("cost", &Parse::cost, Says::how, "Its cost; the cheapest comes first.")};
+  }
+};
+
+/// A sense of a word that parses are made of.
+struct Sense {
+  std::string words;
+  std::optional<std::string> category, term;
+  double cost = 0;
+  std::optional<std::vector<std::int64_t>> parses;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("words", &Sense::words, Says::how, "The words."),
+        field("category", &Sense::category, Says::how, "Their category; left out where they were passed over."),
+        field("term", &Sense::term, Says::how, "Their meaning.").as("term"),
+        field("cost", &Sense::cost, Says::how, "The cost of this sense."),
+        field("parses", &Sense::parses, Says::how, "Ranks of the parses that have it; left out where all have.")};
+  }
+};
+
+struct Reading {
+  OrNull<std::string> move;
+  std::optional<std::string> words, reading, category, meaning, type;
+  std::optional<std::vector<Missing>> missing;
+  std::optional<std::vector<Resolution>> resolved;
+  std::optional<std::int64_t> rank;
+  std::optional<std::vector<Parse>> parses;
+  std::optional<std::vector<Sense>> entries;
+  std::optional<std::vector<std::string>> rules, referents;
+  std::optional<std::vector<double>> weights;
+  std::optional<std::vector<RuledOut>> ruled_out;
+  std::optional<std::string> sides;
+  std::optional<Margin> margin;
+  std::optional<std::vector<std::string>> unknown, unused;
+  std::vector<std::int64_t> because;
+  std::optional<std::int64_t> alternative;
+  std::optional<double> confidence;
+  std::optional<bool> taken;
+
+  static constexpr Kind kind{.name = "reading",
+                             .when =
+                                 "An input was taken to mean something; an utterance gives one record for each of "
+                                 "its moves, and an n-best list one for each alternative, the taken one last.",
+                             .decision = Decision::yes,
+                             .brief_adds = "not understood: nothing or"};
+  static constexpr auto fields() {
+    return std::tuple{
+        field("move", &Reading::move, Says::what,
+              "`V`, `N`, `P`, `y`, `n`, `δ`, `ω`, `α` or another of the lexicon's; null: nothing was understood.")
+            .briefly(),
+        field("words", &Reading::words, Says::what, "Of speech: the words.").briefly(),
+        field("reading", &Reading::reading, Says::how, "Of speech: what the words say.").as("term"),
+        field("category", &Reading::category, Says::how, "Of speech: the category of the reading."),
+        field("meaning", &Reading::meaning, Says::what, "Of speech: what the words mean here and now.")
+            .as("term")
+            .briefly(),
+        field("type", &Reading::type, Says::how, "Of speech: the type of `meaning`."),
+        field("missing", &Reading::missing, Says::how, "The lambdas of `meaning`, one element each."),
+        field("resolved", &Reading::resolved, Says::aside, "What noun phrases and pro-forms were taken to mean."),
+        field("rank", &Reading::rank, Says::how, "Place of the reading among `parses`, from 0."),
+        field("parses", &Reading::parses, Says::how, "All ways to read the words, the cheapest first."),
+        field("entries", &Reading::entries, Says::aside, "The senses of words that the parses are made of."),
+        field("rules", &Reading::rules, Says::aside, "The unary rules of the lexicon that the reading takes."),
+        field("referents", &Reading::referents, Says::what,
+              "The objects that the last noun phrase, or the pointing, can mean, the likeliest first.")
+            .briefly(),
+        field("weights", &Reading::weights, Says::aside, "Of a pointing: the weights of `referents`."),
+        field("ruled_out", &Reading::ruled_out, Says::how, "Of a pointing: the objects that it cannot mean."),
+        field("sides", &Reading::sides, Says::how, "As in `resolved`."),
+        field("margin", &Reading::margin, Says::aside, "Of a pointing: how near the choice of objects was, or null."),
+        field("unknown", &Reading::unknown, Says::how, "Words that the lexicon does not have."),
+        field("unused", &Reading::unused, Says::how, "Words that belong to no move."),
+        field("because", &Reading::because, Says::aside, "The inputs that contributed.").as("record"),
+        field("alternative", &Reading::alternative, Says::how,
+              "Of an n-best list: its place in the list; 0 is the event's own text."),
+        field("confidence", &Reading::confidence, Says::how, "Of an n-best list: the weight of the alternative."),
+        field("taken", &Reading::taken, Says::what, "Of an n-best list: whether the dialogue went on with it.")};
+  }
+  std::string brief() const;
+};
+
+struct Learned {
+  std::string of, name, value;
+  std::vector<std::int64_t> because;
+
+  static constexpr Kind kind{
+      .name = "learned", .when = "The human taught something.", .decision = Decision::yes, .brief_adds = "="};
+  static constexpr auto fields() {
+    return std::tuple{
+        field("of", &Learned::of, Says::what, "`gesture` or `word`.").briefly(),
+        field("name", &Learned::name, Says::what, "Name of the gesture, or the word.").briefly(),
+        field("value", &Learned::value, Says::what,
+              "The meaning of a gesture; the acts of a word, below lambdas for the objects that they need.")
+            .as("term")
+            .briefly(),
+        field("because", &Learned::because, Says::aside, "The inputs that contributed.").as("record")};
+  }
+  std::string brief() const;
+};
+
+struct Forgotten {
+  std::string of, name, value;
+  std::vector<std::int64_t> because;
+
+  static constexpr Kind kind{.name = "forgotten",
+                             .when = "Something that was taught is forgotten.",
+                             .decision = Decision::yes,
+                             .brief_adds = "="};
+  static constexpr auto fields() {
+    return std::tuple{field("of", &Forgotten::of, Says::what, "`gesture` or `word`.").briefly(),
+                      field("name", &Forgotten::name, Says::what, "Name of the gesture, or the word.").briefly(),
+                      field("value", &Forgotten::value, Says::what, "What it meant.").as("term").briefly(),
+                      field("because", &Forgotten::because, Says::aside, "The inputs that contributed.").as("record")};
+  }
+  std::string brief() const;
+};
+
+struct Observed {
+  std::int64_t line = 0;
+  std::string channel, content;
+
+  static constexpr Kind kind{.name = "observed",
+                             .when = "Another agent did something, as the trace says. It is never an input.",
+                             .stop = Stop::never};
+  static constexpr auto fields() {
+    return std::tuple{field("line", &Observed::line, Says::where, "Line of the trace."),
+                      field("channel", &Observed::channel, Says::what, "`speech`, `gesture` or `action`.").briefly(),
+                      field("content", &Observed::content, Says::what, "The words, or the term.").briefly()};
+  }
+  std::string brief() const;
+};
+
+struct Expect {
+  std::int64_t line = 0;
+  bool met = false;
+  Json expected, found;
+
+  static constexpr Kind kind{.name = "expect",
+                             .when = "An expectation of the trace was checked.",
+                             .decision = Decision::yes,
+                             .brief_adds = "met: not met: expected ; found ,"};
+  static constexpr auto fields() {
+    return std::tuple{field("line", &Expect::line, Says::where, "Line of the trace."),
+                      field("met", &Expect::met, Says::how, "Whether it holds.").briefly(),
+                      field("expected", &Expect::expected, Says::what, "The fields of the event.").briefly(),
+                      field("found", &Expect::found, Says::how, "The values of the same fields here.").briefly()};
+  }
+  std::string brief() const;
+};
+
+}  // namespace continua::log

@@ -1,0 +1,197 @@
+// The index of a long log, kept beside it: a file that may be deleted at any time.
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <type_traits>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "continua/core/digest.h"
+#include "continua/replay/log/run_index.h"
+
+namespace continua {
+namespace fs = std::filesystem;
+namespace {
+
+// Shorter logs are read faster than anybody notices.
+constexpr std::uint64_t shortest_kept = std::uint64_t{8} << 20;
+
+// What a file of another version, or of a machine that lays numbers out otherwise, does not begin with.
+struct Begin {
+  std::array<char, 24> name{"continua run index 2"};
+  std::uint64_t order = 0x0102030405060708ULL;
+  std::uint64_t sizes = (sizeof(RecordEntry) << 32) + (sizeof(StackMark) << 24) + (sizeof(SymbolPlace) << 16) +
+                        (sizeof(ActMark) << 8) + sizeof(StepMark);
+  bool operator==(const Begin&) const = default;
+};
+
+struct Symbol {
+  std::int64_t id = 0;
+  SymbolPlace place;
+};
+
+std::string index_path(const std::string& path) { return path + ".index"; }
+
+// Values go to the file and into a digest of all of them, which comes last.
+class Writer {
+ public:
+  explicit Writer(std::ofstream& file) : file_(file) {}
+
+  template <class T>
+  void put(const T& value) {
+    put_bytes(&value, sizeof value);
+  }
+  template <class T>
+  void put_all(const T& values) {
+    static_assert(std::is_trivially_copyable_v<typename T::value_type>);
+    put(static_cast<std::uint64_t>(values.size()));
+    put_bytes(values.data(), values.size() * sizeof(typename T::value_type));
+  }
+  void put_texts(const std::vector<std::string>& texts) {
+    put(static_cast<std::uint64_t>(texts.size()));
+    for (const auto& text : texts) put_all(text);
+  }
+  void finish() { file_ << digest_.text(); }
+
+ private:
+  void put_bytes(const void* bytes, std::size_t size) {
+    const auto* characters = static_cast<const char*>(bytes);
+    digest_.add({characters, size});
+    file_.write(characters, static_cast<std::streamsize>(size));
+  }
+
+  std::ofstream& file_;
+  RunningDigest digest_;
+};
+
+class Reader {
+ public:
+  Reader(std::ifstream& file, std::uint64_t size) : file_(file), left_(size) {}
+
+  template <class T>
+  bool get(T& value) {
+    return get_bytes(&value, sizeof value);
+  }
+  template <class T>
+  bool get_all(T& values) {
+    static_assert(std::is_trivially_copyable_v<typename T::value_type>);
+    std::uint64_t count = 0;
+    if (!get(count) || count > left_ / sizeof(typename T::value_type)) return false;
+    values.resize(count);
+    return get_bytes(values.data(), count * sizeof(typename T::value_type));
+  }
+  bool get_texts(std::vector<std::string>& texts) {
+    std::uint64_t count = 0;
+    if (!get(count)) return false;
+    for (std::string text; texts.size() < count; texts.push_back(text))
+      if (!get_all(text)) return false;
+    return true;
+  }
+  /// Whether nothing is left but the digest of all that was read.
+  bool finished() {
+    const auto expected = digest_.text();
+    std::string text(expected.size(), '\0');
+    return get_bytes(text.data(), text.size()) && left_ == 0 && text == expected;
+  }
+
+ private:
+  bool get_bytes(void* bytes, std::size_t size) {
+    if (size > left_ || !file_.read(static_cast<char*>(bytes), static_cast<std::streamsize>(size))) return false;
+    left_ -= size;
+    digest_.add({static_cast<const char*>(bytes), size});
+    return true;
+  }
+
+  std::ifstream& file_;
+  std::uint64_t left_;
+  RunningDigest digest_;
+};
+
+}  // namespace
+
+std::optional<RunIndex::Print> RunIndex::print_of(const std::string& path) {
+  std::error_code problem;
+  Print print;
+  print.bytes = fs::file_size(path, problem);
+  if (problem || print.bytes < shortest_kept) return std::nullopt;
+  print.written_ns = fs::last_write_time(path, problem).time_since_epoch().count();
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 8192> ends{};
+  file.read(ends.data(), ends.size() / 2);
+  file.seekg(-static_cast<std::streamoff>(ends.size() / 2), std::ios::end);
+  file.read(ends.data() + ends.size() / 2, ends.size() / 2);
+  if (problem || !file) return std::nullopt;
+  print.ends = hash_of({ends.data(), ends.size()});
+  return print;
+}
+
+std::optional<RunIndex> RunIndex::kept(const std::string& path, const Print& print) {
+  std::error_code problem;
+  const auto size = fs::file_size(index_path(path), problem);
+  if (problem) return std::nullopt;
+  std::ifstream file(index_path(path), std::ios::binary);
+  Reader reader(file, size);
+  RunIndex index;
+  Begin begin;
+  Print of_log;
+  std::vector<Symbol> symbols;
+  if (!reader.get(begin) || begin != Begin() || !reader.get(of_log) || of_log != print ||
+      !reader.get_texts(index.kinds_) || !reader.get_texts(index.names_) || !reader.get_all(index.entries_) ||
+      !reader.get_all(index.marks_) || !reader.get_all(symbols) || !reader.get_all(index.acts_) ||
+      !reader.get_all(index.steps_) || !reader.get_all(index.trouble_) || !reader.get(index.last_line_) ||
+      !reader.finished())
+    return std::nullopt;
+  index.symbols_.reserve(symbols.size());
+  for (const auto& [id, place] : symbols) index.symbols_.emplace(id, place);
+  index.path_ = path;
+  index.bytes_ = print.bytes;
+  if (!index.consistent()) return std::nullopt;
+  return index;
+}
+
+bool RunIndex::consistent() const {
+  const auto known = [this](std::uint64_t n) { return n < entries_.size(); };
+  return !entries_.empty() && std::all_of(entries_.begin(), entries_.end(), [this](const RecordEntry& entry) {
+    return entry.kind < kinds_.size() && entry.offset <= bytes_ && entry.length <= bytes_ - entry.offset;
+  }) && std::all_of(marks_.begin(), marks_.end(), [&](const StackMark& mark) {
+    return known(mark.n);
+  }) && std::all_of(acts_.begin(), acts_.end(), [&](const ActMark& mark) {
+    return known(mark.n);
+  }) && std::all_of(steps_.begin(), steps_.end(), [&](const StepMark& step) {
+    return known(step.n) && std::max({step.id, step.from, step.to}) < names_.size();
+  }) && std::all_of(symbols_.begin(), symbols_.end(), [&](const auto& symbol) {
+    const auto below = symbols_.find(symbol.second.below);
+    return known(symbol.second.n) && (below == symbols_.end() || below->second.n < symbol.second.n);
+  });
+}
+
+// Under a name of its own until it is whole. That it cannot be written is no trouble.
+void RunIndex::keep(const Print& print) const {
+  std::vector<Symbol> symbols;
+  for (const auto& [id, place] : symbols_) symbols.push_back({id, place});
+  std::sort(symbols.begin(), symbols.end(), [](const Symbol& a, const Symbol& b) { return a.id < b.id; });
+  const auto unfinished = fmt::format("{}.{}", index_path(path_), ::getpid());
+  std::ofstream file(unfinished, std::ios::binary);
+  Writer writer(file);
+  writer.put(Begin());
+  writer.put(print);
+  writer.put_texts(kinds_);
+  writer.put_texts(names_);
+  writer.put_all(entries_);
+  writer.put_all(marks_);
+  writer.put_all(symbols);
+  writer.put_all(acts_);
+  writer.put_all(steps_);
+  writer.put_all(trouble_);
+  writer.put(last_line_);
+  writer.finish();
+  file.close();
+  std::error_code problem;
+  if (file) fs::rename(unfinished, index_path(path_), problem);
+  if (!file || problem) fs::remove(unfinished, problem);
+}
+
+}  // namespace continua

@@ -1,0 +1,73 @@
+// Writes run logs (RUNLOG.md): numbers the lines and keeps the digests that the last line states.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "continua/core/digest.h"
+#include "continua/core/located_json.h"
+#include "continua/core/sim_time.h"
+
+namespace continua {
+
+/// Whether records of this kind are decisions (RUNLOG.md, `decisions`).
+bool is_decision(std::string_view kind);
+
+/// Takes the records of a run one after another and gives what of them must be equal on every machine and in every
+/// world, {"kind", "fields", "t"}, in the order in which it counts.
+class DecisionOrder {
+ public:
+  /// Nothing, if the record is no decision, or tells how an act goes on.
+  std::optional<Json> next(std::string_view kind, double t_s, Json fields);
+  std::optional<Json> next(const Json& record);
+  /// After the last record: what each act came to, by the acts' numbers.
+  std::vector<Json> outcomes() const;
+
+ private:
+  std::map<std::int64_t, Json> outcomes_;
+};
+
+/// Every so many records the last one is a `block`, which states a digest of the others.
+inline constexpr int records_per_block = 256;
+
+/// A decision nearer than this to another one is fragile: the smallest step that decisions see of the world, metres
+/// (world/geometry.h), and as much of any other number that was compared.
+inline constexpr double fragile_margin = 1e-4;
+
+/// How near the record's decisions were to others: the smallest `margin` in it, infinity without any.
+double margin_of(std::string_view kind, const Json& fields);
+
+class RunLog {
+ public:
+  /// Every line is written to `out` at once and whole; `out` must outlive the log.
+  explicit RunLog(std::ostream& out) : out_(out) {}
+
+  /// Writes one record and returns its number. `fields` follow `kind`, `n`, `t` and `cause` in their order.
+  int write(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause = std::nullopt);
+
+  /// Writes the last line.
+  void finish(SimTime t);
+
+  /// How many records of each kind there are.
+  const std::map<std::string, int>& counts() const { return counts_; }
+  /// How many decisions were fragile so far.
+  std::size_t fragile() const { return fragile_.size(); }
+
+ private:
+  int write_line(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause);
+  void close_block(SimTime t);
+
+  std::ostream& out_;
+  int next_ = 0;
+  Json fragile_ = Json::array();  ///< {"n", "margin"}
+  std::map<std::string, int> counts_;
+  RunningDigest all_, block_, decisions_, physics_;
+  DecisionOrder decision_order_;
+};
+
+}  // namespace continua

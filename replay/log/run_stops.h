@@ -1,0 +1,15 @@
+// Where a reader going through a run from one event to the next wants to stop.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "continua/replay/log/run_index.h"
+
+namespace continua {
+
+/// In order: neither the stream of pointing samples nor its refusals, nor what it moves without changing the stack; nor
+/// poses, symbols and other records that only keep the log's account.
+std::vector<std::uint32_t> records_worth_stopping_at(const RunIndex& run);
+
+}  // namespace continua

@@ -1,0 +1,28 @@
+// What a live session can be set up with, and what a page offers the human to do: from data.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "continua/automaton/machine.h"
+#include "continua/core/located_json.h"
+#include "continua/core/result.h"
+#include "continua/perception/gesture.h"
+#include "continua/replay/session/data_paths.h"
+
+namespace continua {
+
+/// {"scenes": [names], "machines": [names], "scene", "machine": those that are meant where none is named, "buttons":
+/// [{"label", "key", "event"}]}, the last three from knowledge/live.json. Errors: that cannot be read.
+Result<Json> live_setup(const DataPaths& data);
+
+/// All that is wrong with the text of a live.json of this data, in the order of the file: unknown keys, a scene or
+/// machine that is not there, buttons without a label, a key of their own (one letter) or an event that can be sent.
+std::vector<Error> check_live_setup(std::string_view text, const std::string& path, const DataPaths& data);
+
+/// The gestures that a human may make, [{"label", "about", "event": of a trace, without `t`}]: those of the catalogue,
+/// in each direction that says something; of a machine without (null) those that its transitions know by name.
+Json gesture_palette(const Machine& machine, const GestureCatalogue* gestures);
+
+}  // namespace continua

@@ -1,0 +1,70 @@
+#include <map>
+#include <sstream>
+
+#include "continua/replay/export/chrome.h"
+#include "replay/inspector/inspector_log.h"
+#include "support/catch.h"
+
+using namespace continua;
+
+namespace {
+
+Json events_of(const std::string& log) {
+  const auto run = RunIndex::of_text(log, "small.run.jsonl").value();
+  std::ostringstream out;
+  REQUIRE_FALSE(export_chrome(run, out));
+  return Json::parse(out.str())["traceEvents"];
+}
+
+// "ts name" of the events of a phase, one a line; with how long they last, if they say it.
+std::string told(const Json& events, const std::string& phase) {
+  std::string text;
+  for (const auto& event : events) {
+    if (event["ph"] != phase) continue;
+    text += compact(event["ts"]) + (event.contains("dur") ? "+" + compact(event["dur"]) : "") + " " +
+            event["name"].get<std::string>() + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a time line has what was done and said, the states one after the other, and acts as spans") {
+  const auto events = events_of(small_log().text());
+  CHECK(told(events, "X") == "0+1500000 Wait\n1500000+1500000 AskWhichBlock\n3000000+7000000 Wait\n");
+  CHECK(told(events, "i") ==
+        "1500000 “Put it there.”\n1500000 ask\n1500000 “Which block?”\n2000000 stay\n3000000 right point start\n"
+        "3000000 agree\n");
+  CHECK(told(events, "b") == "3100000 put(block2, on(block1))\n");
+  CHECK(told(events, "e") == "5000000 put(block2, on(block1))\n");
+}
+
+TEST_CASE("steps are spans inside of their act, and end with it") {
+  LogBuilder log;
+  log.add("run", 0, {{"version", 1}});
+  const auto act = [&](double t, const char* program, const char* status, int step) {
+    Json fields{{"act", 1}, {"program", program}, {"status", status}};
+    if (step > 0) fields["step"] = step;
+    log.add("act", t, fields);
+  };
+  act(1, "put(a, on(b))", "asked", 0);
+  act(1, "put(a, on(b))", "started", 0);
+  act(1, "grasp(a)", "started", 1);
+  act(2, "grasp(a)", "done", 1);
+  act(2, "move(a, on(b))", "started", 2);
+  act(3, "put(a, on(b))", "dropped", 0);
+  act(4, "lift(a)", "started", 0);
+  log.add("rest", 6);
+  const auto events = events_of(log.text());
+  CHECK(told(events, "b") == "1000000 put(a, on(b))\n1000000 grasp(a)\n2000000 move(a, on(b))\n4000000 lift(a)\n");
+  CHECK(told(events, "e") == "2000000 grasp(a)\n3000000 move(a, on(b))\n3000000 put(a, on(b))\n6000000 lift(a)\n");
+}
+
+TEST_CASE("of a log cut short what there is makes a time line") {
+  const auto text = small_log().text();
+  for (const auto length : {text.find('\n') + 1, text.size() / 2, text.size() - 3}) {
+    const auto events = events_of(text.substr(0, length));
+    CHECK(events.size() >= 11);
+    for (const auto& event : events) CHECK((event["ph"] == "M" || event["ts"].is_number_integer()));
+  }
+}

@@ -1,0 +1,141 @@
+// The page that shows why a run is not as it was approved.
+#include "continua/replay/export/run_report.h"
+
+#include <pugixml.hpp>
+
+#include "continua/replay/export/run_dialogue.h"
+#include "continua/replay/export/run_html.h"
+#include "replay/inspector/inspector_log.h"
+
+using namespace continua;
+
+namespace {
+
+RunIndex index_of(const LogBuilder& log) { return RunIndex::of_text(log.text(), "a log").value(); }
+
+std::string told(const std::vector<DialogueLine>& lines) {
+  std::string text;
+  for (const auto& line : lines) text += line.who + " " + line.how + " " + line.what + "\n";
+  return text;
+}
+
+std::string page_of(const std::string& now, const std::string& before) {
+  const auto run = RunIndex::of_text(now, "now").value(), approved = RunIndex::of_text(before, "before").value();
+  const auto diff = diff_runs(approved, run).value();
+  return report_page({"a.trace.jsonl", "changed", diff.sentence, &run, &approved, &diff, {"continua replay a"}});
+}
+
+std::string replaced(std::string text, const std::string& old, const std::string& with) {
+  const auto at = text.find(old);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, old.size(), with);
+}
+
+// Well-formed, with a policy, and nothing in it that runs or is loaded.
+void check_page(const std::string& page) {
+  pugi::xml_document document;
+  const auto parsed = document.load_string(page.c_str());
+  INFO(parsed.description() << " at " << page.substr(static_cast<std::size_t>(parsed.offset), 80));
+  CHECK(parsed);
+  CHECK(document.select_node("//meta[@http-equiv='Content-Security-Policy']"));
+  for (const char* path :
+       {"//script", "//link", "//iframe", "//img", "//@src", "//@href", "//@*[starts-with(name(), 'on')]"})
+    CHECK_FALSE(document.select_node(path));
+  CHECK(page.find("url(") == std::string::npos);
+  CHECK(page.find("@import") == std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("text is shown in HTML as it is") {
+  struct Case {
+    const char* text;
+    const char* html;
+  };
+  const Case cases[] = {{"", ""},
+                        {"a < b && c > d", "a &lt; b &amp;&amp; c &gt; d"},
+                        {"\"quoted\" 'so'", "&quot;quoted&quot; &#39;so&#39;"},
+                        {"<script>", "&lt;script&gt;"},
+                        {"Grüße → ε", "Grüße → ε"},
+                        {"a\nb\tc\x01", "a\nb␉c␁"}};
+  for (const auto& [text, html] : cases) {
+    CAPTURE(text);
+    CHECK(in_html(text) == html);
+  }
+}
+
+TEST_CASE("a run is told as a dialogue") {
+  CHECK(told(dialogue_of(index_of(small_log()))) ==
+        "human says “Put it there.”\n"
+        "avatar says “Which block?”\n"
+        "human shows right point start\n"
+        "avatar does put(block2, on(block1))\n"
+        "avatar did not take x in Wait: no transition takes x\n");
+  struct Case {
+    const char* kind;
+    const char* fields;
+    const char* line;
+  };
+  const Case cases[] = {
+      {"act", R"({"program": "p", "status": "dropped", "result": {"reason": "it fell"}})",
+       "avatar did not p: dropped, it fell\n"},
+      {"act", R"({"program": "p", "status": "done"})", ""},
+      {"act", R"({"program": "p", "status": "blocked", "step": 2})", ""},
+      {"expect", R"({"met": false, "expected": {"state": "A"}, "found": {"state": "B"}})",
+       "expectation is not met: expected state A; found state B\n"},
+      {"expect", R"({"met": true})", ""},
+      {"input", R"({"event": {"kind": "pointing"}})", ""},
+      {"input", R"({"event": 7})", ""},
+      {"gesture", R"json({"gesture": "look_at(x)"})json", "avatar shows look_at(x)\n"},
+      {"utterance", R"({"text": ["no text"]})", "avatar says “[\"no text\"]”\n"},
+      {"act", R"({"status": 3})", "avatar did not : 3\n"},
+  };
+  for (const auto& [kind, fields, line] : cases) {
+    LogBuilder log;
+    log.add("run", 0, {{"version", 1}});
+    log.add(kind, 1, Json::parse(fields));
+    CAPTURE(kind, fields);
+    CHECK(told(dialogue_of(index_of(log))) == line);
+  }
+}
+
+TEST_CASE("refused samples of pointing are not told") {
+  LogBuilder log;
+  log.add("run", 0, {{"version", 1}});
+  const auto sample = log.add("input", 1, {{"event", {{"kind", "pointing"}}}});
+  log.add("refusal", 1, {{"state", "A"}}, static_cast<int>(sample));
+  const auto speech = log.add("input", 1, {{"event", {{"kind", "speech"}, {"text", "Hm."}}}});
+  log.add("refusal", 1, {{"state", "A"}, {"input", "s"}, {"reason", "no"}}, static_cast<int>(speech));
+  CHECK(told(dialogue_of(index_of(log))) == "human says “Hm.”\navatar did not take s in A: no\n");
+}
+
+TEST_CASE("a page shows both runs and what differs") {
+  const auto before = small_log().text(), now = replaced(before, "Which block?", "Which <one>?");
+  const auto page = page_of(now, before);
+  check_page(page);
+  CHECK_THAT(page, Contains("<span class=\"verdict bad\">changed</span>"));
+  CHECK_THAT(page, Contains("data-of=\"A, approved\">− <span class=\"who\">avatar</span> says “Which block?”"));
+  CHECK_THAT(page, Contains("data-of=\"B, now\">+ <span class=\"who\">avatar</span> says “Which &lt;one&gt;?”"));
+  CHECK_THAT(page, Contains("<td class=\"both\"><span class=\"who\">human</span> says “Put it there.”"));
+  CHECK_THAT(page, Contains("<svg"));
+  CHECK_THAT(page, Contains("AskWhichBlock"));
+  CHECK_THAT(page, Contains("<pre>continua replay a\n"));
+}
+
+TEST_CASE("a page can be made of one run alone") {
+  const auto run = index_of(small_log());
+  const auto page = report_page({"a & b", "broken", "an \"expectation\" is not met", &run, nullptr, nullptr, {}});
+  check_page(page);
+  CHECK_THAT(page, Contains("<title>broken: a &amp; b</title>"));
+  CHECK_THAT(page, Contains("“Which block?”"));
+  CHECK(page.find("Records that differ") == std::string::npos);
+}
+
+TEST_CASE("a page can be made of runs without a graph, cut short, and of odd records") {
+  LogBuilder odd;
+  odd.add("run", 0, {{"version", 1}, {"graph", 7}, {"machine", "m"}, {"trace", Json::array()}});
+  odd.add("utterance", 1, {{"text", std::string(5000, 'x') + "<"}});
+  odd.add("act", 1, {{"act", "one"}, {"program", Json::array()}, {"status", nullptr}});
+  odd.line(R"({"kind":"input","n":3,"t":2,"event":)");
+  check_page(page_of(odd.text().substr(0, odd.text().size() - 1), small_log().text()));
+}

@@ -1,0 +1,1 @@
+// Compiled once, so that its precompiled headers serve every test program.
