@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "continua/core/characters.h"
 #include "continua/replay/inspector/run_find.h"
 #include "continua/replay/inspector/run_labels.h"
 #include "continua/replay/log/run_brief.h"
