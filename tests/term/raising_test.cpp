@@ -128,7 +128,7 @@ TEST_CASE("what is wrong in a file of rules is said where it stands") {
   CHECK(error_in("{ \"raising\": 1, \"rules\": 3 }") == "raising.json:1:26: found 3, expected the rules, a list");
   CHECK(error_in("{ \"raising\": 1, \"rule\": [], \"rules\": [] }") ==
         "raising.json:1:17: unknown key 'rule' of raising rules (did you mean 'rules'?)");
-  CHECK(error_in("{ \"raising\": 1, \"programs\": { \"in\": \"e -> lok\" }, \"rules\": [] }") ==
+  CHECK(error_in("{ \"raising\": 1, \"programs\": { \"up\": \"e -> lok\" }, \"rules\": [] }") ==
         "raising.json:1:43: unknown type 'lok' (did you mean 'loc'?)");
   CHECK(error_in("{ \"raising\": 1, \"programs\": { \"in\": \"e -> e\" }, \"rules\": [] }") ==
         "raising.json:1:37: 'in' is known already, with the type e -> loc");

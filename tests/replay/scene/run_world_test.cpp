@@ -204,7 +204,7 @@ TEST_CASE("acts tell what they are done with and whither") {
       {"stop", {}, "done", nullptr, nullptr},
       {"clear", {{"move(blue, <0.5, -0.1, 0>)", "done"}}, "done", "blue", place},
       {"put(green, on(yellow))", {}, "done", nullptr, nullptr},
-      {"put(red, <1, x>", {}, "done", "red", nullptr},
+      {"put(red, <1, x>", {}, "done", nullptr, nullptr},
       {")(", {}, "done", nullptr, nullptr},
   };
   for (const auto& row : rows) {

@@ -16,9 +16,10 @@ namespace {
 // A machine that learns on command, and says its lessons.
 struct Lessons {
   Lessons() {
-    folder.file("m.json", R"json({"machine":1,"name":"m","start":"A","phrases":"english",
+    folder.file("words.json", R"({"phrases":1,"say":{"ask_thing":[{"say":"Which one?"}]}})");
+    folder.file("m.json", R"json({"machine":1,"name":"m","start":"A","phrases":")json" + folder.at("words") + R"json(",
       "programs":{"grasp":"e -> t","lift":"e -> t","cup":"e"},"slots":{"acts":"t*"},"bottom":{"acts":"[grasp(cup), lift(cup)]"},
-      "define":{"pending":"''","theme":"if(true, null, cup)","lacks_place":"true"},"transitions":[
+      "transitions":[
       {"id":"teach","from":"A","on":"speech teach","to":"A","do":[{"learn":{"word":"'hoist'","acts":"acts"}}]},
       {"id":"forget","from":"A","on":"speech forget","to":"A","do":[{"forget":"all"}]},
       {"id":"ask","from":"A","on":"speech ask","to":"A","do":[{"say":"{learned('hoist')}"},{"phrase":"ask_thing"}]}]})json");
@@ -76,7 +77,7 @@ TEST_CASE("what one run was taught the next one knows, and its log says so") {
 TEST_CASE("the log holds the phrases, and what was learned counts among the decisions") {
   Lessons lessons;
   const auto before = lessons.replay("ask");
-  CHECK(before.front()["phrases"]["name"] == "english");
+  CHECK(before.front()["phrases"]["name"] == lessons.folder.at("words"));
   CHECK(before.front()["phrases"]["document"]["say"].contains("ask_thing"));
   const auto taught = lessons.replay("teach");
   fs::remove(lessons.folder.at("learned.json"));
