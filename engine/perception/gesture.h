@@ -46,7 +46,7 @@ Result<GestureCatalogue> read_gestures(std::string_view text, const std::string&
 
 /// All that is wrong with a file: line, what was found, what was expected, the nearest name; examples that are not true
 /// included. That meanings are terms is for who knows the words that they are made of
-/// (replay/session/language_loading.h).
+/// (knowledge_files/language_loading.h).
 std::vector<Error> check_gestures(std::string_view text, const std::string& path);
 
 }  // namespace continua

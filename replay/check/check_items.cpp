@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "continua/replay/session/data_paths.h"
+#include "continua/knowledge_files/data_paths.h"
 
 namespace continua {
 namespace fs = std::filesystem;

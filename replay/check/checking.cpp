@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "continua/knowledge_files/language_loading.h"
 #include "continua/machine_file/machine_loader.h"
 #include "continua/replay/check/annotations.h"
 #include "continua/replay/check/check_failures.h"
 #include "continua/replay/check/examples.h"
 #include "continua/replay/check/file_kinds.h"
-#include "continua/replay/session/language_loading.h"
 #include "continua/replay/terminal/shell_word.h"
 #include "continua/voxml/program_check.h"
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "continua/knowledge_files/data_paths.h"
 #include "continua/replay/check/check.h"
 #include "continua/replay/check/check_items.h"
 #include "continua/replay/check/check_report.h"
-#include "continua/replay/session/data_paths.h"
 #include "continua/replay/terminal/progress.h"
 
 namespace continua {

@@ -9,8 +9,8 @@
 #include "continua/analysis/acceptance.h"
 #include "continua/core/characters.h"
 #include "continua/core/located_json.h"
+#include "continua/knowledge_files/named_machine.h"
 #include "continua/replay/log/run_index.h"
-#include "continua/replay/session/named_machine.h"
 
 namespace continua {
 namespace {

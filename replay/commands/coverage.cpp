@@ -14,11 +14,11 @@
 #include <CLI/CLI.hpp>
 
 #include "continua/core/located_json.h"
+#include "continua/knowledge_files/data_paths.h"
+#include "continua/knowledge_files/language_loading.h"
 #include "continua/language/reduction.h"
 #include "continua/language/vocabulary.h"
 #include "continua/replay/coverage/coverage_text.h"
-#include "continua/replay/session/data_paths.h"
-#include "continua/replay/session/language_loading.h"
 #include "continua/replay/session/session.h"
 #include "continua/replay/terminal/progress.h"
 #include "continua/term/raising_file.h"

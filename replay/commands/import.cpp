@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <map>
 
+#include "continua/knowledge_files/named_machine.h"
 #include "continua/machine_file/machine_parameters.h"
-#include "continua/replay/session/named_machine.h"
 #include "continua/replay/trace/session_import.h"
 
 namespace continua {

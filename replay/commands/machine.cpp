@@ -11,10 +11,10 @@
 
 #include "continua/analysis/acceptance.h"
 #include "continua/analysis/machine_analysis.h"
+#include "continua/knowledge_files/named_machine.h"
 #include "continua/replay/export/graph_dot.h"
 #include "continua/replay/export/graph_svg.h"
 #include "continua/replay/recorder/recorder.h"
-#include "continua/replay/session/named_machine.h"
 
 namespace continua {
 namespace {

@@ -9,9 +9,9 @@
 #include <CLI/CLI.hpp>
 
 #include "continua/core/located_json.h"
+#include "continua/knowledge_files/data_paths.h"
 #include "continua/replay/check/run_approved.h"
 #include "continua/replay/experiment/shrink.h"
-#include "continua/replay/session/data_paths.h"
 #include "continua/replay/trace/trace_name.h"
 
 namespace continua {

@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include "continua/core/located_json.h"
+#include "continua/knowledge_files/data_paths.h"
 #include "continua/replay/check/file_kinds.h"
-#include "continua/replay/session/data_paths.h"
 
 namespace continua {
 namespace {

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "continua/core/digest.h"
+#include "continua/knowledge_files/data_paths.h"
 #include "continua/pipeline/pipeline.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/scene/run_points.h"
-#include "continua/replay/session/data_paths.h"
 #include "continua/replay/session/session.h"
 #include "continua/replay/trace/trace_file.h"
 #include "continua/replay/trace/whole_file.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "continua/replay/session/language_loading.h"
+#include "continua/knowledge_files/language_loading.h"
 
 namespace continua {
 namespace {

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "continua/core/located_json.h"
+#include "continua/knowledge_files/language_loading.h"
 #include "continua/learning/learning_file.h"
 #include "continua/pipeline/lessons.h"
-#include "continua/replay/session/language_loading.h"
 
 namespace continua {
 namespace fs = std::filesystem;

@@ -8,8 +8,8 @@
 #include "continua/automaton/machine.h"
 #include "continua/core/located_json.h"
 #include "continua/core/result.h"
+#include "continua/knowledge_files/data_paths.h"
 #include "continua/perception/gesture.h"
-#include "continua/replay/session/data_paths.h"
 
 namespace continua {
 

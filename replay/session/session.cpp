@@ -9,9 +9,9 @@
 
 #include "continua/body/kinematic_body.h"
 #include "continua/core/located_json.h"
+#include "continua/knowledge_files/data_paths.h"
+#include "continua/knowledge_files/language_loading.h"
 #include "continua/machine_file/machine_parameters.h"
-#include "continua/replay/session/data_paths.h"
-#include "continua/replay/session/language_loading.h"
 #include "continua/replay/session/learned_file.h"
 #include "continua/replay/session/scene_voxemes.h"
 #include "continua/replay/session/session_loop.h"
@@ -103,20 +103,15 @@ Result<EngineParts> load_parts(const Trace& trace, const ReplayOptions& options)
       load_machine(*path, *data, language_name, options.language.empty() ? header_line(trace) : "--language");
   if (!machine) return machine.error();
   if (const auto problem = set_parameters_of(trace, options, *machine)) return *problem;
-  auto language = load_language(*data, *machine);
-  if (!language) return language.error();
-  EngineParts parts;
-  parts.choice = options.choice.value_or(machine->choice);
-  parts.seed = options.seed.value_or(trace.header.seed);
-  parts.perspective = trace.header.perspective;
-  if (!machine->perspective.empty())
-    parts.perspective = machine->perspective == "avatar" ? Perspective::avatar : Perspective::human;
-  auto forced = forced_of(options.forced, parts.choice, *machine);
+  const bool own_perspective = !machine->perspective.empty();
+  auto parts = load_engine_parts(*std::move(machine), *data);
+  if (!parts) return parts.error();
+  parts->choice = options.choice.value_or(parts->choice);
+  parts->seed = options.seed.value_or(trace.header.seed);
+  if (!own_perspective) parts->perspective = trace.header.perspective;
+  auto forced = forced_of(options.forced, parts->choice, *parts->machine);
   if (!forced) return forced.error();
-  parts.forced = std::move(*forced);
-  parts.knowledge = knowledge_digests(*data, *machine);
-  parts.machine = std::make_shared<const Machine>(std::move(*machine));
-  parts.language = std::make_shared<const Language>(std::move(*language));
+  parts->forced = std::move(*forced);
   return parts;
 }
 

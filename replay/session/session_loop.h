@@ -1,5 +1,5 @@
-// The only loop there is: events go to the engine and time to the world; what both did goes to the log. A replay knows
-// all events beforehand, a live session does not; how time is cut into pieces makes no difference.
+// The loop of replays and live sessions: a conversation, its log, and the trace's expectations and observed moves. A
+// replay knows all events beforehand, a live session does not; how time is cut into pieces makes no difference.
 #pragma once
 
 #include <deque>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "continua/body/kinematic_body.h"
-#include "continua/pipeline/pipeline.h"
+#include "continua/body/body.h"
+#include "continua/conversation/conversation.h"
 #include "continua/replay/recorder/recorder.h"
 #include "continua/replay/session/following.h"
 #include "continua/replay/session/session_parts.h"
@@ -35,20 +35,20 @@ class SessionLoop {
   /// Attends to all that waits, finishes acts that are under way, and writes the log's last line.
   Replayed finish();
 
-  SimTime now() const { return now_; }
+  SimTime now() const { return conversation_.now(); }
   /// Nothing more is to happen.
   bool is_over() const { return over_; }
-  /// The world stands still until it is told something.
+  /// The world stands still until a command comes.
   bool is_at_rest() const { return body_->at_rest(); }
-  /// When what waits is attended to at the latest; nothing waits if there is none.
-  std::optional<SimTime> due() const { return pipeline_->due(*state_); }
-  /// The name of that which the machine is in.
-  const std::string& state() const { return pipeline_->machine().states[state_->configuration.state].name; }
+  /// The instant at which waiting inputs are attended to at the latest; nothing when none waits.
+  std::optional<SimTime> due() const { return conversation_.due(); }
+  /// The name of the machine's state.
+  const std::string& state() const;
 
  private:
-  void use(const EngineParts& parts);
-  Chooser chooser() const { return {parts_->choice, Random(parts_->seed), parts_->forced, 0}; }
-  bool ready(SimTime t);
+  using Step = Conversation::Step;
+
+  bool ready();
   Situation situation() const;
   void look_on();
   void take(const TraceEvent& event, const InputEvent& input);
@@ -58,11 +58,9 @@ class SessionLoop {
   void take(const TraceEvent&, const UnknownKind&) {}
   void follow_observed();
   void check_expectations();
-  void take(Tick tick, SimTime t);
-  void obey(Tick tick, SimTime t);
-  void tell(const std::vector<ActReport>& acts);
-  void go_on(SimTime t);
-  void attend();
+  void run(std::optional<SimTime> t);
+  void record(const Thought& thought);
+  void record(const WorldReport& report) { recorder_.world(report); }
   void settle();
   void write_end();
 
@@ -73,11 +71,8 @@ class SessionLoop {
   bool open_ = false;                     // something may still be observed of the last input
   std::unique_ptr<Following> following_;  // of what was observed, unless the run is free
   Recorder recorder_;
-  const EngineParts* parts_ = nullptr;  // those that answer now
-  std::unique_ptr<Pipeline> pipeline_;  // of these
-  std::optional<EngineState> state_;    // once the run has begun
   std::unique_ptr<Body> body_;
-  SimTime now_;
+  Conversation conversation_;
   bool over_ = false;
   std::vector<std::string> said_since_input_;
   struct Expected {

@@ -7,6 +7,7 @@
 
 #include "continua/body/body.h"
 #include "continua/core/located_json.h"
+#include "continua/knowledge_files/engine_parts.h"
 #include "continua/learning/learning.h"
 #include "continua/pipeline/pipeline.h"
 #include "continua/replay/session/session.h"
@@ -15,21 +16,10 @@
 
 namespace continua {
 
-/// What answers the human. It may change in mid-run; scene, world and what was taught before the run may not.
-struct EngineParts {
-  std::shared_ptr<const Machine> machine;
-  std::shared_ptr<const Language> language;
-  Choice choice = Choice::likeliest;
-  Perspective perspective = Perspective::human;
-  std::uint64_t seed = 0;
-  std::map<int, std::size_t> forced;  ///< step → transition
-  Json knowledge;                     ///< digests of its files
-};
-
 /// What counts from an instant of the run on.
 struct WhatIf {
   SimTime from;
-  EngineParts parts;
+  EngineParts parts;                                         ///< scene, world and lessons from before the run stay
   std::optional<std::pair<std::string, std::string>> trace;  ///< name and digest of that of the events from then on
   std::vector<Note> notes;                                   ///< on its lines, but those on the trace's own
 };

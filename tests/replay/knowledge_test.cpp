@@ -3,9 +3,9 @@
 
 #include "continua/core/located_json.h"
 #include "continua/facts/methods.h"
+#include "continua/knowledge_files/language_loading.h"
 #include "continua/machine_file/machine_loader.h"
 #include "continua/replay/check/examples.h"
-#include "continua/replay/session/language_loading.h"
 #include "support/catch.h"
 
 using namespace continua;

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include "continua/knowledge_files/data_paths.h"
 #include "continua/replay/check/check.h"
 #include "continua/replay/check/file_kinds.h"
-#include "continua/replay/session/data_paths.h"
 #include "continua/replay/session/session.h"
 #include "continua/simulation/scene.h"
 #include "support/catch.h"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "continua/knowledge_files/named_machine.h"
 #include "continua/replay/commands/accept.h"
-#include "continua/replay/session/named_machine.h"
 #include "replay/played.h"
 #include "support/temporary_folder.h"
 

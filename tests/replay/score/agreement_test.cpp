@@ -98,8 +98,7 @@ TEST_CASE("templates can be read") {
   CHECK(template_of(act("put(block1,on(block2))"), blanks) == "put(_, on(_))");
   CHECK(template_of(act("put(block1, <0.1, 0, 0>)"), blanks) == "put(_, _)");
   CHECK(template_of(act("put(cup_1, part('front', <0.1, 0, 0>))"), blanks) == "put(_, _)");
-  CHECK(template_of(act("push([block1, 'the red one', []], <0, 0, 0>)"), blanks) ==
-        "push([_, 'the _ one', []], _)");
+  CHECK(template_of(act("push([block1, 'the red one', []], <0, 0, 0>)"), blanks) == "push([_, 'the _ one', []], _)");
   CHECK(template_of(act("stop"), blanks) == "stop");
   CHECK(template_of({say("OK."), gesture("reach(block1)"), act("grasp(block1)")}, blanks) ==
         std::vector<std::string>{"say OK.", "grasp(_)"});

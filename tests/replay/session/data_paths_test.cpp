@@ -1,4 +1,4 @@
-#include "continua/replay/session/data_paths.h"
+#include "continua/knowledge_files/data_paths.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "continua/replay/session/data_paths.h"
+#include "continua/knowledge_files/data_paths.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -44,7 +44,8 @@ std::optional<fs::path> tree_above_program() {
   auto folder = fs::read_symlink("/proc/self/exe", problem).parent_path();
   if (problem) return std::nullopt;
   for (;; folder = folder.parent_path()) {
-    if (is_tree(folder)) return folder;
+    for (const auto& tree : {folder, folder / "share" / "continua"})
+      if (is_tree(tree)) return tree;
     if (folder == folder.root_path()) return std::nullopt;
   }
 }
@@ -64,6 +65,11 @@ Result<std::string> resolve(const std::string& name, const char* what, const fs:
 }
 
 }  // namespace
+
+Result<DataPaths> data_paths_of(const std::string& tree) {
+  if (is_tree(tree)) return data_of_tree(tree);
+  return Error{tree, "is no folder of data; expected one with engine/knowledge and mjcf"};
+}
 
 Result<DataPaths> find_data_paths(const std::string& knowledge) {
   DataPaths data;

@@ -1,7 +1,7 @@
-#include "continua/replay/session/named_machine.h"
+#include "continua/knowledge_files/named_machine.h"
 
-#include "continua/replay/session/data_paths.h"
-#include "continua/replay/session/language_loading.h"
+#include "continua/knowledge_files/data_paths.h"
+#include "continua/knowledge_files/language_loading.h"
 
 namespace continua {
 

@@ -1,4 +1,4 @@
-#include "continua/replay/session/language_loading.h"
+#include "continua/knowledge_files/language_loading.h"
 
 #include <algorithm>
 #include <filesystem>

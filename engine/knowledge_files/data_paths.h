@@ -23,9 +23,13 @@ std::vector<std::string> names_in(const std::filesystem::path& folder, const std
 /// Of the files that machines name as their phrases.
 std::string phrases_folder(const DataPaths& data);
 
-/// Finds the data without being told: under CONTINUA_HOME (a source tree) if that is set, else in the nearest folder
-/// above the program that holds engine/knowledge and mjcf, else in the tree the program was built from. `knowledge`
-/// replaces the knowledge folder unless it is empty. An error names what was looked for.
+/// The data of a tree: a folder with engine/knowledge and mjcf, such as the source tree, or PREFIX/share/continua of an
+/// installation. The error says that it has none.
+Result<DataPaths> data_paths_of(const std::string& tree);
+
+/// Finds the data without being told: in the tree CONTINUA_HOME if that is set, else in the nearest tree above the
+/// program (a folder, or its share/continua), else in the tree from which the program was built. `knowledge`
+/// replaces the knowledge folder unless it is empty. An error names the places.
 Result<DataPaths> find_data_paths(const std::string& knowledge = "");
 
 /// The file that a trace or an option means by `name`: NAME.xml of mjcf/scenes or NAME.json of knowledge/machines, a

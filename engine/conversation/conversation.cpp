@@ -1,0 +1,116 @@
+#include "continua/conversation/conversation.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace continua {
+namespace {
+
+// An act may be answered with another one that is done at once, and so on: so often before time goes on.
+constexpr int most_rounds = 1000;
+
+}  // namespace
+
+Conversation::Conversation(EngineParts parts, Body& body, std::size_t most_branches)
+    : parts_(std::move(parts)),
+      body_(body),
+      most_branches_(most_branches),
+      pipeline_(std::make_unique<Pipeline>(parts_.machine, parts_.language, parts_.perspective, most_branches)) {}
+
+std::vector<Happening> Conversation::begin(Learned learned) { return all({}, {open(std::move(learned))}); }
+
+std::vector<Happening> Conversation::hear(const InputEvent& event) { return all({}, {receive(event)}); }
+
+std::vector<Happening> Conversation::advance(SimTime t) { return all(t, {}); }
+
+std::vector<Happening> Conversation::all(std::optional<SimTime> t, std::vector<Happening> happenings) {
+  run(t, {[](Step) { return true; },
+          [&](Step, Happening happening) {
+            happenings.push_back(std::move(happening));
+            return true;
+          }});
+  return happenings;
+}
+
+void Conversation::run(std::optional<SimTime> t, const Onlooker& onlooker) {
+  for (int rounds = 0;;) {
+    const auto step = next(t);
+    if (step == Step::none || !onlooker.before(step)) return;
+    const auto was = now_;
+    if (!onlooker.after(step, take(step, t))) return;
+    if (now_ > was) rounds = 0;
+    if (step != Step::world || ++rounds < most_rounds) continue;
+    if (settled_) return;
+    settled_ = true;
+    rounds = 0;
+  }
+}
+
+Thought Conversation::open(Learned learned) {
+  return obey(pipeline_->begin(parts_.chooser(), body_.snapshot(), std::move(learned)));
+}
+
+Thought Conversation::receive(const InputEvent& event) {
+  return obey(pipeline_->receive(*state_, event, body_.snapshot()));
+}
+
+Thought Conversation::change(const Change& change) {
+  const bool settled = settled_;
+  auto thought = obey(change(*pipeline_, *state_, body_.snapshot()));
+  settled_ = settled;
+  return thought;
+}
+
+Outcome Conversation::go_on_with(EngineParts parts, const std::function<void(EngineState&)>& prepare) {
+  auto pipeline = std::make_unique<Pipeline>(parts.machine, parts.language, parts.perspective, most_branches_);
+  EngineState state = *state_;
+  prepare(state);
+  auto taken_over = pipeline->take_over(std::move(state), *parts_.machine, body_.snapshot());
+  if (!taken_over) return taken_over.error();
+  state_ = *std::move(taken_over);
+  pipeline_ = std::move(pipeline);
+  parts_ = std::move(parts);
+  return std::nullopt;
+}
+
+Conversation::Step Conversation::next(std::optional<SimTime> t) const {
+  if (!untold_.empty()) return Step::tell;
+  if (!settled_) return Step::world;
+  if (!state_->complete.empty()) return Step::attend;
+  if (!t) return Step::none;
+  const auto due = this->due();
+  if (due && *due <= now_) return Step::wake;
+  return now_ < *t ? Step::world : Step::none;
+}
+
+Happening Conversation::take(Step step, std::optional<SimTime> t) {
+  if (step == Step::tell) return obey(pipeline_->reported(*state_, std::exchange(untold_, {}), body_.snapshot()));
+  if (step == Step::attend) return obey(pipeline_->attend(*state_, body_.snapshot()));
+  if (step == Step::wake) return obey(pipeline_->wake(*state_, now_));
+  if (!settled_) return let_world_go_on(now_);
+  return let_world_go_on(std::min(*t, due().value_or(*t)));
+}
+
+// Commands reach the body in the order in which the engine gave them.
+Thought Conversation::obey(Tick tick) {
+  for (const auto& event : tick.events) {
+    if (const auto* gesture = std::get_if<GestureCommand>(&event)) body_.command(gesture->command);
+    if (const auto* act = std::get_if<ActStep>(&event); act && act->command) body_.command(*act->command);
+  }
+  state_ = std::move(tick.after);
+  settled_ = false;
+  return {now_, std::move(tick.events)};
+}
+
+// An act that ends on the way is told to the engine at its time, so that its consequences begin at once.
+WorldReport Conversation::let_world_go_on(SimTime t) {
+  auto report = body_.advance(t);
+  const bool ended = std::any_of(report.acts.begin(), report.acts.end(),
+                                 [](const ActReport& act) { return act.status != ActReport::Status::started; });
+  if (ended) untold_ = report.acts;
+  now_ = report.until;
+  settled_ = settled_ || !ended;
+  return report;
+}
+
+}  // namespace continua
