@@ -10,6 +10,8 @@ std::span<const Carried> carried_terms() {
       Carried{"said", "text", &Input::said},
       Carried{"act", "t", &Input::act},
       Carried{"reason", "text", &Input::reason},
+      Carried{"why", "text", &Input::why},
+      Carried{"concerned", "e*", &Input::concerned},
       Carried{"gesture", "text", &Input::gesture},
       Carried{"observed_speech", "text", &Input::observed_speech},
       Carried{"observed_gestures", "term*", &Input::observed_gestures},

@@ -100,7 +100,7 @@ void Performer::give_up(Performance& performance, const WorldSnapshot& world) co
   auto& waiting = performance.waiting;
   const auto last = std::find_if(waiting.rbegin(), waiting.rend(), is_stop).base() - 1;
   for (auto each = waiting.begin(); each != last; ++each)
-    if (auto* asked = std::get_if<AskedAct>(&*each)) stop({std::move(*asked), {}, {}, {}, {}});
+    if (auto* asked = std::get_if<AskedAct>(&*each)) stop(ActEnd{.act = std::move(*asked)});
   waiting.erase(waiting.begin(), last);
 }
 

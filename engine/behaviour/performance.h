@@ -30,19 +30,20 @@ struct ActStep {
   int step = 0;  ///< running number within the act, from 1
   Term program;  ///< grasp(cup), move(cup, on(plate))
   std::optional<AvatarCommand> command;
-  std::string reason;
+  Reason reason;
 };
 
 /// What came of an act, as its steps have reported it: the last errors, reason and touches of any, what was moved aside
 /// and tried again in all of them.
 struct ActEnd {
   AskedAct act;
-  ActReport::Status status = ActReport::Status::done;
+  ActStatus status = ActStatus::done;
   double position_error_m = 0;
-  std::string reason;
-  std::vector<std::string> moved_aside;
+  Reason reason = {};
+  std::vector<std::string> moved_aside = {};
   double yaw_error = 0;  ///< radians
-  std::vector<std::string> touches = {}, retries = {};
+  std::vector<std::string> touches = {};
+  std::vector<Reason> retries = {};
 };
 
 /// What the body is told to do for a gesture, whose turn has come.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "continua/behaviour/planner.h"
 #include "continua/behaviour/preconditions.h"
 #include "continua/body/placement.h"
@@ -13,7 +11,8 @@
 namespace continua {
 namespace {
 
-using Status = ActReport::Status;
+using Code = ReasonCode;
+using Status = ActStatus;
 using Kind = Expression::Kind;
 
 // Programs within programs, and subevents of an act: against those that never end.
@@ -64,8 +63,8 @@ std::map<std::string, Vec3> places_of(const WorldSnapshot& world) {
   return places;
 }
 
-void PerformanceTurn::fail(Status status, std::string reason) {
-  act_.end.status = status;
+void PerformanceTurn::fail(Reason reason) {
+  act_.end.status = status_of(reason.code);
   act_.end.reason = std::move(reason);
   act_.ending = true;
 }
@@ -118,7 +117,7 @@ std::optional<Bindings> PerformanceTurn::bind(const Voxeme& voxeme, const Term& 
   }
   if (documented && arguments.size() > wanted.size()) arguments.resize(wanted.size());
   if (arguments.size() != wanted.size()) {
-    fail(Status::blocked, fmt::format("{} lacks an object or a place", print(program)));
+    fail({Code::incomplete, {}, {print(program)}});
     return std::nullopt;
   }
   const auto theme = std::find_if(arguments.begin(), arguments.end(), [&](const Term& argument) {
@@ -143,7 +142,7 @@ const Term* PerformanceTurn::there_already(const Voxeme& voxeme, const Bindings&
 
 void PerformanceTurn::push(Frame frame) {
   if (act_.frames.size() >= deepest)
-    return fail(Status::blocked, fmt::format("{} goes more than {} programs deep", print(frame.program), deepest));
+    return fail({Code::too_deep, {}, {print(frame.program), std::to_string(deepest)}});
   act_.frames.push_back(std::move(frame));
 }
 
@@ -156,7 +155,7 @@ void PerformanceTurn::perform(const Term& program, bool documented) {
   const auto bindings = bind(*voxeme, program, documented);
   if (!bindings) return;
   if (const auto* thing = there_already(*voxeme, *bindings)) {
-    if (!documented) act_.end.reason = fmt::format("{} is there already", thing->name());
+    if (!documented) act_.end.reason = {Code::there_already, {thing->name()}};
     return;
   }
   push({program, false, voxeme->body, *bindings});
@@ -178,7 +177,7 @@ Term PerformanceTurn::of_body(const Term& program, bool documented) const {
 
 std::optional<bool> PerformanceTurn::decided(const Expression& condition, const Bindings& bindings) {
   const auto holds = circumstances_.hold(condition, bindings);
-  if (!holds) fail(Status::blocked, fmt::format("nothing tells whether {} holds", print(condition)));
+  if (!holds) fail({Code::undecided, {}, {print(condition)}});
   return holds;
 }
 
@@ -194,7 +193,7 @@ void PerformanceTurn::define(const Expression& event) {
   const bool is_label = is_call(label, "as", 1) && label.arguments[0].arguments.empty();
   Term value = circumstances_.value(event.arguments[0], act_.frames.back().bindings);
   if (!is_label || value.is_null() || value.size() > largest_term)
-    return fail(Status::blocked, fmt::format("{} defines no place", print(event)));
+    return fail({Code::defines_nothing, {}, {print(event)}});
   act_.frames.back().bindings[label.arguments[0].name] = std::move(value);
 }
 
@@ -205,7 +204,7 @@ void PerformanceTurn::repeat(const Expression& event) {
   const auto& repeated = event.arguments[1];
   auto subevent = repeated.kind == Kind::text ? parse_subevent(repeated.name)
                                               : Result<Subevent>(Subevent{Subevent::When::always, {}, repeated});
-  if (!is_count || !subevent) return fail(Status::blocked, fmt::format("{} repeats nothing", print(event)));
+  if (!is_count || !subevent) return fail({Code::repeats_nothing, {}, {print(event)}});
   const Frame& frame = act_.frames.back();
   Frame again{frame.program, false, {*std::move(subevent)}, frame.bindings};
   again.times = std::stoi(count);
@@ -218,7 +217,7 @@ void PerformanceTurn::perform_event(const Expression& event) {
   if (event.kind == Kind::name && event.name.empty()) return;
   const auto program = circumstances_.value(event, act_.frames.back().bindings);
   if (program.size() > largest_term)
-    return fail(Status::blocked, fmt::format("{} stands for more than can be said", print(event)));
+    return fail({Code::too_large, {}, {print(event)}});
   perform(program, true);
 }
 
@@ -226,8 +225,7 @@ void PerformanceTurn::perform_event(const Expression& event) {
 void PerformanceTurn::advance() {
   Frame& frame = act_.frames.back();
   if (++act_.subevents > most_subevents)
-    return fail(Status::blocked,
-                fmt::format("{} takes more than {} steps", print(act_.end.act.program), most_subevents));
+    return fail(too_long());
   if (frame.times <= 0 || frame.at >= frame.body.size()) {
     if (--frame.times > 0)
       frame.at = 0;
@@ -264,7 +262,7 @@ void PerformanceTurn::advance_loop(const Subevent& loop) {
   const bool in_vain = frame.before && same_places(*frame.before, now);
   if (in_vain && frame.retried) {
     const auto program = of_body(circumstances_.value(event, frame.bindings), true);
-    return fail(Status::missed, fmt::format("{} moves nothing any more", print(program)));
+    return fail({Code::in_vain, {}, {print(program)}});
   }
   frame.retried = in_vain;
   frame.before = std::move(now);
@@ -295,7 +293,7 @@ bool PerformanceTurn::prepare(Frame& frame) {
     };
     const auto fresh = std::find_if_not(lacks->programs.begin(), lacks->programs.end(), tried);
     if (frame.prepared || fresh == lacks->programs.end()) {
-      fail(Status::blocked, fmt::format("{} needs {}", print(frame.program), lacks->condition));
+      fail({Code::needs_condition, {}, {print(frame.program), lacks->condition}});
     } else {
       frame.prepared = true;
       perform(*fresh, true);
@@ -305,14 +303,18 @@ bool PerformanceTurn::prepare(Frame& frame) {
   return false;
 }
 
+Reason PerformanceTurn::too_long() const {
+  return {Code::too_long, {}, {print(act_.end.act.program), std::to_string(most_subevents)}};
+}
+
 std::optional<ActStep> PerformanceTurn::own_step() {
   if (++act_.subevents > most_subevents) {
-    fail(Status::blocked, fmt::format("{} takes more than {} steps", print(act_.end.act.program), most_subevents));
+    fail(too_long());
     return std::nullopt;
   }
   auto command = plan(act_.frames.back().program, false, circumstances_.perspective());
   if (!command) {
-    fail(Status::blocked, command.error().sentence);
+    fail(command.reason());
     return std::nullopt;
   }
   if (prepare(act_.frames.back())) return std::nullopt;
@@ -320,7 +322,7 @@ std::optional<ActStep> PerformanceTurn::own_step() {
   act_.frames.pop_back();
   if (command->what == Capability::grasp) {
     if (command->object == world().held) {
-      step.reason = fmt::format("{} is held already", command->object);
+      step.reason = {Code::held_already, {command->object}};
       return step;
     }
     command->next = next_goal(command->object);
@@ -368,7 +370,7 @@ std::optional<ActStep> PerformanceTurn::let_go() {
   if (held.empty() || held == act_.held_before) return std::nullopt;
   auto step = new_step(Term::apply(Term::constant("ungrasp", Type::term()), Term::entity(held)));
   auto command = plan(step.program, false, circumstances_.perspective());
-  require(command.ok(), "the body can let go");
+  require(bool(command), "the body can let go");
   step.command = *std::move(command);
   act_.held_before = held;  // once
   return step;

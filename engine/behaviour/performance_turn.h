@@ -46,7 +46,8 @@ class PerformanceTurn {
   Term of_body(const Term& program, bool documented) const;
   std::optional<bool> decided(const Expression& condition, const Bindings& bindings);
   ActStep new_step(Term program) { return {act_.end.act.number, ++act_.steps, std::move(program), {}, {}}; }
-  void fail(ActReport::Status status, std::string reason);
+  void fail(Reason reason);
+  Reason too_long() const;
 
   const WorldSnapshot& world() const { return circumstances_.world(); }
 

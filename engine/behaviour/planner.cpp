@@ -4,8 +4,6 @@
 #include <array>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "continua/term/term_text.h"
 
 namespace continua {
@@ -37,17 +35,17 @@ std::optional<Goal> goal_of(const Term& term, Perspective perspective) {
 
 }  // namespace
 
-Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective) {
+OrReason<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective) {
   AvatarCommand command;
   const auto [head, arguments] = program.spine();
   const auto* known = head.kind() == Term::Kind::constant ? body_program(head.name()) : nullptr;
   if (!known) {
-    if (!gesture) return Error{"", fmt::format("{} is no program that the body can perform", print(program))};
+    if (!gesture) return Reason{ReasonCode::unknown_program, {}, {print(program)}};
     command.name = program.kind() == Term::Kind::text ? program.text_value() : print(program);
     return command;
   }
   command.what = known->what;
-  const auto wrong = [&] { return Error{"", fmt::format("{} lacks an object or a place", print(program))}; };
+  const auto wrong = [&] { return Reason{ReasonCode::incomplete, {}, {print(program)}}; };
   // Who points with what may be left out.
   const std::size_t least = known->takes == Takes::last_is_thing_or_place ? 1 : most_arguments(*known);
   if (arguments.size() < least || arguments.size() > most_arguments(*known)) return wrong();

@@ -5,16 +5,15 @@
 #include <string_view>
 
 #include "continua/body/avatar_command.h"
-#include "continua/core/result.h"
+#include "continua/body/reason.h"
 #include "continua/term/term.h"
 #include "continua/world/perspective.h"
 
 namespace continua {
 
 /// The command for a closed program or gesture; `perspective` is whose sides its place terms mean. A term that is no
-/// program of the body's is a signal of that name when `gesture`, otherwise an error whose sentence says what is wrong
-/// with it.
-Result<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective);
+/// program of the body's is a signal of that name when `gesture`, otherwise there is a reason.
+OrReason<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective);
 
 /// How many arguments the body's own program of that name takes at most; nothing if it has none of that name.
 std::optional<std::size_t> most_arguments(std::string_view program);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "continua/body/push_apart.h"
 #include "continua/body/standing.h"
 
@@ -58,10 +56,10 @@ WorldReport KinematicBody::advance(SimTime t) {
   const auto last_stop = std::find_if(waiting_.rbegin(), waiting_.rend(), is_stop).base();  // after it
   for (auto it = waiting_.begin(); it != waiting_.end(); ++it) {
     if (it + 1 < last_stop && effect_of(it->what) != ActEffect::announced) {
-      report.acts.push_back({it->id, world_.t, Status::stopped, 0, ""});
+      report.acts.push_back({it->id, world_.t, Status::stopped, 0, {}});
       continue;
     }
-    report.acts.push_back({it->id, world_.t, Status::started, 0, ""});
+    report.acts.push_back({it->id, world_.t, Status::started, 0, {}});
     const std::string held = world_.held;
     ActReport end = act(*it);
     end.id = it->id;
@@ -101,14 +99,13 @@ PoseSample KinematicBody::moved_since(const WorldSnapshot& before) const {
 
 ActReport KinematicBody::act(const AvatarCommand& command) {
   ActReport end;
-  const auto failed = [&](Status status, std::string reason) {
-    end.status = status;
-    end.reason = std::move(reason);
+  const auto failed = [&](Reason why) {
+    end.end_for(std::move(why));
     return end;
   };
 
   if (const auto name = missing_thing(command, world_))
-    return failed(Status::unreachable, fmt::format("there is no '{}'", *name));
+    return failed({ReasonCode::missing, {*name}});
   if (command.what == Capability::ungrasp) {
     release();
     return end;
@@ -117,16 +114,16 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
 
   AvatarCommand handling = command;
   if (handling.object.empty()) handling.object = world_.held;
-  if (handling.object.empty()) return failed(Status::blocked, "there is nothing to move");
+  if (handling.object.empty()) return failed({ReasonCode::nothing_held});
   const bool in_hand = handling.object == world_.held;
   if (command.what == Capability::move && !in_hand)
-    return failed(Status::blocked, fmt::format("{} is not in the hand", handling.object));
+    return failed({ReasonCode::not_held, {handling.object}});
   const WorldSnapshot before = world_;
   if (!in_hand) release();
   if (command.what == Capability::turn) {
     if (const auto why = turn(handling)) {
       world_ = before;
-      return failed(Status::blocked, *why);
+      return failed(*why);
     }
     return end;
   }
@@ -142,7 +139,7 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
     const auto place = placement(handling, lying_down(handling.object), occupied_);
     if (!place) {
       world_ = before;
-      return failed(Status::blocked, place.error().sentence);
+      return failed(place.reason());
     }
   }
   world_.held = handling.object;
@@ -155,8 +152,7 @@ ActReport KinematicBody::move(const AvatarCommand& command) {
   const WorldSnapshot laid = lying_down(command.object);
   const auto place = placement(command, laid, occupied_);
   if (!place) {
-    end.status = Status::blocked;
-    end.reason = place.error().sentence;
+    end.end_for(place.reason());
     return end;
   }
   shift(command.object, place->p_WO - world_.find(command.object)->p_WO);
@@ -170,13 +166,13 @@ ActReport KinematicBody::move(const AvatarCommand& command) {
     world_ = pushed_apart(std::move(world_), command.object);
   if (place->upright) {
     lying_.emplace(command.object, lying);
-    end.reason = fmt::format("{} stands on its end", command.object);
+    end.reason = {ReasonCode::stands_on_end, {command.object}};
   }
   return end;
 }
 
 /// Why the object cannot be turned, if it cannot. What stands on it turns along.
-std::optional<std::string> KinematicBody::turn(const AvatarCommand& command) {
+std::optional<Reason> KinematicBody::turn(const AvatarCommand& command) {
   const auto moves = carried_with(command.object, world_);
   const Vec3 axis_W = world_.find(command.object)->p_WO;
   const Eigen::AngleAxisd R(command.turn_rad, Vec3::UnitZ());
@@ -188,7 +184,7 @@ std::optional<std::string> KinematicBody::turn(const AvatarCommand& command) {
     object.yaw = std::remainder(object.yaw + command.turn_rad, full_turn);
     for (std::size_t j = 0; j < moves.size(); ++j)
       if (!moves[j] && overlap(object, world_.objects[j]) && !overlap(world_.objects[i], world_.objects[j]))
-        return fmt::format("there is no room to turn {}: {} is in the way", command.object, world_.objects[j].name);
+        return Reason{ReasonCode::in_the_way, {world_.objects[j].name, command.object}};
   }
   world_ = std::move(turned);
   return std::nullopt;

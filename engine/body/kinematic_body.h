@@ -31,7 +31,7 @@ class KinematicBody : public Body {
   /// Does the act and says how it went, but for its id and time.
   ActReport act(const AvatarCommand& command);
   ActReport move(const AvatarCommand& command);
-  std::optional<std::string> turn(const AvatarCommand& command);
+  std::optional<Reason> turn(const AvatarCommand& command);
   /// The world with an object shaped as it lies, should it stand on its end.
   WorldSnapshot lying_down(const std::string& name) const;
   /// Shifts an object and all that stands on it.

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "continua/body/standing.h"
 
 namespace continua {
@@ -20,6 +18,13 @@ constexpr double least_margin_m = 5e-4;
 constexpr double rim_m = 0.006;
 
 constexpr std::array sides = {Relation::left, Relation::right, Relation::in_front, Relation::behind};
+
+/// A relation in words: "in front".
+std::string in_words(Relation relation) {
+  std::string words(name_of(relation));
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
 
 Vec3 half_of(const Box& box) { return (box.max - box.min) / 2; }
 
@@ -58,15 +63,14 @@ class Places {
     }
   }
 
-  Result<Placement> find(Occupied occupied) const;
+  OrReason<Placement> find(Occupied occupied) const;
 
  private:
-  Error no(std::string_view why) const { return {"", std::string(why)}; }
-  Error no_room() const;
+  Reason no_room() const;
   Placement at_point() const;
-  Result<Placement> in_hollow() const;
-  Result<Placement> on_top(Occupied occupied) const;
-  Result<Placement> nearby(Occupied occupied) const;
+  OrReason<Placement> in_hollow() const;
+  OrReason<Placement> on_top(Occupied occupied) const;
+  OrReason<Placement> nearby(Occupied occupied) const;
 
   std::vector<Vec3> ideals() const;
   std::vector<Vec3> before_participant(Perspective who) const;
@@ -93,11 +97,7 @@ class Places {
   ObjectState before_;
 };
 
-Error Places::no_room() const {
-  if (!goal_.relation) return no(fmt::format("there is no room for {} at that place", object_.name));
-  return no(fmt::format("there is no room for {} {} {}", object_.name, in_words(*goal_.relation),
-                        fmt::join(goal_.landmarks, " and ")));
-}
+Reason Places::no_room() const { return reason_about_goal(ReasonCode::no_room, object_.name, goal_); }
 
 /// Whether nothing is in the way of the object there, nor of what goes along with it.
 bool Places::free(const ObjectState& placed) const {
@@ -185,10 +185,10 @@ Placement Places::at_point() const {
 }
 
 /// On the floor of a container, where the object fits as it lies or on its end.
-Result<Placement> Places::in_hollow() const {
+OrReason<Placement> Places::in_hollow() const {
   const ObjectState* container = landmarks_.front().thing;
   const auto hollow = container->interior_W();
-  if (!hollow) return no(fmt::format("{} has no hollow that anything could be put in", container->name));
+  if (!hollow) return Reason{ReasonCode::no_containment, {container->name}};
   bool fits = false;
   const bool alone = std::count(carried_.begin(), carried_.end(), true) == 1;
   for (const bool upright : {false, true}) {
@@ -203,11 +203,11 @@ Result<Placement> Places::in_hollow() const {
       if (is_inside(there, *container) && free(there)) return Placement{there.p_WO, upright};
     }
   }
-  if (!fits) return no(fmt::format("{} does not fit into {}", object_.name, container->name));
-  const auto inside = contents_of(*container);
+  if (!fits) return Reason{ReasonCode::does_not_fit, {object_.name, container->name}};
+  auto inside = contents_of(*container);
   if (inside.empty()) return no_room();
-  return no(fmt::format("{} is full: {} {} in it", container->name, fmt::join(inside, " and "),
-                        inside.size() > 1 ? "are" : "is"));
+  inside.insert(inside.begin(), container->name);
+  return Reason{ReasonCode::full, std::move(inside)};
 }
 
 /// What is in a container, the object itself apart.
@@ -221,7 +221,7 @@ std::vector<std::string> Places::contents_of(const ObjectState& container) const
   return inside;
 }
 
-Result<Placement> Places::on_top(Occupied occupied) const {
+OrReason<Placement> Places::on_top(Occupied occupied) const {
   constexpr double farthest_m = 0.2;
   const ObjectState& below = *landmarks_.front().thing;
   const Box top = below.bounds_W();
@@ -229,18 +229,18 @@ Result<Placement> Places::on_top(Occupied occupied) const {
   // What is set down on less than a quarter of its width tips at the least push.
   const Vec3 bearing = half_of(top), needed = (half_of(object_.bounds_W()) / 4).cwiseMax(rim_m);
   if (bearing.x() <= needed.x() || bearing.y() <= needed.y())
-    return no(fmt::format("{} is too narrow to bear {}", below.name, object_.name));
+    return Reason{ReasonCode::too_narrow, {below.name, object_.name}};
   if (occupied == Occupied::cleared) return Placement{on_grid(ideal)};
   for (const Vec3& step : steps_around(farthest_m)) {
     const ObjectState there = placed(ideal + step);
     if (!is_over(top, there.p_WO, rim_m) || !free(there) || !holds(there)) continue;
-    if (is_inside(there, below)) return no(fmt::format("{} would fall into {}", object_.name, below.name));
+    if (is_inside(there, below)) return Reason{ReasonCode::falls_in, {object_.name, below.name}};
     return Placement{there.p_WO};
   }
   return no_room();
 }
 
-Result<Placement> Places::nearby(Occupied occupied) const {
+OrReason<Placement> Places::nearby(Occupied occupied) const {
   constexpr double farthest_m = 0.3;
   const auto centers = ideals();
   const auto standing = [&](Vec3 p) {
@@ -258,21 +258,21 @@ Result<Placement> Places::nearby(Occupied occupied) const {
   return no_room();
 }
 
-Result<Placement> Places::find(Occupied occupied) const {
+OrReason<Placement> Places::find(Occupied occupied) const {
   if (!goal_.relation) return at_point();
   const Relation relation = *goal_.relation;
   const std::string words = in_words(relation);
-  if (landmarks_.size() != landmarks_of(relation)) return no(fmt::format("it is not said {} what", words));
+  if (landmarks_.size() != landmarks_of(relation)) return Reason{ReasonCode::no_landmark, {}, {words}};
   for (std::size_t i = 0; i < landmarks_.size(); ++i) {
     const std::string& name = goal_.landmarks[i];
-    if (name == object_.name && !is_side(relation)) return no(fmt::format("{} cannot be put {} itself", name, words));
+    if (name == object_.name && !is_side(relation)) return Reason{ReasonCode::itself, {name}, {words}};
     for (std::size_t j = 0; j < carried_.size(); ++j)
       if (occupied == Occupied::avoided && carried_[j] && world_.objects[j].name == name && name != object_.name)
-        return no(fmt::format("{} stands on or in {}, and would move along", name, object_.name));
+        return Reason{ReasonCode::moves_along, {name, object_.name}};
     const bool impossible = relation == Relation::on || relation == Relation::in || relation == Relation::touching ||
                             relation == Relation::behind;
     if (relation == Relation::under || (landmarks_[i].who && impossible))
-      return no(fmt::format("nothing can be put {} {}", words, name));
+      return Reason{ReasonCode::no_place, {name}, {words}};
   }
   if (relation == Relation::in) return in_hollow();
   if (relation == Relation::on) return on_top(occupied);
@@ -281,13 +281,13 @@ Result<Placement> Places::find(Occupied occupied) const {
 
 }  // namespace
 
-std::string in_words(Relation relation) {
-  std::string words(name_of(relation));
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
+Reason reason_about_goal(ReasonCode code, const std::string& object, const Goal& goal) {
+  Reason reason{code, goal.landmarks, {in_words(*goal.relation)}};
+  reason.objects.insert(reason.objects.begin(), object);
+  return reason;
 }
 
-Result<Placement> placement(const AvatarCommand& command, const WorldSnapshot& world, Occupied occupied) {
+OrReason<Placement> placement(const AvatarCommand& command, const WorldSnapshot& world, Occupied occupied) {
   const ObjectState* object = world.find(command.object);
   require(object && !missing_thing(command, world), "a place is sought for and beside things that are in the world");
   return Places(*object, command.goal, world).find(occupied);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "continua/body/avatar_command.h"
-#include "continua/core/result.h"
+#include "continua/body/reason.h"
 
 namespace continua {
 
@@ -24,10 +24,11 @@ enum class Occupied {
 /// thing, for `at` and `beside` it stands next to it, for `near` and `between` it keeps a distance. For `in` it stands
 /// on the hollow's floor, lying if it fits so, else upright. In front of a participant it is near the edge of the
 /// table. A side of the object itself is a step that way. The relation holds at every place returned, by
-/// world/relations. The error's sentence says why there is no such place. REQUIRES that nothing is missing.
-Result<Placement> placement(const AvatarCommand& command, const WorldSnapshot& world, Occupied occupied);
+/// world/relations. The reason says why there is no such place. REQUIRES that nothing is missing.
+OrReason<Placement> placement(const AvatarCommand& command, const WorldSnapshot& world, Occupied occupied);
 
-/// A relation in words: "in front".
-std::string in_words(Relation relation);
+/// A reason of that code about an object, the goal's landmarks and its relation in words ("in front"). REQUIRES that
+/// the goal has a relation.
+Reason reason_about_goal(ReasonCode code, const std::string& object, const Goal& goal);
 
 }  // namespace continua

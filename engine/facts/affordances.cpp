@@ -11,6 +11,7 @@
 namespace continua {
 namespace {
 
+using Code = ReasonCode;
 using Kind = Expression::Kind;
 
 // Programs in programs are followed this deep, and so many events at most.
@@ -145,18 +146,18 @@ class Obstacles {
  public:
   Obstacles(const WorldSnapshot& world, const Catalogue& catalogue) : world_(world), catalogue_(catalogue) {}
 
-  std::string of(const Event& event) const {
+  Code of(const Event& event) const {
     const auto thing = std::find_if(event.arguments.begin(), event.arguments.end(),
                                     [&](const Argument& argument) { return world_.find(argument.object); });
     const auto* object = thing == event.arguments.end() ? nullptr : world_.find(thing->object);
-    if (object && event.program == "grasp" && refuses(*object, "grasp") && refuses(*object, "lift")) return "no_grasp";
+    if (object && event.program == "grasp" && refuses(*object, "grasp") && refuses(*object, "lift")) return Code::no_grasp;
     if (object && moves_something(event.program)) {
       const auto* voxeme = voxeme_of(*object, catalogue_);
-      if (voxeme && !voxeme->movable) return "immovable";
+      if (voxeme && !voxeme->movable) return Code::immovable;
     }
     for (const auto& argument : event.arguments)
-      if (const auto reason = of_place(argument, object); !reason.empty()) return reason;
-    return "";
+      if (const auto reason = of_place(argument, object); reason != Code::none) return reason;
+    return Code::none;
   }
 
  private:
@@ -164,21 +165,21 @@ class Obstacles {
     return affords(object, catalogue_, what) == false;
   }
 
-  std::string of_place(const Argument& place, const ObjectState* object) const {
+  Code of_place(const Argument& place, const ObjectState* object) const {
     const auto relation = relation_named(place.relation);
-    if (relation != Relation::in && relation != Relation::on) return "";
+    if (relation != Relation::in && relation != Relation::on) return Code::none;
     for (const auto& name : place.landmarks) {
       const auto* landmark = world_.find(name);
       if (!landmark) continue;
-      if (landmark == object) return "itself";
+      if (landmark == object) return Code::itself;
       if (!refuses(*landmark, place.relation)) continue;
       const auto& affordances = voxeme_of(*landmark, catalogue_)->affordances;
       if (std::any_of(affordances.begin(), affordances.end(),
                       [&](const Affordance& each) { return names(each.event, place.relation); }))
-        return "wrong_habitat";
-      return relation == Relation::in ? "no_containment" : "no_support";
+        return Code::wrong_habitat;
+      return relation == Relation::in ? Code::no_containment : Code::no_support;
     }
-    return "";
+    return Code::none;
   }
 
   const WorldSnapshot& world_;
@@ -200,17 +201,17 @@ std::optional<bool> affords(const ObjectState& object, const Catalogue& catalogu
   });
 }
 
-std::string obstacle(const Term& program, const WorldSnapshot& world, const Catalogue& catalogue) {
+ReasonCode obstacle(const Term& program, const WorldSnapshot& world, const Catalogue& catalogue) {
   const auto [head, arguments] = program.spine();
-  if (head.kind() != Term::Kind::constant) return "";
+  if (head.kind() != Term::Kind::constant) return Code::none;
   Event event{head.name(), {}};
   for (const auto& each : arguments) event.arguments.push_back(argument_of(each));
   Steps steps(catalogue);
   steps.add(std::move(event));
   const Obstacles obstacles(world, catalogue);
   for (const auto& each : steps.events)
-    if (auto reason = obstacles.of(each); !reason.empty()) return reason;
-  return "";
+    if (const auto reason = obstacles.of(each); reason != Code::none) return reason;
+  return Code::none;
 }
 
 }  // namespace continua

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "continua/body/reason.h"
 #include "continua/term/term.h"
 #include "continua/voxml/catalogue.h"
 #include "continua/world/world_snapshot.h"
@@ -20,8 +21,8 @@ const Voxeme* voxeme_of(const ObjectState& object, const Catalogue& catalogue);
 /// beside the habitat are what an agent can bring about, and are passed over. Nothing where there is no voxeme.
 std::optional<bool> affords(const ObjectState& object, const Catalogue& catalogue, std::string_view what);
 
-/// Why a program, put(cup, on(plate)), cannot be done, by the names of METHODS.md; empty if nothing speaks against it.
+/// The obstacle to a program, put(cup, on(plate)); `none` if nothing speaks against it. METHODS.md lists the codes.
 /// What a program asks of its objects follows from its steps, down to those of the body's own.
-std::string obstacle(const Term& program, const WorldSnapshot& world, const Catalogue& catalogue);
+ReasonCode obstacle(const Term& program, const WorldSnapshot& world, const Catalogue& catalogue);
 
 }  // namespace continua

@@ -229,8 +229,8 @@ Term Methods::affordance(const ObjectState& object, const std::string& what) con
 
 Term Methods::obstacle(const Term& program) const {
   if (!world_ || !voxemes_) return Term::null();
-  auto reason = continua::obstacle(program, *world_, *voxemes_);
-  return reason.empty() ? Term::null() : Term::text(std::move(reason));
+  const auto code = continua::obstacle(program, *world_, *voxemes_);
+  return code == ReasonCode::none ? Term::null() : Term::text(name_of(code));
 }
 
 Signature Methods::add_rules() {

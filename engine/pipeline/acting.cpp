@@ -24,14 +24,19 @@ Input to_input(const ActEnd& end, int serial, SimTime now) {
   input.symbol = symbol_of(end);
   input.now_s = now.seconds();
   input.act = end.act.program;
-  if (!end.reason.empty()) input.reason = Term::text(end.reason);
+  if (end.reason.empty()) return input;
+  input.reason = Term::text(words_of(end.reason));
+  input.why = Term::text(name_of(end.reason.code));
+  std::vector<Term> objects;
+  for (const auto& object : end.reason.objects) objects.push_back(Term::entity(object));
+  input.concerned = Term::list(std::move(objects), Type::entity());
   return input;
 }
 
 // A gesture is one command; an act is performed from its voxemes, in `perform`.
 void Pipeline::gesture(EngineState& state, const Term& gesture, std::vector<EngineEvent>& events) {
   auto command = plan(gesture, true, perspective_);
-  if (!command) return events.push_back(Unplanned{command.error().sentence});
+  if (!command) return events.push_back(Unplanned{words_of(command.reason())});
   if (auto begun = performer_.begin(state.performance, *std::move(command))) events.push_back(GestureCommand{*begun});
 }
 

@@ -16,7 +16,7 @@ struct Unplanned {
 /// The symbol by which machines know how an act ended: `act done`, `act blocked`, …
 std::string symbol_of(const ActEnd& end);
 
-/// The end of an act as an input: `act` and `reason` (automaton/FORMAT.md). `serial` names it.
+/// The end of an act as an input: `act`, `reason`, `why` and `concerned` (automaton/FORMAT.md). `serial` names it.
 Input to_input(const ActEnd& end, int serial, SimTime now);
 
 }  // namespace continua

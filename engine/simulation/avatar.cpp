@@ -14,10 +14,11 @@ namespace continua {
 
 namespace {
 
-using Status = ActReport::Status;
+using Code = ReasonCode;
+using Status = ActStatus;
 
 constexpr double turned_wrong = 0.17;  // radians: beyond it a turn has missed
-constexpr double full_turn = 6.283185307179586, deg_per_rad = 57.29577951308232;
+constexpr double full_turn = 6.283185307179586, deg_per_rad = 57.29577951308232, mm_per_m = 1000;
 // A failure in the world is tried once more. If the arm finds no way with a grip, two other grips may have one.
 constexpr int most_retries = 1, most_detours = 2;
 // Half of what counts as rest: an object about to topple does not stay below this for long.
@@ -69,8 +70,7 @@ void Avatar::begin(const AvatarCommand& asked) {
   if (command.what == Capability::grasp && command.next) command.goal = *command.next;
   if (command.what == Capability::grasp && in_hand) return end_act();
   if (command.what == Capability::move && !in_hand)
-    return cannot({Status::blocked, command.object.empty() ? "there is nothing in the hand"
-                                                           : fmt::format("{} is not in the hand", command.object)});
+    return cannot(command.object.empty() ? Reason{Code::nothing_held} : Reason{Code::not_held, {command.object}});
   decide();
 }
 
@@ -92,12 +92,11 @@ void Avatar::halt() {
   begin_phases({Phase::halt});
 }
 
-void Avatar::abandon(std::string reason) {
+void Avatar::abandon(Reason reason) {
   state_.motion.stay_at(physics_.hinges());
   if (!busy_) return;
   state_.act.outcome = {};
-  state_.act.outcome.status = Status::dropped;
-  state_.act.outcome.reason = std::move(reason);
+  state_.act.outcome.end_for(std::move(reason));
   end_act();
 }
 
@@ -113,7 +112,7 @@ void Avatar::begin_phase() {
   PhaseWork work{physics_, state_};
   // Among the phases that end a failed handling, the arm skips those that it cannot do.
   while (!run.phases.empty() && !continua::begin_phase(run.phases.front(), work)) {
-    if (!run.failing) return fail({Status::unreachable, "the arm does not get there"});
+    if (!run.failing) return fail({Code::no_way});
     run.phases.pop_front();
   }
   if (run.phases.empty()) phases_done();
@@ -148,10 +147,7 @@ void Avatar::phases_done() {
   if (act.outcome.status == Status::done) {
     const WorldSnapshot world = physics_.snapshot({});
     measure(world);
-    if (auto failure = judge(world)) {
-      act.outcome.status = failure->status;
-      act.outcome.reason = std::move(failure->reason);
-    }
+    if (auto failure = judge(world)) act.outcome.end_for(*std::move(failure));
   }
   if (!try_again()) end_act();
 }
@@ -220,35 +216,30 @@ void Avatar::measure(const WorldSnapshot& world) {
 }
 
 // Whether the act has reached what it was to reach.
-std::optional<Failure> Avatar::judge(const WorldSnapshot& world) const {
+std::optional<Reason> Avatar::judge(const WorldSnapshot& world) const {
   const AvatarCommand& command = state_.act.command;
   const ActReport& outcome = state_.act.outcome;
   const Goal& goal = command.goal;
   if (moved_again(world)) {
     const int object = state_.under_way.let_go->object;
-    return Failure{Status::unstable, fmt::format("{} moved again within a second", world.objects[object].name)};
+    return Reason{Code::moved_again, {world.objects[object].name}};
   }
   if (command.what == Capability::turn && std::abs(outcome.yaw_error) > turned_wrong)
-    return Failure{Status::missed, fmt::format("{} came to be turned {:.0f} degrees too far or too little",
-                                               command.object, deg_per_rad * std::abs(outcome.yaw_error))};
+    return Reason{
+        Code::turned_wrong, {command.object}, {fmt::format("{:.0f}", deg_per_rad * std::abs(outcome.yaw_error))}};
   // Anywhere in a hollow will do.
   const bool inside = moves_to_goal(command.what) && goal.relation == Relation::in;
   if (!inside && outcome.position_error_m > set_down_error_m)
-    return Failure{Status::missed, fmt::format("{} came to lie {:.0f} mm from its goal", command.object,
-                                               1000 * outcome.position_error_m)};
+    return Reason{Code::off_goal, {command.object}, {fmt::format("{:.0f}", mm_per_m * outcome.position_error_m)}};
   if (moves_to_goal(command.what) && !is_related(world))
-    return Failure{Status::missed, fmt::format("{} did not come to be {} {}", command.object, in_words(*goal.relation),
-                                               fmt::join(goal.landmarks, " and "))};
+    return reason_about_goal(Code::not_related, command.object, goal);
   return std::nullopt;
 }
 
 // Ends the handling with a failure, but with an open hand clear of things. The first failure counts.
-void Avatar::fail(Failure failure) {
+void Avatar::fail(Reason reason) {
   AvatarAct& act = state_.act;
-  if (act.outcome.status == Status::done) {
-    act.outcome.status = failure.status;
-    act.outcome.reason = std::move(failure.reason);
-  }
+  if (act.outcome.status == Status::done) act.outcome.end_for(std::move(reason));
   state_.run.failing = true;
   const bool retreating = !state_.run.phases.empty() && state_.run.phases.front() == Phase::retreat;
   state_.motion.stay();

@@ -29,7 +29,7 @@ class Avatar {
 
   /// For a world that was set back to an earlier state: ends the act in progress, if any, with that reason; the hand
   /// stays where it is in that state.
-  void abandon(std::string reason);
+  void abandon(Reason reason);
 
   /// The report of an act that has ended, once; without id and time.
   std::optional<ActReport> take_result();
@@ -40,7 +40,7 @@ class Avatar {
   void decide_handling(const WorldSnapshot& world);
   void decide_turn(const WorldSnapshot& world);
   void decide_push(const WorldSnapshot& world);
-  void cannot(Failure failure);
+  void cannot(Reason reason);
   void begin_attempt();
   void put_away(const WorldSnapshot& world);
   Task task(const WorldSnapshot& world) const;
@@ -55,10 +55,10 @@ class Avatar {
   void phases_done();
   bool try_again();
   void measure(const WorldSnapshot& world);
-  std::optional<Failure> judge(const WorldSnapshot& world) const;
+  std::optional<Reason> judge(const WorldSnapshot& world) const;
   bool moved_again(const WorldSnapshot& world) const;
   bool is_related(const WorldSnapshot& world) const;
-  void fail(Failure failure);
+  void fail(Reason reason);
   void end_act();
   int index_of(const std::string& object) const;
 

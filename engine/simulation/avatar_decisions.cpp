@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "continua/body/placement.h"
 #include "continua/simulation/avatar.h"
 #include "continua/simulation/hand_route.h"
@@ -13,7 +11,8 @@ namespace continua {
 
 namespace {
 
-using Status = ActReport::Status;
+using Code = ReasonCode;
+using Status = ActStatus;
 
 constexpr double quarter_turn = 1.5707963267948966;
 constexpr double room_within_m = 0.012;  // how far from its place an object may be set down to find room
@@ -23,21 +22,14 @@ constexpr int most_preparations = 4, most_pushes = 8;
 
 bool is_carried(Capability what) { return to_goal(what) == ToGoal::carried; }
 
-Failure too_wide(const std::string& object) {
-  return {Status::blocked, fmt::format("{} is too wide for the hand", object)};
-}
-
-Failure place_out_of_reach() { return {Status::unreachable, "that place is out of my reach"}; }
-
 }  // namespace
 
 // Ends the act before anything is moved. An earlier failure remains its reason.
-void Avatar::cannot(Failure failure) {
+void Avatar::cannot(Reason reason) {
   ActReport& outcome = state_.act.outcome;
   if (outcome.status == Status::done) {
     outcome = {};
-    outcome.status = failure.status;
-    outcome.reason = std::move(failure.reason);
+    outcome.end_for(std::move(reason));
   }
   end_act();
 }
@@ -61,14 +53,14 @@ void Avatar::decide() {
   state_.run.failing = false;
   state_.under_way.preparing = false;
   if (const auto name = missing_thing(command, world))
-    return cannot({Status::unreachable, fmt::format("there is no '{}'", *name)});
+    return cannot({Code::missing, {*name}});
   if (has_goal() && !command.object.empty()) {
     const auto place = placement(command, world, Occupied::cleared);
-    if (!place) return cannot({Status::blocked, place.error().sentence});
+    if (!place) return cannot(place.reason());
   }
 
   if (is_gesture(command.what)) {
-    if (!find_ik(physics_.arm(), gesture_pose(command, physics_, world)).reached) return cannot(place_out_of_reach());
+    if (!find_ik(physics_.arm(), gesture_pose(command, physics_, world)).reached) return cannot({Code::place_out_of_reach});
     return begin_phases({Phase::hover});
   }
   if (command.what == Capability::ungrasp) {
@@ -76,7 +68,7 @@ void Avatar::decide() {
     if (physics_.held() < 0) return begin_phase();
     return begin_phases({Phase::lower, Phase::open, Phase::retreat, Phase::settle});
   }
-  if (command.object.empty()) return cannot({Status::blocked, "there is nothing in the hand"});
+  if (command.object.empty()) return cannot({Code::nothing_held});
   // The hand is emptied before it is decided how to go about another object.
   const bool pushing = command.what == Capability::push;
   if (!world.held.empty() && (world.held != command.object || pushing)) return put_away(world);
@@ -117,7 +109,7 @@ Task Avatar::task(const WorldSnapshot& now) const {
   task.object = command.object;
   task.parts = command.parts;
   if (has_goal()) {
-    Placement place = placement(command, world, Occupied::cleared).value();
+    Placement place = *placement(command, world, Occupied::cleared);
     if (command.goal.relation && is_side(*command.goal.relation) &&
         !is_free(*world.find(command.object), place.p_WO, world)) {
       // There may be room a little farther on the same side.
@@ -146,10 +138,10 @@ void Avatar::decide_handling(const WorldSnapshot& world) {
   const bool in_hand = world.held == wanted.object;
   const auto held = in_hand ? grasp() : std::nullopt;
   const auto handling = plan_handling(wanted, world, means_, held, state_.attempts.tried);
-  if (!handling) return cannot(too_wide(object.name));
+  if (!handling) return cannot({Code::too_wide, {object.name}});
   if (!handling->reached || !reaches(act.p_WG)) {
-    if (in_hand || reaches(object.p_WO)) return cannot(place_out_of_reach());
-    return cannot({Status::unreachable, fmt::format("{} is out of my reach", object.name)});
+    if (in_hand || reaches(object.p_WO)) return cannot({Code::place_out_of_reach});
+    return cannot({Code::out_of_reach, {object.name}});
   }
   begin_attempt();
   act.yaw_WG.reset();
@@ -180,7 +172,7 @@ void Avatar::decide_turn(const WorldSnapshot& world) {
   what.object = act.command.object;
   what.parts = act.command.parts;
   auto handling = plan_turn(what, by_rad, world, means_, held, attempts.tried);
-  if (!handling) return cannot(too_wide(object.name));
+  if (!handling) return cannot({Code::too_wide, {object.name}});
   if ((!handling->reached || !handling->has_room) && in_hand && may_prepare) {
     ++attempts.preparations;
     return put_away(world);
@@ -191,8 +183,8 @@ void Avatar::decide_turn(const WorldSnapshot& world) {
     halfway = true;
   }
   if (!handling->reached)
-    return cannot({Status::unreachable, fmt::format("the arm cannot turn {} there", object.name)});
-  if (!handling->has_room) return cannot({Status::blocked, fmt::format("there is no room to turn {}", object.name)});
+    return cannot({Code::no_turn, {object.name}});
+  if (!handling->has_room) return cannot({Code::no_room_to_turn, {object.name}});
   begin_attempt();
   attempts.preparations += halfway;
   state_.under_way.preparing = halfway;
@@ -209,7 +201,7 @@ void Avatar::decide_push(const WorldSnapshot& world) {
   if (!act.yaw_WG) {
     const auto occupied = act.command.goal.relation ? Occupied::avoided : Occupied::cleared;
     const auto place = placement(act.command, world, occupied);
-    if (!place) return cannot({Status::blocked, place.error().sentence});
+    if (!place) return cannot(place.reason());
     act.p_WG = place->p_WO;
     act.yaw_WG = object.yaw;
   }
@@ -220,7 +212,7 @@ void Avatar::decide_push(const WorldSnapshot& world) {
     // No push brings the object nearer; it may be near enough.
     const bool near = (act.p_WG - object.p_WO).head<2>().norm() <= set_down_error_m;
     if (attempts.pushes > 0 && near) return begin_phases({Phase::settle});
-    return cannot({push.error().where.empty() ? Status::blocked : Status::unreachable, push.error().sentence});
+    return cannot(push.reason());
   }
   // The next push goes farther by as much as the last ones in this direction fell short.
   constexpr double same_direction = 0.99;  // cosine

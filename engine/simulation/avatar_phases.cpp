@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include <fmt/format.h>
-
 #include "continua/simulation/hand_route.h"
 #include "continua/simulation/stacks.h"
 
@@ -12,7 +10,7 @@ namespace continua {
 
 namespace {
 
-using Status = ActReport::Status;
+using Code = ReasonCode;
 
 constexpr double squeeze_N = 8;        // with which each finger holds
 constexpr double further_m = 0.003;    // how far below the expected height the hand aims: contact ends the motion
@@ -179,7 +177,7 @@ bool begin_go_home(PhaseWork& work, const WorldSnapshot&) {
 
 // ---- Ends ----------------------------------------------------------------------------------------------------------
 
-PhaseEnd failed(Status status, std::string reason) { return {false, Failure{status, std::move(reason)}}; }
+PhaseEnd failed(Reason reason) { return {false, std::move(reason)}; }
 
 // Counts the steps in which a condition has held without a break.
 bool held_for(PhaseWork& work, bool condition, int steps) {
@@ -207,7 +205,7 @@ bool pushes_hard(PhaseWork& work) {
 PhaseEnd arrived(PhaseWork& work) { return {has_arrived(work)}; }
 
 PhaseEnd arrived_unhindered(PhaseWork& work) {
-  if (pushes_hard(work)) return failed(Status::blocked, "something is in the hand's way");
+  if (pushes_hard(work)) return failed({Code::hand_obstructed});
   return arrived(work);
 }
 
@@ -220,14 +218,13 @@ PhaseEnd carried(PhaseWork& work) {
   const HandlingUnderWay& under_way = work.state.under_way;
   const std::string& object = under_way.handling.object;
   if (work.physics.held() != under_way.object)
-    return failed(Status::dropped, fmt::format("{} slipped out of the fingers", object));
-  if (pushes_hard(work)) return failed(Status::blocked, fmt::format("something is in {}'s way", object));
+    return failed({Code::slipped, {object}});
+  if (pushes_hard(work)) return failed({Code::obstructed, {object}});
   return arrived(work);
 }
 
 PhaseEnd pushed(PhaseWork& work) {
-  if (pushes_hard(work))
-    return failed(Status::blocked, fmt::format("something is in {}'s way", work.state.act.command.object));
+  if (pushes_hard(work)) return failed({Code::obstructed, {work.state.act.command.object}});
   return arrived(work);
 }
 
@@ -238,7 +235,7 @@ PhaseEnd closed(PhaseWork& work) {
   constexpr double patience_s = 1.2;
   const bool firm = held_for(work, work.physics.held() == work.state.under_way.object, firm_steps);
   if (work.state.run.steady_steps == 1) hold_firmly(work);
-  if (!firm && work.state.run.elapsed_s > patience_s) return failed(Status::blocked, "the fingers found no hold");
+  if (!firm && work.state.run.elapsed_s > patience_s) return failed({Code::no_hold});
   return {firm};
 }
 

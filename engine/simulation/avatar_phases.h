@@ -3,22 +3,15 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "continua/simulation/avatar_state.h"
 #include "continua/simulation/physics.h"
 
 namespace continua {
 
-/// Why something was not done.
-struct Failure {
-  ActReport::Status status = ActReport::Status::blocked;
-  std::string reason;
-};
-
 struct PhaseEnd {
   bool ended = false;
-  std::optional<Failure> failure = {};  ///< the handling has failed in this phase
+  std::optional<Reason> failure = {};  ///< the handling has failed in this phase
 };
 
 /// The avatar in its world.

@@ -58,7 +58,7 @@ struct Attempts {
   int pushes = 0;
   double short_m = 0;                     ///< by how much the last pushes, all in one direction, fell short together
   std::vector<Grip> tried = {};           ///< grips that failed
-  std::vector<std::string> retries = {};  ///< why the attempts failed
+  std::vector<Reason> retries = {};       ///< why the attempts failed
 };
 
 /// The object that was released last, and its pose then.

@@ -41,7 +41,7 @@ bool PhysicsBody::is_still() const { return !avatar_.busy() && still_steps_ * st
 /// After the simulation diverged: back to when the world was last at rest, and at rest again.
 void PhysicsBody::set_back() {
   physics_->restore();
-  avatar_.abandon("the simulation diverged; the world has been set back to when it was last at rest");
+  avatar_.abandon({ReasonCode::diverged});
   still_steps_ = static_cast<int>(rest_after.us / step_.us) + 1;
 }
 
@@ -85,8 +85,8 @@ bool PhysicsBody::begin_acts(WorldReport& report) {
   };
   for (auto it = next(Capability::look, Capability::signal); it != waiting_.end();
        it = next(Capability::look, Capability::signal)) {
-    report.acts.push_back({it->id, t, ActReport::Status::started, 0, ""});
-    report.acts.push_back({it->id, t, ActReport::Status::done, 0, ""});
+    report.acts.push_back({it->id, t, ActReport::Status::started, 0, {}});
+    report.acts.push_back({it->id, t, ActReport::Status::done, 0, {}});
     waiting_.erase(it);
   }
   if (next(Capability::stop) != waiting_.end()) {
@@ -97,7 +97,7 @@ bool PhysicsBody::begin_acts(WorldReport& report) {
     const AvatarCommand command = waiting_.front();
     if (avatar_.busy()) {
       if (!avatar_.may_be_superseded() || !is_gesture(command.what)) return false;
-      report.acts.push_back({act_id_, t, ActReport::Status::done, 0, "superseded by a newer act"});
+      report.acts.push_back({act_id_, t, ActReport::Status::done, 0, {ReasonCode::superseded}});
     }
     waiting_.pop_front();
     begin_act(command, report, t);
@@ -109,9 +109,9 @@ bool PhysicsBody::begin_acts(WorldReport& report) {
 /// Gives up what is under way and what waits before the last stop, and begins that.
 void PhysicsBody::begin_stop(WorldReport& report, SimTime t) {
   const auto is_stop = [](const AvatarCommand& command) { return command.what == Capability::stop; };
-  if (avatar_.busy()) report.acts.push_back({act_id_, t, ActReport::Status::stopped, 0, ""});
+  if (avatar_.busy()) report.acts.push_back({act_id_, t, ActReport::Status::stopped, 0, {}});
   while (std::count_if(waiting_.begin(), waiting_.end(), is_stop) > 1 || !is_stop(waiting_.front())) {
-    report.acts.push_back({waiting_.front().id, t, ActReport::Status::stopped, 0, ""});
+    report.acts.push_back({waiting_.front().id, t, ActReport::Status::stopped, 0, {}});
     waiting_.pop_front();
   }
   const AvatarCommand stop = waiting_.front();
@@ -124,7 +124,7 @@ void PhysicsBody::begin_act(const AvatarCommand& command, WorldReport& report, S
   if (is_still()) physics_->save();
   act_id_ = command.id;
   still_steps_ = 0;
-  report.acts.push_back({command.id, t, ActReport::Status::started, 0, ""});
+  report.acts.push_back({command.id, t, ActReport::Status::started, 0, {}});
   avatar_.begin(command);
 }
 

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "continua/simulation/hand_route.h"
 #include "continua/simulation/stacks.h"
 
 namespace continua {
 
 namespace {
+
+using Code = ReasonCode;
 
 constexpr double half_turn = 3.141592653589793;
 constexpr double tips_above_m = 0.002;  // the table: a flat thing is met too
@@ -56,14 +56,12 @@ std::vector<Leg> legs_to(const ObjectState& object, const Vec3& p_WG, const Mean
   return legs;
 }
 
-Error cannot(std::string sentence) { return {"", std::move(sentence)}; }
-
-Result<Push> push_along(const Leg& leg, const ObjectState& object, const std::string& landmark,
+OrReason<Push> push_along(const Leg& leg, const ObjectState& object, const std::string& landmark,
                         const WorldSnapshot& world, const Means& means) {
   constexpr double part_of_face = 0.5, widest_m = 0.03, inscribed = 0.7;  // the square in a circle
   constexpr std::array gaps_m = {0.012, 0.007, 0.003};
   if (const auto other = met_on_way(object, object.p_WO + leg.length_m * leg.ahead_W, landmark, world))
-    return cannot(fmt::format("{} is in the way of {}", *other, object.name));
+    return Reason{Code::in_the_way, {*other, object.name}};
 
   const AvatarForm& avatar = means.avatar;
   const HandShape& hand = avatar.hand;
@@ -104,14 +102,14 @@ Result<Push> push_along(const Leg& leg, const ObjectState& object, const std::st
         return push;
     }
   }
-  if (!has_room) return cannot(fmt::format("there is no room for the hand behind {}", object.name));
-  return Error{"unreachable", fmt::format("the arm does not get behind {}", object.name)};
+  if (!has_room) return Reason{Code::no_room_behind, {object.name}};
+  return Reason{Code::no_way_behind, {object.name}};
 }
 
 /// The first of pushes that lead to the goal.
-Result<Push> first_push(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
+OrReason<Push> first_push(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
                         const WorldSnapshot& world, const Means& means) {
-  std::optional<Error> first;
+  std::optional<Reason> first;
   for (const Leg& leg : legs_to(object, p_WG, means)) {
     auto push = push_along(leg, object, landmark, world, means);
     WorldSnapshot after = world;
@@ -120,10 +118,10 @@ Result<Push> first_push(const ObjectState& object, const Vec3& p_WG, const std::
     const ObjectState& moved = *after.find(object.name);
     if (push && needs_push(moved, p_WG, means)) {
       const auto next = first_push(moved, p_WG, landmark, after, means);
-      if (!next) push = next.error();
+      if (!next) push = next.reason();
     }
     if (push) return push;
-    if (!first) first = push.error();
+    if (!first) first = push.reason();
   }
   require(first.has_value(), "what is pushed is not where it shall be");
   return *first;
@@ -142,13 +140,13 @@ bool needs_push(const ObjectState& object, const Vec3& p_WG, const Means& means)
   return !legs_to(object, p_WG, means).empty();
 }
 
-Result<Push> plan_push(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
+OrReason<Push> plan_push(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
                        const WorldSnapshot& world, const Means& means) {
   if (object.bounds_W().min.z() - world.table.max.z() > standing_m)
-    return cannot(fmt::format("{} does not stand on the table", object.name));
+    return Reason{Code::not_on_table, {object.name}};
   if (std::abs(p_WG.z() - object.p_WO.z()) > standing_m)
-    return cannot(fmt::format("{} can only be pushed along the table", object.name));
-  if (!bears(world.table, p_WG)) return cannot(fmt::format("{} would fall off the table", object.name));
+    return Reason{Code::only_along_table, {object.name}};
+  if (!bears(world.table, p_WG)) return Reason{Code::falls_off, {object.name}};
   return first_push(object, p_WG, landmark, world, means);
 }
 

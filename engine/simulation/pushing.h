@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "continua/core/result.h"
+#include "continua/body/reason.h"
 #include "continua/simulation/handling.h"
 
 namespace continua {
@@ -21,10 +21,9 @@ struct Push {
 inline constexpr double pushed_m = 0.004;
 
 /// The next push that brings the object's centre nearer to `p_WG`: of a round thing straight toward it, of others along
-/// their own axes, for a push across a face does not turn them. It may touch `landmark`. The error's place is
-/// "unreachable" where the arm does not get there and else empty; its sentence says why. REQUIRES that the object is
-/// farther than pushed_m from the goal along one of the axes.
-Result<Push> plan_push(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
+/// their own axes, for a push across a face does not turn them. It may touch `landmark`. REQUIRES that the object
+/// is farther than pushed_m from the goal along one of the axes.
+OrReason<Push> plan_push(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
                        const WorldSnapshot& world, const Means& means);
 
 /// Whether an object is to be pushed farther.

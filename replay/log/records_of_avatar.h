@@ -38,14 +38,17 @@ struct AvatarGesture {
 /// What an act, or a step of one, came to.
 struct ActResult {
   std::optional<double> position_error_m, yaw_error;
-  std::optional<std::string> reason;
-  std::optional<std::vector<std::string>> touches, moved_aside, retries;
+  std::optional<std::string> reason, code;
+  std::optional<std::vector<std::string>> objects, touches, moved_aside, retries;
 
   static constexpr auto fields() {
     return std::tuple{
         field("position_error_m", &ActResult::position_error_m, Says::aside, "Distance from the goal.").as("metres"),
         field("yaw_error", &ActResult::yaw_error, Says::aside, "Turn from the goal.").as("radians"),
-        field("reason", &ActResult::reason, Says::aside, "The reason why it went otherwise, a sentence."),
+        field("reason", &ActResult::reason, Says::aside, "The reason why it went otherwise, a sentence in English."),
+        field("code", &ActResult::code, Says::aside, "The code of that reason: `too_wide`, `slipped` …"),
+        field("objects", &ActResult::objects, Says::aside,
+              "The objects and participants that the reason is about, the most important first."),
         field("touches", &ActResult::touches, Says::aside,
               "Objects, and `table`, that the handled object touches in the end."),
         field("moved_aside", &ActResult::moved_aside, Says::aside, "Other objects that had to make room, in order."),

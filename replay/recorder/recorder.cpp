@@ -37,14 +37,21 @@ std::string text_of(Lesson lesson, const Term& value) {
   return lesson == Lesson::word ? print(Program{value}) : print(value);
 }
 
+void add_reason(Json& result, const Reason& reason) {
+  if (reason.empty()) return;
+  result["reason"] = words_of(reason);
+  result["code"] = name_of(reason.code);
+  if (!reason.objects.empty()) result["objects"] = reason.objects;
+}
+
 // What an act, or a step of it, came to.
 template <typename End>
 Json result_of(const End& end) {
   Json result{{"position_error_m", rounded(end.position_error_m, 1e5)}, {"yaw_error", rounded(end.yaw_error, 1e3)}};
-  if (!end.reason.empty()) result["reason"] = end.reason;
+  add_reason(result, end.reason);
   if (!end.touches.empty()) result["touches"] = end.touches;
   if (!end.moved_aside.empty()) result["moved_aside"] = end.moved_aside;
-  if (!end.retries.empty()) result["retries"] = end.retries;
+  for (const auto& reason : end.retries) result["retries"].push_back(words_of(reason));
   return result;
 }
 
@@ -283,11 +290,13 @@ void Recorder::write_act(int number, const std::string& status, Json more, SimTi
 
 void Recorder::one(const ActStep& step) {
   if (step.step == 1) write_act(step.act, "started", Json::object(), now_);
-  if (step.command)
+  if (step.command) {
     steps_[step.command->id] = step;
-  else
-    write_act(step.act, "done",
-              {{"step", step.step}, {"program", print(step.program)}, {"result", {{"reason", step.reason}}}}, now_);
+    return;
+  }
+  Json result;
+  add_reason(result, step.reason);
+  write_act(step.act, "done", {{"step", step.step}, {"program", print(step.program)}, {"result", result}}, now_);
 }
 
 void Recorder::one(const ActEnd& end) {

@@ -119,10 +119,10 @@ class Avatar {
   /// The body performs its command, and reports.
   bool work() {
     if (!under_way_) return false;
-    ActReport end{under_way_->id, {}, ActReport::Status::done, 0, ""};
+    ActReport end{under_way_->id, {}, ActReport::Status::done, 0, {}};
     if (const auto answer = answers_.find(under_way_->what); answer != answers_.end()) {
       end.status = answer->second;
-      if (end.status != ActReport::Status::done) end.reason = "the body says so";
+      if (end.status != ActReport::Status::done) end.reason = {ReasonCode::no_way};
     } else {
       body_.command(*under_way_);
       for (const auto& report : body_.advance(SimTime{}).acts) end = report;
@@ -161,12 +161,12 @@ class Avatar {
     if (step.command && step.command->next)
       next = step.command->next->relation ? fmt::format(" for {}", name_of(*step.command->next->relation))
                                           : " for a place";
-    told.push_back(print(step.program) + next + (step.command ? "" : " [" + step.reason + "]"));
+    told.push_back(print(step.program) + next + (step.command ? "" : " [" + words_of(step.reason) + "]"));
     if (step.command) under_way_ = step.command;
   }
   void tell(const ActEnd& end, std::vector<std::string>& told) {
     told.push_back(fmt::format("{}: {}{}", print(end.act.program), name_of(end.status),
-                               end.reason.empty() ? "" : " (" + end.reason + ")"));
+                               end.reason.empty() ? "" : " (" + words_of(end.reason) + ")"));
   }
   void tell(const GestureCommand& gesture, std::vector<std::string>& told) {
     told.push_back("gesture " + name_of(gesture.command.what));
@@ -262,11 +262,11 @@ TEST_CASE("a failing step ends the act, and what it has grasped is let go") {
   Avatar avatar;
   avatar.answers(Capability::move, ActReport::Status::unreachable);
   CHECK(avatar.does("put(cup, on(plate))") ==
-        "grasp(cup) for on, move(cup, on(plate)), ungrasp(cup), put(cup, on(plate)): unreachable (the body says so)");
+        "grasp(cup) for on, move(cup, on(plate)), ungrasp(cup), put(cup, on(plate)): unreachable (the arm does not get there)");
   CHECK(avatar.held().empty());
   avatar.does("grasp(cup)");
   CHECK(avatar.does("put(cup, on(plate))") ==
-        "grasp(cup) [cup is held already], move(cup, on(plate)), put(cup, on(plate)): unreachable (the body says so)");
+        "grasp(cup) [cup is held already], move(cup, on(plate)), put(cup, on(plate)): unreachable (the arm does not get there)");
   CHECK(avatar.held() == "cup");
 }
 

@@ -124,7 +124,7 @@ TEST_CASE("what stands on its end in a cup goes along with it, and lies again wh
   KinematicBody body(world);
   body.command(move(Capability::put, "knife", Relation::in, "cup"));
   const WorldReport report = body.advance(SimTime{1});
-  CHECK(report.acts.back().reason == "knife stands on its end");
+  CHECK(words_of(report.acts.back().reason) == "knife stands on its end");
   CHECK(place(body, "knife").isApprox(Vec3(0.1, 0, 0.11)));
   const Vec3 blade = report.poses.at(0).bodies.at("knife").R_WB * Vec3::UnitX();
   CHECK(blade.isApprox(Vec3(0, 0, -1), 1e-9));
@@ -169,7 +169,7 @@ TEST_CASE("a put is a grasp, a move and an ungrasp") {
   grasp.next = move(Capability::move, "b", Relation::on, "d").goal;
   CHECK(act(body, grasp).status == Status::unreachable);
   CHECK(body.snapshot().held.empty());
-  CHECK(act(body, move(Capability::move, "b", Relation::on, "a")).reason == "b is not in the hand");
+  CHECK(words_of(act(body, move(Capability::move, "b", Relation::on, "a")).reason) == "b is not in the hand");
 }
 
 TEST_CASE("what is slid or moved while held stays held") {
@@ -203,7 +203,7 @@ TEST_CASE("acts that cannot be done leave the world as it was") {
   CHECK(act(body, command(Capability::reach, "d")).status == Status::unreachable);
   CHECK(act(body, move(Capability::put, "a", Relation::on, "d")).status == Status::unreachable);
   CHECK(act(body, move(Capability::put, "a", Relation::on, "a")).status == Status::blocked);
-  CHECK(act(body, move(Capability::put, "b", Relation::left, "c")).reason ==
+  CHECK(words_of(act(body, move(Capability::put, "b", Relation::left, "c")).reason) ==
         "c stands on or in b, and would move along");
   CHECK(act(body, command(Capability::lift, "")).status == Status::blocked);
   act(body, command(Capability::grasp, "c"));

@@ -56,7 +56,7 @@ AvatarCommand command(const std::string& said, Perspective perspective = Perspec
 std::string told(const std::string& said, const WorldSnapshot& world = laid_table(),
                  Occupied occupied = Occupied::avoided) {
   const auto place = placement(command(said), world, occupied);
-  if (!place) return place.error().sentence;
+  if (!place) return words_of(place.reason());
   std::ostringstream out;
   out << place->p_WO.x() << " " << place->p_WO.y() << " " << place->p_WO.z() << (place->upright ? " upright" : "");
   return out.str();
@@ -146,7 +146,7 @@ TEST_CASE("a container is full when what would fit finds no room for what is in 
   world.objects[5].p_WO = cup.p_WO;
   world.objects[5].half_extents_m = {0.02, 0.02, 0.03};
   for (const Occupied occupied : {Occupied::avoided, Occupied::cleared}) {
-    CHECK(told("put knife in cup", world, occupied) == "cup is full: pin is in it");
+    CHECK(told("put knife in cup", world, occupied) == "cup is full of pin");
     CHECK(told("put block in cup", world, occupied) == "block does not fit into cup");
     CHECK(told("put plate on knife", world, occupied) == "knife is too narrow to bear plate");
     CHECK(told("put knife in cup", laid_table(), occupied) == "0.12 0.03 0.108 upright");
@@ -210,7 +210,7 @@ TEST_CASE("what is put somewhere is there, and in nothing else") {
       body.command(wanted);
       const ActReport end = body.advance(before.t + SimTime{1}).acts.back();
       const WorldSnapshot after = body.snapshot();
-      INFO(said << ": " << name_of(end.status) << " " << end.reason);
+      INFO(said << ": " << name_of(end.status) << " " << words_of(end.reason));
       for (std::size_t i = 0; i < after.objects.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
           INFO(after.objects[i].name << " and " << after.objects[j].name);

@@ -153,7 +153,7 @@ TEST_CASE("what speaks against a program follows from its steps and the voxemes 
            Row{"\\x. grasp(x)", ""},
        }) {
     INFO(program);
-    CHECK(obstacle(parse_term(program, names).value(), world, small_catalogue()) == why);
+    CHECK(name_of(obstacle(parse_term(program, names).value(), world, small_catalogue())) == why);
   }
 }
 

@@ -78,7 +78,7 @@ struct Play {
       if (const auto* gesture = std::get_if<GestureCommand>(&one))
         add(name_of(gesture->command.what) + " " + gesture->command.object);
       if (const auto* act = std::get_if<ActStep>(&one)) add(print(act->program)), latest = act->command->id;
-      if (const auto* end = std::get_if<ActEnd>(&one)) add("act " + name_of(end->status) + " " + end->reason);
+      if (const auto* end = std::get_if<ActEnd>(&one)) add("act " + name_of(end->status) + " " + words_of(end->reason));
       if (const auto* unplanned = std::get_if<Unplanned>(&one)) add(unplanned->reason);
       if (const auto* step = std::get_if<StepEvent>(&one)) {
         if (const auto* said = std::get_if<Said>(step)) add("\"" + said->text + "\"");

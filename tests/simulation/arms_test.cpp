@@ -63,14 +63,14 @@ TEST_CASE("every arm reaches the blocks' table, grasps, lifts, points and puts")
       CHECK(stage.act(Capability::point, block).status == Status::done);
       const ActReport lift = stage.act(Capability::lift, block);
       CHECK(lift.status == Status::done);
-      INFO(lift.reason);
+      INFO(words_of(lift.reason));
       CHECK(stage.body->snapshot().find(block)->p_WO.z() > 0.12);
       CHECK(stage.act(Capability::ungrasp, block).status == Status::done);
       CHECK(stage.body->snapshot().held.empty());
     }
     const auto put = [&](const std::string& object, const Goal& goal) {
       const ActReport end = stage.act(Capability::put, object, goal);
-      INFO(object << ": " << end.reason);
+      INFO(object << ": " << words_of(end.reason));
       CHECK(end.status == Status::done);
       CHECK(end.position_error_m < 0.005);
     };
@@ -88,7 +88,7 @@ TEST_CASE("every arm handles plate, cup and knife") {
     Stage stage(scene_with(arm, "place_setting"));
     const auto put = [&](const std::string& object, const Goal& goal) {
       const ActReport end = stage.act(Capability::put, object, goal);
-      INFO(object << ": " << name_of(end.status) << ", " << end.reason);
+      INFO(object << ": " << name_of(end.status) << ", " << words_of(end.reason));
       CHECK(end.status == Status::done);
     };
     put("knife", at(-0.02, -0.1));

@@ -228,7 +228,6 @@ class Table {
     body_->command(command);
     ActReport end;
     end.status = Status::started;
-    end.reason = "it has not ended";
     const SimTime last = now_ + SimTime::from_seconds(longest_act_s);
     while (now_ < last && end.status == Status::started) {
       for (const auto& report : advance(last).acts)
@@ -285,7 +284,7 @@ class Table {
 
 std::string told(const PutTrial& trial) {
   return fmt::format("{}: {}{}{}", trial.what, name_of(trial.end.status), trial.end.reason.empty() ? "" : ", ",
-                     trial.end.reason);
+                     words_of(trial.end.reason));
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST_CASE("a knife is put into a cup, wherever both are") {
                                  {"plate", 0.38, 0.15, {}, 0.0, false},
                                  {"cup", 0.0, 0.24, {}, 0.0, false}});
     const ActReport end = stage.act(Capability::put, "knife", by(Relation::in, "cup_blue"));
-    INFO(end.reason);
+    INFO(words_of(end.reason));
     CHECK(end.status == Status::done);
     CHECK(stage.holds(Relation::in, "knife", "cup_blue"));
     CHECK((stage.object("cup_blue").p_WO - Vec3(row.cup_x, row.cup_y, 0.05)).norm() < 0.02);
