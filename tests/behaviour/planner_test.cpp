@@ -36,7 +36,7 @@ std::string planned(const std::string& text, bool gesture = false, Perspective p
   const auto term = parse_term(text, names());
   if (!term) return term.error().text();
   const auto command = plan(*term, gesture, perspective);
-  if (!command) return command.error().sentence;
+  if (!command) return words_of(command.reason());
   const auto& goal = command->goal;
   std::string told = name_of(command->what) + " [" + command->object + "]";
   if (goal.relation) told += goal.perspective == Perspective::avatar ? " avatar's " : " human's ";

@@ -66,7 +66,7 @@ struct Play {
 
   std::string take(const InputEvent& event) { return told(pipeline->tick(*state, event, snapshot)); }
   std::string reports(ActReport::Status status) {
-    return told(pipeline->reported(*state, {{latest, {}, status, 0, "so it is"}}, snapshot));
+    return told(pipeline->reported(*state, {{latest, {}, status, 0, {ReasonCode::no_hold}}}, snapshot));
   }
 
   std::string told(Tick tick) {
@@ -134,10 +134,10 @@ TEST_CASE("how an act ended is an input where the machine knows it, and else onl
   play.point(0.28);
   play.say("yes");
   CHECK(play.reports(ActReport::Status::started) == "");
-  CHECK(play.reports(ActReport::Status::blocked) == "act blocked so it is; \"Sorry, so it is.\"");
+  CHECK(play.reports(ActReport::Status::blocked) == "act blocked the fingers found no hold; \"Sorry, the fingers found no hold.\"");
   play.point(0.28);
   play.say("yes");
-  CHECK(play.reports(ActReport::Status::dropped) == "act dropped so it is");
+  CHECK(play.reports(ActReport::Status::dropped) == "act dropped the fingers found no hold");
 }
 
 TEST_CASE("an act that the body does not know is told, not fatal") {
