@@ -22,9 +22,9 @@ struct Input {
   Term gesture;  ///< text: the name of the gesture
   Term pointed;  ///< loc: where the human pointed last, if that was just now
 
-  Term act;     ///< t: of the end of an act, its program
-  Term reason;  ///< text: of the end of an act, why it went so, in the words of the log; null without a reason
-  Term why;     ///< text: the code of that reason
+  Term act;        ///< t: of the end of an act, its program
+  Term reason;     ///< text: of the end of an act, why it went so, in the words of the log; null without a reason
+  Term why;        ///< text: the code of that reason
   Term concerned;  ///< e*: the objects and participants that the reason is about, the most important first
 
   // Of another avatar that was observed after this input (Machine::implied).

@@ -141,8 +141,7 @@ const Term* PerformanceTurn::there_already(const Voxeme& voxeme, const Bindings&
 }
 
 void PerformanceTurn::push(Frame frame) {
-  if (act_.frames.size() >= deepest)
-    return fail({Code::too_deep, {}, {print(frame.program), std::to_string(deepest)}});
+  if (act_.frames.size() >= deepest) return fail({Code::too_deep, {}, {print(frame.program), std::to_string(deepest)}});
   act_.frames.push_back(std::move(frame));
 }
 
@@ -216,16 +215,14 @@ void PerformanceTurn::perform_event(const Expression& event) {
   if (is_call(event, "repeat", 2)) return repeat(event);
   if (event.kind == Kind::name && event.name.empty()) return;
   const auto program = circumstances_.value(event, act_.frames.back().bindings);
-  if (program.size() > largest_term)
-    return fail({Code::too_large, {}, {print(event)}});
+  if (program.size() > largest_term) return fail({Code::too_large, {}, {print(event)}});
   perform(program, true);
 }
 
 // One subevent further, or out of a program that is at its end.
 void PerformanceTurn::advance() {
   Frame& frame = act_.frames.back();
-  if (++act_.subevents > most_subevents)
-    return fail(too_long());
+  if (++act_.subevents > most_subevents) return fail(too_long());
   if (frame.times <= 0 || frame.at >= frame.body.size()) {
     if (--frame.times > 0)
       frame.at = 0;

@@ -104,8 +104,7 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
     return end;
   };
 
-  if (const auto name = missing_thing(command, world_))
-    return failed({ReasonCode::missing, {*name}});
+  if (const auto name = missing_thing(command, world_)) return failed({ReasonCode::missing, {*name}});
   if (command.what == Capability::ungrasp) {
     release();
     return end;
@@ -116,8 +115,7 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
   if (handling.object.empty()) handling.object = world_.held;
   if (handling.object.empty()) return failed({ReasonCode::nothing_held});
   const bool in_hand = handling.object == world_.held;
-  if (command.what == Capability::move && !in_hand)
-    return failed({ReasonCode::not_held, {handling.object}});
+  if (command.what == Capability::move && !in_hand) return failed({ReasonCode::not_held, {handling.object}});
   const WorldSnapshot before = world_;
   if (!in_hand) release();
   if (command.what == Capability::turn) {

@@ -74,7 +74,8 @@ constexpr std::array rows = {
     Row{Code::turned_wrong, Status::missed, "turned_wrong", "{0} came to be turned {2} degrees too far or too little"},
     Row{Code::off_goal, Status::missed, "off_goal", "{0} came to lie {2} mm from its goal"},
     Row{Code::not_related, Status::missed, "not_related", "{0} did not come to be {2} {1}"},
-    Row{Code::diverged, Status::dropped, "diverged", "the simulation diverged; the world has been set back to when it was last at rest"},
+    Row{Code::diverged, Status::dropped, "diverged",
+        "the simulation diverged; the world has been set back to when it was last at rest"},
 };
 
 constexpr bool in_order() {

@@ -150,7 +150,8 @@ class Obstacles {
     const auto thing = std::find_if(event.arguments.begin(), event.arguments.end(),
                                     [&](const Argument& argument) { return world_.find(argument.object); });
     const auto* object = thing == event.arguments.end() ? nullptr : world_.find(thing->object);
-    if (object && event.program == "grasp" && refuses(*object, "grasp") && refuses(*object, "lift")) return Code::no_grasp;
+    if (object && event.program == "grasp" && refuses(*object, "grasp") && refuses(*object, "lift"))
+      return Code::no_grasp;
     if (object && moves_something(event.program)) {
       const auto* voxeme = voxeme_of(*object, catalogue_);
       if (voxeme && !voxeme->movable) return Code::immovable;

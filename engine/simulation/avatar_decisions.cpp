@@ -52,15 +52,15 @@ void Avatar::decide() {
   state_.run.phases.clear();
   state_.run.failing = false;
   state_.under_way.preparing = false;
-  if (const auto name = missing_thing(command, world))
-    return cannot({Code::missing, {*name}});
+  if (const auto name = missing_thing(command, world)) return cannot({Code::missing, {*name}});
   if (has_goal() && !command.object.empty()) {
     const auto place = placement(command, world, Occupied::cleared);
     if (!place) return cannot(place.reason());
   }
 
   if (is_gesture(command.what)) {
-    if (!find_ik(physics_.arm(), gesture_pose(command, physics_, world)).reached) return cannot({Code::place_out_of_reach});
+    if (!find_ik(physics_.arm(), gesture_pose(command, physics_, world)).reached)
+      return cannot({Code::place_out_of_reach});
     return begin_phases({Phase::hover});
   }
   if (command.what == Capability::ungrasp) {
@@ -182,8 +182,7 @@ void Avatar::decide_turn(const WorldSnapshot& world) {
     handling = plan_turn(what, by_rad / 2, world, means_, held, attempts.tried);
     halfway = true;
   }
-  if (!handling->reached)
-    return cannot({Code::no_turn, {object.name}});
+  if (!handling->reached) return cannot({Code::no_turn, {object.name}});
   if (!handling->has_room) return cannot({Code::no_room_to_turn, {object.name}});
   begin_attempt();
   attempts.preparations += halfway;

@@ -171,7 +171,7 @@ class Reader {
       const Pose X_TB = X_TW * X_WBody(model_.geom_bodyid[ids_.pad[side]]);
       const Vec3 center_T = (X_TB * box.X_BG).p_WB;
       const double out = center_T.y() > 0 ? 1 : -1, axis_y = (X_TW.R_WB * vec_of(data_->xaxis + 3 * joint)).y() * out;
-      constexpr double straight = 0.999;
+      constexpr double straight = 0.999;  // cosine: 2.5 degrees
       if (std::abs(axis_y) < straight)
         return fmt::format("slide joint '{}' along the y axis of site '{}'", name_of(model_, mjOBJ_JOINT, joint),
                            grip_name);
@@ -181,7 +181,7 @@ class Reader {
       const double now = data_->qpos[model_.jnt_qposadr[joint]];
       const double most =
           std::max((model_.jnt_range[2 * joint] - now) * axis_y, (model_.jnt_range[2 * joint + 1] - now) * axis_y);
-      constexpr double spare_m = 0.002;
+      constexpr double spare_m = 0.002;  // a finger at its limit presses on it
       hand.widest_opening_m = std::min(hand.widest_opening_m, inner + most - spare_m);
       driven.push_back({joint, now - inner * axis_y, axis_y});
       measure_finger(model_.jnt_bodyid[joint], out, inner);
@@ -242,7 +242,8 @@ class Reader {
       arm.X_LT = arm.X_LT * Pose{Vec3::Zero(), Eigen::Quaterniond(Eigen::AngleAxisd(pi, Vec3::UnitX()))};
       off = std::remainder(off + pi, 2 * pi);
     }
-    constexpr double along = 0.99, spare = 0.15;
+    constexpr double along = 0.99;  // cosine: 8 degrees
+    constexpr double spare = 0.15;  // radians: a wrist at its limit leaves the arm no way
     const ArmJoint& last = arm.joints.back();
     const double axis_T = (arm.X_LT.R_WB.conjugate() * last.axis_J).x(), home = arm.home[arm.size() - 1];
     if (std::abs(axis_T) < along) return;

@@ -15,8 +15,11 @@ using Code = ReasonCode;
 constexpr double squeeze_N = 8;        // with which each finger holds
 constexpr double further_m = 0.003;    // how far below the expected height the hand aims: contact ends the motion
 constexpr double touch_force_N = 2.5;  // of set-down: a block weighs about 1 N
-constexpr Pace gentle{0.12, 1.5, 10};
-constexpr Pace loaded{0.9, 2.5, 18}, careful{0.4, 1.2, 4};
+// Slow enough to stop at a contact before it pushes hard.
+constexpr Pace gentle{.hand_m_per_s = 0.12, .hinge_rad_per_s = 1.5, .hinge_rad_per_s2 = 10};
+// Slower than the empty hand, lest the object slip; a second attempt is slower still.
+constexpr Pace loaded{.hand_m_per_s = 0.9, .hinge_rad_per_s = 2.5, .hinge_rad_per_s2 = 18};
+constexpr Pace careful{.hand_m_per_s = 0.4, .hinge_rad_per_s = 1.2, .hinge_rad_per_s2 = 4};
 
 // ---- Poses and motions ---------------------------------------------------------------------------------------------
 
@@ -217,8 +220,7 @@ PhaseEnd got_home(PhaseWork& work) {
 PhaseEnd carried(PhaseWork& work) {
   const HandlingUnderWay& under_way = work.state.under_way;
   const std::string& object = under_way.handling.object;
-  if (work.physics.held() != under_way.object)
-    return failed({Code::slipped, {object}});
+  if (work.physics.held() != under_way.object) return failed({Code::slipped, {object}});
   if (pushes_hard(work)) return failed({Code::obstructed, {object}});
   return arrived(work);
 }

@@ -56,9 +56,9 @@ struct Attempts {
   int detours = 0;       ///< after the arm found no way
   int preparations = 0;  ///< other handlings that made room
   int pushes = 0;
-  double short_m = 0;                     ///< by how much the last pushes, all in one direction, fell short together
-  std::vector<Grip> tried = {};           ///< grips that failed
-  std::vector<Reason> retries = {};       ///< why the attempts failed
+  double short_m = 0;                ///< by how much the last pushes, all in one direction, fell short together
+  std::vector<Grip> tried = {};      ///< grips that failed
+  std::vector<Reason> retries = {};  ///< why the attempts failed
 };
 
 /// The object that was released last, and its pose then.

@@ -13,16 +13,54 @@ namespace continua {
 namespace {
 
 constexpr double quarter = 1.5707963267948966;
-constexpr double least_conflict_m = 1e-4;  // what is on the grid cannot be told from touching below this
+constexpr double least_conflict_m = 1e-4;  // positions lie on a grid: a smaller conflict is a touch
 
-// Tilted, the hand takes what others stand on, or what stands below something high.
+// A tilted hand takes things that bear others, and things below something high.
 constexpr std::array tilts = {0.0, 0.7, -0.7};
-// Of the object's half width: beside its middle, where a neighbour covers the rest of a face.
+// In half lengths from the middle: a neighbour may cover the rest of a face.
 constexpr std::array shifts = {0.0, 0.35, -0.35, 0.6, -0.6};
-// Of each open finger from the object.
+// Air between the object and each open finger.
 constexpr std::array margins_m = {0.008, 0.004, 0.002};
-// Of a grip that is not where the object is best held.
+// Air between finger tips and the support of a flat object.
+constexpr double tips_air_m = 0.003;
+// How steep the fingers are at an edge, best first: a flatter hand meets the table, a steeper one slips off.
+constexpr std::array edge_steeps = {0.6, 0.45, 0.75};
+
+// Costs only order the grips without a conflict. The unit is the cost of holding an object elsewhere than at its best
+// part; each other weight says how much of that advantage a grip gives away.
 constexpr double elsewhere_cost = 1;
+// For each half length from the middle: gravity turns an object that hangs beside its middle.
+constexpr double off_middle_cost = 0.5;
+// For each metre of half width: 5 cm less between the fingers weigh as much as a tilt of the hand.
+constexpr double width_cost_per_m = 8;
+// For each metre that a face steps back under the pads: 4 mm weigh as much as a tilt, since pads on a step let the
+// object turn.
+constexpr double uneven_cost_per_m = 50;
+// For each metre below the widest margin: 6 mm less air weigh less than a shift to the nearest place beside the middle,
+// since the arm is exact.
+constexpr double margin_cost_per_m = 20;
+// For each radian: a tilted hand needs more room beside the object.
+constexpr double tilt_cost_per_rad = 0.3;
+// For each radian of the wrist from its natural turn: decides between grips that are otherwise equal.
+constexpr double wrist_cost_per_rad = 0.02;
+// For each radian that hand and object turn on the way: a turn takes time and may let the object slip.
+constexpr double turn_cost_per_rad = 0.05;
+// A wrist at its limit may not arrive: more than all other costs together, so it is the last resort.
+constexpr double wrist_limit_cost = 10;
+
+// An edge holds less well than two sides, like a part that is not the best.
+constexpr double edge_cost = elsewhere_cost;
+// For each radian between the edge's direction and the natural one: the arm has to reach round the object.
+constexpr double edge_direction_cost_per_rad = 0.2;
+// For each radian of the rolled wrist: the hand alone turns, so less than for the arm.
+constexpr double edge_wrist_cost_per_rad = 0.05;
+// For each radian from the best steepness: 9 degrees weigh as much as 45 degrees around the object.
+constexpr double steep_cost_per_rad = 1;
+
+// For each radian between the natural direction and that from which an object comes into a hollow on its end.
+constexpr double aside_cost_per_rad = 0.3;
+// For each radian that the wrist turns meanwhile: a long object swings below the hand.
+constexpr double swing_cost_per_rad = 0.1;
 
 /// `angle` plus whole turns of `period`, as near to `wanted` as can be.
 double nearest(double angle, double period, double wanted) {
@@ -32,7 +70,8 @@ double nearest(double angle, double period, double wanted) {
 double beyond_slack(double conflict_m) { return conflict_m < least_conflict_m ? 0 : conflict_m; }
 
 bool is_square(const ObjectState& object) {
-  return std::abs(object.half_extents_m.x() - object.half_extents_m.y()) < 1e-3;
+  constexpr double square_m = 1e-3;  // no hand tells a smaller difference
+  return std::abs(object.half_extents_m.x() - object.half_extents_m.y()) < square_m;
 }
 
 /// Where the fingers come down, in the object's own frame but level with W: how wide it is there, and where its middle.
@@ -45,7 +84,8 @@ struct Span {
 /// `tips_m`, would close on it. Nothing if they would close on nothing.
 std::optional<Span> span_at(const ObjectState& object, const ObjectShape* shape, const HandShape& hand, int side,
                             double shift_m, double tips_m) {
-  constexpr double hold_m = 0.002, same_m = 0.002;
+  constexpr double hold_m = 0.002;  // so much of a face above the finger tips is enough to press on
+  constexpr double same_m = 0.002;  // the width of a shape's column: nearer than that to the box is the box
   const double half = object.half_extents_m[side];
   if (!shape) return Span{half, 0, 0};
   const auto slice = shape->slice(side, shift_m, hand.finger_half_width_m, tips_m + hold_m);
@@ -98,7 +138,7 @@ void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world,
   const HandShape& hand = avatar.hand;
   const auto others = obstacles(others_of(object, world), "");
   // Held at its middle, but flat things so that the finger tips stay above what they stand on.
-  const double height = std::max(0.0, hand.finger_tip_m + 0.003 - object.half_extents_m.z());
+  const double height = std::max(0.0, hand.finger_tip_m + tips_air_m - object.half_extents_m.z());
   const double natural = avatar.natural_yaw(object.p_WO);
   for (const int side : {0, 1}) {
     const double across = side == 0 ? object.half_extents_m.y() : object.half_extents_m.x();
@@ -125,10 +165,9 @@ void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world,
           grip.opening_m = opening_m;
           grip.conflict_m =
               beyond_slack(hand_conflict(avatar.hand, hand_at(grip, object.p_WO, false), opening_m, others));
-          // The middle of the object, its narrow sides, even faces, room for the fingers, the hand upright, little
-          // turning of the wrist.
-          grip.cost = 0.5 * std::abs(shift) + 8 * span->half_m + 50 * span->uneven_m + 20 * (margins_m[0] - margin_m) +
-                      0.3 * std::abs(tilt) + 0.02 * std::abs(yaw - natural);
+          grip.cost = off_middle_cost * std::abs(shift) + width_cost_per_m * span->half_m +
+                      uneven_cost_per_m * span->uneven_m + margin_cost_per_m * (margins_m[0] - margin_m) +
+                      tilt_cost_per_rad * std::abs(tilt) + wrist_cost_per_rad * std::abs(yaw - natural);
           grips.push_back(grip);
         }
       }
@@ -142,7 +181,6 @@ void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world,
 void add_grips_on_edges(const ObjectState& object, const WorldSnapshot& world, const AvatarForm& avatar,
                         const ObjectShape& shape, std::vector<Grip>& grips) {
   constexpr double inset_m = 0.012, margin_m = 0.003, thickest_m = 0.03, air_m = 0.006, above_table_m = 0.001;
-  constexpr std::array steeps = {0.6, 0.45, 0.75};
   const HandShape& hand = avatar.hand;
   auto others = obstacles(others_of(object, world), "");
   others.push_back(table_block(world.table));
@@ -151,7 +189,7 @@ void add_grips_on_edges(const ObjectState& object, const WorldSnapshot& world, c
     const double direction = object.yaw + edge.direction;
     const Vec3 out(std::cos(direction), std::sin(direction), 0);
     const double yaw = nearest(std::atan2(-out.x(), out.y()), 4 * quarter, natural);  // ahead is inward
-    for (const double steep : steeps) {
+    for (const double steep : edge_steeps) {
       const double c = std::cos(steep), s = std::sin(steep);
       const double half_m = (inset_m * s + (edge.top_m - edge.bottom_m) * c) / 2, opening_m = half_m + margin_m;
       const double r = edge.radius_m - inset_m + hand.finger_tip_m * c + half_m * s;
@@ -166,7 +204,9 @@ void add_grips_on_edges(const ObjectState& object, const WorldSnapshot& world, c
         const Pose X_WT = hand_at(grip, object.p_WO, false);
         grip.conflict_m = beyond_slack(std::max(hand_conflict(avatar.hand, X_WT, opening_m, others),
                                                 hand_conflict(avatar.hand, before_grasp(X_WT), opening_m, others)));
-        grip.cost = 1 + 0.2 * std::abs(yaw - natural) + 0.05 * std::abs(yaw + roll - natural) + std::abs(steep - 0.6);
+        grip.cost = edge_cost + edge_direction_cost_per_rad * std::abs(yaw - natural) +
+                    edge_wrist_cost_per_rad * std::abs(yaw + roll - natural) +
+                    steep_cost_per_rad * std::abs(steep - edge_steeps[0]);
         grips.push_back(grip);
       }
     }
@@ -191,7 +231,8 @@ double room_in(const ObjectState& object, const ObjectState& container) {
 
 /// By how much it can lean there, from one side of the hollow's floor to the other of its rim.
 double lean_in(const ObjectState& object, const ObjectState& container) {
-  constexpr double most = 0.45, part = 0.9;
+  constexpr double most = 0.45;  // radians: a wide hollow shall not make the object lie
+  constexpr double part = 0.9;   // of the room, so that the object does not rub on the rim
   const Box hollow = container.interior_W().value_or(container.bounds_W());
   return std::min(most, std::atan2(part * 2 * room_in(object, container), hollow.max.z() - hollow.min.z()));
 }
@@ -236,7 +277,8 @@ std::vector<Grip> grips_at(const Grip& grip, const ObjectState& object, const Ve
     const double wrist = yaw + turned.turn - avatar.natural_yaw(p_WG);
     if (quarters != 0 && !avatar.wrist_turns(wrist)) continue;
     turned.conflict_m = std::max(grip.conflict_m, conflict_at_goal(turned, p_WG, avatar.hand, others));
-    turned.cost += 0.05 * std::abs(turned.turn) + 0.02 * std::abs(wrist) + (!avatar.wrist_turns(wrist) ? 10 : 0);
+    turned.cost += turn_cost_per_rad * std::abs(turned.turn) + wrist_cost_per_rad * std::abs(wrist) +
+                   (avatar.wrist_turns(wrist) ? 0 : wrist_limit_cost);
     grips.push_back(turned);
   }
   return grips;
@@ -244,7 +286,8 @@ std::vector<Grip> grips_at(const Grip& grip, const ObjectState& object, const Ve
 
 std::vector<Grip> grips_on_end(const Grip& grip, const ObjectState& object, const Vec3& p_WG,
                                const WorldSnapshot& world, const AvatarForm& avatar, const std::string& into) {
-  constexpr double near_end = 0.3;  // of the half length: what hangs down is the longer part
+  constexpr double near_end = 0.3;       // of the half length: the longer part hangs down
+  constexpr double along_fingers = 0.1;  // cosine: the fingers close across the long side
   constexpr std::array asides = {0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.6, -1.6};
   const bool along_x = object.half_extents_m.x() >= object.half_extents_m.y();
   const double half_m = std::max(object.half_extents_m.x(), object.half_extents_m.y());
@@ -252,7 +295,8 @@ std::vector<Grip> grips_on_end(const Grip& grip, const ObjectState& object, cons
   const Vec3 long_W(std::cos(long_yaw), std::sin(long_yaw), 0);
   const Vec3 closing_W(std::cos(grip.hand.yaw), std::sin(grip.hand.yaw), 0), ahead_W(closing_W.y(), -closing_W.x(), 0);
   const double held_ahead_m = grip.p_OT.dot(ahead_W);
-  if (grip.hand.roll != 0 || std::abs(closing_W.dot(long_W)) > 0.1 || std::abs(held_ahead_m) < near_end * half_m)
+  if (grip.hand.roll != 0 || std::abs(closing_W.dot(long_W)) > along_fingers ||
+      std::abs(held_ahead_m) < near_end * half_m)
     return {};
 
   const auto others = obstacles(apart_from(object, world), into);
@@ -271,7 +315,7 @@ std::vector<Grip> grips_on_end(const Grip& grip, const ObjectState& object, cons
     stood.aside_W = (half_m * std::sin(lean) - room_in(object, *world.find(into))) * to_W;
     stood.aside_W.z() = half_m * std::cos(lean) + thick_m * std::sin(lean) - half_m;
     stood.conflict_m = std::max(grip.conflict_m, conflict_at_goal(stood, p_WG, avatar.hand, others));
-    stood.cost += 0.3 * std::abs(aside) + 0.1 * std::abs(wrist - start_wrist);
+    stood.cost += aside_cost_per_rad * std::abs(aside) + swing_cost_per_rad * std::abs(wrist - start_wrist);
     grips.push_back(stood);
   }
   return grips;

@@ -22,6 +22,7 @@ double reach_below(const ObjectState* held, const Pose& X_WT, const HandShape& h
 }  // namespace
 
 Pose before_grasp(const Pose& X_WT) {
+  // Fingers and half a palm above the highest things that are grasped; from below an edge, out from under it.
   constexpr double above_m = 0.09, back_m = 0.06;
   if (is_level(X_WT.R_WB)) return {X_WT.p_WB + Vec3(0, 0, above_m), X_WT.R_WB};
   return {X_WT.p_WB - back_m * (X_WT.R_WB * Vec3::UnitX()), X_WT.R_WB};
@@ -37,7 +38,9 @@ std::vector<Pose> way_to_grasp(const Pose& X_WF, const Pose& X_WT, const WorldSn
 
 std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapshot& world, const AvatarForm& avatar,
                            double below_m) {
-  constexpr double hand_half_m = 0.07;
+  constexpr double hand_half_m = 0.07;  // the hand and some air to either side of its way
+  // Smaller differences of the hand's turn are made on the straight way, smaller distances need no way above.
+  constexpr double wrist_turn = 1, hand_turn = 0.8, far_m = 0.01;
   const HandTurn from = turn_of(X_WF.R_WB), to = turn_of(X_WT.R_WB);
   const double lean = std::max(std::abs(std::sin(from.tilt)), std::abs(std::sin(to.tilt)));
   const double wide_m = hand_half_m + avatar.hand.palm_back_m * lean;
@@ -59,9 +62,9 @@ std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapsh
   // the hand in the world may be one that the last hinge cannot make.
   const double from_wrist = std::remainder(from.yaw - avatar.natural_yaw(X_WF.p_WB), full_turn);
   const double to_wrist = std::remainder(to.yaw - avatar.natural_yaw(X_WT.p_WB), full_turn);
-  const bool turns =
-      std::abs(to_wrist - from_wrist) > 1 || std::abs(to.tilt - from.tilt) > 0.8 || std::abs(to.roll - from.roll) > 0.8;
-  const bool far = (X_WF.p_WB - X_WT.p_WB).head<2>().norm() > 0.01;
+  const bool turns = std::abs(to_wrist - from_wrist) > wrist_turn || std::abs(to.tilt - from.tilt) > hand_turn ||
+                     std::abs(to.roll - from.roll) > hand_turn;
+  const bool far = (X_WF.p_WB - X_WT.p_WB).head<2>().norm() > far_m;
 
   std::vector<Pose> poses;
   const Vec3 start(X_WF.p_WB.x(), X_WF.p_WB.y(), std::max(height, X_WF.p_WB.z()));
@@ -104,7 +107,7 @@ std::vector<OrientedBox> things_around(const WorldSnapshot& world) {
 }
 
 std::vector<Pose> pointing_poses(const Vec3& p_W, const Vec3& base_W) {
-  const Vec3 eye_W = base_W + Vec3(0, 0, 0.15);
+  const Vec3 eye_W = base_W + Vec3(0, 0, 0.15);  // where a head would be: fingers and gaze go the same way
   std::vector<Pose> poses;
   for (const double distance_m : {0.1, 0.15, 0.2, 0.3}) {
     for (const double steeper : {0.0, 0.3, 0.6}) {
@@ -120,7 +123,9 @@ std::vector<Pose> pointing_poses(const Vec3& p_W, const Vec3& base_W) {
 
 std::optional<std::string> met_on_way(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
                                       const WorldSnapshot& world) {
-  constexpr double margin_m = 0.003, step_m = 0.005, leaving_m = 0.02;
+  constexpr double margin_m = 0.003;  // air beside a thing that it passes
+  constexpr double step_m = 0.005;    // of the way: less than any thing is wide
+  constexpr double leaving_m = 0.02;  // at the beginning it may touch what it leaves
   const Vec3 way = p_WG - object.p_WO;
   const int steps = std::max(1, static_cast<int>(std::ceil(way.norm() / step_m)));
   for (int i = 0; i <= steps; ++i) {

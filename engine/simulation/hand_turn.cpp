@@ -25,6 +25,9 @@ HandTurn turn_of(const Eigen::Quaterniond& R_WT) {
           std::atan2(closing.dot(fingers.cross(level)), closing.dot(level))};
 }
 
-bool is_level(const Eigen::Quaterniond& R_WT) { return std::abs((R_WT * Vec3::UnitY()).z()) < 0.1; }
+bool is_level(const Eigen::Quaterniond& R_WT) {
+  constexpr double level = 0.1;  // sine: 6 degrees, more than a grasp turns the hand
+  return std::abs((R_WT * Vec3::UnitY()).z()) < level;
+}
 
 }  // namespace continua

@@ -11,6 +11,8 @@ namespace continua {
 
 namespace {
 
+constexpr double full_turn = 6.283185307179586;
+
 /// Whether the arm gets there, and finds room for itself.
 class Reach {
  public:
@@ -35,7 +37,8 @@ class Reach {
 
 /// When no way leads to the goal: the free place that is nearest to it.
 SetDown elsewhere(const Task& task, const ObjectState& object, const WorldSnapshot& world) {
-  constexpr double farthest_m = 0.2, step_m = 0.004;
+  constexpr double farthest_m = 0.2;  // farther off is no answer to where it was asked for
+  constexpr double step_m = 0.004;
   const auto places = free_places(object, *task.p_WG, world, farthest_m, step_m);
   return {places.empty() ? *task.p_WG : places.front(), std::nullopt};
 }
@@ -44,6 +47,7 @@ SetDown elsewhere(const Task& task, const ObjectState& object, const WorldSnapsh
 std::vector<SetDown> ways_to(const Task& task, const ObjectState& object, const WorldSnapshot& world) {
   if (task.into.empty()) return set_downs(object, *task.p_WG, world, task.near_m);
   std::vector<SetDown> ways;
+  // The hollow of a cup is 9 cm deep.
   for (const double above_m : {0.0, 0.01, 0.02, 0.035, 0.05, 0.07, 0.09})
     ways.push_back({*task.p_WG + Vec3(0, 0, above_m), std::nullopt});
   return ways;
@@ -87,7 +91,7 @@ WorldSnapshot moved(const WorldSnapshot& world, const ObjectState& object, const
 }  // namespace
 
 bool alike(const Grip& a, const Grip& b) {
-  constexpr double same_rad = 0.2;
+  constexpr double same_rad = 0.2;  // the hand comes from the same side
   return std::abs(a.hand.yaw - b.hand.yaw) < same_rad && std::abs(a.hand.tilt - b.hand.tilt) < same_rad &&
          std::abs(a.turn - b.turn) < same_rad;
 }
@@ -118,7 +122,6 @@ std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& wor
   double best_conflict_m = 0;
   int tries = 0;
   const auto consider = [&](std::vector<Grip> grips, const std::optional<SetDown>& way) {
-    constexpr double tried_cost = 5;
     for (Grip& grip : grips) {
       for (const Grip& before : tried) grip.cost += alike(grip, before) ? tried_cost : 0;
     }
@@ -127,7 +130,7 @@ std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& wor
     });
     for (const Grip& grip : grips) {
       // One with a conflict only if nothing better has been found, and not again and again.
-      constexpr int most_tries = 150;
+      constexpr int most_tries = 150;  // each costs some solutions of the inverse kinematics
       if (best.reached && grip.conflict_m >= best_conflict_m) break;
       if (++tries > most_tries) break;
       bool free = true;
@@ -135,7 +138,7 @@ std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& wor
       const Vec3 raised = object.p_WO + Vec3(0, 0, task.raise_m);
       if (reached && way) reached = reach.reaches(hand_at(grip, way->first_W(), true), free);
       if (reached && !way && task.raise_m > 0) reached = reach.reaches(hand_at(grip, raised, false), free);
-      constexpr double arm_conflict_m = 0.02;
+      constexpr double arm_conflict_m = 0.02;  // an arm in the way outweighs a hand that grazes something
       const double conflict_m = std::max(grip.conflict_m, free ? 0.0 : arm_conflict_m);
       if (!reached || (best.reached && conflict_m >= best_conflict_m)) continue;
       best = {task.object, grip, way, task.into, task.on_end, conflict_m == 0, true};
@@ -185,6 +188,7 @@ std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, 
                                   const std::optional<Grasp>& grasp) {
   const ObjectState& object = *world.find(task.object);
   constexpr double step_m = 0.02, nearby_m = 0.2;
+  constexpr double hinders_m = nearby_m / 1.5;  // a hand's length: farther things do not hinder
 
   // Out of the hand, to be grasped otherwise.
   if (grasp) {
@@ -212,11 +216,12 @@ std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, 
     };
     const double away_m = std::min((other->p_WO - object.p_WO).head<2>().norm(),
                                    task.p_WG ? (other->p_WO - *task.p_WG).head<2>().norm() : nearby_m);
-    if (other->name == task.landmark || bears(task.landmark) || bears(task.object) || away_m > nearby_m / 1.5) continue;
+    if (other->name == task.landmark || bears(task.landmark) || bears(task.object) || away_m > hinders_m) continue;
     constexpr int directions = 8;
+    // From the room for one finger to the room for a hand.
     for (const double by_m : {0.012, 0.02, 0.03, 0.05, 0.08, 0.12}) {
       for (int i = 0; i < directions; ++i) {
-        const double angle = 6.283185307179586 * i / directions;
+        const double angle = full_turn * i / directions;
         shifts.push_back({by_m, other, by_m * Vec3(std::cos(angle), std::sin(angle), 0)});
       }
     }

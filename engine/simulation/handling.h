@@ -50,6 +50,10 @@ struct Means {
 std::vector<Grip> starts_of(const Task& task, const WorldSnapshot& world, const Means& means,
                             const std::optional<Grasp>& grasp);
 
+/// Cost of a grip like one that has failed, in the unit of grip_choice.cpp: more than all costs of taste together, less
+/// than the cost of a wrist at its limit.
+inline constexpr double tried_cost = 5;
+
 /// Whether two grips would fail alike.
 bool alike(const Grip& a, const Grip& b);
 

@@ -19,20 +19,25 @@ double overlap_depth(const OrientedBox& a, const OrientedBox& b) {
   return least;
 }
 
+namespace {
+
+constexpr double far_down_m = 0.5;  // deeper than a hand ever reaches
+
+}  // namespace
+
 OrientedBox box_of(const ObjectState& object) {
   return {object.p_WO, Eigen::AngleAxisd(object.yaw, Vec3::UnitZ()).toRotationMatrix(), object.half_extents_m};
 }
 
 OrientedBox column_of(const ObjectState& object) {
-  constexpr double down_m = 0.5;
   OrientedBox column = box_of(object);
-  column.center_W.z() -= down_m;
-  column.half_m.z() += down_m;
+  column.center_W.z() -= far_down_m;
+  column.half_m.z() += far_down_m;
   return column;
 }
 
 OrientedBox table_block(const Box& table) {
-  const Vec3 below(0, 0, 0.5);
+  const Vec3 below(0, 0, far_down_m);
   return {table.center() - below, Eigen::Matrix3d::Identity(), (table.max - table.min) / 2 + below};
 }
 

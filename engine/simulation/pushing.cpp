@@ -15,8 +15,8 @@ namespace {
 using Code = ReasonCode;
 
 constexpr double half_turn = 3.141592653589793;
-constexpr double tips_above_m = 0.002;  // the table: a flat thing is met too
-constexpr double standing_m = 0.005;
+constexpr double tips_above_m = 0.002;  // above the table: the fingers meet flat things too
+constexpr double standing_m = 0.005;    // an object no farther above the table stands on it
 
 const ObjectShape* shape_of(const ObjectState& object, const Means& means) {
   const auto found = means.shapes.find(object.name);
@@ -57,9 +57,11 @@ std::vector<Leg> legs_to(const ObjectState& object, const Vec3& p_WG, const Mean
 }
 
 OrReason<Push> push_along(const Leg& leg, const ObjectState& object, const std::string& landmark,
-                        const WorldSnapshot& world, const Means& means) {
-  constexpr double part_of_face = 0.5, widest_m = 0.03, inscribed = 0.7;  // the square in a circle
-  constexpr std::array gaps_m = {0.012, 0.007, 0.003};
+                          const WorldSnapshot& world, const Means& means) {
+  constexpr double part_of_face = 0.5;  // of its half width: fingers there keep the object from turning
+  constexpr double widest_m = 0.03;
+  constexpr double inscribed = 0.7;                     // the square in a circle
+  constexpr std::array gaps_m = {0.012, 0.007, 0.003};  // between fingers and face as the hand comes down
   if (const auto other = met_on_way(object, object.p_WO + leg.length_m * leg.ahead_W, landmark, world))
     return Reason{Code::in_the_way, {*other, object.name}};
 
@@ -108,7 +110,7 @@ OrReason<Push> push_along(const Leg& leg, const ObjectState& object, const std::
 
 /// The first of pushes that lead to the goal.
 OrReason<Push> first_push(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
-                        const WorldSnapshot& world, const Means& means) {
+                          const WorldSnapshot& world, const Means& means) {
   std::optional<Reason> first;
   for (const Leg& leg : legs_to(object, p_WG, means)) {
     auto push = push_along(leg, object, landmark, world, means);
@@ -129,7 +131,7 @@ OrReason<Push> first_push(const ObjectState& object, const Vec3& p_WG, const std
 
 /// Whether the centre of what stands there is well above the table.
 bool bears(const Box& table, const Vec3& p_W) {
-  constexpr double margin_m = 0.01;
+  constexpr double margin_m = 0.01;  // a push may go a little too far
   return p_W.x() > table.min.x() + margin_m && p_W.x() < table.max.x() - margin_m &&
          p_W.y() > table.min.y() + margin_m && p_W.y() < table.max.y() - margin_m;
 }
@@ -141,11 +143,9 @@ bool needs_push(const ObjectState& object, const Vec3& p_WG, const Means& means)
 }
 
 OrReason<Push> plan_push(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
-                       const WorldSnapshot& world, const Means& means) {
-  if (object.bounds_W().min.z() - world.table.max.z() > standing_m)
-    return Reason{Code::not_on_table, {object.name}};
-  if (std::abs(p_WG.z() - object.p_WO.z()) > standing_m)
-    return Reason{Code::only_along_table, {object.name}};
+                         const WorldSnapshot& world, const Means& means) {
+  if (object.bounds_W().min.z() - world.table.max.z() > standing_m) return Reason{Code::not_on_table, {object.name}};
+  if (std::abs(p_WG.z() - object.p_WO.z()) > standing_m) return Reason{Code::only_along_table, {object.name}};
   if (!bears(world.table, p_WG)) return Reason{Code::falls_off, {object.name}};
   return first_push(object, p_WG, landmark, world, means);
 }

@@ -24,7 +24,7 @@ inline constexpr double pushed_m = 0.004;
 /// their own axes, for a push across a face does not turn them. It may touch `landmark`. REQUIRES that the object
 /// is farther than pushed_m from the goal along one of the axes.
 OrReason<Push> plan_push(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
-                       const WorldSnapshot& world, const Means& means);
+                         const WorldSnapshot& world, const Means& means);
 
 /// Whether an object is to be pushed farther.
 bool needs_push(const ObjectState& object, const Vec3& p_WG, const Means& means);

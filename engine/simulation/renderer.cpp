@@ -18,6 +18,8 @@ namespace {
 constexpr double fovy = 30;      // degrees; of cameras that are not the scene's
 constexpr int most_marks = 300;  // geoms beside the scene's
 constexpr double disc_radius_m = 0.022, disc_height_m = 0.0015, ray_radius_m = 0.003;
+// A target of three discs: parts of the whole radius, and the height of each above the one below.
+constexpr double ring = 0.62, bull = 0.3, disc_step_m = 0.0003;
 
 Vec3 vec(const mjtNum* v) { return {v[0], v[1], v[2]}; }
 
@@ -235,8 +237,8 @@ class Renderer::Impl {
       if (auto* geom = new_geom()) mjv_initGeom(geom, mjGEOM_CYLINDER, size.data(), at.data(), nullptr, rgba.data());
     };
     disc(disc_radius_m, disc_height_m, colour);
-    disc(disc_radius_m * 0.62, disc_height_m + 0.0003, light);
-    disc(disc_radius_m * 0.3, disc_height_m + 0.0006, colour);
+    disc(disc_radius_m * ring, disc_height_m + disc_step_m, light);
+    disc(disc_radius_m * bull, disc_height_m + 2 * disc_step_m, colour);
     if (!from || (to - *from).norm() < disc_height_m) return;
     if (auto* geom = new_geom()) {
       mjv_initGeom(geom, mjGEOM_CAPSULE, nullptr, nullptr, nullptr, colour.data());

@@ -245,10 +245,12 @@ Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverri
 ObjectState observed(const SceneObject& object, const Pose& pose) {
   ObjectState state{object.name, object.attributes, object.half_extents_m, on_grid(pose.p_WB), 0, object.interior};
   const Eigen::Matrix3d R_WB = pose.R_WB.toRotationMatrix();
+  constexpr double steep = 0.7;     // sine of 45 degrees
+  constexpr double upright = 0.98;  // cosine of 11 degrees: the object only leans a little
   // An x axis that points up or down has no heading: y tells it then.
-  const bool x_is_level = std::abs(R_WB(2, 0)) < 0.7;
+  const bool x_is_level = std::abs(R_WB(2, 0)) < steep;
   state.yaw = x_is_level ? std::atan2(R_WB(1, 0), R_WB(0, 0)) : std::atan2(-R_WB(0, 1), R_WB(1, 1));
-  if (R_WB(2, 2) < 0.98 && !object.corners_B.empty()) {
+  if (R_WB(2, 2) < upright && !object.corners_B.empty()) {
     const Eigen::Matrix3d R_YW = Eigen::AngleAxisd(-state.yaw, Vec3::UnitZ()).toRotationMatrix();
     Vec3 low = R_YW * R_WB * object.corners_B.front(), high = low;
     for (const Vec3& corner_B : object.corners_B) {

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double full_turn = 6.283185307179586, quarter_turn = full_turn / 4;
 constexpr double touching_m = 0.001;
+constexpr double level_m = 0.005;  // things whose bottoms differ by less stand beside each other
+constexpr double rim_part = 0.3;   // of a hollow thing's half width: the corners of its box that a round rim lacks
 
 /// What the object takes up when it has been set down at `p_W`, along the world's axes: a little air at its sides, so
 /// that it comes down without grazing what it shall stand beside, and none below, where it shall touch.
@@ -42,7 +44,7 @@ bool bear(const std::vector<const ObjectState*>& bearers, const OrientedBox& box
     for (const auto* bearer : bearers) {
       Box top = bearer->bounds_W();
       if (bearer->interior) {  // the rim of a round one bears no corner of its box
-        const Vec3 off = 0.3 * (top.max - top.min) / 2;
+        const Vec3 off = rim_part * (top.max - top.min) / 2;
         top = {top.min + off, top.max - off};
       }
       const Vec3 low = (box.center_W - box.half_m).cwiseMax(top.min),
@@ -99,7 +101,7 @@ class Surroundings {
         const bool harmless = std::all_of(pushed.begin(), pushed.end(), [&](const ObjectState* other) {
           // It comes to lie against the object's face. What does not stand beside the object is not pushed, but hit.
           const Box theirs = other->bounds_W();
-          if (std::abs(theirs.min.z() - (p_WG.z() - object_.half_extents_m.z())) > 0.005) return false;
+          if (std::abs(theirs.min.z() - (p_WG.z() - object_.half_extents_m.z())) > level_m) return false;
           const Vec3 mine = box.half_m.cwiseProduct(away.cwiseAbs());
           const double by = away.sum() > 0 ? (theirs.max - (box.center_W - mine)).dot(away)
                                            : ((box.center_W + mine) - theirs.min).dot(-away);

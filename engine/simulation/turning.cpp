@@ -12,6 +12,14 @@ namespace {
 
 constexpr double half_turn = 3.141592653589793;
 
+// In the unit of grip_choice.cpp. For each radian of the wrist before and after the turn: among grips as good, the one
+// with the most play at both ends.
+constexpr double wrist_cost_per_rad = 0.05;
+// The long way round: as much as two radians of the wrist.
+constexpr double round_cost = 0.1;
+// A turn by the long way may be half a turn and a rounding, no more.
+constexpr double most_turn = 1.01 * half_turn;
+
 /// The grips as they are and, where that is another posture of the wrist, with the hand the other way round.
 std::vector<Grip> both_ways_round(std::vector<Grip> grips) {
   const std::size_t count = grips.size();
@@ -44,13 +52,13 @@ std::optional<Handling> plan_turn(const Task& task, double by_rad, const WorldSn
       const double by = by_rad + round, wrist = std::remainder(grip.hand.yaw - natural, 2 * half_turn);
       // With the other turn of the wrist the same grip is among those the other way round.
       if (!avatar.wrist_turns(grip.hand.yaw - natural) && !grasp) continue;
-      if (std::abs(by) > 1.01 * half_turn || !avatar.wrist_turns(wrist + by)) continue;
+      if (std::abs(by) > most_turn || !avatar.wrist_turns(wrist + by)) continue;
       Grip one = grip;
       one.turn = by;
       one.conflict_m =
           std::max(grip.conflict_m, hand_conflict(avatar.hand, hand_at(one, object.p_WO, true), one.opening_m, others));
-      for (const Grip& before : tried) one.cost += alike(grip, before) ? 5 : 0;
-      one.cost += 0.05 * std::abs(wrist) + 0.05 * std::abs(wrist + by) + (round == 0 ? 0 : 0.1);
+      for (const Grip& before : tried) one.cost += alike(grip, before) ? tried_cost : 0;
+      one.cost += wrist_cost_per_rad * (std::abs(wrist) + std::abs(wrist + by)) + (round == 0 ? 0 : round_cost);
       turned.push_back(one);
     }
   }
@@ -61,12 +69,12 @@ std::optional<Handling> plan_turn(const Task& task, double by_rad, const WorldSn
   ObjectState after = object;
   after.yaw += by_rad;
   const bool fits = std::none_of(others.begin(), others.end(), [&](const OrientedBox& other) {
-    constexpr double slack_m = 5e-4;
+    constexpr double slack_m = 5e-4;  // things that touch it now may do so afterwards
     return overlap_depth(box_of(after), other) > std::max(slack_m, overlap_depth(box_of(object), other));
   });
   Handling best;
   best.object = task.object;
-  constexpr std::size_t most_tries = 100;
+  constexpr std::size_t most_tries = 100;  // each costs some solutions of the inverse kinematics
   for (std::size_t i = 0; i < std::min(turned.size(), most_tries); ++i) {
     const IkSolution start = find_ik(avatar.arm, hand_at(turned[i], object.p_WO, false));
     if (!start.reached || !find_ik(avatar.arm, hand_at(turned[i], object.p_WO, true)).reached) continue;

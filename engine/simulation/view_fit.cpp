@@ -40,7 +40,8 @@ std::optional<mjvCamera> camera_from(const std::string& side, const std::vector<
   for (const Vec3& point : points_W) lookat += point / static_cast<double>(points_W.size());
   double distance = 1;
   // The nearer points decide the distance, and the distance where the middle seems to be: a few rounds settle both.
-  for (int round = 0; round < 12; ++round) {
+  constexpr int rounds = 12;  // plenty, at no cost
+  for (int round = 0; round < rounds; ++round) {
     double low = 0, high = 0, left = 0, farthest_right = 0;
     for (const Vec3& point : points_W) {
       const Vec3 d = point - lookat;

@@ -262,11 +262,13 @@ TEST_CASE("a failing step ends the act, and what it has grasped is let go") {
   Avatar avatar;
   avatar.answers(Capability::move, ActReport::Status::unreachable);
   CHECK(avatar.does("put(cup, on(plate))") ==
-        "grasp(cup) for on, move(cup, on(plate)), ungrasp(cup), put(cup, on(plate)): unreachable (the arm does not get there)");
+        "grasp(cup) for on, move(cup, on(plate)), ungrasp(cup), put(cup, on(plate)): unreachable (the arm does not get "
+        "there)");
   CHECK(avatar.held().empty());
   avatar.does("grasp(cup)");
   CHECK(avatar.does("put(cup, on(plate))") ==
-        "grasp(cup) [cup is held already], move(cup, on(plate)), put(cup, on(plate)): unreachable (the arm does not get there)");
+        "grasp(cup) [cup is held already], move(cup, on(plate)), put(cup, on(plate)): unreachable (the arm does not "
+        "get there)");
   CHECK(avatar.held() == "cup");
 }
 

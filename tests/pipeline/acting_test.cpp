@@ -34,8 +34,8 @@ class Talk {
  public:
   explicit Talk(const std::string& language) : methods_(Perspective::human) {
     const std::string knowledge = CONTINUA_SOURCE_DIR "/engine/knowledge/";
-    auto machine = load_machine(knowledge + "machines/interaction.json", Methods::signature(), knowledge + "phrases",
-                                language);
+    auto machine =
+        load_machine(knowledge + "machines/interaction.json", Methods::signature(), knowledge + "phrases", language);
     if (!machine) FAIL(machine.error().text());
     machine_ = std::make_shared<const Machine>(*std::move(machine));
   }

@@ -134,7 +134,8 @@ TEST_CASE("how an act ended is an input where the machine knows it, and else onl
   play.point(0.28);
   play.say("yes");
   CHECK(play.reports(ActReport::Status::started) == "");
-  CHECK(play.reports(ActReport::Status::blocked) == "act blocked the fingers found no hold; \"Sorry, the fingers found no hold.\"");
+  CHECK(play.reports(ActReport::Status::blocked) ==
+        "act blocked the fingers found no hold; \"Sorry, the fingers found no hold.\"");
   play.point(0.28);
   play.say("yes");
   CHECK(play.reports(ActReport::Status::dropped) == "act dropped the fingers found no hold");
