@@ -128,8 +128,7 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
   if (moves_to_goal(command.what)) {
     end = move(handling);
     if (end.status != Status::done) world_ = before;
-    const bool lets_go = command.what == Capability::put || command.what == Capability::push || !in_hand;
-    if (end.status == Status::done && lets_go) world_.held.clear();
+    if (end.status == Status::done && empties_hand(command.what, in_hand)) world_.held.clear();
     return end;
   }
   if (command.what == Capability::grasp && command.next && !in_hand) {

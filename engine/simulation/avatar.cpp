@@ -65,8 +65,7 @@ void Avatar::begin(const AvatarCommand& asked) {
   const WorldSnapshot world = physics_.snapshot({});
   if (command.object.empty() && !is_gesture(command.what)) command.object = world.held;
   const bool in_hand = !command.object.empty() && world.held == command.object;
-  act.lets_go = command.what == Capability::put ||
-                ((command.what == Capability::slide || command.what == Capability::turn) && !in_hand);
+  act.lets_go = empties_hand(command.what, in_hand);
   if (command.what == Capability::grasp && command.next) command.goal = *command.next;
   if (command.what == Capability::grasp && in_hand) return end_act();
   if (command.what == Capability::move && !in_hand)

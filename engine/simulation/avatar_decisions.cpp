@@ -70,7 +70,7 @@ void Avatar::decide() {
   }
   if (command.object.empty()) return cannot({Code::nothing_held});
   // The hand is emptied before it is decided how to go about another object.
-  const bool pushing = command.what == Capability::push;
+  const bool pushing = to_goal(command.what) == ToGoal::pushed;
   if (!world.held.empty() && (world.held != command.object || pushing)) return put_away(world);
   if (pushing) return decide_push(world);
   if (command.what == Capability::turn) return decide_turn(world);

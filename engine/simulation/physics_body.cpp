@@ -13,6 +13,8 @@ constexpr SimTime rest_after{100'000};
 constexpr SimTime sample_every{33'334};  // at most 30 per second
 constexpr double turn_grid = 1e-3;       // radians
 
+bool is_stop(const AvatarCommand& command) { return command.what == Capability::stop; }
+
 bool differs(const Pose& a, const Pose& b) {
   return (a.p_WB - b.p_WB).cwiseAbs().maxCoeff() > position_grid_m || a.R_WB.angularDistance(b.R_WB) > turn_grid;
 }
@@ -79,17 +81,14 @@ WorldReport PhysicsBody::advance(SimTime t) {
 /// Begins what need not wait. Whether an act has ended with it.
 bool PhysicsBody::begin_acts(WorldReport& report) {
   const SimTime t = std::max(now_, told_until_);
-  const auto next = [&](auto... what) {
-    return std::find_if(waiting_.begin(), waiting_.end(),
-                        [&](const AvatarCommand& command) { return ((command.what == what) || ...); });
-  };
-  for (auto it = next(Capability::look, Capability::signal); it != waiting_.end();
-       it = next(Capability::look, Capability::signal)) {
+  const auto announced = [](const AvatarCommand& command) { return effect_of(command.what) == ActEffect::announced; };
+  for (auto it = std::find_if(waiting_.begin(), waiting_.end(), announced); it != waiting_.end();
+       it = std::find_if(waiting_.begin(), waiting_.end(), announced)) {
     report.acts.push_back({it->id, t, ActReport::Status::started, 0, {}});
     report.acts.push_back({it->id, t, ActReport::Status::done, 0, {}});
     waiting_.erase(it);
   }
-  if (next(Capability::stop) != waiting_.end()) {
+  if (std::any_of(waiting_.begin(), waiting_.end(), is_stop)) {
     begin_stop(report, t);
     if (finish_act(report, t)) return true;
   }
@@ -108,7 +107,6 @@ bool PhysicsBody::begin_acts(WorldReport& report) {
 
 /// Gives up what is under way and what waits before the last stop, and begins that.
 void PhysicsBody::begin_stop(WorldReport& report, SimTime t) {
-  const auto is_stop = [](const AvatarCommand& command) { return command.what == Capability::stop; };
   if (avatar_.busy()) report.acts.push_back({act_id_, t, ActReport::Status::stopped, 0, {}});
   while (std::count_if(waiting_.begin(), waiting_.end(), is_stop) > 1 || !is_stop(waiting_.front())) {
     report.acts.push_back({waiting_.front().id, t, ActReport::Status::stopped, 0, {}});
