@@ -15,7 +15,7 @@ Pose inverse(const Pose& X_AB) {
 
 Vec3 depth_of(const Box& a, const Box& b) { return a.max.cwiseMin(b.max) - a.min.cwiseMax(b.min); }
 
-// Dividing whole steps by their number per metre gives the double nearest to the decimal, which multiplying does not.
+// Division of whole steps by the steps per metre gives the double nearest to the decimal; multiplication does not.
 double on_grid(double length_m) {
   const double steps_per_m = std::round(1 / position_grid_m);
   return std::round(length_m * steps_per_m) / steps_per_m + 0.0;  // + 0.0 turns -0 into 0

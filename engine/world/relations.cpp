@@ -47,7 +47,7 @@ double toward_by(const Box& a, const Box& b, const Vec3& side, Sides sides) {
   return std::min({by, -rests_by(a, b), -rests_by(b, a)});
 }
 
-// How much further near and beside reach.
+// Factor by which `near` and `beside` reach farther.
 double reach(Sides sides) { return 1 + static_cast<double>(sides); }
 
 double between_by(const Box& a, const Box& first, const Box& second, Sides sides) {
@@ -108,7 +108,7 @@ double holds_of_participant(Relation relation, const Box& a, const Landmark& lan
   switch (relation) {
     case Relation::left:
     case Relation::right:
-    case Relation::in_front:  // what is on their side of things is in front of them
+    case Relation::in_front:  // things on a participant's side of the table are in front of that participant
       return (a.center() - table.center()).dot(side_W(relation, *landmark.who));
     case Relation::at:
     case Relation::near:

@@ -1,4 +1,4 @@
-// The world at one instant, as the engine sees it: a value, whatever moved it (MuJoCo or the kinematic world).
+// The world at one instant: a value, the same for MuJoCo and the kinematic world.
 #pragma once
 
 #include <map>
@@ -15,17 +15,17 @@ namespace continua {
 /// One thing that can be talked about.
 struct ObjectState {
   std::string name;                               ///< its body's name in the scene, unique
-  std::map<std::string, std::string> attributes;  ///< what the scene says of it: "type" → "block", "color" → "red"
+  std::map<std::string, std::string> attributes;  ///< from the scene: "type" → "block", "color" → "red"
   Vec3 half_extents_m = Vec3::Zero();             ///< of its bounding box, in its own frame
   Vec3 p_WO = Vec3::Zero();                       ///< centre of its bounding box, on the grid
   double yaw = 0;                                 ///< radians
-  /// The hollow of a container, open at its top: from p_WO, along the object's own axes. None where nothing can be put
-  /// in, as into a cup that lies on its side.
+  /// The hollow of a container, open at its top: from p_WO, along the object's own axes. Absent if nothing can be put
+  /// in, as into a cup on its side.
   std::optional<Box> interior = {};
 
-  /// Axis-aligned bounding box in W, yaw taken into account.
+  /// Axis-aligned bounding box in W of the turned object.
   Box bounds_W() const;
-  /// The interior as a box along W's axes: if the object is turned, the largest one of its proportions that fits in it.
+  /// The interior as a box along W's axes: in a turned object the largest such box of the same proportions.
   std::optional<Box> interior_W() const;
 };
 
