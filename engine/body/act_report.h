@@ -1,4 +1,4 @@
-// The body's account of an act.
+// The body's report about an act, at its beginning and at its end.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@ struct ActReport {
   SimTime t;
   Status status = Status::done;
   double position_error_m = 0;  ///< put, slide, push, move, turn: distance from the goal on the table plane
-  Reason reason = {};           ///< why the act was not done, or was done otherwise than asked
-  std::vector<std::string> moved_aside = {};  ///< other objects that were put elsewhere to make room, in order
+  Reason reason = {};           ///< why the act failed, or went otherwise than asked; else empty
+  std::vector<std::string> moved_aside = {};  ///< other objects that had to make room, in order
   double yaw_error = 0;  ///< between the object's yaw and the intended one, radians; 0 for round things
-  std::vector<std::string> touches = {};  ///< contacts of the handled object in the end: objects, `table`
-  std::vector<Reason> retries = {};       ///< why earlier attempts had failed, in order
+  std::vector<std::string> touches = {};  ///< contacts of the handled object at the end: objects, `table`
+  std::vector<Reason> retries = {};       ///< reasons of failed attempts before, in order
 
   /// The act ends for this reason, in the status of the reason.
   void end_for(Reason why) {

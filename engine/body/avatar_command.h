@@ -11,11 +11,11 @@
 
 namespace continua {
 
-/// A destination. The body resolves it when the act begins, because a landmark may have moved since it was named.
+/// A destination. The body resolves the place when the act begins, because a landmark may have moved since the command.
 struct Goal {
-  std::optional<Relation> relation;               ///< to the landmarks; without one, p_WG is the goal
+  std::optional<Relation> relation;               ///< to the landmarks; if absent, p_WG is the goal
   std::vector<std::string> landmarks;             ///< objects or participants, as many as landmarks_of(relation)
-  Perspective perspective = Perspective::avatar;  ///< whose sides are meant
+  Perspective perspective = Perspective::avatar;  ///< whose left, right, front and behind
   Vec3 p_WG = Vec3::Zero();                       ///< the point of the table under the object's centre
 };
 
@@ -24,14 +24,14 @@ struct AvatarCommand {
   Capability what = Capability::signal;
   std::string object;             ///< target of the act; empty: the goal's place is the target
   Goal goal;                      ///< for put, slide, push and move; for reach, point, look without object: the place
-  std::optional<Goal> next = {};  ///< for grasp: where the object will go then, so that the grip suits that too
-  std::vector<std::string> parts = {};  ///< for grasp: the components by which it is best held, best first
+  std::optional<Goal> next = {};  ///< for grasp: the object's next goal, for which the grip must do too
+  std::vector<std::string> parts = {};  ///< for grasp: the components to hold it by, best first
   double height_m = 0;                  ///< for lift
   double turn_rad = 0;                  ///< for turn: counterclockwise as seen from above
   std::string name;                     ///< for signal
 };
 
-/// The first object or participant of the command that is not in the world; nothing if all are.
+/// The first object or participant of the command that the world lacks; nothing if the world has all.
 std::optional<std::string> missing_thing(const AvatarCommand& command, const WorldSnapshot& world);
 
 }  // namespace continua

@@ -35,9 +35,8 @@ class Body {
  public:
   virtual ~Body() = default;
   virtual void command(const AvatarCommand& command) = 0;
-  /// Lets the world go on until `t`, or until an act ends if that is earlier (WorldReport::until), so that its
-  /// consequences can begin at once. An act that is done as soon as it begins may end without ending this.
-  /// `t` never decreases.
+  /// Lets the world go on until `t` or until an act ends, whichever is earlier (WorldReport::until): the consequences
+  /// of an act begin at once. An act that takes no time may end without ending the span. `t` never decreases.
   virtual WorldReport advance(SimTime t) = 0;
   virtual WorldSnapshot snapshot() const = 0;
   /// Nothing moves and no command waits.

@@ -21,7 +21,7 @@ ObjectState& object_of(WorldSnapshot& world, std::string_view name) {
   return *found;
 }
 
-/// How an object is turned that lay like `lying` and may stand on its end now.
+/// Orientation of an object that stands on its end if it lay like `lying` before; `lying` may be null.
 Eigen::Quaterniond turn_of(const ObjectState& now, const ObjectState* lying) {
   const Eigen::Quaterniond yaw(Eigen::AngleAxisd(now.yaw, Vec3::UnitZ()));
   if (!lying) return yaw;
@@ -30,13 +30,13 @@ Eigen::Quaterniond turn_of(const ObjectState& now, const ObjectState* lying) {
   return yaw * Eigen::AngleAxisd(quarter_turn, x_upright ? Vec3::UnitY() : Vec3(-Vec3::UnitX()));
 }
 
-/// What an object touches: other objects, and `table`.
+/// Names of the objects that an object touches, and `table`.
 std::vector<std::string> touched_by(const ObjectState& object, const WorldSnapshot& world) {
   std::vector<std::string> touched;
   for (const auto& other : world.objects) {
     if (other.name == object.name) continue;
     const Vec3 depth = depth_of(object.bounds_W(), other.bounds_W());
-    // By a face, not only along an edge.
+    // A face has to touch; an edge is not enough.
     const bool faces = (depth.array() > touching_m).count() >= 2;
     if (faces && depth.minCoeff() > -touching_m) touched.push_back(other.name);
   }
@@ -168,7 +168,7 @@ ActReport KinematicBody::move(const AvatarCommand& command) {
   return end;
 }
 
-/// Why the object cannot be turned, if it cannot. What stands on it turns along.
+/// Turns the object and everything on it, or returns the reason why not.
 std::optional<Reason> KinematicBody::turn(const AvatarCommand& command) {
   const auto moves = carried_with(command.object, world_);
   const Vec3 axis_W = world_.find(command.object)->p_WO;
@@ -198,7 +198,7 @@ WorldSnapshot KinematicBody::lying_down(const std::string& name) const {
 }
 
 void KinematicBody::shift(const std::string& object, const Vec3& by_W) {
-  // Who moves is settled before anything does.
+  // Supports are read before anything moves.
   const auto moves = carried_with(object, world_);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     if (moves[i]) world_.objects[i].p_WO = on_grid(Vec3(world_.objects[i].p_WO + by_W));

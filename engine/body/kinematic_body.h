@@ -6,16 +6,15 @@
 
 namespace continua {
 
-/// Acts are done as soon as time goes on, in order: the `advance` after their command ends at the time at which it
-/// began. A stop leaves undone what was told before it since the last `advance`. Objects stand where acts leave them,
-/// never in one another. What stands on or in an object moves along with it. What fits into a hollow on its end alone
-/// is stood up, which the report tells; it lies again where it is put next. An act about something that is not in the
-/// world is `unreachable`, one that cannot be done (no room, an object onto itself, a lift or move of nothing held) is
-/// `blocked`; the world is then as before.
+/// The next `advance` does all waiting acts in order, and time stands still meanwhile. A stop cancels the acts
+/// commanded before it since the last `advance`. Objects stay where acts leave them and never overlap. Things on or in
+/// an object move along with it. An object that fits into a hollow only on its end is stood up, and the report says so;
+/// it lies again at its next place. An act about a missing thing is `unreachable`. An act without room, onto the object
+/// itself, or with nothing in the hand is `blocked`. After either the world is as before.
 class KinematicBody : public Body {
  public:
-  /// `cleared`: things are put just where the goal says, whatever is there, and push apart what they overlap then; a
-  /// point always is.
+  /// With `cleared` an object comes to the exact place of its goal and pushes other things apart. A point is always
+  /// treated so.
   explicit KinematicBody(WorldSnapshot world, Occupied occupied = Occupied::avoided)
       : world_(std::move(world)), occupied_(occupied) {}
 
@@ -24,26 +23,26 @@ class KinematicBody : public Body {
   WorldSnapshot snapshot() const override { return world_; }
   bool at_rest() const override { return waiting_.empty(); }
 
-  /// Everything is as in the other world from now on, and nothing waits. Returns the poses that are others then.
+  /// Copies the other world and cancels all waiting acts. Returns the poses that changed.
   PoseSample become(const KinematicBody& other);
 
  private:
-  /// Does the act and says how it went, but for its id and time.
+  /// Does the act. The report lacks id and time.
   ActReport act(const AvatarCommand& command);
   ActReport move(const AvatarCommand& command);
   std::optional<Reason> turn(const AvatarCommand& command);
-  /// The world with an object shaped as it lies, should it stand on its end.
+  /// The world in which the object lies, even if it stands on its end now.
   WorldSnapshot lying_down(const std::string& name) const;
-  /// Shifts an object and all that stands on it.
+  /// Shifts an object and everything on it.
   void shift(const std::string& object, const Vec3& by_W);
-  /// How the objects lie that `before` has elsewhere.
+  /// Poses of the objects that moved since `before`.
   PoseSample moved_since(const WorldSnapshot& before) const;
-  /// Lets go of what is held, which falls straight down.
+  /// Lets go of the held object, which falls straight down.
   void release();
 
   WorldSnapshot world_;
   Occupied occupied_;
-  std::map<std::string, ObjectState> lying_;  // those that stand on their end, as they were before
+  std::map<std::string, ObjectState> lying_;  // objects on their end, as they lay before
   std::vector<AvatarCommand> waiting_;
 };
 

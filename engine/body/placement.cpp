@@ -10,11 +10,11 @@ namespace continua {
 
 namespace {
 
-// How much air is left beside the landmark: enough for a hand, and near enough for world/relations.
+// Air beside the landmark: enough for a hand, and little enough for world/relations.
 constexpr double beside_gap_m = 0.02, near_gap_m = 0.05, at_gap_m = 0.005, step_gap_m = 0.02, edge_gap_m = 0.03;
-// By how much the relation has to hold, so that it still does when it is measured.
+// Least margin of the relation, so that a measurement still confirms it.
 constexpr double least_margin_m = 5e-4;
-// How far within the edge of what bears it a centre has to be.
+// Distance of an object's centre from the edge of its support.
 constexpr double rim_m = 0.006;
 
 constexpr std::array sides = {Relation::left, Relation::right, Relation::in_front, Relation::behind};
@@ -28,13 +28,13 @@ std::string in_words(Relation relation) {
 
 Vec3 half_of(const Box& box) { return (box.max - box.min) / 2; }
 
-/// Whether a point is over a box, `rim` within its edge.
+/// The point is over the box, at least `rim` from its edge.
 bool is_over(const Box& box, const Vec3& p_W, double rim) {
   return p_W.x() > box.min.x() + rim && p_W.x() < box.max.x() - rim && p_W.y() > box.min.y() + rim &&
          p_W.y() < box.max.y() - rim;
 }
 
-/// Steps of a grid around a place, nearest first, at most `farthest_m` long.
+/// Steps on a grid around a place, shortest first, at most `farthest_m` long.
 std::vector<Vec3> steps_around(double farthest_m) {
   constexpr double step_m = 0.005;
   const int most = static_cast<int>(std::lround(farthest_m / step_m));
@@ -56,7 +56,7 @@ class Places {
     for (const auto& name : goal.landmarks) {
       landmarks_.push_back(*Landmark::named(name, world));
       if (name != object.name) continue;
-      // A step: what the object is beside is where it stands now.
+      // A step: the landmark is the object where it stands now.
       before_ = object;
       before_.name.clear();
       landmarks_.back().thing = &before_;
@@ -99,7 +99,7 @@ class Places {
 
 Reason Places::no_room() const { return reason_about_goal(ReasonCode::no_room, object_.name, goal_); }
 
-/// Whether nothing is in the way of the object there, nor of what goes along with it.
+/// There is room for the object and for everything that moves along with it.
 bool Places::free(const ObjectState& placed) const {
   const Vec3 by_W = placed.p_WO - object_.p_WO;
   for (std::size_t i = 0; i < carried_.size(); ++i) {
@@ -118,14 +118,14 @@ bool Places::on_table(const ObjectState& placed) const {
          box.min.y() >= world_.table.min.y() - grid_slack_m && box.max.y() <= world_.table.max.y() + grid_slack_m;
 }
 
-/// Whether the object would fall off that thing.
+/// The object would fall off that thing.
 bool Places::is_narrow(const ObjectState& below) const {
   const Vec3 mine = half_of(object_.bounds_W()), theirs = half_of(below.bounds_W());
   return theirs.x() < mine.x() / 2 || theirs.y() < mine.y() / 2;
 }
 
-/// What an object beside the landmark comes to stand on: the table, or things that are no higher than what the landmark
-/// itself stands on, and not so narrow that it falls off them.
+/// Height of the object's support beside the landmark: the table, or the highest wide enough thing that is no higher
+/// than the support of the landmark.
 double Places::support_height(const Vec3& p_W, Occupied occupied) const {
   constexpr double slack_m = 0.01;
   double height = world_.table.max.z();
@@ -141,7 +141,7 @@ double Places::support_height(const Vec3& p_W, Occupied occupied) const {
   return height;
 }
 
-/// On a participant's side of the table, near its edge.
+/// The place on a participant's side of the table, near its edge.
 std::vector<Vec3> Places::before_participant(Perspective who) const {
   const Vec3 half = half_of(object_.bounds_W()), front = side_W(Relation::in_front, who);
   Vec3 p = world_.table.center() + front * (half_of(world_.table).y() - edge_gap_m - half.y());
@@ -150,7 +150,7 @@ std::vector<Vec3> Places::before_participant(Perspective who) const {
   return {p};
 }
 
-/// The places that are looked around, the nearest to the object first.
+/// Centres of the search, nearest to the object first.
 std::vector<Vec3> Places::ideals() const {
   const Relation relation = *goal_.relation;
   const Landmark& landmark = landmarks_.front();
@@ -172,14 +172,14 @@ std::vector<Vec3> Places::ideals() const {
   for (const Relation side : sides) places.push_back(beside(side, gap_m));
   const auto way = [&](const Vec3& p) { return on_grid((p - object_.p_WO).head<2>().norm()); };
   std::stable_sort(places.begin(), places.end(), [&](const Vec3& a, const Vec3& b) { return way(a) < way(b); });
-  // Beside is at the left or the right, if it can be.
+  // Left and right come first for `beside`.
   if (relation == Relation::beside)
     std::stable_partition(places.begin(), places.end(),
                           [&](const Vec3& p) { return std::abs(p.y() - landmark.thing->p_WO.y()) < position_grid_m; });
   return places;
 }
 
-/// Points are taken as they are meant, whatever stands there.
+/// A point is a place whatever stands there.
 Placement Places::at_point() const {
   return Placement{on_grid(Vec3(goal_.p_WG.x(), goal_.p_WG.y(), world_.table.max.z() + object_.half_extents_m.z()))};
 }
@@ -210,7 +210,7 @@ OrReason<Placement> Places::in_hollow() const {
   return Reason{ReasonCode::full, std::move(inside)};
 }
 
-/// What is in a container, the object itself apart.
+/// Names of the things in a container, without the object itself.
 std::vector<std::string> Places::contents_of(const ObjectState& container) const {
   std::vector<std::string> inside;
   const std::array landmarks = {Landmark::object(container)};
@@ -226,7 +226,7 @@ OrReason<Placement> Places::on_top(Occupied occupied) const {
   const ObjectState& below = *landmarks_.front().thing;
   const Box top = below.bounds_W();
   const Vec3 ideal(below.p_WO.x(), below.p_WO.y(), top.max.z() + object_.half_extents_m.z());
-  // What is set down on less than a quarter of its width tips at the least push.
+  // A support of less than a quarter of the object's width lets it tip at the least push.
   const Vec3 bearing = half_of(top), needed = (half_of(object_.bounds_W()) / 4).cwiseMax(rim_m);
   if (bearing.x() <= needed.x() || bearing.y() <= needed.y())
     return Reason{ReasonCode::too_narrow, {below.name, object_.name}};

@@ -13,18 +13,23 @@ struct Placement {
   bool upright = false;      ///< the object is stood on its end, its longest side vertical
 };
 
-/// Who deals with things that already stand at the goal.
+/// Treatment of a goal where other things stand.
 enum class Occupied {
-  avoided,  ///< the caller: the place is the one nearest to the ideal where the object overlaps nothing, on the table
-  cleared,  ///< the body, which makes room: for a point, a side and the top of a thing the place is the ideal one
+  avoided,  ///< the place is the one nearest to the ideal place where the object overlaps nothing, on the table
+  cleared,  ///< the body makes room: for a point, a side and the top of a thing the place is the ideal one
 };
 
-/// The place of the object when `command`, a put, slide, push or move, succeeds in `world`. At a point it stands on the
-/// table, whatever is there. Beside another thing (left, right, in_front, behind, touching) it ideally touches that
-/// thing, for `at` and `beside` it stands next to it, for `near` and `between` it keeps a distance. For `in` it stands
-/// on the hollow's floor, lying if it fits so, else upright. In front of a participant it is near the edge of the
-/// table. A side of the object itself is a step that way. The relation holds at every place returned, by
-/// world/relations. The reason says why there is no such place. REQUIRES that nothing is missing.
+/// The place of the object when `command`, a put, slide, push or move, succeeds in `world`, or the reason why there is
+/// none. The relation (world/relations.h) holds at the place.
+///
+/// - A point: on the table, whatever stands there.
+/// - left, right, in_front, behind, touching: ideally the object touches the landmark.
+/// - at, beside: next to the landmark; near, between: at some distance from it.
+/// - in: on the hollow's floor, lying if there is room, else upright.
+/// - In front of a participant: near the edge of the table.
+/// - A side of the object itself: one step in that direction.
+///
+/// REQUIRES that no thing of the command is missing.
 OrReason<Placement> placement(const AvatarCommand& command, const WorldSnapshot& world, Occupied occupied);
 
 /// A reason of that code about an object, the goal's landmarks and its relation in words ("in front"). REQUIRES that

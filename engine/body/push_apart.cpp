@@ -25,7 +25,7 @@ Overlap overlap_of(std::size_t a, std::size_t b, const WorldSnapshot& world) {
   return {a, b, axis, depth[axis]};
 }
 
-// The deepest overlap with one of those that have been pushed.
+// The deepest overlap that concerns a pushed thing.
 std::optional<Overlap> deepest(const WorldSnapshot& world, const std::vector<bool>& pushed) {
   std::optional<Overlap> found;
   for (std::size_t a = 0; a < world.objects.size(); ++a)
@@ -37,7 +37,7 @@ std::optional<Overlap> deepest(const WorldSnapshot& world, const std::vector<boo
   return found;
 }
 
-// Whether the thing is in another one, or in what is in it.
+// The thing is in the other one, directly or within a third.
 bool is_within(std::size_t thing, std::size_t container, const WorldSnapshot& world) {
   return thing != container && is_inside(world.objects[thing], world.objects[container]);
 }
@@ -49,7 +49,7 @@ void shift(WorldSnapshot& world, std::size_t object, int axis, double by_m) {
     if (moves[i]) world.objects[i].p_WO[axis] = on_grid(world.objects[i].p_WO[axis] + by_m);
 }
 
-// What stood on something that is no longer below it falls, the lowest first.
+// Things fall that have lost their support, the lowest first.
 void let_fall(WorldSnapshot& world, const std::vector<bool>& stood_on_pushed) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < stood_on_pushed.size(); ++i)

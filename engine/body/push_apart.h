@@ -1,4 +1,4 @@
-// What happens where an object is put down on a place that is partly taken, as far as boxes can tell.
+// Boxes that push each other apart after an object has been put down on a partly taken place.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace continua {
 
-/// The world once `object`, which was just put down, and what it overlaps have pushed each other apart along the table:
-/// the deepest overlap first, the shorter way, both by the same length, and so on for what they then overlap. What is
-/// in the hollow of a thing goes along with it; what stands on it stays where it is, as it does when its support is
-/// moved away at once, and falls if nothing is left below it. After a few hundred pushes some overlap may be left.
+/// The world after `object`, just put down, and the things that overlap it have pushed each other apart along the
+/// table. The deepest overlap is resolved first, along its shorter way, half by each thing; then the overlaps that this
+/// causes. Things in a hollow move along with it. Things on top stay where they are, as if their support had been
+/// pulled away, and fall if nothing is left below them. After a few hundred pushes some overlap may remain.
 WorldSnapshot pushed_apart(WorldSnapshot world, const std::string& object);
 
 }  // namespace continua

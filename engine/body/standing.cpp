@@ -7,7 +7,7 @@ namespace continua {
 
 namespace {
 
-// Things whose faces are this near touch.
+// Faces at this distance touch.
 constexpr double touch_m = 0.005;
 
 /// Area in which two boxes overlap, seen from above.
@@ -17,8 +17,8 @@ double overlap_area(const Box& a, const Box& b) {
   return x > 0 && y > 0 ? x * y : 0;
 }
 
-/// Index of the object that bears `world.objects[i]`: the container it is in; of those it touches from above, the one
-/// it overlaps most. -1: the table.
+/// Index of the object that bears `world.objects[i]`: the container around it, else the thing below it with the largest
+/// overlap; -1 for the table.
 int support_of(std::size_t i, const WorldSnapshot& world) {
   const ObjectState& object = world.objects[i];
   const Box box = object.bounds_W();

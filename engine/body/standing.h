@@ -1,4 +1,4 @@
-// What stands on and in what, as far as it can be told from boxes.
+// Supports and contents of things, judged by their boxes.
 #pragma once
 
 #include <vector>
@@ -7,21 +7,21 @@
 
 namespace continua {
 
-/// Lengths below it are neither gap nor overlap: two roundings to the grid.
+/// A smaller length is neither gap nor overlap: two roundings to the grid.
 inline constexpr double grid_slack_m = 2 * position_grid_m;
 
-/// Whether the thing is in the hollow of a container: within it as seen from above, and not below its floor.
+/// The thing is in the hollow of a container: within it as seen from above, and not below its floor.
 bool is_inside(const ObjectState& thing, const ObjectState& container);
 
-/// Whether two things are in each other, which what is in a hollow is not.
+/// The two boxes overlap, and neither thing is in the hollow of the other.
 bool overlap(const ObjectState& a, const ObjectState& b);
 
-/// For each object of the world, whether it goes along when the object of that name is moved: itself, what stands on it
-/// or in it, and so on up.
+/// For each object of the world: does it move along with the object of that name? The object itself does, things on or
+/// in it do, and so on upward.
 std::vector<bool> carried_with(std::string_view object, const WorldSnapshot& world);
 
-/// The height on which the object comes to stand if it is let go: the table, the floor of a hollow that it fits into,
-/// or the top of what is below it and overlaps it most as seen from above.
+/// The height of the support on which the object would land: the table, the floor of a hollow that it fits into, or the
+/// top of the thing below it that overlaps it most as seen from above.
 double height_below(const ObjectState& object, const WorldSnapshot& world);
 
 /// The object stood on its end: the longer of its sides becomes vertical.
