@@ -20,7 +20,7 @@ Term applied(const std::string& function, const std::vector<Term>& arguments) {
 
 bool is_constant(const Term& term) { return term.kind() == Term::Kind::constant; }
 
-// Of a point, and of what a thing bears or holds, the world tells whether something was brought there.
+// A place is wide unless the world alone shows that a thing was brought there, as for a point, `on`, `in` and `at`.
 bool is_wide(const Term& place) {
   if (place.kind() == Term::Kind::place) return false;
   const auto [head, landmarks] = place.spine();

@@ -1,4 +1,4 @@
-// What expressions of VoxML stand for and whether they hold, in the world as it is now.
+// Values of VoxML expressions, and the truth of VoxML conditions, in the present world.
 #pragma once
 
 #include <map>
@@ -13,13 +13,13 @@
 
 namespace continua {
 
-/// What names stand for: x, l1, and [1] for a part.
+/// Values of names: x, l1, and [1] for a part.
 using Bindings = std::map<std::string, Term, std::less<>>;
 
 /// The avatar as the agent of programs.
 Term agent_term();
 
-/// Where an object is, as a place term: on(plate) or in(cup) if it stands there, else the point below its centre.
+/// An object's place as a term: on(plate) or in(cup) if it stands there, else the point below its centre.
 Term place_term(const ObjectState& object, const WorldSnapshot& world);
 
 class Circumstances {
@@ -34,15 +34,15 @@ class Circumstances {
   const WorldSnapshot& world() const { return *world_; }
   Perspective perspective() const { return perspective_; }
 
-  /// The things that the act has brought to their places so far; must outlive its use. A thing is at a place that is
-  /// wide, such as left(plate), only once it was brought there: that it stands somewhere to the left is not enough.
+  /// The things that the act has brought to their places so far; must outlive its use. A thing is at a wide place, such
+  /// as left(plate), only after the act has brought it there: standing somewhere to the left is not enough.
   void see_brought(const std::set<std::string>& brought) { brought_ = &brought; }
 
-  /// put(x, on(y)) with what x and y stand for; loc(y) is the place where it is. A name that stands for nothing is the
-  /// thing of the world that is called so, else itself.
+  /// put(x, on(y)) with the values of x and y; loc(y) is the place of y. An unbound name is the thing of the world with
+  /// that name, else a constant.
   Term value(const Expression& expression, const Bindings& bindings) const;
-  /// hold(x,y), the relations of world/relations.h as at(y,z) and on(y,z), contain(z,y) and support(z,y), and
-  /// what ! ^ | make of them. Nothing if the world cannot tell.
+  /// The truth of hold(x,y), of relations (world/relations.h) such as at(y,z) and on(y,z), of contain(z,y) and
+  /// support(z,y), and of their combinations with ! ^ |. Nothing if the world cannot tell.
   std::optional<bool> hold(const Expression& condition, const Bindings& bindings) const;
 
  private:

@@ -18,7 +18,7 @@ bool stops(const Term& program, Perspective perspective) {
   return command && command->what == Capability::stop;
 }
 
-// Where things are that have moved is where they were before the act.
+// Records where the things that moved had been before the act.
 void remember_places(const ActUnderWay& act, const WorldSnapshot& world, Bindings& was) {
   for (const auto& object : world.objects) {
     const auto before = act.before.find(object.name);
@@ -74,14 +74,14 @@ std::optional<PerformanceEvent> Performer::next(Performance& performance, const 
     if (step->command) doing.in_flight = step->command->id = ++performance.commands;
     return *std::move(step);
   }
-  // What still moves while the body comes to a stop, the stopped act has moved.
+  // Movements while the body comes to a stop belong to the stopped act.
   if (!stops(doing.end.act.program, circumstances_.perspective())) remember_places(doing, world, performance.was);
   ActEnd end = std::move(doing.end);
   performance.doing.reset();
   return end;
 }
 
-// All that was asked for before the last stop.
+// Cancels everything before the last stop.
 void Performer::give_up(Performance& performance, const WorldSnapshot& world) const {
   performance.stopping = false;
   const auto stop = [&](ActEnd end) {

@@ -1,5 +1,5 @@
-// Programs performed from their voxemes, step by step (semantics §4): put(cup, on(plate)) is what the subevents of
-// `put` say, down to what the body itself can do. Acts run one after the other; each step waits for the body's report.
+// Programs performed from their voxemes, step by step (SEMANTICS.md §4). The subevents of `put` turn put(cup,
+// on(plate)) into acts of the body. Acts run one after the other; each step waits for the body's report.
 #pragma once
 
 #include <deque>
@@ -17,14 +17,14 @@
 
 namespace continua {
 
-/// An act that is asked for: a closed program.
+/// A requested act: a closed program.
 struct AskedAct {
   int number = 0;  ///< names the act
   Term program;
-  std::vector<int> because;  ///< serials of the inputs that it comes from
+  std::vector<int> because;  ///< serials of the inputs that contributed
 };
 
-/// A step of an act that the body does itself; without a command it was done already, and `reason` says why.
+/// A step that the body does itself. Without a command the step was done already, and `reason` says why.
 struct ActStep {
   int act = 0;
   int step = 0;  ///< running number within the act, from 1
@@ -33,8 +33,8 @@ struct ActStep {
   Reason reason;
 };
 
-/// What came of an act, as its steps have reported it: the last errors, reason and touches of any, what was moved aside
-/// and tried again in all of them.
+/// The end of an act, from the reports of its steps: the last errors, reason and touches, and all things moved aside
+/// and all retries.
 struct ActEnd {
   AskedAct act;
   ActStatus status = ActStatus::done;
@@ -46,62 +46,62 @@ struct ActEnd {
   std::vector<Reason> retries = {};
 };
 
-/// What the body is told to do for a gesture, whose turn has come.
+/// The body's command for an avatar gesture whose turn has come.
 struct GestureCommand {
   AvatarCommand command;
 };
 
 using PerformanceEvent = std::variant<ActStep, ActEnd, GestureCommand>;
 
-/// A program under way: its subevents and where it is in them.
+/// A program under way: its subevents and the progress in them.
 struct ProgramFrame {
   Term program;
-  bool own = false;  ///< is done by the body itself; it has no subevents then
+  bool own = false;  ///< the body does it itself; there are no subevents then
   std::vector<Subevent> body;
   Bindings bindings;
   std::size_t at = 0;                                      ///< the next subevent
-  int times = 1;                                           ///< how often the body is still to be done
-  bool prepared = false;                                   ///< of `own`: a precondition was brought about
-  std::optional<std::map<std::string, Vec3>> before = {};  ///< of a loop: where things were before its last turn
-  bool retried = false;                                    ///< of a loop: a turn has moved nothing
+  int times = 1;                                           ///< remaining repetitions of the subevents
+  bool prepared = false;                                   ///< if `own`: a precondition was brought about
+  std::optional<std::map<std::string, Vec3>> before = {};  ///< in a loop: positions before its last turn
+  bool retried = false;                                    ///< in a loop: a turn has moved nothing
 };
 
 struct ActUnderWay {
   ActEnd end;
   std::vector<ProgramFrame> frames;  ///< the innermost last
   int steps = 0;
-  int subevents = 0;             ///< looked at so far, against endless programs
-  std::optional<int> in_flight;  ///< command that the body has not reported on yet
+  int subevents = 0;             ///< so far, against endless programs
+  std::optional<int> in_flight;  ///< id of the command under way
   bool ending = false;
   std::string held_before;
-  std::map<std::string, Vec3> before;  ///< where things were when it began
+  std::map<std::string, Vec3> before;  ///< positions of things at the beginning
   Bindings places_before;              ///< the same as place terms
-  std::set<std::string> brought;       ///< the things that its steps have carried so far
+  std::set<std::string> brought;       ///< things that the steps have carried so far
 };
 
-/// All that is being done or waits for it: a value.
+/// The act under way and everything that waits: a value.
 struct Performance {
-  std::deque<std::variant<AskedAct, AvatarCommand>> waiting;  ///< acts, and gestures that go after them
+  std::deque<std::variant<AskedAct, AvatarCommand>> waiting;  ///< acts, and avatar gestures behind them
   std::optional<ActUnderWay> doing;
-  bool stopping = false;  ///< one of them stops the body
+  bool stopping = false;  ///< a waiting act stops the body
   std::deque<ActEnd> given_up;
-  Bindings was;      ///< object → where it was before the act that last moved it
-  int commands = 0;  ///< running number of the latest
+  Bindings was;      ///< object → its place before the last act that moved it
+  int commands = 0;  ///< number of the latest command
 
   bool idle() const { return waiting.empty() && !doing && given_up.empty(); }
 };
 
 class Performer {
  public:
-  /// `perspective` is whose sides place terms mean. `catalogue` must outlive the performer; without it the
-  /// body's own programs alone are known.
+  /// Sides in place terms are those of `perspective`. `catalogue` must outlive the performer; without a catalogue only
+  /// the body's own programs are known.
   Performer(const Catalogue* catalogue, Perspective perspective) : catalogue_(catalogue), circumstances_(perspective) {}
 
-  /// Asks for an act. One that stops the body gives up all those before it.
+  /// Asks for an act. An act that stops the body cancels all earlier ones.
   void begin(Performance& performance, AskedAct act) const;
-  /// A gesture of the arm waits for the acts that were asked for before it; others are begun at once.
+  /// Begins an avatar gesture. A gesture of the arm waits behind the acts; others are returned and begin at once.
   std::optional<AvatarCommand> begin(Performance& performance, AvatarCommand gesture) const;
-  /// What happens next, until nothing does before the body reports.
+  /// The next event; nothing if a report of the body has to come first.
   std::optional<PerformanceEvent> next(Performance& performance, const WorldSnapshot& world);
   void reported(Performance& performance, const ActReport& report) const;
 

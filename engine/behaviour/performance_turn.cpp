@@ -15,17 +15,17 @@ using Code = ReasonCode;
 using Status = ActStatus;
 using Kind = Expression::Kind;
 
-// Programs within programs, and subevents of an act: against those that never end.
+// Depth of programs in programs, and subevents of an act: bounds against endless programs.
 constexpr std::size_t deepest = 16;
 constexpr int most_subevents = 1000;
-// Labels and arguments may be made of one another; no program takes so many words.
+// Labels and arguments may be built from each other and grow without end; no useful program is so large.
 constexpr std::size_t largest_term = 200;
 
 bool is_call(const Expression& expression, std::string_view name, std::size_t arguments) {
   return expression.kind == Kind::call && expression.name == name && expression.arguments.size() == arguments;
 }
 
-// The first !at(y,z) of a loop's condition: what the loop is to bring about.
+// The goal of a loop: the at(y,z) of the first !at(y,z) in its condition.
 const Expression* goal_of_loop(const Expression& condition) {
   if (condition.kind == Kind::negation && condition.arguments.size() == 1 && is_call(condition.arguments[0], "at", 2))
     return &condition.arguments[0];
@@ -47,7 +47,7 @@ const Voxeme* voxeme_of(const ObjectState& object, const Catalogue* catalogue) {
   return catalogue->for_object(object.name, type == object.attributes.end() ? std::string() : type->second);
 }
 
-// A loop's event has done nothing if all is where it was; what is less than touch has not moved.
+// A turn of a loop was in vain if all things are where they were. Less than the distance of touch is no movement.
 bool same_places(const std::map<std::string, Vec3>& before, const std::map<std::string, Vec3>& now) {
   return std::all_of(now.begin(), now.end(), [&](const auto& one) {
     const auto found = before.find(one.first);
@@ -71,7 +71,7 @@ void PerformanceTurn::fail(Reason reason) {
 
 void PerformanceTurn::begin(const Bindings& was) { perform(resolved(act_.end.act.program, was), false); }
 
-// was(cup) and loc(cup) are places, whatever the program.
+// Replaces was(cup) and loc(cup) by places in any program.
 Term PerformanceTurn::resolved(const Term& term, const Bindings& was) const {
   if (term.kind() != Term::Kind::apply) return term;
   const auto [head, arguments] = term.spine();
@@ -87,8 +87,8 @@ Term PerformanceTurn::resolved(const Term& term, const Bindings& was) const {
   return whole;
 }
 
-// A side of the thing itself is a step that way, and the place it leads to stays when the thing has gone there. What is
-// no relation but says a point, as part('left', 'front', <0.1, 0, 0>), is that point.
+// A side of the thing itself is one step in that direction; the step's end becomes a point, since the thing moves away
+// from the side. A term with a point that is no relation, as part('left', 'front', <0.1, 0, 0>), becomes that point.
 Term PerformanceTurn::fixed_place(const Term& thing, const Term& place) const {
   const auto [head, landmarks] = place.spine();
   const bool is_relation = head.kind() == Term::Kind::constant && relation_named(head.name());
@@ -102,7 +102,7 @@ Term PerformanceTurn::fixed_place(const Term& thing, const Term& place) const {
   return there ? Term::point(there->p_WO.x(), there->p_WO.y(), world().table.max.z()) : place;
 }
 
-// What the program's arguments are; of calls in documents, those that it does not have are passed over.
+// Values of the program's arguments. Surplus arguments of calls in documents are dropped.
 std::optional<Bindings> PerformanceTurn::bind(const Voxeme& voxeme, const Term& program, bool documented) {
   auto arguments = program.spine().arguments;
   const auto& wanted = voxeme.arguments;
@@ -145,7 +145,7 @@ void PerformanceTurn::push(Frame frame) {
   act_.frames.push_back(std::move(frame));
 }
 
-// `documented`: it is a subevent.
+// `documented`: the program is a subevent of a document.
 void PerformanceTurn::perform(const Term& program, bool documented) {
   const auto name = name_of(program);
   const bool own = !act_.frames.empty() && !name.empty() && name_of(act_.frames.back().program) == name;
@@ -160,7 +160,7 @@ void PerformanceTurn::perform(const Term& program, bool documented) {
   push({program, false, voxeme->body, *bindings});
 }
 
-// What the body takes: without the agent, and of subevents without what it does not know.
+// The program as the body takes it: without the agent, and in subevents without surplus arguments.
 Term PerformanceTurn::of_body(const Term& program, bool documented) const {
   auto [head, arguments] = program.spine();
   const auto most = most_arguments(name_of(program));
@@ -180,7 +180,7 @@ std::optional<bool> PerformanceTurn::decided(const Expression& condition, const 
   return holds;
 }
 
-// A loop that names no event is brought to its end by the body's carrying the thing to the place.
+// The event of a loop without one: the body carries the thing to the place.
 Expression PerformanceTurn::event_of(const Subevent& subevent) const {
   const bool is_empty = subevent.event.kind == Kind::name && subevent.event.name.empty();
   const auto* goal = subevent.when == Subevent::When::during && is_empty ? goal_of_loop(subevent.condition) : nullptr;
@@ -219,7 +219,7 @@ void PerformanceTurn::perform_event(const Expression& event) {
   perform(program, true);
 }
 
-// One subevent further, or out of a program that is at its end.
+// Goes on by one subevent, or leaves a program at its end.
 void PerformanceTurn::advance() {
   Frame& frame = act_.frames.back();
   if (++act_.subevents > most_subevents) return fail(too_long());
@@ -277,7 +277,7 @@ std::optional<ActStep> PerformanceTurn::step() {
   return let_go();
 }
 
-// Brings about what has to hold before; false if there is nothing to be done about it, or no need to.
+// Brings about a precondition, or fails for lack of a way. False if all preconditions hold.
 bool PerformanceTurn::prepare(Frame& frame) {
   for (const auto& argument : frame.program.spine().arguments) {
     const auto* object = is_thing(argument) ? world().find(argument.name()) : nullptr;
@@ -330,7 +330,7 @@ std::optional<ActStep> PerformanceTurn::own_step() {
   return step;
 }
 
-// What its voxeme says it is grasped by, but for the whole.
+// The components by which the object's voxeme affords grasping; the whole is left out.
 std::vector<std::string> PerformanceTurn::grasp_parts(const ObjectState& object) const {
   std::vector<std::string> parts;
   const auto* voxeme = voxeme_of(object, catalogue_);
@@ -345,7 +345,7 @@ std::vector<std::string> PerformanceTurn::grasp_parts(const ObjectState& object)
   return parts;
 }
 
-// Where the programs under way will take the object once it is grasped.
+// The goal to which the programs under way will take the object after the grasp.
 std::optional<Goal> PerformanceTurn::next_goal(const std::string& object) const {
   for (auto frame = act_.frames.rbegin(); frame != act_.frames.rend(); ++frame)
     for (auto i = frame->at; i < frame->body.size(); ++i) {
@@ -360,7 +360,7 @@ std::optional<Goal> PerformanceTurn::next_goal(const std::string& object) const 
   return std::nullopt;
 }
 
-// What a failing act has grasped is not kept; where it was stopped, the body keeps what it holds.
+// A failed act lets go of its object. A stopped act keeps it in the hand.
 std::optional<ActStep> PerformanceTurn::let_go() {
   const auto& held = world().held;
   if (act_.end.status == Status::done || act_.end.status == Status::stopped) return std::nullopt;

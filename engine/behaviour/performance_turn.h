@@ -1,4 +1,4 @@
-// One turn of an act under way: from where it is in its programs to the next thing for the body.
+// One turn of an act under way: from its progress so far to the next step for the body.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace continua {
 
-/// Where the things of the world are, by name.
+/// Positions of the world's things, by name.
 std::map<std::string, Vec3> places_of(const WorldSnapshot& world);
 
 class PerformanceTurn {
@@ -17,9 +17,9 @@ class PerformanceTurn {
   PerformanceTurn(const Catalogue* catalogue, const Circumstances& circumstances, ActUnderWay& act)
       : catalogue_(catalogue), circumstances_(circumstances), act_(act) {}
 
-  /// Begins the act's program; `was` says where things were.
+  /// Begins the act's program. `was`: the earlier places of things.
   void begin(const Bindings& was);
-  /// The next step, its command without id; nothing once the act has ended, with what came of it in `end`.
+  /// The next step, its command without id; nothing at the end of the act, whose outcome is in `end`.
   std::optional<ActStep> step();
 
  private:

@@ -9,7 +9,7 @@
 namespace continua {
 namespace {
 
-// How far a lifted object rises: clear of what stands beside it, low enough for the arm everywhere on the table.
+// Rise of a lifted object: clear of its neighbours, and low enough for the arm everywhere on the table.
 constexpr double lift_height_m = 0.1;
 
 constexpr double quarter_turn_deg = 90, rad_per_deg = 0.017453292519943295;
@@ -46,7 +46,7 @@ OrReason<AvatarCommand> plan(const Term& program, bool gesture, Perspective pers
   }
   command.what = known->what;
   const auto wrong = [&] { return Reason{ReasonCode::incomplete, {}, {print(program)}}; };
-  // Who points with what may be left out.
+  // The agent and the pointing hand may be left out.
   const std::size_t least = known->takes == Takes::last_is_thing_or_place ? 1 : most_arguments(*known);
   if (arguments.size() < least || arguments.size() > most_arguments(*known)) return wrong();
   if (known->takes == Takes::nothing) return command;

@@ -1,4 +1,4 @@
-// From a term that names a program (`put(x, on(y))`, `reach(x)`) to what the body is told.
+// From the term of a program (`put(x, on(y))`, `reach(x)`) to a command for the body.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace continua {
 /// program of the body's is a signal of that name when `gesture`, otherwise there is a reason.
 OrReason<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective);
 
-/// How many arguments the body's own program of that name takes at most; nothing if it has none of that name.
+/// The most arguments that the body's own program of that name takes; nothing if there is no such program.
 std::optional<std::size_t> most_arguments(std::string_view program);
 
 }  // namespace continua

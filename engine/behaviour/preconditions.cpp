@@ -7,7 +7,7 @@
 namespace continua {
 namespace {
 
-// In an affordance every part is the object's, and names that stand for nothing else are the agent's.
+// In an affordance every part is the object, and every unbound name is the agent.
 void bind_names(const Expression& expression, const Term& object, Bindings& bindings) {
   if (expression.kind == Expression::Kind::component) bindings.emplace("[" + expression.name + "]", object);
   if (expression.kind == Expression::Kind::name) bindings.emplace(expression.name, agent_term());
@@ -21,7 +21,7 @@ Bindings bindings_of(const Affordance& affordance, const Term& object, Bindings 
   return bindings;
 }
 
-// What the names of the affordance's event stand for in `program`, if that is such an event; who acts may be left out.
+// Values of the names in the affordance's event if `program` is such an event. The agent may be left out.
 std::optional<Bindings> matched(const Expression& event, const Term& program, const Term& object) {
   const auto [head, arguments] = program.spine();
   if (head.kind() != Term::Kind::constant || head.name() != event.name) return std::nullopt;

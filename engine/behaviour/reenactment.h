@@ -1,4 +1,4 @@
-// What another avatar was observed to do, done again in a kinematic world.
+// Observed acts of another avatar, done again in a kinematic world.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@ namespace continua {
 
 class Reenactment {
  public:
-  /// `perspective` is whose sides place terms mean; `catalogue`, of voxemes, may be null and must outlive it.
+  /// Sides in place terms are those of `perspective`. `catalogue`, of voxemes, may be null and must outlive it.
   Reenactment(WorldSnapshot world, const Catalogue* catalogue, Perspective perspective)
       : body_(std::move(world), Occupied::cleared), performer_(catalogue, perspective) {}
 
-  /// Does an act, a closed program, to its end at `t`, which never decreases: it has happened, so that there was room
-  /// for it. Returns how it ended; what could not be done all the same leaves the world as it was.
+  /// Does an act, a closed program, to its end at `t`, which never decreases. There is always room, since the act
+  /// really happened. Returns the end of the act; a failed act leaves the world as it was.
   ActEnd act(const Term& program, SimTime t);
 
   const KinematicBody& body() const { return body_; }
