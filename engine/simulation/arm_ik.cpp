@@ -37,7 +37,7 @@ ArmJacobian jacobian_of(const Arm& arm, const Chain& chain) {
   return J;
 }
 
-/// What takes the tool from `from` to `to`: a displacement and a rotation vector, in W.
+/// The displacement and the rotation vector from `from` to `to`, in W.
 Twist difference(const Pose& from, const Pose& to) {
   const Eigen::AngleAxisd turn(to.R_WB * from.R_WB.conjugate());
   Twist twist;
@@ -75,13 +75,13 @@ ArmJacobian tool_jacobian(const Arm& arm, const ArmVector& q) { return jacobian_
 
 IkSolution solve_ik(const Arm& arm, const Pose& X_WT, const ArmVector& seed) {
   constexpr int max_iterations = 200;
-  constexpr double damping = 0.01;          // of the least squares: larger is slower but calmer near singularities
-  constexpr double posture_gain = 0.1;      // of the way home in the first iteration, in the free directions
-  constexpr double posture_decay = 0.8;     // per iteration: damping lets a little of the posture disturb the tool
+  constexpr double damping = 0.01;       // of the least squares: a larger one is slower, but calmer near singularities
+  constexpr double posture_gain = 0.1;   // part of the way home in the first iteration, in the free directions
+  constexpr double posture_decay = 0.8;  // per iteration: damping lets a little of the posture disturb the tool
   constexpr double largest_step_rad = 0.3;  // of any hinge in one iteration
   constexpr double good_enough = 0.01;      // of the tolerances: iterate on, it costs little
-  constexpr int patience = 30;              // iterations that bring it no nearer: it is stuck
-  constexpr double nearer = 0.99;           // of the error before
+  constexpr int patience = 30;              // iterations without progress: the solution is stuck
+  constexpr double nearer = 0.99;           // less than this part of the error before is progress
 
   IkSolution solution;
   solution.q = seed;
@@ -106,7 +106,7 @@ IkSolution solve_ik(const Arm& arm, const Pose& X_WT, const ArmVector& seed) {
     const auto damped = (JJt + damping * damping * Eigen::Matrix<double, 6, 6>::Identity()).eval().ldlt();
     const ArmVector toward = J.transpose() * damped.solve(error);
     const ArmVector home = posture * (arm.home - solution.q);
-    // The part of `home` that leaves the tool where it is.
+    // The part of `home` that does not move the tool.
     const ArmVector free = home - J.transpose() * damped.solve(J * home);
     ArmVector step = toward + free;
     const double largest = step.cwiseAbs().maxCoeff();

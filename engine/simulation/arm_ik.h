@@ -11,11 +11,11 @@ namespace continua {
 inline constexpr int most_arm_joints = 12;
 /// One number per hinge: radians, or radians per second.
 using ArmVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_arm_joints, 1>;
-/// How a pose changes with each hinge: rows 0–2 velocity of its origin, 3–5 angular velocity (6 x hinges).
+/// Change of a pose with each hinge: rows 0–2 velocity of the origin, rows 3–5 angular velocity (6 x hinges).
 using ArmJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, most_arm_joints>;
 
 struct ArmJoint {
-  Pose X_PJ;                    ///< of the hinge at zero, in the frame after the hinge before it (the first: in W)
+  Pose X_PJ;                    ///< the hinge at zero, in the frame after the previous hinge (first: in W)
   Vec3 axis_J = Vec3::UnitZ();  ///< unit vector through the frame's origin
   double min = 0, max = 0;      ///< radians
 };
@@ -35,7 +35,7 @@ std::vector<Pose> link_poses(const Arm& arm, const ArmVector& q);
 /// Pose of the tool in W.
 Pose tool_pose(const Arm& arm, const ArmVector& q);
 
-/// How the tool's pose changes with each hinge, in W.
+/// Jacobian of the tool's pose, in W.
 ArmJacobian tool_jacobian(const Arm& arm, const ArmVector& q);
 
 struct IkSolution {
@@ -48,12 +48,12 @@ struct IkSolution {
 inline constexpr double ik_tolerance_m = 1e-4;
 inline constexpr double ik_tolerance_rad = 1e-3;
 
-/// Damped least squares from `seed` toward the tool pose `X_WT`; in the directions that the task leaves free, toward
-/// the home posture. Follows the arm's branch that `seed` is on: for motions.
+/// Damped least squares from `seed` to the tool pose `X_WT`, with the home posture as a second goal in free directions.
+/// The solution stays on the arm's branch of `seed`, as motions need it.
 IkSolution solve_ik(const Arm& arm, const Pose& X_WT, const ArmVector& seed);
 
-/// As solve_ik from the home posture and, if that does not get there, from others spread over the limits: whether the
-/// arm reaches a pose at all. If it does not, the nearest that was found.
+/// solve_ik from the home posture, then from postures spread over the limits, until one reaches the pose; else the
+/// nearest solution. Tells if the arm reaches a pose at all.
 IkSolution find_ik(const Arm& arm, const Pose& X_WT);
 
 }  // namespace continua

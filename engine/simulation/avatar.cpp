@@ -17,11 +17,11 @@ namespace {
 using Code = ReasonCode;
 using Status = ActStatus;
 
-constexpr double turned_wrong = 0.17;  // radians: beyond it a turn has missed
+constexpr double turned_wrong = 0.17;  // radians (10 degrees): a turn with a larger error has missed
 constexpr double full_turn = 6.283185307179586, deg_per_rad = 57.29577951308232, mm_per_m = 1000;
-// A failure in the world is tried once more. If the arm finds no way with a grip, two other grips may have one.
+// A failed act is tried once more. If the arm finds no way with a grip, two other grips are tried.
 constexpr int most_retries = 1, most_detours = 2;
-// Half of what counts as rest: an object about to topple does not stay below this for long.
+// Half of the speeds of rest: a toppling object does not stay below them for long.
 constexpr double quiet_m_per_s = 1e-3, quiet_rad_per_s = 0.025;
 
 ObjectShapes shapes_of(const std::vector<SceneObject>& objects) {
@@ -73,7 +73,7 @@ void Avatar::begin(const AvatarCommand& asked) {
   decide();
 }
 
-// The act under way ends where it is. The fingers keep what they hold, and leave what they do not hold yet.
+// Ends the act under way where it is. Fingers that hold an object keep it; closing fingers open again.
 void Avatar::halt() {
   if (!busy_) return end_act();
   if (!state_.run.phases.empty() && state_.run.phases.front() == Phase::close) {
@@ -109,7 +109,7 @@ void Avatar::begin_phase() {
   run.elapsed_s = 0;
   run.steady_steps = 0;
   PhaseWork work{physics_, state_};
-  // Among the phases that end a failed handling, the arm skips those that it cannot do.
+  // At the end of a failed handling the arm skips impossible phases.
   while (!run.phases.empty() && !continua::begin_phase(run.phases.front(), work)) {
     if (!run.failing) return fail({Code::no_way});
     run.phases.pop_front();
@@ -151,7 +151,7 @@ void Avatar::phases_done() {
   if (!try_again()) end_act();
 }
 
-// Begins another attempt if one may mend the act's failure. Returns whether it did.
+// Begins another attempt if the failed act has one left. Returns true if it did.
 bool Avatar::try_again() {
   const AvatarAct& act = state_.act;
   Attempts& attempts = state_.attempts;
@@ -163,7 +163,7 @@ bool Avatar::try_again() {
   return true;
 }
 
-// Whether the object stands in the relation that was asked for. A step to a side of its own is a place.
+// The object stands in the relation of the goal. A step to a side of the object itself is a place, not a relation.
 bool Avatar::is_related(const WorldSnapshot& world) const {
   const AvatarCommand& command = state_.act.command;
   const Goal& goal = command.goal;
@@ -176,10 +176,10 @@ bool Avatar::is_related(const WorldSnapshot& world) const {
          holds_by(*goal.relation, *world.find(command.object), landmarks, world.table, goal.perspective) > 0;
 }
 
-// Whether the object that was let go of has moved since, or moves still.
+// The released object has moved since, or still moves.
 bool Avatar::moved_again(const WorldSnapshot& world) const {
   constexpr double moved_m = 0.01, tipped_rad = 0.2;
-  // An object that only trembles where it stands has not moved.
+  // A tremble on the spot is no movement.
   constexpr double trembles_m = 1e-3, trembles_rad = 0.02;
   const auto& let_go = state_.under_way.let_go;
   if (!let_go) return false;
@@ -188,7 +188,7 @@ bool Avatar::moved_again(const WorldSnapshot& world) const {
     return (X_WO.p_WB - let_go->X_WO.p_WB).norm() > m || X_WO.R_WB.angularDistance(let_go->X_WO.R_WB) > rad;
   };
   if (state_.quiet_steps * physics_.timestep_s() < quiet_s && farther(trembles_m, trembles_rad)) return true;
-  // An object that was let fall into a hollow moves until it lies there.
+  // An object dropped into a hollow moves until it lies there.
   const ObjectState& object = world.objects[static_cast<std::size_t>(let_go->object)];
   for (const auto& other : world.objects) {
     const std::array landmarks = {Landmark::object(other)};
@@ -199,7 +199,7 @@ bool Avatar::moved_again(const WorldSnapshot& world) const {
   return farther(moved_m, tipped_rad);
 }
 
-// How far the object is from its goal.
+// Measures the errors of position and yaw.
 void Avatar::measure(const WorldSnapshot& world) {
   constexpr double yaw_grid = 1e-3;  // radians
   AvatarAct& act = state_.act;
@@ -214,7 +214,7 @@ void Avatar::measure(const WorldSnapshot& world) {
   act.outcome.yaw_error = yaw_grid * std::round(off / yaw_grid);
 }
 
-// Whether the act has reached what it was to reach.
+// The reason why the act failed, if it did, from the state of the world.
 std::optional<Reason> Avatar::judge(const WorldSnapshot& world) const {
   const AvatarCommand& command = state_.act.command;
   const ActReport& outcome = state_.act.outcome;
@@ -235,7 +235,7 @@ std::optional<Reason> Avatar::judge(const WorldSnapshot& world) const {
   return std::nullopt;
 }
 
-// Ends the handling with a failure, but with an open hand clear of things. The first failure counts.
+// Ends the handling as failed, with an open hand clear of things. The first failure counts.
 void Avatar::fail(Reason reason) {
   AvatarAct& act = state_.act;
   if (act.outcome.status == Status::done) act.outcome.end_for(std::move(reason));

@@ -1,6 +1,6 @@
-// The avatar's acts. avatar_decisions.cpp decides from the state of the world what an act needs, as one handling of an
-// object or several: something may have to be put away or moved aside first, and after a failure another way is tried.
-// A handling is a succession of phases (avatar_phases.h).
+// The avatar's acts. avatar_decisions.cpp divides an act into handlings of objects, by the state of the world: another
+// object may have to be put away or moved aside first, and a failed handling is tried in another way. A handling is a
+// succession of phases (avatar_phases.h).
 #pragma once
 
 #include <optional>
@@ -17,21 +17,21 @@ class Avatar {
   /// `physics` must outlive the avatar.
   explicit Avatar(Physics& physics);
 
-  /// Begins an act. REQUIRES !busy(), that the act in progress may be superseded, or that this one is a stop.
+  /// Begins an act. REQUIRES !busy(), or an act in progress that may be superseded, or a stop as the command.
   void begin(const AvatarCommand& command);
 
   bool busy() const { return busy_; }
-  /// The act in progress only points or reaches: a newer command takes its place.
+  /// The act in progress only points or reaches, so a newer command may take its place.
   bool may_be_superseded() const;
 
-  /// To be called before each step of the physics. Returns the targets of the servos in that step.
+  /// One step of the act, before each step of the physics. Returns the targets of the servos.
   const AvatarTarget& update();
 
-  /// For a world that was set back to an earlier state: ends the act in progress, if any, with that reason; the hand
+  /// Ends the act in progress, if any, with that reason, after the world was set back to an earlier state. The hand
   /// stays where it is in that state.
   void abandon(Reason reason);
 
-  /// The report of an act that has ended, once; without id and time.
+  /// The report of an ended act, once, without id and time.
   std::optional<ActReport> take_result();
 
  private:
@@ -70,7 +70,7 @@ class Avatar {
   AvatarState state_;
 };
 
-/// Farther from its goal an object has missed it.
+/// An object farther from its goal has missed it.
 inline constexpr double set_down_error_m = 0.02;
 
 }  // namespace continua

@@ -15,7 +15,7 @@ using Code = ReasonCode;
 using Status = ActStatus;
 
 constexpr double quarter_turn = 1.5707963267948966;
-constexpr double room_within_m = 0.012;  // how far from its place an object may be set down to find room
+constexpr double room_within_m = 0.012;  // an object may be set down this far from its place to find room
 constexpr double standing_m = 0.005;     // an object no farther above its support stands on it
 // Handlings that make room, and pushes of one object: bounds against acts that never end.
 constexpr int most_preparations = 4, most_pushes = 8;
@@ -34,7 +34,7 @@ void Avatar::cannot(Reason reason) {
   end_act();
 }
 
-// Files the failure before, if there was one, as an attempt.
+// Counts the previous failure, if any, as an attempt.
 void Avatar::begin_attempt() {
   ActReport& outcome = state_.act.outcome;
   Attempts& attempts = state_.attempts;
@@ -45,7 +45,7 @@ void Avatar::begin_attempt() {
   outcome = {};
 }
 
-// Sets out the phases, or ends the act if it cannot be done.
+// Decides on the phases, or ends the act if it is impossible.
 void Avatar::decide() {
   const WorldSnapshot world = physics_.snapshot({});
   const AvatarCommand& command = state_.act.command;
@@ -69,7 +69,7 @@ void Avatar::decide() {
     return begin_phases({Phase::lower, Phase::open, Phase::retreat, Phase::settle});
   }
   if (command.object.empty()) return cannot({Code::nothing_held});
-  // The hand is emptied before it is decided how to go about another object.
+  // The hand is emptied before a decision about another object.
   const bool pushing = to_goal(command.what) == ToGoal::pushed;
   if (!world.held.empty() && (world.held != command.object || pushing)) return put_away(world);
   if (pushing) return decide_push(world);
@@ -77,7 +77,7 @@ void Avatar::decide() {
   decide_handling(world);
 }
 
-// Sets down what is in the hand: below, or where there is room nearby.
+// Sets down the held object: below, or where there is room nearby.
 void Avatar::put_away(const WorldSnapshot& world) {
   state_.under_way.preparing = true;
   const ObjectState& held = *world.find(world.held);
@@ -92,7 +92,7 @@ std::optional<Grasp> Avatar::grasp() const {
   return Grasp{tool_pose(physics_.arm(), physics_.hinges()), state_.motion.release_opening_m};
 }
 
-// Whether it matters where the object shall go.
+// The object has a goal, now or after the grasp.
 bool Avatar::has_goal() const {
   const AvatarCommand& command = state_.act.command;
   return is_carried(command.what) || (command.what == Capability::grasp && command.next);
@@ -100,7 +100,7 @@ bool Avatar::has_goal() const {
 
 Task Avatar::task(const WorldSnapshot& now) const {
   const AvatarCommand& command = state_.act.command;
-  // An object that is put somewhere comes to lie along the world's axes: its place is one for an object that lies so.
+  // A carried object comes to lie along the world's axes, so its place is sought for an object that lies so.
   WorldSnapshot world = now;
   for (auto& object : world.objects)
     if (has_goal() && object.name == command.object) object.yaw = straightened(object.yaw);
@@ -157,7 +157,7 @@ void Avatar::decide_handling(const WorldSnapshot& world) {
   begin_handling(*handling, in_hand);
 }
 
-// About the vertical, where the object is. If the wrist cannot turn as far at once, by halves with a new grasp between.
+// Turns about the vertical, on the spot. If the wrist cannot turn that far, in two halves with a new grasp between.
 void Avatar::decide_turn(const WorldSnapshot& world) {
   AvatarAct& act = state_.act;
   const ObjectState& object = *world.find(act.command.object);
@@ -190,7 +190,7 @@ void Avatar::decide_turn(const WorldSnapshot& world) {
   begin_handling(*handling, in_hand);
 }
 
-// Push by push. Each is decided from where the object has come to be.
+// Decides on one push after the other, from the object's present place.
 void Avatar::decide_push(const WorldSnapshot& world) {
   AvatarAct& act = state_.act;
   Attempts& attempts = state_.attempts;
@@ -208,12 +208,12 @@ void Avatar::decide_push(const WorldSnapshot& world) {
   if (attempts.pushes >= most_pushes || !needs_push(object, act.p_WG, means_)) return begin_phases({Phase::settle});
   const auto push = plan_push(object, act.p_WG, act.landmark(), world, means_);
   if (!push) {
-    // No push brings the object nearer; it may be near enough.
+    // No further push brings the object nearer, but it may be near enough.
     const bool near = (act.p_WG - object.p_WO).head<2>().norm() <= set_down_error_m;
     if (attempts.pushes > 0 && near) return begin_phases({Phase::settle});
     return cannot(push.reason());
   }
-  // The next push goes farther by as much as the last ones in this direction fell short.
+  // The next push adds the length that the last ones in this direction lacked.
   constexpr double same_direction = 0.99;  // cosine
   const bool again = attempts.pushes > 0 && push->ahead_W.dot(under_way.push.ahead_W) > same_direction;
   attempts.short_m = again ? attempts.short_m + (act.p_WG - object.p_WO).dot(push->ahead_W) : 0;

@@ -16,7 +16,7 @@ namespace {
 constexpr double pi = 3.141592653589793;
 constexpr std::array sides = {"left", "right"};
 
-/// How the value that a servo is told for moves a joint: value * per_unit + at_zero.
+/// A joint that follows a servo's value: value * per_unit + at_zero.
 struct Driven {
   int joint = 0;
   double at_zero = 0, per_unit = 1;
@@ -27,7 +27,7 @@ bool is_below(const mjModel& model, int body, int ancestor) {
   return body == ancestor;
 }
 
-/// How much of each joint goes into an actuator's length; nothing if it is driven otherwise than by joints.
+/// Each joint's part in an actuator's length; nothing if the actuator does not act on joints.
 std::optional<std::vector<std::pair<int, double>>> transmission(const mjModel& model, int actuator) {
   const double gear = model.actuator_gear[6 * actuator];
   const int target = model.actuator_trnid[2 * actuator];
@@ -41,7 +41,7 @@ std::optional<std::vector<std::pair<int, double>>> transmission(const mjModel& m
   return joints;
 }
 
-/// The servo that drives these joints by the one value, and nothing else; nothing if the actuator does not.
+/// The servo that moves these joints by one value, and no other joint; nothing if the actuator is no such servo.
 std::optional<Servo> servo_of(const mjModel& model, int actuator, const std::vector<Driven>& driven) {
   const auto joints = transmission(model, actuator);
   const mjtNum* gain = model.actuator_gainprm + mjNGAIN * actuator;
@@ -132,7 +132,7 @@ class Reader {
       ids_.qpos.push_back(model_.jnt_qposadr[joint]);
       const double q = qpos_[static_cast<std::size_t>(ids_.qpos.back())];
       const bool limited = model_.jnt_limited[joint];
-      // MuJoCo tells anchor and axis in W, turned by the hinges before; the hinge itself is taken back to zero.
+      // MuJoCo gives anchor and axis in W, turned by the previous hinges; the hinge itself is turned back to zero.
       const Vec3 axis_W = vec_of(data_->xaxis + 3 * joint);
       const int body = model_.jnt_bodyid[joint];
       const Eigen::Quaterniond R_WJ = X_WBody(body).R_WB;
@@ -148,7 +148,7 @@ class Reader {
     return {};
   }
 
-  /// The pads and what opens them. The tool's y is the way they close, whichever of them is at its positive side.
+  /// Reads pads and finger joints. The tool's y is the closing direction, with either pad at its positive side.
   Missing read_fingers() {
     std::vector<Driven> driven;
     HandShape& hand = form_.hand;
@@ -177,7 +177,7 @@ class Reader {
                            grip_name);
       double inner = 1e3;
       for (const Vec3& corner : corners_A(X_TB * box.X_BG, box.half_m)) inner = std::min(inner, corner.y() * out);
-      // The opening is where the pad's inner face is: inner + axis_y * (q - now).
+      // The pad's inner face is at inner + axis_y * (q - now): that is the opening.
       const double now = data_->qpos[model_.jnt_qposadr[joint]];
       const double most =
           std::max((model_.jnt_range[2 * joint] - now) * axis_y, (model_.jnt_range[2 * joint + 1] - now) * axis_y);
@@ -205,7 +205,7 @@ class Reader {
     }
   }
 
-  /// Of all boxes of a body's geoms, in the tool's frame.
+  /// Corners of the boxes of a body's geoms, in the tool's frame.
   std::vector<Vec3> corners_T(int body) const {
     const Pose X_TB = inverse(X_WGrip()) * X_WBody(body);
     std::vector<Vec3> corners;
@@ -216,7 +216,7 @@ class Reader {
     return corners;
   }
 
-  /// What of the hand is no finger.
+  /// Measures the hand without the fingers.
   void measure_palm() {
     HandShape& hand = form_.hand;
     hand.palm_front_m = 1;
@@ -232,7 +232,7 @@ class Reader {
     hand.palm_front_m = std::clamp(hand.palm_front_m, 0.0, hand.palm_back_m);
   }
 
-  /// The pads are alike: of the two ways to hold the hand, its y is that which is nearer to natural at home.
+  /// Chooses the direction of the tool's y nearer to natural at home: the pads are alike.
   void face_the_table() {
     Arm& arm = form_.arm;
     const Pose X_WT = tool_pose(arm, arm.home);
@@ -247,7 +247,7 @@ class Reader {
     const ArmJoint& last = arm.joints.back();
     const double axis_T = (arm.X_LT.R_WB.conjugate() * last.axis_J).x(), home = arm.home[arm.size() - 1];
     if (std::abs(axis_T) < along) return;
-    // Fingers down, a hinge along them turns the hand the other way.
+    // With the fingers down, a hinge along them turns the hand the other way.
     const double a = off - axis_T * (last.min - home), b = off - axis_T * (last.max - home);
     form_.least_wrist = std::min(a, b) + spare;
     form_.most_wrist = std::max(a, b) - spare;
@@ -258,7 +258,7 @@ class Reader {
     return std::atan2(closing.y(), closing.x());
   }
 
-  /// What of the arm can touch things, but for the hand and what stands still.
+  /// Measures the arm's parts that move and can touch things, without the hand.
   void measure_parts() {
     const auto links = link_poses(form_.arm, form_.arm.home);
     const auto hinges = arm_hinges(model_);

@@ -1,5 +1,4 @@
-// Where the avatar's hinges, fingers and weld are in a model, and what it measures: the part of mjcf/README.md that
-// concerns the avatar.
+// The avatar in a MuJoCo model: ids of its hinges, fingers and weld, and its measures, by the rules of mjcf/README.md.
 #pragma once
 
 #include <array>
@@ -14,12 +13,12 @@
 
 namespace continua {
 
-/// What a position servo is told so that what it drives comes to be at a value (a hinge's angle, the fingers' opening).
+/// A position servo for one value: a hinge's angle or the fingers' opening.
 struct Servo {
   int actuator = -1;
   double at_zero = 0, per_unit = 1;
-  double stiffness = 0;  ///< force on each joint per unit that it is told and cannot go
-  double lead_s = 0;     ///< damping / stiffness: how far ahead a moving target is put
+  double stiffness = 0;  ///< force on each joint for each unit between target and value
+  double lead_s = 0;     ///< damping / stiffness: the lead of a moving target
 
   double control(double value) const { return at_zero + per_unit * value; }
 };
@@ -27,9 +26,9 @@ struct Servo {
 /// MuJoCo's ids.
 struct AvatarElements {
   int hand = -1, weld = -1;
-  std::vector<int> hand_bodies;  // the hand, its fingers and all else on it
-  std::vector<int> dof, qpos;    // of each hinge
-  std::vector<Servo> servo;      // of each hinge
+  std::vector<int> hand_bodies;  // the hand, its fingers and everything else on it
+  std::vector<int> dof, qpos;    // one for each hinge
+  std::vector<Servo> servo;      // one for each hinge
   std::array<int, 2> pad{};      // left, right
   std::vector<Servo> finger_servo;
 };
@@ -37,11 +36,11 @@ struct AvatarElements {
 /// The name of the site between the pads, and of the weld.
 inline constexpr const char* grip_name = "grip";
 
-/// The hinges from the world to the site `grip`, by MuJoCo's ids, from the base outward; none without that site.
+/// MuJoCo's ids of the hinges from the world to the site `grip`, from the base outward; none without that site.
 std::vector<int> arm_hinges(const mjModel& model);
 
-/// Reads the chain of hinges from the world to the site `grip`, the fingers there and what they measure; `qpos` is
-/// where the arm is at home. Errors name what is missing; `path` is the scene's.
+/// Reads the chain of hinges from the world to the site `grip`, the fingers there and their measures. `qpos`: the arm
+/// at home; `path`: the scene's. Errors name the missing element.
 Result<std::pair<AvatarForm, AvatarElements>> find_avatar(const mjModel& model, const std::vector<double>& qpos,
                                                           const std::string& path);
 

@@ -13,8 +13,8 @@ namespace {
 using Code = ReasonCode;
 
 constexpr double squeeze_N = 8;        // with which each finger holds
-constexpr double further_m = 0.003;    // how far below the expected height the hand aims: contact ends the motion
-constexpr double touch_force_N = 2.5;  // of set-down: a block weighs about 1 N
+constexpr double further_m = 0.003;    // the hand aims this far below the expected height: contact ends the motion
+constexpr double touch_force_N = 2.5;  // at set-down; a block weighs about 1 N
 // Slow enough to stop at a contact before it pushes hard.
 constexpr Pace gentle{.hand_m_per_s = 0.12, .hinge_rad_per_s = 1.5, .hinge_rad_per_s2 = 10};
 // Slower than the empty hand, lest the object slip; a second attempt is slower still.
@@ -25,7 +25,7 @@ constexpr Pace careful{.hand_m_per_s = 0.4, .hinge_rad_per_s = 1.2, .hinge_rad_p
 
 Pose hand_now(const PhaseWork& work) { return tool_pose(work.physics.arm(), work.state.motion.target().hinges.q); }
 
-// The hand's pose when the object that it holds is at `p_WO`, as it was grasped or turned as it shall be at the goal.
+// The hand's pose with the held object at `p_WO`, either as grasped or turned as at the goal.
 Pose hand_for_object(const PhaseWork& work, const Vec3& p_WO, bool turned) {
   const HandlingUnderWay& under_way = work.state.under_way;
   const Grip& grip = under_way.handling.grip;
@@ -83,11 +83,10 @@ bool begin_raise(PhaseWork& work, const WorldSnapshot&) {
   return go(work, {hand_for_object(work, work.state.act.p_WG, false)}, carrying_pace(work));
 }
 
-// Along the table where the act wants that, or where the object is only moved out of the way, and nothing is between;
-// else across above everything.
+// Along the table if the way is free, and the act is a slide or only makes room; else across above everything.
 bool begin_carry(PhaseWork& work, const WorldSnapshot& world) {
-  constexpr double above_m = 0.01;  // the object comes so far above its goal
-  constexpr double drag_m = 0.001;  // and so far above the table when it slides, lest friction turn it
+  constexpr double above_m = 0.01;  // the object comes to this height above its goal
+  constexpr double drag_m = 0.001;  // and slides at this height above the table, lest friction turn it
   const AvatarAct& act = work.state.act;
   const HandlingUnderWay& under_way = work.state.under_way;
   const Handling& handling = under_way.handling;
@@ -167,7 +166,7 @@ bool begin_withdraw(PhaseWork& work, const WorldSnapshot& world) {
   if (held < 0) work.state.motion.wanted_opening_m = resting_opening_m;
   const Pose from = hand_now(work);
   const double below_m = held < 0 ? 0 : from.p_WB.z() - world.objects[held].bounds_W().min.z();
-  // If there is no straight way home, the next phase goes there by the hinges alone.
+  // Without a straight way home the next phase goes by the hinges alone.
   go(work, way_over(from, tool_pose(arm, arm.home), world, work.physics.avatar(), below_m));
   return true;
 }
@@ -182,7 +181,7 @@ bool begin_go_home(PhaseWork& work, const WorldSnapshot&) {
 
 PhaseEnd failed(Reason reason) { return {false, std::move(reason)}; }
 
-// Counts the steps in which a condition has held without a break.
+// The condition has held for that many steps without a break.
 bool held_for(PhaseWork& work, bool condition, int steps) {
   PhaseRun& run = work.state.run;
   run.steady_steps = condition ? run.steady_steps + 1 : 0;
@@ -196,7 +195,7 @@ bool has_arrived(const PhaseWork& work) {
   return motion.is_over_since(patience_s) || (work.physics.hinges() - motion.end()).cwiseAbs().maxCoeff() < near_rad;
 }
 
-// The hand, or what it holds, meets something that it should not.
+// The hand or the held object presses on something else.
 bool pushes_hard(PhaseWork& work) {
   constexpr double hard_N = 25;
   constexpr int firm_steps = 5;
@@ -212,7 +211,7 @@ PhaseEnd arrived_unhindered(PhaseWork& work) {
   return arrived(work);
 }
 
-// An arm on its way home at the end of another act may graze things; a retract must not.
+// At the end of an act the arm may graze things on its way home; a retract must not.
 PhaseEnd got_home(PhaseWork& work) {
   return work.state.act.command.what == Capability::retract ? arrived_unhindered(work) : arrived(work);
 }
@@ -330,7 +329,7 @@ Pose gesture_pose(const AvatarCommand& command, const Physics& physics, const Wo
   return found == poses.end() ? poses.front() : *found;
 }
 
-// By position, not by force: an object between the fingers then has a place there.
+// The fingers' goal is a position within the object, so the object keeps its place between them.
 void hold_firmly(PhaseWork& work) {
   Motion& motion = work.state.motion;
   motion.wanted_opening_m = motion.target().opening_m - squeeze_N / work.physics.avatar().hand.finger_N_per_m;

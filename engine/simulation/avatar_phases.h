@@ -1,5 +1,5 @@
-// The phases of the avatar's acts. Each begins from the state of the world at that time and ends by a measurement. The
-// table in avatar_phases.cpp has a row for each phase, with a function that begins it and one that tells when it ends.
+// The phases of the avatar's acts. A phase begins from the present state of the world and ends by a measurement. The
+// table in avatar_phases.cpp has a row for each phase with two functions: its beginning and its end.
 #pragma once
 
 #include <optional>
@@ -20,16 +20,16 @@ struct PhaseWork {
   AvatarState& state;
 };
 
-/// Sets arm and fingers their targets for the phase. False if the arm cannot do it.
+/// Sets the targets of arm and fingers for the phase. False if the arm finds no way.
 bool begin_phase(Phase phase, PhaseWork& work);
 
-/// Whether the phase has ended, as of this step.
+/// The phase's end, judged at this step.
 PhaseEnd end_of_phase(Phase phase, PhaseWork& work);
 
 /// The hand's pose for a reach or point. REQUIRES that the command is one of them.
 Pose gesture_pose(const AvatarCommand& command, const Physics& physics, const WorldSnapshot& world);
 
-/// Makes the fingers press on what is between them.
+/// Makes the fingers press on the object between them.
 void hold_firmly(PhaseWork& work);
 
 }  // namespace continua

@@ -1,5 +1,5 @@
-// Everything that changes while the avatar acts, by how long it lasts: the act, its attempts, the handling under way,
-// its phase, and the motion.
+// The state of an acting avatar, in structs by lifetime: the act, its attempts, the handling under way, its phase, and
+// the motion.
 #pragma once
 
 #include <deque>
@@ -17,28 +17,28 @@ namespace continua {
 
 enum class Phase {
   hover,     ///< the hand goes over something to show it
-  approach,  ///< … to where it grasps
+  approach,  ///< the hand goes to the grasp
   close,     ///< the fingers close until they hold
   raise,     ///< the held object rises
-  carry,     ///< … goes over its goal, or along the table to it
-  lower,     ///< … down until it touches something
-  insert,    ///< … down into a hollow until it touches something
-  shove,     ///< … along the table into its goal, and pushes others aside
+  carry,     ///< the held object goes over its goal, or along the table to the goal
+  lower,     ///< the held object goes down until it touches something
+  insert,    ///< the held object goes down into a hollow until it touches something
+  shove,     ///< the held object goes along the table into its goal and pushes others aside
   open,      ///< the fingers let go
-  retreat,   ///< the hand backs off from what it let go of
-  behind,    ///< the hand comes down behind what it shall push
-  push,      ///< … and pushes it
-  back_off,  ///< … and backs off
+  retreat,   ///< the hand backs off from the released object
+  behind,    ///< the hand comes down behind the object to push
+  push,      ///< the hand pushes
+  back_off,  ///< the hand backs off after a push
   withdraw,  ///< the hand rises over everything between it and its home
   go_home,   ///< the hinges alone bring the arm home
   settle,    ///< waits until no object moves
   halt       ///< waits until arm and fingers stand
 };
 
-/// The command that is being carried out, and its result so far.
+/// The command under way, and its result so far.
 struct AvatarAct {
   AvatarCommand command = {};
-  bool lets_go = false;  ///< in the end the hand is empty
+  bool lets_go = false;  ///< the hand is empty in the end
   ActReport outcome = {};
   Vec3 p_WG = Vec3::Zero();           ///< the goal of the object's centre
   std::optional<double> yaw_WG = {};  ///< the object's yaw there
@@ -50,18 +50,18 @@ struct AvatarAct {
   }
 };
 
-/// What the act has tried so far.
+/// Earlier attempts of the act.
 struct Attempts {
   int retried = 0;       ///< after a failure in the world
   int detours = 0;       ///< after the arm found no way
-  int preparations = 0;  ///< other handlings that made room
+  int preparations = 0;  ///< handlings of other objects, to make room
   int pushes = 0;
-  double short_m = 0;                ///< by how much the last pushes, all in one direction, fell short together
+  double short_m = 0;                ///< sum of the lengths that the last pushes, all in one direction, lacked
   std::vector<Grip> tried = {};      ///< grips that failed
   std::vector<Reason> retries = {};  ///< why the attempts failed
 };
 
-/// The object that was released last, and its pose then.
+/// The object released last, and its pose then.
 struct LetGo {
   int object = -1;
   Pose X_WO = {};
@@ -69,7 +69,7 @@ struct LetGo {
 };
 
 struct HandlingUnderWay {
-  bool preparing = false;  ///< makes the act possible; otherwise this is the act itself
+  bool preparing = false;  ///< the handling prepares the act; else it is the act itself
   Handling handling = {};
   Push push = {};
   int object = -1;  ///< index of the handled object
@@ -79,7 +79,7 @@ struct HandlingUnderWay {
 /// The phases still to come, the one under way first.
 struct PhaseRun {
   std::deque<Phase> phases = {};
-  bool failing = false;  ///< they end a handling that has failed
+  bool failing = false;  ///< the phases end a failed handling
   double elapsed_s = 0;
   int steady_steps = 0;  ///< consecutive steps in which the phase's condition held
 };
@@ -93,7 +93,7 @@ struct AvatarState {
   int quiet_steps = 0;  ///< consecutive steps in which no object has moved
 };
 
-/// Objects that have not moved for this long, seconds, stay where they are.
+/// Objects without motion for this long, seconds, are taken to stay.
 inline constexpr double quiet_s = 0.1;
 
 }  // namespace continua

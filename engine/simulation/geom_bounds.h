@@ -1,4 +1,4 @@
-// How far the geoms of a body reach.
+// Bounding boxes of geoms and bodies.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace continua {
 /// Bounding box of all geoms of a body, in the body's frame B; empty boxes for bodies without geoms.
 Box body_bounds_B(const mjModel& model, int body);
 
-/// A box that holds a geom, along the geom's own axes.
+/// A bounding box of a geom, along the geom's own axes.
 struct GeomBox {
   Pose X_BG;  ///< in the frame of the geom's body
   Vec3 half_m = Vec3::Zero();
@@ -22,7 +22,7 @@ GeomBox geom_box_B(const mjModel& model, int geom);
 /// The corners of a box whose centre is at `X_AG`, in the frame A.
 std::vector<Vec3> corners_A(const Pose& X_AG, const Vec3& half_m);
 
-/// Corners of boxes, one for each geom that can touch anything, that hold these geoms; in the body's frame.
+/// Corners of the bounding boxes of the geoms that can touch anything, in the body's frame.
 std::vector<Vec3> body_corners_B(const mjModel& model, int body);
 
 }  // namespace continua

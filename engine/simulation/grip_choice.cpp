@@ -62,7 +62,7 @@ constexpr double aside_cost_per_rad = 0.3;
 // For each radian that the wrist turns meanwhile: a long object swings below the hand.
 constexpr double swing_cost_per_rad = 0.1;
 
-/// `angle` plus whole turns of `period`, as near to `wanted` as can be.
+/// `angle` plus the multiple of `period` that brings it nearest to `wanted`.
 double nearest(double angle, double period, double wanted) {
   return angle + period * std::round((wanted - angle) / period);
 }
@@ -74,14 +74,14 @@ bool is_square(const ObjectState& object) {
   return std::abs(object.half_extents_m.x() - object.half_extents_m.y()) < square_m;
 }
 
-/// Where the fingers come down, in the object's own frame but level with W: how wide it is there, and where its middle.
+/// The object between the fingers, in its own frame but level with W: half its width there, and the middle.
 struct Span {
   double half_m = 0, middle_m = 0;
-  double uneven_m = 0;  ///< by how much its faces step back within the fingers' width
+  double uneven_m = 0;  ///< depth of steps in its faces within the fingers' width
 };
 
-/// How far the object reaches along side x (0) or y (1) where fingers at `shift_m` of the other, their tips at
-/// `tips_m`, would close on it. Nothing if they would close on nothing.
+/// The object's span along side x (0) or y (1) between fingers at `shift_m` along the other side, with their tips at
+/// `tips_m`. Nothing if the fingers would close on nothing.
 std::optional<Span> span_at(const ObjectState& object, const ObjectShape* shape, const HandShape& hand, int side,
                             double shift_m, double tips_m) {
   constexpr double hold_m = 0.002;  // so much of a face above the finger tips is enough to press on
@@ -102,7 +102,7 @@ std::optional<Span> span_at(const ObjectState& object, const ObjectShape* shape,
   return as_box ? Span{half, 0, span.uneven_m} : span;
 }
 
-/// What stands in the hand's way, as columns that nothing comes down through; a container with its hollow open.
+/// Obstacles for the hand as columns from above; the container `into` has its hollow open.
 std::vector<OrientedBox> obstacles(const std::vector<const ObjectState*>& others, const std::string& into) {
   std::vector<OrientedBox> boxes;
   for (const ObjectState* other : others) {
@@ -132,12 +132,12 @@ std::vector<const ObjectState*> others_of(const ObjectState& object, const World
   return others;
 }
 
-/// Down on two sides.
+/// Adds the grips from above on two sides.
 void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world, const AvatarForm& avatar,
                           const ObjectShape* shape, const Box* part, std::vector<Grip>& grips) {
   const HandShape& hand = avatar.hand;
   const auto others = obstacles(others_of(object, world), "");
-  // Held at its middle, but flat things so that the finger tips stay above what they stand on.
+  // At mid height; higher on flat things, so that the finger tips stay above the support.
   const double height = std::max(0.0, hand.finger_tip_m + tips_air_m - object.half_extents_m.z());
   const double natural = avatar.natural_yaw(object.p_WO);
   for (const int side : {0, 1}) {
@@ -145,7 +145,7 @@ void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world,
     const double yaw = nearest(object.yaw + side * quarter, 2 * quarter, natural);
     const Vec3 closing(std::cos(yaw), std::sin(yaw), 0), sideways(-std::sin(yaw), std::cos(yaw), 0);
     const Eigen::AngleAxisd R_WO(object.yaw, Vec3::UnitZ());
-    // Along what the fingers are moved: the object or the part of it, from its middle.
+    // Shifts of the fingers go along the object or its part, from the middle.
     const double middle = part ? part->center()[1 - side] : 0;
     const double length = part ? (part->max - part->min)[1 - side] / 2 : across;
     const double along = (R_WO.inverse() * sideways)[1 - side];
@@ -175,9 +175,10 @@ void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world,
   }
 }
 
-/// One finger below an edge, the other above. In the vertical plane through the object's centre and the edge, r outward
-/// and z up, the fingers point along d = (-cos s, -sin s) and close along n = (-sin s, cos s), where s is how steep
-/// they are: the upper one's tip comes to touch the top, `inset_m` from the edge, the lower one the edge from below.
+/// Adds the grips with one finger below an edge and the other above. In the vertical plane through the object's centre
+/// and the edge, r outward and z up, the fingers point along d = (-cos s, -sin s) and close along n = (-sin s, cos s),
+/// where s is how steep they are: the upper one's tip comes to touch the top, `inset_m` from the edge, the lower one
+/// the edge from below.
 void add_grips_on_edges(const ObjectState& object, const WorldSnapshot& world, const AvatarForm& avatar,
                         const ObjectShape& shape, std::vector<Grip>& grips) {
   constexpr double inset_m = 0.012, margin_m = 0.003, thickest_m = 0.03, air_m = 0.006, above_table_m = 0.001;
@@ -213,7 +214,7 @@ void add_grips_on_edges(const ObjectState& object, const WorldSnapshot& world, c
   }
 }
 
-/// Hand, fingers and the way they come and go, at the goal.
+/// Conflict of the hand at the goal, with the way there and back.
 double conflict_at_goal(const Grip& grip, const Vec3& p_WG, const HandShape& hand,
                         const std::vector<OrientedBox>& others) {
   const Pose X_WT = hand_at(grip, p_WG, true);
@@ -222,14 +223,14 @@ double conflict_at_goal(const Grip& grip, const Vec3& p_WG, const HandShape& han
   return beyond_slack(std::max(conflict_m, hand_conflict(hand, before_grasp(X_WT), grip.opening_m, others)));
 }
 
-/// How far a thing that stands on its end in a hollow can be from the hollow's middle.
+/// Distance from the hollow's middle that a thing on its end can have.
 double room_in(const ObjectState& object, const ObjectState& container) {
   const Box hollow = container.interior_W().value_or(container.bounds_W());
   const Vec3 half = (hollow.max - hollow.min) / 2;
   return std::max(0.0, std::min(half.x(), half.y()) - object.half_extents_m.z());
 }
 
-/// By how much it can lean there, from one side of the hollow's floor to the other of its rim.
+/// Angle by which it can lean there, from one side of the hollow's floor to the opposite rim.
 double lean_in(const ObjectState& object, const ObjectState& container) {
   constexpr double most = 0.45;  // radians: a wide hollow shall not make the object lie
   constexpr double part = 0.9;   // of the room, so that the object does not rub on the rim
@@ -250,7 +251,7 @@ double straightened(double yaw) { return nearest(0, quarter, yaw); }
 
 std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world, const AvatarForm& avatar,
                            const ObjectShape* shape, const std::vector<std::string>& parts) {
-  // A tipped object shows other sides than its shape has.
+  // The shape is known of upright objects only.
   const bool upright = shape && std::abs(shape->bottom_m() + object.half_extents_m.z()) < 2 * position_grid_m;
   std::vector<Grip> grips;
   add_grips_from_above(object, world, avatar, upright ? shape : nullptr, nullptr, grips);

@@ -12,8 +12,8 @@ constexpr double peak_speed = 1.875;
 constexpr double peak_acceleration = 5.7735;
 
 constexpr double knot_distance_m = 0.01;
-constexpr double turn_as_m_per_rad = 0.06;  // so that turning on the spot has a length too
-constexpr double corner_radius_m = 0.025;   // what comes down beside a stack must not yet be lower than its top before
+constexpr double turn_as_m_per_rad = 0.06;  // a turn on the spot has a length too
+constexpr double corner_radius_m = 0.025;   // a hand that comes down beside a stack must not cut the corner into it
 
 double length(const Pose& a, const Pose& b) {
   return (b.p_WB - a.p_WB).norm() + turn_as_m_per_rad * a.R_WB.angularDistance(b.R_WB);
@@ -54,7 +54,7 @@ std::vector<Pose> rounded(const std::vector<Pose>& corners) {
   return poses;
 }
 
-/// From posture to posture by the hinges alone, both ends left out.
+/// Knots from posture to posture by the hinges alone, without both ends.
 std::vector<ArmVector> by_hinges(const ArmVector& from, const ArmVector& to) {
   constexpr double knot_turn = 0.04;  // radians
   std::vector<ArmVector> knots;
@@ -78,7 +78,7 @@ std::optional<HandPath> HandPath::plan(const Arm& arm, const ArmVector& from, co
   const auto first = plan_straight(arm, from, {X_WT.front()}, pace);
   const IkSolution goal = find_ik(arm, X_WT.back());
   if (!first || !goal.reached) return std::nullopt;
-  // The last line backward, and more of them if that can be done.
+  // From the goal backward: the last line, and as many more as possible.
   std::optional<HandPath> last;
   std::vector<Pose> backward;
   for (std::size_t i = X_WT.size() - 1; i > 1 || (i == 1 && !last); --i) {
@@ -109,7 +109,8 @@ std::optional<HandPath> HandPath::plan_straight(const Arm& arm, const ArmVector&
   corners.insert(corners.end(), X_WT.begin(), X_WT.end());
   const auto poses = rounded(corners);
 
-  constexpr double farthest_turn = 0.6;  // of a hinge from knot to knot: more is another branch of the arm
+  constexpr double farthest_turn =
+      0.6;  // radians of a hinge from knot to knot; a larger turn is another branch of the arm
   std::vector<ArmVector> knots{from};
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const IkSolution solution = solve_ik(arm, poses[i], knots.back());
@@ -119,10 +120,10 @@ std::optional<HandPath> HandPath::plan_straight(const Arm& arm, const ArmVector&
   return along(arm, std::move(knots), pace);
 }
 
-/// Each step takes as long as its own limits ask, and neighbouring steps about equally long; the whole has a
-/// minimum-jerk profile.
+/// Each step lasts as long as its limits require, with neighbours about equally long; the whole has a minimum-jerk
+/// profile.
 HandPath HandPath::along(const Arm& arm, std::vector<ArmVector> knots, const Pace& pace) {
-  constexpr double steady = 0.7;  // of a step's time, at least, its neighbours take
+  constexpr double steady = 0.7;  // least part of a step's time that its neighbours last
   constexpr double least_s = 1e-3;
   constexpr int rounds = 40;
   if (knots.size() < 2) return stay(knots.front());
@@ -134,7 +135,7 @@ HandPath HandPath::along(const Arm& arm, std::vector<ArmVector> knots, const Pac
                               (knots[i] - knots[i - 1]).cwiseAbs().maxCoeff() / pace.hinge_rad_per_s, least_s}));
     before = after;
   }
-  const auto bend = [&](std::size_t i) {  // of the motion at the knot between steps i - 1 and i
+  const auto bend = [&](std::size_t i) {  // change of speed at the knot between steps i - 1 and i
     const ArmVector jump = (knots[i + 1] - knots[i]) / steps[i] - (knots[i] - knots[i - 1]) / steps[i - 1];
     return jump.cwiseAbs().maxCoeff() * 2 / (steps[i] + steps[i - 1]);
   };
@@ -193,7 +194,7 @@ HingeTarget HandPath::at(double t_s) const {
   const double along = u * u * u * (10 + u * (-15 + 6 * u));
   const double rate = 30 * u * u * (1 - u) * (1 - u) / duration_s_;
 
-  // Catmull-Rom between the knots: the hinges' speed does not jump.
+  // Catmull-Rom between the knots, so that the hinges' speed does not jump.
   const double s = along * at_s_.back();
   const auto next = std::upper_bound(at_s_.begin() + 1, at_s_.end() - 1, s);
   const auto i = static_cast<std::size_t>(next - at_s_.begin()) - 1;

@@ -1,4 +1,4 @@
-// Motions of the hand: a path through poses, its corners rounded, as a smooth motion of the arm's hinges.
+// Motions of the hand: paths through poses with rounded corners, as smooth motions of the arm's hinges.
 #pragma once
 
 #include <functional>
@@ -9,14 +9,14 @@
 
 namespace continua {
 
-/// How fast a motion may be.
+/// Limits of a motion's speed.
 struct Pace {
   double hand_m_per_s = 1.1;   ///< peak speed of the hand along its path
   double hinge_rad_per_s = 3;  ///< peak speed of any hinge
   double hinge_rad_per_s2 = 25;
 };
 
-/// Where the hinges shall be, and how fast they shall turn.
+/// Wanted angles and speeds of the hinges.
 struct HingeTarget {
   ArmVector q;
   ArmVector qdot;
@@ -27,10 +27,9 @@ class HandPath {
  public:
   using Depth = std::function<double(const ArmVector&)>;
 
-  /// Through `X_WT` in order, beginning at hinges `from`. Where the hinges cannot follow that, and it is more than one
-  /// line: as far along the first line and as early along the last ones as they can, and by the hinges alone between.
-  /// `depth` tells how deep the avatar would be in things: by the hinges alone it goes the way that is less deep,
-  /// straight or by way of its home. Nothing if that cannot be done either.
+  /// A path from hinges `from` through `X_WT` in order. If the hinges cannot follow the lines, the path has the first
+  /// line, as many of the last lines as possible, and a motion by the hinges alone between: straight or through the
+  /// home posture, whichever is less deep in things by `depth`. Nothing if there is no such path either.
   static std::optional<HandPath> plan(const Arm& arm, const ArmVector& from, const std::vector<Pose>& X_WT,
                                       const Pace& pace = {}, const Depth& depth = {});
 
@@ -40,7 +39,7 @@ class HandPath {
   /// Stays at `q`.
   static HandPath stay(const ArmVector& q);
 
-  /// As plan, but never by the hinges alone.
+  /// Like plan, but never by the hinges alone.
   static std::optional<HandPath> plan_straight(const Arm& arm, const ArmVector& from, const std::vector<Pose>& X_WT,
                                                const Pace& pace);
 
@@ -54,7 +53,7 @@ class HandPath {
   static HandPath along(const Arm& arm, std::vector<ArmVector> knots, const Pace& pace);
 
   std::vector<ArmVector> knots_;
-  std::vector<double> at_s_;  // where along the path each knot is: when, were it at full speed all the way
+  std::vector<double> at_s_;  // time of each knot if the whole path were at full speed
   double duration_s_ = 0;
 };
 

@@ -9,12 +9,12 @@ namespace continua {
 
 namespace {
 
-constexpr double clearance_m = 0.025;  // between what moves across and what it passes over
+constexpr double clearance_m = 0.025;  // between a moving thing and the things below it
 constexpr double full_turn = 6.283185307179586, quarter_turn = full_turn / 4;
 
 bool overlap(const Box& a, const Box& b) { return (a.max.cwiseMin(b.max) - a.min.cwiseMax(b.min)).minCoeff() > 0; }
 
-/// How far hand and held object reach below the point between the pads.
+/// Reach of hand and held object below the point between the pads.
 double reach_below(const ObjectState* held, const Pose& X_WT, const HandShape& hand) {
   return std::max(hand.finger_tip_m, held ? X_WT.p_WB.z() - held->bounds_W().min.z() : 0.0);
 }
@@ -58,8 +58,7 @@ std::vector<Pose> way_over(const Pose& X_WF, const Pose& X_WT, const WorldSnapsh
   }
   const double height = top + std::max(below_m, reach_below(held, X_WF, avatar.hand)) + clearance_m;
 
-  // On the way the wrist turns from where it is to where it shall be, and never through its limit: the shortest turn of
-  // the hand in the world may be one that the last hinge cannot make.
+  // The wrist turns within its limits on the way: the last hinge may be unable to make the hand's shortest turn.
   const double from_wrist = std::remainder(from.yaw - avatar.natural_yaw(X_WF.p_WB), full_turn);
   const double to_wrist = std::remainder(to.yaw - avatar.natural_yaw(X_WT.p_WB), full_turn);
   const bool turns = std::abs(to_wrist - from_wrist) > wrist_turn || std::abs(to.tilt - from.tilt) > hand_turn ||
@@ -87,7 +86,7 @@ Pose hover_pose(const ObjectState* object, const Vec3& p_W, const WorldSnapshot&
                 const AvatarForm& avatar) {
   constexpr double hover_m = 0.05, step_m = 0.01, highest_m = 0.5;
   const ObjectState* held = world.find(world.held);
-  // The fingers close along the object's side that takes the least turning of the wrist.
+  // The fingers close along the side of the object for which the wrist turns least.
   const double natural = avatar.natural_yaw(p_W);
   const double yaw = object ? object->yaw + quarter_turn * std::round((natural - object->yaw) / quarter_turn) : natural;
   Pose X{p_W + Vec3(0, 0, reach_below(held, X_WT, avatar.hand) + hover_m), rotation({yaw, 0})};
@@ -107,7 +106,7 @@ std::vector<OrientedBox> things_around(const WorldSnapshot& world) {
 }
 
 std::vector<Pose> pointing_poses(const Vec3& p_W, const Vec3& base_W) {
-  const Vec3 eye_W = base_W + Vec3(0, 0, 0.15);  // where a head would be: fingers and gaze go the same way
+  const Vec3 eye_W = base_W + Vec3(0, 0, 0.15);  // height of a head: fingers and gaze go the same way
   std::vector<Pose> poses;
   for (const double distance_m : {0.1, 0.15, 0.2, 0.3}) {
     for (const double steeper : {0.0, 0.3, 0.6}) {
@@ -132,7 +131,7 @@ std::optional<std::string> met_on_way(const ObjectState& object, const Vec3& p_W
     OrientedBox box = box_of(object);
     box.center_W += way * i / steps;
     for (const ObjectState* other : apart_from(object, world)) {
-      // It may touch what it shall lie beside, and what it leaves.
+      // Touching the landmark is allowed, and its old neighbours at the beginning.
       const bool may_touch = other->name == landmark || i * step_m < leaving_m;
       OrientedBox theirs = box_of(*other);
       theirs.half_m += Vec3(may_touch ? -margin_m : margin_m, may_touch ? -margin_m : margin_m, -margin_m);

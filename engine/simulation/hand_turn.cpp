@@ -18,7 +18,7 @@ HandTurn turn_of(const Eigen::Quaterniond& R_WT) {
     const Vec3 ahead(closing.y(), -closing.x(), 0);
     return {std::atan2(closing.y(), closing.x()), std::atan2(fingers.dot(ahead), -fingers.z())};
   }
-  // Rolled, the fingers alone tell where ahead is.
+  // With a roll only the fingers show the direction ahead.
   const double yaw = std::atan2(fingers.x(), -fingers.y());
   const Vec3 level(std::cos(yaw), std::sin(yaw), 0);
   return {yaw, std::atan2(fingers.head<2>().norm(), -fingers.z()),

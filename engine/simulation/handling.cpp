@@ -13,11 +13,11 @@ namespace {
 
 constexpr double full_turn = 6.283185307179586;
 
-/// Whether the arm gets there, and finds room for itself.
+/// Reachability of poses, with room for the arm.
 class Reach {
  public:
   Reach(const AvatarForm& avatar, const ObjectState& object, const WorldSnapshot& world) : avatar_(avatar) {
-    // What stands on the object was beside the hand before and is so at the goal.
+    // Things on the object go along with the hand, and count all the same.
     for (const auto& other : world.objects) {
       if (other.name != object.name) others_.push_back(box_of(other));
     }
@@ -35,7 +35,7 @@ class Reach {
   std::vector<OrientedBox> others_;
 };
 
-/// When no way leads to the goal: the free place that is nearest to it.
+/// The free place nearest to a goal without a way there.
 SetDown elsewhere(const Task& task, const ObjectState& object, const WorldSnapshot& world) {
   constexpr double farthest_m = 0.2;  // farther off is no answer to where it was asked for
   constexpr double step_m = 0.004;
@@ -43,7 +43,7 @@ SetDown elsewhere(const Task& task, const ObjectState& object, const WorldSnapsh
   return {places.empty() ? *task.p_WG : places.front(), std::nullopt};
 }
 
-/// The ways to bring the object about to its goal; into a hollow from as low above its floor as the hand finds room.
+/// Ways to set the object down at its goal; in a hollow at several heights above the floor, lowest first.
 std::vector<SetDown> ways_to(const Task& task, const ObjectState& object, const WorldSnapshot& world) {
   if (task.into.empty()) return set_downs(object, *task.p_WG, world, task.near_m);
   std::vector<SetDown> ways;
@@ -53,14 +53,14 @@ std::vector<SetDown> ways_to(const Task& task, const ObjectState& object, const 
   return ways;
 }
 
-/// A grip with each turn that does at the end of a way.
+/// The grip with each turn that suits the end of a way.
 std::vector<Grip> turned_for(const Task& task, const Grip& grip, const ObjectState& object, const SetDown& way,
                              const WorldSnapshot& world, const AvatarForm& avatar) {
   if (task.on_end) return grips_on_end(grip, object, way.first_W(), world, avatar, task.into);
   return grips_at(grip, object, way.first_W(), world, avatar, task.into);
 }
 
-/// Whether there is room for the task, as far as can be told without the arm.
+/// There is room for the task, judged without the arm.
 bool has_room(const Task& task, const WorldSnapshot& world, const Means& means) {
   const ObjectState& object = *world.find(task.object);
   const auto grips = starts_of(task, world, means, std::nullopt);
@@ -76,7 +76,7 @@ bool has_room(const Task& task, const WorldSnapshot& world, const Means& means) 
   return false;
 }
 
-/// The world after an object and what stands on it have been moved.
+/// The world after an object and the things on it have moved.
 WorldSnapshot moved(const WorldSnapshot& world, const ObjectState& object, const Vec3& by_W) {
   WorldSnapshot after = world;
   after.held.clear();
@@ -129,7 +129,7 @@ std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& wor
       return std::pair(a.conflict_m, a.cost) < std::pair(b.conflict_m, b.cost);
     });
     for (const Grip& grip : grips) {
-      // One with a conflict only if nothing better has been found, and not again and again.
+      // A grip with a conflict counts only if there is no better one, and only so many are tried.
       constexpr int most_tries = 150;  // each costs some solutions of the inverse kinematics
       if (best.reached && grip.conflict_m >= best_conflict_m) break;
       if (++tries > most_tries) break;
@@ -157,7 +157,7 @@ std::optional<Handling> plan_handling(const Task& task, const WorldSnapshot& wor
   for (const SetDown& way : ways) {
     std::vector<Grip> grips;
     for (const Grip& start : starts) {
-      // What has no room at the start: for the first way only, it would be no better for others.
+      // A start without room is tried with the first way only: other ways are no better for it.
       if (start.conflict_m > 0 && best.reached) continue;
       const auto turned = turned_for(task, start, object, way, world, means.avatar);
       grips.insert(grips.end(), turned.begin(), turned.end());
@@ -190,7 +190,7 @@ std::optional<Handling> make_room(const Task& task, const WorldSnapshot& world, 
   constexpr double step_m = 0.02, nearby_m = 0.2;
   constexpr double hinders_m = nearby_m / 1.5;  // a hand's length: farther things do not hinder
 
-  // Out of the hand, to be grasped otherwise.
+  // The held object is set down, to be grasped in another way.
   if (grasp) {
     ObjectState lying = object;
     lying.p_WO.z() = world.table.max.z() + object.half_extents_m.z();

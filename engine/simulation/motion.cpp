@@ -39,7 +39,7 @@ void Motion::stay_at(const ArmVector& q) {
 
 void Motion::brake() {
   const HingeTarget from = target_.hinges;
-  // The cubic of advance() begins with the arm's speed if the arm stops this far ahead.
+  // With a stop at this distance ahead, the cubic of advance() begins with the arm's speed.
   const ArmVector behind_q = from.qdot * fade_s / 3;
   follow_from_rest(HandPath::stay(from.q + behind_q));
   behind_q_ = behind_q;

@@ -1,5 +1,5 @@
-// Owners of MuJoCo's structures, and its compiler called on a text in memory. MuJoCo never ends the program nor writes
-// its log file: errors while compiling come back as values, an error while stepping is a broken invariant of ours.
+// Owners of MuJoCo's structures, and its compiler for texts in memory. MuJoCo neither ends the program nor writes its
+// log file: errors while compiling come back as values, an error while stepping is a broken invariant of ours.
 #pragma once
 
 #include <functional>
@@ -20,17 +20,17 @@ struct DeleteData {
 using ModelOwner = std::unique_ptr<mjModel, DeleteModel>;
 using DataOwner = std::unique_ptr<mjData, DeleteData>;
 
-/// What MuJoCo said of a text it could not compile.
+/// MuJoCo's message about a text that does not compile.
 struct CompileError {
   int line = 0;  ///< of the text, from 1; 0 when MuJoCo named none
   std::string sentence;
 };
 
-/// Compiles MJCF. Files it names (meshes, textures) are sought from `asset_directory`.
+/// Compiles MJCF. Meshes and textures are sought from `asset_directory`.
 std::variant<ModelOwner, CompileError> compile_mjcf(const std::string& text, const std::string& asset_directory);
 
-/// Runs `work`, which calls MuJoCo, and gives the sentence of the fatal error that it ended in; empty if in none.
-/// MuJoCo jumps out of `work`, so nothing that it keeps may need its destructor.
+/// Runs `work`, which calls MuJoCo. Returns the sentence of the fatal error that ended `work`, or nothing. MuJoCo jumps
+/// out of `work`, so no object in `work` may need its destructor.
 std::string fatal_error_of(const std::function<void()>& work);
 
 /// The element's id, or -1.
@@ -38,7 +38,7 @@ inline int id_of(const mjModel& model, mjtObj type, const std::string& name) {
   return mj_name2id(&model, type, name.c_str());
 }
 
-/// The element's name; bodies without one are "#id", which is unique too.
+/// The element's name; without one "#id", which is unique too.
 std::string name_of(const mjModel& model, mjtObj type, int id);
 
 }  // namespace continua

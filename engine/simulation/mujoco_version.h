@@ -1,4 +1,4 @@
-// Which MuJoCo the program runs with.
+// The version of MuJoCo that the program runs with.
 #pragma once
 
 #include <string>

@@ -9,9 +9,9 @@ namespace continua {
 
 namespace {
 
-constexpr double column_m = 0.002;
+constexpr double column_m = 0.002;  // width of a column: fine enough for fingers, and some thousand for a plate
 
-/// Where a ray that comes straight up, or down, at (x, y) of the body's frame meets a geom first.
+/// The height at which a vertical ray from `from`, in the body's frame, first meets a geom.
 std::optional<double> met_at(const mjModel& model, int geom, const Vec3& from, double direction) {
   const mjtNum* quat = model.geom_quat + 4 * geom;
   mjtNum mat[9];
@@ -104,7 +104,7 @@ std::vector<ObjectShape::Edge> ObjectShape::edges(double inset_m, double half_wi
     const Vec3 out(std::cos(edge.direction), std::sin(edge.direction), 0), aside(-out.y(), out.x(), 0);
     for (double r = 0; r < farthest_m; r += column_m / 2)
       if (at(r * out.x(), r * out.y())) edge.radius_m = r;
-    // As far in and to both sides as a finger reaches, it must be thin and hollow below.
+    // Over the length and width of a finger the edge must be thin, with air below.
     edge.bottom_m = half_.z();
     edge.top_m = -half_.z();
     bool whole = edge.radius_m > inset_m;
@@ -113,7 +113,7 @@ std::vector<ObjectShape::Edge> ObjectShape::edges(double inset_m, double half_wi
         const Vec3 p = (edge.radius_m - in) * out + beside * aside;
         const Column* column = at(p.x(), p.y());
         if (!column) {
-          whole = beside != 0 && in < inset_m / 2;  // round ones end earlier there
+          whole = beside != 0 && in < inset_m / 2;  // round edges end earlier there
           continue;
         }
         edge.bottom_m = std::min(edge.bottom_m, column->bottom_m);

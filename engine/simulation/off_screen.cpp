@@ -27,7 +27,7 @@ EGLDisplay initialized(EGLDisplay display) {
   return display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) ? display : EGL_NO_DISPLAY;
 }
 
-// The first that works of Mesa's surfaceless platform, the graphics devices, and whatever the default display is.
+// The first display that works: Mesa's surfaceless platform, a graphics device, the default display.
 EGLDisplay open_display() {
   const auto platform_display =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
@@ -43,7 +43,7 @@ EGLDisplay open_display() {
   return initialized(eglGetDisplay(EGL_DEFAULT_DISPLAY));
 }
 
-// Opened once and kept to the program's end: closing it would close it for every context.
+// Opened once and never closed: closing the display would end every context.
 EGLDisplay the_display() {
   static const EGLDisplay display = open_display();
   return display;
@@ -53,7 +53,7 @@ EGLDisplay the_display() {
 
 struct OffScreen::Handles {
   EGLDisplay display = EGL_NO_DISPLAY;
-  EGLSurface surface = EGL_NO_SURFACE;  // none where a context can do without
+  EGLSurface surface = EGL_NO_SURFACE;  // none if a context needs none
   EGLContext context = EGL_NO_CONTEXT;
 
   Handles() = default;

@@ -1,5 +1,4 @@
-// A place to draw with OpenGL where there is no display: an EGL context of its own, without a window. Mesa's software
-// driver needs no graphics card.
+// OpenGL without a display: an EGL context without a window. Mesa's software driver needs no graphics card.
 #pragma once
 
 #include <memory>
@@ -11,14 +10,14 @@ namespace continua {
 
 class OffScreen {
  public:
-  /// An error says what is missing and which package would help.
+  /// The error names the missing part and a package that would help.
   static Result<OffScreen> open();
   ~OffScreen();
   OffScreen(OffScreen&&) noexcept;
   OffScreen& operator=(OffScreen&&) noexcept;
 
-  /// While it lives, what the calling thread does in OpenGL goes to this context. One at a time in the program: others
-  /// wait.
+  /// Directs the calling thread's OpenGL to this context for the object's lifetime. Only one object exists at a time in
+  /// the program; other threads wait.
   class Current {
    public:
     explicit Current(const OffScreen& place);

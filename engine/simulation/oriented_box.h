@@ -1,4 +1,4 @@
-// Boxes that are turned, and how deep they are in one another.
+// Turned boxes and their overlaps.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,17 +14,17 @@ struct OrientedBox {
   Vec3 half_m = Vec3::Zero();
 };
 
-/// The least way along a face's axis by which one box would have to be moved to part the two; negative or zero when
-/// they are apart. Pairs of edges are left out: they could only make it smaller.
+/// The shortest way along a face's axis that would part the two boxes; zero or negative if they are apart. Axes of
+/// pairs of edges are left out: they could only shorten the way.
 double overlap_depth(const OrientedBox& a, const OrientedBox& b);
 
-/// The box of an object, as it is turned about the vertical.
+/// The box of an object, turned about the vertical like the object.
 OrientedBox box_of(const ObjectState& object);
 
-/// The space through which nothing can come down that shall be beside the object: its box, and all below it.
+/// The object's box and everything below it: a thing that comes down beside the object must avoid it.
 OrientedBox column_of(const ObjectState& object);
 
-/// The table, with all that is below it.
+/// The table and everything below it.
 OrientedBox table_block(const Box& table);
 
 }  // namespace continua

@@ -41,8 +41,8 @@ struct Physics::State {
 #endif
   }
 
-  /// Pads only press, without friction, and the weld carries: where both do, friction drives the pads off. Soft, so
-  /// that pressing makes a depth of contact (some tenths of a millimetre) that no jolt undoes.
+  /// Makes the pads soft and frictionless. Pads press and the weld carries: friction besides the weld drives pads off.
+  /// On soft pads the pressure makes a contact some tenths of a millimetre deep, which no jolt undoes.
   void soften_pads() {
     constexpr std::array<mjtNum, mjNREF> solref = {0.006, 1};
     constexpr std::array<mjtNum, mjNIMP> solimp = {0.6, 0.6, 0.001, 0.5, 2};
@@ -55,7 +55,7 @@ struct Physics::State {
     }
   }
 
-  /// Points the weld at the object, where it is now in the hand's frame.
+  /// Welds the object in its present pose in the hand's frame.
   void weld_to(int body) {
     mj_kinematics(model.get(), data.get());
     const Eigen::Quaterniond R_WH = quat_of(data->xquat + 4 * ids.hand), R_WO = quat_of(data->xquat + 4 * body);
@@ -84,7 +84,7 @@ struct Physics::State {
     return std::find(ids.hand_bodies.begin(), ids.hand_bodies.end(), body) != ids.hand_bodies.end();
   }
 
-  /// What servos need not do: the arm carries its own weight, and that of what it holds.
+  /// Applies forces against the weight of the arm and the held object, so that servos need not carry it.
   void carry_weight() {
     for (const int dof : ids.dof) data->qfrc_applied[dof] = data->qfrc_bias[dof];
     if (!welded()) return;
@@ -138,7 +138,7 @@ bool Physics::step(const AvatarTarget& target) {
   const mjModel* model = s.model.get();
   mjData* data = s.data.get();
   for (std::size_t i = 0; i < s.ids.servo.size(); ++i) {
-    // Leading the target by what the servo's damping takes away leaves little error.
+    // A lead as large as the lag by the servo's damping leaves little error.
     const Servo& servo = s.ids.servo[i];
     const auto hinge = static_cast<Eigen::Index>(i);
     data->ctrl[servo.actuator] = servo.control(target.hinges.q[hinge] + servo.lead_s * target.hinges.qdot[hinge]);
@@ -146,7 +146,7 @@ bool Physics::step(const AvatarTarget& target) {
   s.carry_weight();
   for (const Servo& servo : s.ids.finger_servo) data->ctrl[servo.actuator] = servo.control(target.opening_m);
   mj_step(model, data);
-  // MuJoCo starts a diverged simulation anew by itself: what it shows then is not this world.
+  // MuJoCo restarts a diverged simulation by itself; its state is not this world any more.
   if (data->warning[mjWARN_BADQPOS].number + data->warning[mjWARN_BADQVEL].number +
           data->warning[mjWARN_BADQACC].number >
       0)
@@ -233,7 +233,7 @@ Pose Physics::object_pose(int object) const {
 
 std::vector<std::pair<std::string, Pose>> Physics::poses() const {
   const State& s = *state_;
-  mj_kinematics(s.model.get(), s.data.get());  // the last step moved things after it had computed where they are
+  mj_kinematics(s.model.get(), s.data.get());  // the last step computed poses before it moved things
   std::vector<std::pair<std::string, Pose>> poses;
   for (int body = 1; body < s.model->nbody; ++body) {
     if (s.model->body_weldid[body] == 0) continue;

@@ -1,4 +1,4 @@
-// The scene in MuJoCo, one step at a time: what the arm's servos are told, what touches what, and the weld that holds.
+// The scene in MuJoCo, step by step: targets for the arm's servos, contacts, and the weld that holds objects.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace continua {
 
-/// What the servos of arm and fingers are told in a step.
+/// Targets of the servos of arm and fingers in a step.
 struct AvatarTarget {
   HingeTarget hinges;
   double opening_m = 0;  ///< of each finger, from the middle
@@ -29,35 +29,35 @@ class Physics {
   const std::vector<SceneObject>& objects() const;
 
   /// One step of fixed length. No pose is ever written: things move by forces. False if MuJoCo diverged (positions,
-  /// speeds or forces beyond all measure): only `restore` then makes the world usable again.
+  /// speeds or accelerations beyond all measure); then only `restore` makes the world usable again.
   [[nodiscard]] bool step(const AvatarTarget& target);
 
-  /// Keeps the world as it is, for `restore`. Anew at every call; once at the beginning.
+  /// Keeps the present world for `restore`, in place of the one kept before. `create` keeps the first.
   void save();
   void restore();
 
-  /// Which object (index into objects()) the weld may hold, or -1. It holds while both pads touch it, and only then; it
-  /// takes hold where the object is, so that nothing jumps.
+  /// Sets the object (index into objects()) that the weld may hold, or -1. The weld holds exactly while both pads touch
+  /// the object, and takes hold of it in its present pose, so that nothing jumps.
   void set_grip(int object);
   /// The object welded to the hand, or -1.
   int held() const;
 
-  /// What the pads touch, as of the last step.
+  /// A pad touches the object, as of the last step.
   bool pad_touches(bool left, int object) const;
-  /// Largest normal force, newtons, between `object` (or, for -1, hand and fingers) and anything but hand, fingers and
-  /// what is held.
+  /// Largest normal force, newtons, on `object` (for -1: on hand and fingers) from anything other than hand, fingers
+  /// and held object.
   double outside_force(int object) const;
 
-  /// What an object touches, as of the last step: other objects and, in the order of names among them, `table`.
+  /// Contacts of an object as of the last step: names of objects and `table`, sorted.
   std::vector<std::string> touched_by(int object) const;
 
   ArmVector hinges() const;
   Pose object_pose(int object) const;
-  /// Of every body that can move, by name.
+  /// Names and poses of all bodies that can move.
   std::vector<std::pair<std::string, Pose>> poses() const;
-  /// Nothing turns or moves faster than these.
+  /// No joint is faster.
   bool slower_than(double m_per_s, double rad_per_s) const;
-  /// No object does.
+  /// No object is faster.
   bool objects_slower_than(double m_per_s, double rad_per_s) const;
 
   WorldSnapshot snapshot(SimTime t) const;

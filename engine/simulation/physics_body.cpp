@@ -6,7 +6,7 @@ namespace continua {
 
 namespace {
 
-// Slower than this for so long is at rest. Contacts creep by some micrometres per second, which is not motion.
+// Lower speeds for this time are rest: contacts creep by some micrometres per second.
 constexpr double rest_m_per_s = 2e-3, rest_rad_per_s = 0.05;
 constexpr SimTime rest_after{100'000};
 
@@ -40,7 +40,7 @@ bool PhysicsBody::at_rest() const { return waiting_.empty() && is_still(); }
 
 bool PhysicsBody::is_still() const { return !avatar_.busy() && still_steps_ * step_.us >= rest_after.us; }
 
-/// After the simulation diverged: back to when the world was last at rest, and at rest again.
+/// Returns to the last rest, after a divergence.
 void PhysicsBody::set_back() {
   physics_->restore();
   avatar_.abandon({ReasonCode::diverged});
@@ -78,7 +78,7 @@ WorldReport PhysicsBody::advance(SimTime t) {
   return report;
 }
 
-/// Begins what need not wait. Whether an act has ended with it.
+/// Begins the acts that need not wait. True if an act has ended.
 bool PhysicsBody::begin_acts(WorldReport& report) {
   const SimTime t = std::max(now_, told_until_);
   const auto announced = [](const AvatarCommand& command) { return effect_of(command.what) == ActEffect::announced; };
@@ -105,7 +105,7 @@ bool PhysicsBody::begin_acts(WorldReport& report) {
   return false;
 }
 
-/// Gives up what is under way and what waits before the last stop, and begins that.
+/// Cancels everything before the last stop, and begins that stop.
 void PhysicsBody::begin_stop(WorldReport& report, SimTime t) {
   if (avatar_.busy()) report.acts.push_back({act_id_, t, ActReport::Status::stopped, 0, {}});
   while (std::count_if(waiting_.begin(), waiting_.end(), is_stop) > 1 || !is_stop(waiting_.front())) {
@@ -118,7 +118,7 @@ void PhysicsBody::begin_stop(WorldReport& report, SimTime t) {
 }
 
 void PhysicsBody::begin_act(const AvatarCommand& command, WorldReport& report, SimTime t) {
-  // What stands still is worth coming back to.
+  // A world at rest is worth a return after a divergence.
   if (is_still()) physics_->save();
   act_id_ = command.id;
   still_steps_ = 0;
@@ -126,7 +126,7 @@ void PhysicsBody::begin_act(const AvatarCommand& command, WorldReport& report, S
   avatar_.begin(command);
 }
 
-/// Whether the act under way has ended.
+/// Reports the end of the act under way. True if it has ended.
 bool PhysicsBody::finish_act(WorldReport& report, SimTime t) {
   auto result = avatar_.take_result();
   if (!result) return false;

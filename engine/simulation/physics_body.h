@@ -1,4 +1,4 @@
-// The avatar's body in MuJoCo: commands become motions, and the world goes on by fixed steps while something moves.
+// The avatar's body in MuJoCo: commands become motions, and physics steps while something moves.
 #pragma once
 
 #include <deque>
@@ -11,12 +11,13 @@
 
 namespace continua {
 
-/// One act at a time, others wait in order, but for three things a person does not queue: a look or signal is done at
-/// once; a reach or point takes the place of one that is under way (which is then reported done, with the reason that
-/// it was superseded); and a stop ends at once what is under way and what waited before it. Physics is stepped only
-/// while an act is under way or something moves; otherwise time jumps and a RestSpan tells so. Spans of successive
-/// `advance`s adjoin. Should MuJoCo diverge, the act under way ends as dropped, its reason says so, and the world is
-/// what it was when it was last at rest. The same commands at the same times give the same poses, bit for bit.
+/// One act runs at a time, and others wait in order, with three exceptions. A look or signal is done at once. A reach
+/// or point supersedes another one under way, which ends as done. A stop ends the act under way and cancels the acts
+/// before the stop.
+///
+/// Physics steps only while an act is under way or something moves. Otherwise time jumps, and a RestSpan reports the
+/// jump; spans of successive `advance`s adjoin. If MuJoCo diverges, the act under way ends as dropped, and the world
+/// returns to its last rest. The same commands at the same times give the same poses, bit for bit.
 class PhysicsBody : public Body {
  public:
   /// Errors: the scene's avatar is incomplete.

@@ -32,11 +32,11 @@ bool is_round(const ObjectState& object, const Means& means) {
 struct Leg {
   Vec3 ahead_W = Vec3::UnitX();
   double length_m = 0;
-  double half_m = 0;         ///< how far the object reaches back along it
-  double half_across_m = 0;  ///< and to its sides
+  double half_m = 0;         ///< half extent of the object along the way
+  double half_across_m = 0;  ///< half extent across the way
 };
 
-/// The longest first.
+/// Legs to the goal, longest first.
 std::vector<Leg> legs_to(const ObjectState& object, const Vec3& p_WG, const Means& means) {
   const Vec3 way(p_WG.x() - object.p_WO.x(), p_WG.y() - object.p_WO.y(), 0);
   const Vec3& half = object.half_extents_m;
@@ -70,7 +70,7 @@ OrReason<Push> push_along(const Leg& leg, const ObjectState& object, const std::
   Push push;
   push.ahead_W = leg.ahead_W;
   push.opening_m = std::max(0.0, std::min(part_of_face * leg.half_across_m, widest_m) - hand.finger_thickness_m / 2);
-  // Between the fingers a round thing reaches farther back than where they touch it.
+  // A round thing bulges back between the fingers.
   double touched_m = leg.half_m;
   if (is_round(object, means))
     touched_m = std::sqrt(std::max(0.0, leg.half_m * leg.half_m - push.opening_m * push.opening_m));
@@ -108,7 +108,7 @@ OrReason<Push> push_along(const Leg& leg, const ObjectState& object, const std::
   return Reason{Code::no_way_behind, {object.name}};
 }
 
-/// The first of pushes that lead to the goal.
+/// The first of the pushes to the goal.
 OrReason<Push> first_push(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
                           const WorldSnapshot& world, const Means& means) {
   std::optional<Reason> first;
@@ -129,7 +129,7 @@ OrReason<Push> first_push(const ObjectState& object, const Vec3& p_WG, const std
   return *first;
 }
 
-/// Whether the centre of what stands there is well above the table.
+/// A centre there is well above the table.
 bool bears(const Box& table, const Vec3& p_W) {
   constexpr double margin_m = 0.01;  // a push may go a little too far
   return p_W.x() > table.min.x() + margin_m && p_W.x() < table.max.x() - margin_m &&

@@ -16,7 +16,7 @@ namespace continua {
 namespace {
 
 constexpr double fovy = 30;      // degrees; of cameras that are not the scene's
-constexpr int most_marks = 300;  // geoms beside the scene's
+constexpr int most_marks = 300;  // geoms besides the scene's
 constexpr double disc_radius_m = 0.022, disc_height_m = 0.0015, ray_radius_m = 0.003;
 // A target of three discs: parts of the whole radius, and the height of each above the one below.
 constexpr double ring = 0.62, bull = 0.3, disc_step_m = 0.0003;
@@ -30,7 +30,7 @@ struct FreeScene {
   }
 };
 
-/// Where the bodies are to be, written straight into the kinematics: a picture needs no joints.
+/// Poses of bodies, written straight into the kinematics: a picture needs no joints.
 class Posed {
  public:
   Posed(const mjModel& model, const std::map<std::string, Pose>& at_start)
@@ -60,7 +60,7 @@ class Posed {
     mj_camlight(&model_, data_.get());
   }
 
-  /// Corners of what shall be in the picture.
+  /// Corners of everything that the picture should show.
   std::vector<Vec3> corners_W() const {
     std::vector<Vec3> corners;
     for (int body = 1; body < model_.nbody; ++body) {
@@ -71,7 +71,7 @@ class Posed {
     return corners;
   }
 
-  /// The middle of the top of a body, if there is one of that name.
+  /// The middle of the top of the body of that name, if there is one.
   std::optional<Vec3> top_of(const std::string& name) const {
     const auto body = bodies_.find(name);
     if (body == bodies_.end() || model_.body_geomnum[body->second] == 0) return std::nullopt;
@@ -79,7 +79,7 @@ class Posed {
     return Vec3(box.center().x(), box.center().y(), box.max.z());
   }
 
-  /// `p_W`, or, where objects stand on it, the point above it at the height of the highest.
+  /// `p_W`, raised to the top of the highest object there.
   Vec3 above_objects(const Vec3& p_W) const {
     Vec3 above = p_W;
     for (int body = 1; body < model_.nbody; ++body) {
@@ -174,7 +174,7 @@ class Renderer::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  /// Makes ready what OpenGL needs for this model.
+  /// Prepares OpenGL for this model.
   Outcome prepare() {
     const OffScreen::Current current(place_);
     const auto fatal = fatal_error_of([this] {
@@ -219,7 +219,7 @@ class Renderer::Impl {
     const auto row = static_cast<std::size_t>(size_.width) * 3, rows = static_cast<std::size_t>(size_.height);
     Image image{size_, std::vector<unsigned char>(row * rows)};
     mjr_readPixels(image.rgb.data(), nullptr, all, &context_);
-    for (std::size_t i = 0; i < rows / 2; ++i)  // OpenGL begins below
+    for (std::size_t i = 0; i < rows / 2; ++i)  // OpenGL's first row is the lowest
       std::swap_ranges(image.rgb.begin() + static_cast<std::ptrdiff_t>(i * row),
                        image.rgb.begin() + static_cast<std::ptrdiff_t>((i + 1) * row),
                        image.rgb.begin() + static_cast<std::ptrdiff_t>((rows - 1 - i) * row));

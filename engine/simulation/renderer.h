@@ -27,45 +27,43 @@ struct Image {
   std::vector<unsigned char> rgb = {};  ///< row by row from the top, three bytes a pixel
 };
 
-/// Something drawn into the scene that is no part of it: where somebody points.
+/// A mark drawn into the scene: the target of somebody's pointing.
 struct RenderMark {
-  Vec3 to_W = Vec3::Zero();       ///< a disc lies here; where an object stands, on top of it
-  std::string on_body = {};       ///< if that is a body of the scene, the disc lies on top of that instead
+  Vec3 to_W = Vec3::Zero();       ///< place of a disc; on top of an object there
+  std::string on_body = {};       ///< name of a body to put the disc on instead
   std::optional<Vec3> from_W{};   ///< a ray from here to the disc
-  bool from_hand = false;         ///< the ray begins between the avatar's fingers, if the scene has an avatar
+  bool from_hand = false;         ///< the ray begins between the avatar's fingers, if there is an avatar
   std::array<float, 3> rgb = {};  ///< 0 … 1
 };
 
-/// What is drawn.
+/// The scene to draw.
 struct RenderScene {
   std::string mjcf;                        ///< the complete MJCF (Scene::text())
-  std::string asset_directory = ".";       ///< where files are sought that it names
-  std::map<std::string, Pose> poses = {};  ///< of bodies at the start, where other than MJCF has them
+  std::string asset_directory = ".";       ///< for meshes and textures
+  std::map<std::string, Pose> poses = {};  ///< bodies that start elsewhere than in the MJCF
   std::string where = {};                  ///< for errors
 };
 
-/// Where pictures are taken from.
+/// The camera of a picture.
 struct RenderView {
-  /// A camera of the scene, or one that takes in all that is on the table and the avatar: "front" (the human's side;
-  /// also
+  /// A camera of the scene, or a view of everything on the table with the avatar: "front" (from the human's side; also
   /// ""), "left", "right", "back", "top".
   std::string camera = {};
-  /// What of the picture's height is left free below, for subtitles; not with a scene's own camera.
+  /// Part of the picture's height left free below, for subtitles; ignored by a scene's own camera.
   double free_below = 0;
 };
 
-/// Draws one scene in one size. May be used from several threads; they wait for each other.
+/// Draws one scene in one size. Several threads may use it; they wait for each other.
 class Renderer {
  public:
-  /// `scene` is a whole one; pictures show what it holds at its start. Errors: the scene cannot be compiled, there is
-  /// no such camera (placed at scene.where); pictures cannot be drawn on this machine (no place). REQUIRES sides of
-  /// `size` from 1 to max_image_side.
+  /// Errors with place scene.where: the scene does not compile, or lacks the camera. Errors without place: this machine
+  /// cannot draw. REQUIRES sides of `size` from 1 to max_image_side.
   static Result<Renderer> open(const RenderScene& scene, ImageSize size, const RenderView& view = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Bodies stand where `poses` say, the others where they stand at the start; names of no body are passed over.
+  /// Draws bodies at `poses`, the others at their start. Unknown names are ignored.
   Image draw(const std::map<std::string, Pose>& poses, const std::vector<RenderMark>& marks = {});
 
  private:
@@ -74,7 +72,7 @@ class Renderer {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Why pictures cannot be drawn on this machine, or nothing if they can.
+/// The reason why this machine cannot draw; nothing if it can.
 Outcome cannot_render();
 
 }  // namespace continua

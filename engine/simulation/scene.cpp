@@ -17,9 +17,9 @@ namespace continua {
 namespace {
 
 constexpr const char* table_geom = "table_top";
-constexpr int most_mesh_corners = 200'000;  // of faces, in the description of a scene
+constexpr int most_mesh_corners = 200'000;  // of faces in a scene's description: a browser draws that many
 
-/// A compiled source, or what is wrong with it and where.
+/// The compiled source, or an error with its place.
 Result<std::shared_ptr<const mjModel>> compile(const SceneSource& source) {
   const auto directory = std::filesystem::absolute(source.path()).parent_path().string();
   auto compiled = compile_mjcf(source.text(), directory);
@@ -28,8 +28,8 @@ Result<std::shared_ptr<const mjModel>> compile(const SceneSource& source) {
   return std::shared_ptr<const mjModel>(std::get<ModelOwner>(std::move(compiled)));
 }
 
-/// The weld with which the hand keeps what it holds: stiff, so that what is held does not lag behind. Nothing where the
-/// scene has no hand, or a weld of its own.
+/// The weld between hand and held object: stiff, so that the object does not lag behind. Empty if the scene has no
+/// hand, or a weld of its own.
 Result<std::string> missing_weld(const mjModel& model, const std::string& path) {
   const int grip = id_of(model, mjOBJ_SITE, grip_name);
   if (grip < 0 || id_of(model, mjOBJ_EQUALITY, grip_name) >= 0) return std::string();
@@ -40,7 +40,7 @@ Result<std::string> missing_weld(const mjModel& model, const std::string& path) 
       grip_name, hand);
 }
 
-/// "type=block color=red" as pairs. A word without '=' is an attribute that is simply so.
+/// "type=block color=red" as pairs. A word without '=' is an attribute with the value true.
 std::map<std::string, std::string> attributes_of(const mjModel& model, const std::string& object) {
   std::map<std::string, std::string> attributes;
   const int text = id_of(model, mjOBJ_TEXT, object);
@@ -57,7 +57,7 @@ bool is_object(const mjModel& model, int body) {
   return model.body_jntnum[body] == 1 && model.jnt_type[model.body_jntadr[body]] == mjJNT_FREE;
 }
 
-/// The box site that shows an object's hollow, in the object's frame; nothing where the object has none.
+/// The box site of an object's hollow, in the object's frame; nothing if the object has no hollow.
 Result<std::optional<Box>> interior_of(const mjModel& model, int body, const std::string& path) {
   const std::string name = name_of(model, mjOBJ_BODY, body) + "_interior";
   const int site = id_of(model, mjOBJ_SITE, name);
@@ -106,7 +106,7 @@ Result<Box> table_of(const mjModel& model, const std::string& path) {
              on_grid(Vec3(center.x() + half.x(), center.y() + half.y(), 0))};
 }
 
-/// Sets an object where an override wants it. Orientation stays what the scene gives unless yaw is given.
+/// Puts an object at the start of its override. Without yaw the object keeps the orientation of the scene.
 void place(const mjModel& model, const SceneObject& object, const ObjectOverride& wanted, std::vector<double>& qpos) {
   double* q = qpos.data() + model.jnt_qposadr[model.body_jntadr[object.body]];
   if (wanted.x_m) q[0] = *wanted.x_m;
@@ -119,8 +119,8 @@ void place(const mjModel& model, const SceneObject& object, const ObjectOverride
   q[6] = std::sin(*wanted.yaw / 2);
 }
 
-/// The height on which an object shall stand whose bottom is wanted at `bottom_m`: that of the highest thing under its
-/// centre, where what was measured is only a little off; nothing where it shall hang in the air or lie off the table.
+/// The height of the object's support: the highest thing under its centre, if the wanted bottom is only a little off.
+/// Nothing if the object starts in the air or beside the table.
 std::optional<double> standing_height(const ObjectState& object, const WorldSnapshot& world) {
   constexpr double off_m = 0.02;
   const double bottom_m = object.p_WO.z() - object.half_extents_m.z();
@@ -137,7 +137,7 @@ std::optional<double> standing_height(const ObjectState& object, const WorldSnap
   return bottom_m <= height + off_m ? std::optional(height) : std::nullopt;
 }
 
-/// Puts the arm where the scene's numbers `arm_home` say, if it has them.
+/// Puts the arm into the posture of the scene's numbers `arm_home`, if there are any.
 void place_arm(const mjModel& model, std::vector<double>& qpos) {
   const int home = id_of(model, mjOBJ_NUMERIC, "arm_home");
   const auto hinges = arm_hinges(model);
@@ -156,7 +156,7 @@ Json rounded_list(const T* values, int count) {
   return list;
 }
 
-// What a mesh consists of, in its geom's frame.
+// Vertices and faces of a mesh, in its geom's frame.
 Json mesh_json(const mjModel& model, int mesh) {
   Json faces = Json::array();
   const int* corner = model.mesh_face + 3 * model.mesh_faceadr[mesh];
@@ -203,7 +203,7 @@ Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverri
   auto objects = objects_of(**model, path);
   if (!objects) return objects.error();
 
-  // Names are checked against the whole scene, before any object is taken out of it.
+  // Names are checked against the whole scene, before objects are removed.
   std::vector<std::string> names;
   for (const auto& object : *objects) names.push_back(object.name);
   bool some_removed = false;
@@ -247,7 +247,7 @@ ObjectState observed(const SceneObject& object, const Pose& pose) {
   const Eigen::Matrix3d R_WB = pose.R_WB.toRotationMatrix();
   constexpr double steep = 0.7;     // sine of 45 degrees
   constexpr double upright = 0.98;  // cosine of 11 degrees: the object only leans a little
-  // An x axis that points up or down has no heading: y tells it then.
+  // A steep x axis has no heading; then the y axis gives the yaw.
   const bool x_is_level = std::abs(R_WB(2, 0)) < steep;
   state.yaw = x_is_level ? std::atan2(R_WB(1, 0), R_WB(0, 0)) : std::atan2(-R_WB(0, 1), R_WB(1, 1));
   if (R_WB(2, 2) < upright && !object.corners_B.empty()) {

@@ -1,6 +1,6 @@
-// A scene: an MJCF file with objects on a table and the avatar behind it, compiled, and set up as a trace wants it.
-// An object of a scene is a body with a free joint, whose geoms' bounding box is centred on the body's origin. What a
-// scene must have, and how its elements are named, is in mjcf/README.md.
+// A scene: an MJCF file with objects on a table and the avatar behind it, compiled, with the start that a trace asks
+// for. An object is a body with a free joint; the bounding box of its geoms is centred on the body's origin.
+// mjcf/README.md lists the elements of a scene and their names.
 #pragma once
 
 #include <memory>
@@ -17,15 +17,15 @@ struct mjModel_;
 
 namespace continua {
 
-/// How a trace wants an object at the start, other than the scene has it.
+/// An object's start as the trace asks for, in place of the scene's.
 struct ObjectOverride {
   std::string object;
   std::optional<double> x_m, y_m;  ///< of its centre, in W
-  /// Of its centre; without it, it stands on the table if x or y is given. At most 2 cm from standing on the table or
-  /// on what is under it, or lower than the table under it, it stands there; otherwise it falls.
+  /// Of its centre. Without z, an object with x or y stands on the table. An object less than 2 cm above the table or a
+  /// thing, or lower than its support, stands there. Higher objects fall.
   std::optional<double> z_m;
   std::optional<double> yaw;  ///< radians
-  bool removed = false;       ///< not in the scene at all
+  bool removed = false;       ///< the scene is loaded without the object
 };
 
 struct SceneObject {
@@ -35,7 +35,7 @@ struct SceneObject {
   Vec3 half_extents_m = Vec3::Zero();
   std::optional<Box> interior = {};  ///< in its own frame
   ObjectShape shape = {};
-  std::vector<Vec3> corners_B = {};  ///< of what it consists of
+  std::vector<Vec3> corners_B = {};  ///< of its parts
 };
 
 /// A value: copies share what never changes.
@@ -48,7 +48,7 @@ class Scene {
   const std::vector<SceneObject>& objects() const { return objects_; }
   const Box& table() const { return table_; }
 
-  /// The complete MJCF, with inclusions in their place and without removed objects: what a digest is taken of.
+  /// The complete MJCF, with inclusions in their place and without removed objects. Digests are of this text.
   const std::string& text() const { return text_; }
   const std::string& path() const { return path_; }
 
@@ -59,8 +59,8 @@ class Scene {
   /// {"geoms":[{"body","type","size":[…],"rgba":[…],"pos":[…],"quat":[w,x,y,z]}…],   pose in the body's frame
   ///  "bodies":{name:[x,y,z,qw,qx,qy,qz]…}}                                            pose in W at time zero
   /// in metres, rounded to 1e-5; sizes are MuJoCo's (half lengths, radii). A geom of type `mesh` also has
-  /// "mesh":{"vertices":[x,y,z,…],"faces":[a,b,c,…]}, in the geom's frame; those with which there would be more than
-  /// 200,000 corners of faces have their size only.
+  /// "mesh":{"vertices":[x,y,z,…],"faces":[a,b,c,…]}, in the geom's frame; meshes beyond 200,000 corners of
+  /// faces in all have their size only.
   Json description() const;
 
  private:
@@ -75,11 +75,11 @@ class Scene {
   std::string path_, text_;
 };
 
-/// Loads the MJCF file at `path`. Errors name the file and, where there is one, the line: the file is missing, empty or
-/// not MJCF; MuJoCo does not take it; it lacks what a scene must have; an override names no object of it.
+/// Loads the MJCF file at `path`. Errors, with the file and the line if there is one: the file is missing, empty or not
+/// MJCF; MuJoCo refuses it; the scene lacks an element; an override names no object of the scene.
 Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverride>& overrides = {});
 
-/// The object at `pose` as decisions see it: on the grid, upright. A tipped object has the bounds of how it lies.
+/// The object at `pose` as decisions see it: on the grid, upright. A tipped object has the bounding box of its pose.
 ObjectState observed(const SceneObject& object, const Pose& pose);
 
 }  // namespace continua

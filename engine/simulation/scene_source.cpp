@@ -21,7 +21,7 @@ struct Tag {
   bool self_closing = false;
 };
 
-/// The next tag at or after `from`; comments, declarations and processing instructions are passed over.
+/// The next tag at or after `from`; comments, declarations and processing instructions are skipped.
 std::optional<Tag> next_tag(std::string_view text, std::size_t from) {
   while (true) {
     const std::size_t begin = text.find('<', from);
@@ -41,7 +41,7 @@ std::optional<Tag> next_tag(std::string_view text, std::size_t from) {
   }
 }
 
-/// The value of an attribute of a tag, if it has it.
+/// The value of a tag's attribute, if the tag has the attribute.
 std::optional<std::string> attribute(std::string_view tag, std::string_view name) {
   for (std::size_t at = tag.find(name); at != npos; at = tag.find(name, at + 1)) {
     if (std::string_view(" \t\r\n").find(tag[at - 1]) == npos) continue;
@@ -69,7 +69,7 @@ Result<SceneSource> SceneSource::read(const std::string& path) {
   return source;
 }
 
-// The scene's own file keeps its root element, an included one gives only what is within it.
+// The scene's own file keeps its root element; an included file contributes only the root's content.
 Outcome SceneSource::expand(const std::string& file, std::vector<std::string>& open_files) {
   auto read = read_file(file);
   if (!read) return read.error();
@@ -139,7 +139,7 @@ SceneSource SceneSource::without_body(std::string_view name) const {
       --depth;
     }
     if (!begin || depth > 0) continue;
-    // Blanks in its place, newlines kept, so that lines keep their numbers.
+    // Blanks replace the body and newlines stay, so that lines keep their numbers.
     for (std::size_t i = *begin; i < tag->end; ++i) {
       if (rest.text_[i] != '\n') rest.text_[i] = ' ';
     }

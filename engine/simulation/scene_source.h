@@ -1,5 +1,5 @@
-// A scene's MJCF as one text: what it includes is put in its place, so that a run log can carry the whole scene, and
-// each line remembers the file it came from, so that an error names that file and not the expansion.
+// A scene's MJCF as one text with inclusions in their place, for run logs. Each line remembers its file, so that errors
+// name the file and not the expansion.
 #pragma once
 
 #include <string>
@@ -12,21 +12,21 @@ namespace continua {
 
 class SceneSource {
  public:
-  /// Reads `path` and everything it includes; a file named by `<include file="…"/>` is sought beside the file that
-  /// names it. Errors: a file missing, empty or not MJCF, an inclusion of itself.
+  /// Reads `path` and all inclusions; the file of `<include file="…"/>` is sought in the folder of the including file.
+  /// Errors: a file is missing, empty, not MJCF, or includes itself.
   static Result<SceneSource> read(const std::string& path);
 
   const std::string& path() const { return path_; }
   /// One complete MJCF document.
   const std::string& text() const { return text_; }
 
-  /// "file:line" of a line of text(), counted from 1; the scene's own path when there is no such line.
+  /// "file:line" of a line of text(), counted from 1; the scene's own path if there is no such line.
   std::string where(int line) const;
 
   /// The same scene with more elements at its end. Lines keep their numbers.
   SceneSource with(std::string_view elements) const;
 
-  /// The same scene without the body of that name and all within it. Lines keep their numbers.
+  /// The same scene without the body of that name and its children. Lines keep their numbers.
   SceneSource without_body(std::string_view name) const;
 
  private:

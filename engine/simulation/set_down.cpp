@@ -16,8 +16,8 @@ constexpr double touching_m = 0.001;
 constexpr double level_m = 0.005;  // things whose bottoms differ by less stand beside each other
 constexpr double rim_part = 0.3;   // of a hollow thing's half width: the corners of its box that a round rim lacks
 
-/// What the object takes up when it has been set down at `p_W`, along the world's axes: a little air at its sides, so
-/// that it comes down without grazing what it shall stand beside, and none below, where it shall touch.
+/// The space of the object at `p_W`, along the world's axes, with a little air at its sides, so that it does not graze
+/// its neighbours, and none below, where it touches its support.
 OrientedBox box_at(const ObjectState& object, const Vec3& p_W) {
   constexpr double air_m = 0.0008;
   const bool swapped = static_cast<int>(std::lround(object.yaw / quarter_turn)) % 2 != 0;
@@ -26,14 +26,14 @@ OrientedBox box_at(const ObjectState& object, const Vec3& p_W) {
   return {p_W, Eigen::Matrix3d::Identity(), turned + Vec3(air_m, air_m, -touching_m)};
 }
 
-/// Whether the table bears an object there: its centre is above it.
+/// The table bears an object there: the object's centre is above the table.
 bool on_table(const Vec3& p_W, const Box& table) {
   constexpr double margin_m = 0.003;
   return p_W.x() > table.min.x() + margin_m && p_W.x() < table.max.x() - margin_m &&
          p_W.y() > table.min.y() + margin_m && p_W.y() < table.max.y() - margin_m;
 }
 
-/// Whether the areas in which the object touches `bearers`, all equally high, carry its centre.
+/// The areas of contact with `bearers`, all equally high, carry the object's centre.
 bool bear(const std::vector<const ObjectState*>& bearers, const OrientedBox& box) {
   constexpr double margin_m = 0.006;
   constexpr int directions = 16;
@@ -64,7 +64,7 @@ class Surroundings {
   Surroundings(const ObjectState& object, const WorldSnapshot& world)
       : object_(object), world_(world), others_(apart_from(object, world)) {}
 
-  /// What the object would meet on its way down to `p_W`.
+  /// Things in the object's way down to `p_W`.
   std::vector<const ObjectState*> in_the_way(const Vec3& p_W) const {
     std::vector<const ObjectState*> found;
     for (const auto* other : others_) {
@@ -88,8 +88,7 @@ class Surroundings {
     return places;
   }
 
-  /// Where to set the object down so that a straight push from there clears the goal, if such a push does no harm;
-  /// shortest push first.
+  /// Places to set the object down for a harmless straight shove into the goal, shortest shove first.
   std::vector<Vec3> shove_starts(const Vec3& p_WG) const {
     constexpr double step_m = 0.004, farthest_m = 0.09;
     const auto pushed = in_the_way(p_WG);
@@ -99,7 +98,7 @@ class Surroundings {
       for (double r = step_m; r < farthest_m; r += step_m) {
         if (!free(p_WG + r * away)) continue;
         const bool harmless = std::all_of(pushed.begin(), pushed.end(), [&](const ObjectState* other) {
-          // It comes to lie against the object's face. What does not stand beside the object is not pushed, but hit.
+          // The other thing ends against the object's face. A thing at another height would be hit, not pushed.
           const Box theirs = other->bounds_W();
           if (std::abs(theirs.min.z() - (p_WG.z() - object_.half_extents_m.z())) > level_m) return false;
           const Vec3 mine = box.half_m.cwiseProduct(away.cwiseAbs());
@@ -130,7 +129,7 @@ std::vector<SetDown> set_downs(const ObjectState& object, const Vec3& p_WG, cons
   const Surroundings around(object, world);
   std::vector<SetDown> ways;
   Vec3 goal = p_WG;
-  // Upward, as long as what is there bears the object.
+  // Upward, as long as the things there bear the object.
   for (std::size_t i = 0; i <= world.objects.size(); ++i) {
     const auto found = around.in_the_way(goal);
     if (found.empty() && on_table(goal, world.table)) ways.push_back({goal, std::nullopt});

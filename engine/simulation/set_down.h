@@ -1,4 +1,4 @@
-// Where and how an object is set down when something already stands where it shall go.
+// Places and ways to set an object down where other things may stand.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,19 @@
 namespace continua {
 
 struct SetDown {
-  Vec3 p_WO = Vec3::Zero();          ///< the object's centre in the end
-  std::optional<Vec3> shove_from_W;  ///< it is set down here first, and then pushes its way to p_WO
+  Vec3 p_WO = Vec3::Zero();          ///< the object's centre at the end
+  std::optional<Vec3> shove_from_W;  ///< the object is first set down here, then shoved to p_WO
 
   const Vec3& first_W() const { return shove_from_W ? *shove_from_W : p_WO; }
 };
 
-/// The ways that bring the object's centre to `p_WG` on the table plane or at most `near_m` from it, best first:
-/// into the goal; beside it, where that is free; on top of what stands there, if that bears it; along the table into
-/// the goal, pushing aside what stands there and falls off nothing. What stands on the object, and so moves along, is
-/// in nobody's way. The object comes to lie along the world's axes.
+/// Ways to bring the object's centre to `p_WG` on the table plane, or at most `near_m` from there, best first: into the
+/// goal; to a free place beside it; on top of the things there, if they bear the object; along the table into the goal,
+/// with a shove for the things there, if none falls off. Things on the object move along and are in nobody's way. The
+/// object comes to lie along the world's axes.
 std::vector<SetDown> set_downs(const ObjectState& object, const Vec3& p_WG, const WorldSnapshot& world, double near_m);
 
-/// Whether the object can stand at `p_W` on the table with nothing in its way, not even above.
+/// The object can stand at `p_W` on the table with nothing in its way, not even above.
 bool is_free(const ObjectState& object, const Vec3& p_W, const WorldSnapshot& world);
 
 /// The free places around `p_W`, nearest first, at most `most_m` away.

@@ -8,7 +8,7 @@ namespace continua {
 
 namespace {
 
-constexpr double contact_m = 0.01;  // what is this near touches
+constexpr double contact_m = 0.01;  // things at this distance touch
 
 }  // namespace
 

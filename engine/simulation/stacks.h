@@ -1,4 +1,4 @@
-// What stands on what.
+// Things on top of each other.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@ namespace continua {
 /// The objects that stand on `object`, directly or on one another.
 std::vector<std::string> standing_on(const ObjectState& object, const WorldSnapshot& world);
 
-/// All objects but `object` and what stands on it: what it can meet when it is moved.
+/// All objects without `object` and the things on it: possible obstacles for its motion.
 std::vector<const ObjectState*> apart_from(const ObjectState& object, const WorldSnapshot& world);
 
-/// Top of the highest thing under the footprint of an object.
+/// Height of the highest thing under the footprint of an object.
 double height_under(const ObjectState& object, const WorldSnapshot& world);
 
 }  // namespace continua

@@ -20,7 +20,7 @@ constexpr double round_cost = 0.1;
 // A turn by the long way may be half a turn and a rounding, no more.
 constexpr double most_turn = 1.01 * half_turn;
 
-/// The grips as they are and, where that is another posture of the wrist, with the hand the other way round.
+/// The grips, and the upright ones again with the hand the other way round: another posture of the wrist.
 std::vector<Grip> both_ways_round(std::vector<Grip> grips) {
   const std::size_t count = grips.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -50,7 +50,7 @@ std::optional<Handling> plan_turn(const Task& task, double by_rad, const WorldSn
   for (const Grip& grip : grips) {
     for (const double round : {0.0, -2 * half_turn, 2 * half_turn}) {
       const double by = by_rad + round, wrist = std::remainder(grip.hand.yaw - natural, 2 * half_turn);
-      // With the other turn of the wrist the same grip is among those the other way round.
+      // The same grip with another turn of the wrist is among those the other way round.
       if (!avatar.wrist_turns(grip.hand.yaw - natural) && !grasp) continue;
       if (std::abs(by) > most_turn || !avatar.wrist_turns(wrist + by)) continue;
       Grip one = grip;

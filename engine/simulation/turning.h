@@ -1,4 +1,4 @@
-// Turning an object about the vertical, where it is.
+// Turns of an object about the vertical, on the spot.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace continua {
 
-/// The best way to turn the task's object by `by_rad`, or so that it comes to be turned the same: which grip, which way
-/// round. `grasp` is how the hand holds it if it does. Its set_down is where it is now. Grips like those `tried` come
-/// last. Without `has_room` it would turn into other things, or fingers find none; without `reached` arm and wrist do
-/// not get so far. Nothing if there is no way to hold the object.
+/// The best handling that turns the task's object by `by_rad`, either way round, and sets it down on the spot. `grasp`:
+/// the hand's hold on the object, if any. Grips like those `tried` come last. Without `has_room` the object would turn
+/// into other things, or the fingers have no room; without `reached` arm and wrist do not get that far. Nothing if
+/// there is no way to hold the object.
 std::optional<Handling> plan_turn(const Task& task, double by_rad, const WorldSnapshot& world, const Means& means,
                                   const std::optional<Grasp>& grasp, const std::vector<Grip>& tried);
 

@@ -16,7 +16,7 @@ struct Side {
 constexpr std::array sides = {Side{"front", 90, -34}, Side{"left", 0, -25}, Side{"right", 180, -25},
                               Side{"back", 270, -35}, Side{"top", 90, -89}};
 
-constexpr double margin = 0.94;  // of half the picture
+constexpr double margin = 0.94;  // of half the picture: a thin frame of air
 
 }  // namespace
 
@@ -39,7 +39,7 @@ std::optional<mjvCamera> camera_from(const std::string& side, const std::vector<
   Vec3 lookat = Vec3::Zero();
   for (const Vec3& point : points_W) lookat += point / static_cast<double>(points_W.size());
   double distance = 1;
-  // The nearer points decide the distance, and the distance where the middle seems to be: a few rounds settle both.
+  // The near points decide the distance, and the distance moves the middle: a few rounds settle both.
   constexpr int rounds = 12;  // plenty, at no cost
   for (int round = 0; round < rounds; ++round) {
     double low = 0, high = 0, left = 0, farthest_right = 0;

@@ -1,4 +1,4 @@
-// A camera that takes in all of a scene, from a given side.
+// A camera for a whole scene, from a given side.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,11 @@
 
 namespace continua {
 
-/// The names of the sides that a camera may look from.
+/// Names of the sides for a camera.
 std::vector<std::string> side_names();
 
-/// A free camera on that side from which `points_W` all lie within the picture, above its lowest part `free_below` (of
-/// its height). `fovy` is the camera's vertical angle in degrees, `aspect` width by height. Nothing: there is no such
-/// side.
+/// A free camera on that side with all `points_W` in the picture, above the part `free_below` of its height. `fovy`:
+/// the camera's vertical angle in degrees; `aspect`: width by height. Nothing if there is no such side.
 std::optional<mjvCamera> camera_from(const std::string& side, const std::vector<Vec3>& points_W, double fovy,
                                      double aspect, double free_below);
 
