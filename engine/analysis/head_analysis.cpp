@@ -116,7 +116,8 @@ class Decided {
     for (std::size_t i = 0; i < conflict_heads_.size(); ++i) wanted.emplace(conflict_heads_[i], i);
     const Rules none;
     const Beliefs beliefs(machine_->beliefs);
-    Stepper stepper(machine_, none);
+    const Facts facts{.beliefs = &beliefs};
+    const Stepper stepper(machine_, none);
     std::deque<std::pair<Configuration, std::string>> open{{stepper.initial(), ""}};
     std::vector<Configuration> seen;
     const auto reach = [&](Configuration configuration, std::string word) {
@@ -134,9 +135,9 @@ class Decided {
       for (std::size_t i = 0; i <= letters_.size(); ++i) {
         Input input;
         if (i > 0) input.symbol = letters_[i - 1];
-        const auto offered = stepper.firing(configuration, i > 0 ? &input : nullptr, beliefs, nullptr).applicable();
+        const auto offered = stepper.firing(configuration, i > 0 ? &input : nullptr, facts, nullptr).applicable();
         for (const auto& candidate : offered.candidates) {
-          auto firing = stepper.firing(configuration, i > 0 ? &input : nullptr, beliefs, nullptr);
+          auto firing = stepper.firing(configuration, i > 0 ? &input : nullptr, facts, nullptr);
           if (!firing.fire({candidate.transition, 1, {}, false}, {}, 0)) continue;
           const auto longer = i == 0 ? word : word.empty() ? letters_[i - 1] : word + " " + letters_[i - 1];
           reach(std::move(firing).take(), longer);

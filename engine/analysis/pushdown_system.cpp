@@ -43,7 +43,7 @@ std::size_t PushdownSystem::HashHead::operator()(const Head& head) const {
 }
 
 PushdownSystem::PushdownSystem(std::shared_ptr<const Machine> machine)
-    : machine_(std::move(machine)), beliefs_(machine_->beliefs), stepper_(machine_, no_methods_) {
+    : machine_(std::move(machine)), beliefs_(machine_->beliefs), stepper_(machine_, Rules()) {
   auto initial = stepper_.initial();
   bare_bottom_ = add(StackSymbol{bottom_symbol(*machine_), true});
   for (auto& symbol : above(initial.stack, 1)) initial_stack_.push_back(add(StackSymbol{std::move(symbol), false}));
@@ -110,11 +110,11 @@ std::vector<PushdownRule> PushdownSystem::find_rules(int id, int symbol, int let
   return {carry_on(control, symbol)};
 }
 
-Firing PushdownSystem::firing(const Control& control, int symbol, int letter) {
+Firing PushdownSystem::firing(const Control& control, int symbol, int letter) const {
   auto configuration = control.configuration;
   configuration.stack = Stack().push(at(symbol).symbol, 0);
   const Input* input = letter == epsilon ? nullptr : &letters_[static_cast<std::size_t>(letter)];
-  return stepper_.firing(std::move(configuration), input, beliefs_, nullptr);
+  return stepper_.firing(std::move(configuration), input, Facts{.beliefs = &beliefs_}, nullptr);
 }
 
 std::vector<PushdownRule> PushdownSystem::fire(const Control& control, int symbol, int letter) {

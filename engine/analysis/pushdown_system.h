@@ -82,7 +82,7 @@ class PushdownSystem {
   std::vector<PushdownRule> find_rules(int control, int symbol, int letter);
   std::vector<PushdownRule> fire(const Control& control, int symbol, int letter);
   PushdownRule carry_on(const Control& control, int symbol);
-  Firing firing(const Control& control, int symbol, int letter);
+  Firing firing(const Control& control, int symbol, int letter) const;
   int after_operation(const Control& control, std::size_t transition, const Entry& entry, int letter);
   int entering(const Configuration& configuration, StateIndex to, int letter, bool settles);
   PushdownRule moved(const Change& change, const Configuration& before, int symbol, int then);
@@ -94,7 +94,6 @@ class PushdownSystem {
   const StackSymbol& at(int symbol) const { return symbols_[static_cast<std::size_t>(symbol)]; }
 
   std::shared_ptr<const Machine> machine_;
-  Rules no_methods_;
   Beliefs beliefs_;
   Stepper stepper_;
   std::vector<Control> controls_;

@@ -11,8 +11,8 @@ namespace continua {
 // The work of one step: configurations in the order in which they are reached.
 class Explorer::Work {
  public:
-  Work(Stepper& stepper, std::size_t limit, const Beliefs& beliefs, const Exploration& before)
-      : stepper_(stepper), limit_(std::max<std::size_t>(limit, 1)), beliefs_(beliefs) {
+  Work(const Stepper& stepper, std::size_t limit, const Facts& facts, const Exploration& before)
+      : stepper_(stepper), limit_(std::max<std::size_t>(limit, 1)), facts_(facts) {
     result_.after = before;
     result_.after.branches.clear();
   }
@@ -87,14 +87,14 @@ class Explorer::Work {
   bool fire_all(const Node& from, std::span<const Input> inputs) {
     const auto& configuration = from.branch.configuration;
     std::vector<StepEvent> unused;
-    const auto found = stepper_.firing(configuration, inputs, beliefs_, &unused).applicable();
+    const auto found = stepper_.firing(configuration, inputs, facts_, &unused).applicable();
     double total = 0;
     for (const auto& candidate : found.candidates) total += candidate.weight;
     bool any = false;
     for (const auto& candidate : found.candidates) {
       Node node = from;
       node.branch.configuration.next_symbol = result_.after.next_symbol;
-      auto firing = stepper_.firing(std::move(node.branch.configuration), inputs, beliefs_, &node.events);
+      auto firing = stepper_.firing(std::move(node.branch.configuration), inputs, facts_, &node.events);
       const Chosen chosen{candidate.transition, candidate.weight / total, std::nullopt, false, candidate.alternative};
       const auto settles = firing.fire(chosen, found, ++result_.after.steps);
       if (!settles) continue;
@@ -142,9 +142,9 @@ class Explorer::Work {
     nodes_.push_back(std::move(node));
   }
 
-  Stepper& stepper_;
+  const Stepper& stepper_;
   std::size_t limit_;
-  const Beliefs& beliefs_;
+  const Facts& facts_;
   std::vector<Node> nodes_;
   std::map<std::pair<StateIndex, std::size_t>, std::vector<std::size_t>> alike_;  ///< by state and depth
   std::vector<std::size_t> open_;  ///< nodes whose ε-transitions are to be tried, in order
@@ -152,16 +152,16 @@ class Explorer::Work {
   ExplorationStep result_;
 };
 
-ExplorationStep Explorer::begin(const Beliefs& beliefs) {
-  Work work(stepper_, limit_, beliefs, {});
+ExplorationStep Explorer::begin(const Facts& facts) const {
+  Work work(stepper_, limit_, facts, {});
   work.begin();
   work.close();
   return std::move(work).result();
 }
 
-ExplorationStep Explorer::step(const Exploration& before, std::span<const Input> inputs, const Beliefs& beliefs) {
+ExplorationStep Explorer::step(const Exploration& before, std::span<const Input> inputs, const Facts& facts) const {
   require(!inputs.empty(), "an input is offered");
-  Work work(stepper_, limit_, beliefs, before);
+  Work work(stepper_, limit_, facts, before);
   for (const auto& branch : before.branches) work.offer(branch, inputs);
   if (!work.nothing()) {
     work.close();
@@ -170,7 +170,7 @@ ExplorationStep Explorer::step(const Exploration& before, std::span<const Input>
   ExplorationStep refused;
   refused.after = before;
   const auto& leading = before.branches.front().configuration;
-  auto found = stepper_.firing(leading, inputs, beliefs, &refused.events).applicable();
+  auto found = stepper_.firing(leading, inputs, facts, &refused.events).applicable();
   refused.events.push_back(refusal(stepper_.machine(), leading.state, std::move(found), inputs));
   return refused;
 }

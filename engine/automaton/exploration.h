@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "continua/automaton/stepper.h"
@@ -42,19 +43,19 @@ struct ExplorationStep {
 /// one, with the larger weight. At most `limit` are kept.
 class Explorer {
  public:
-  Explorer(Stepper& stepper, std::size_t limit) : stepper_(stepper), limit_(limit) {}
+  Explorer(Stepper stepper, std::size_t limit) : stepper_(std::move(stepper)), limit_(limit) {}
 
-  ExplorationStep begin(const Beliefs& beliefs);
+  ExplorationStep begin(const Facts& facts) const;
   /// Of several inputs every one is taken, weighed with its confidence. If no configuration takes any, they are refused
   /// and the set stays. REQUIRES an input.
-  ExplorationStep step(const Exploration& before, std::span<const Input> inputs, const Beliefs& beliefs);
-  ExplorationStep step(const Exploration& before, const Input& input, const Beliefs& beliefs) {
-    return step(before, std::span(&input, 1), beliefs);
+  ExplorationStep step(const Exploration& before, std::span<const Input> inputs, const Facts& facts) const;
+  ExplorationStep step(const Exploration& before, const Input& input, const Facts& facts) const {
+    return step(before, std::span(&input, 1), facts);
   }
 
  private:
   class Work;
-  Stepper& stepper_;
+  Stepper stepper_;
   std::size_t limit_;
 };
 

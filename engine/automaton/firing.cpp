@@ -254,7 +254,8 @@ void Firing::note(StepEvent event) {
 }
 
 Evaluation Firing::evaluate() {
-  return Evaluation(rules_, [this](Name name) { return look_up(name); });
+  return Evaluation(
+      rules_, [this](Name name) { return look_up(name); }, facts_);
 }
 
 // Notes which inputs a value came from: they are what the evaluated content is because of. The evaluation copies what

@@ -43,8 +43,13 @@ class Firing {
   /// `rules`: what names compute. `inputs`: none for ε; the first counts until one is taken. `account` takes what
   /// happens; without one nothing is put into words. All must outlive the firing.
   Firing(const Machine& machine, const RuleTable& rules, Configuration configuration, std::span<const Input> inputs,
-         std::vector<StepEvent>* account)
-      : machine_(machine), rules_(rules), configuration_(std::move(configuration)), inputs_(inputs), account_(account) {
+         const Facts& facts, std::vector<StepEvent>* account)
+      : machine_(machine),
+        rules_(rules),
+        configuration_(std::move(configuration)),
+        inputs_(inputs),
+        facts_(facts),
+        account_(account) {
     if (!inputs_.empty()) take_input(0);
   }
 
@@ -102,6 +107,7 @@ class Firing {
   // Of the input that brought all this about, also once it is used up; 0 and nullopt: there was none.
   std::vector<int> sources_;  // ascending
   std::optional<double> now_s_;
+  Facts facts_;
   std::vector<StepEvent>* account_;
   std::vector<int> because_;  ///< inputs that what is being computed came from, ascending
   Change rewrite_;

@@ -10,34 +10,47 @@
 
 namespace continua {
 
-Stepper::Stepper(std::shared_ptr<const Machine> machine, const Rules& methods, const RaisingRules* raising)
-    : machine_(std::move(machine)) {
-  own_rules_["is_input"] = {
-      1, [this](std::span<const Term> arguments, Evaluation&) {
-        return Term::truth(arguments[0].kind() == Term::Kind::text && machine_->knows_input(arguments[0].text_value()));
+namespace {
+
+// What a machine adds to the language: its inputs, beliefs, wordings and tables.
+Rules own_rules(const std::shared_ptr<const Machine>& machine) {
+  Rules rules;
+  rules["is_input"] = {
+      1, [machine](std::span<const Term> arguments, Evaluation&) {
+        return Term::truth(arguments[0].kind() == Term::Kind::text && machine->knows_input(arguments[0].text_value()));
       }};
-  own_rules_["certainty"] = {1, [this](std::span<const Term> arguments, Evaluation&) {
-                               return arguments[0].kind() == Term::Kind::text
-                                          ? Term::number(beliefs_->certainty(arguments[0].text_value()))
-                                          : Term::null();
-                             }};
-  own_rules_["wording"] = {1, [this](std::span<const Term> arguments, Evaluation& evaluation) {
-                             const auto words = wording_of(arguments[0], machine_->wordings, evaluation);
-                             return words ? Term::text(*words) : Term::null();
-                           }};
-  for (const auto& [name, entries] : machine_->tables)
-    own_rules_[name] = {1, [&entries = entries](std::span<const Term> arguments, Evaluation& evaluation) {
-                          if (arguments[0].kind() != Term::Kind::text) return Term::null();
-                          const auto entry = entries.find(arguments[0].text_value());
-                          return entry == entries.end() ? Term::null() : evaluation.value(entry->second);
+  rules["certainty"] = {1, [](std::span<const Term> arguments, Evaluation& evaluation) {
+                          const auto* beliefs = evaluation.facts().beliefs;
+                          return beliefs && arguments[0].kind() == Term::Kind::text
+                                     ? Term::number(beliefs->certainty(arguments[0].text_value()))
+                                     : Term::null();
                         }};
-  rules_.emplace(std::initializer_list<const Rules*>{&term_rules(), &methods, &own_rules_}, raising);
+  rules["wording"] = {1, [machine](std::span<const Term> arguments, Evaluation& evaluation) {
+                        const auto words = wording_of(arguments[0], machine->wordings, evaluation);
+                        return words ? Term::text(*words) : Term::null();
+                      }};
+  for (const auto& [name, entries] : machine->tables)
+    rules[name] = {1, [machine, &entries = entries](std::span<const Term> arguments, Evaluation& evaluation) {
+                     if (arguments[0].kind() != Term::Kind::text) return Term::null();
+                     const auto entry = entries.find(arguments[0].text_value());
+                     return entry == entries.end() ? Term::null() : evaluation.value(entry->second);
+                   }};
+  return rules;
 }
 
-Firing Stepper::firing(Configuration configuration, std::span<const Input> inputs, const Beliefs& beliefs,
-                       std::vector<StepEvent>* account) {
-  beliefs_ = &beliefs;
-  return {*machine_, *rules_, std::move(configuration), inputs, account};
+RuleTable all_rules(const std::shared_ptr<const Machine>& machine, const Rules& facts, const RaisingRules* raising) {
+  const Rules own = own_rules(machine);
+  return RuleTable({&term_rules(), &facts, &own}, raising);
+}
+
+}  // namespace
+
+Stepper::Stepper(std::shared_ptr<const Machine> machine, const Rules& facts, const RaisingRules* raising)
+    : machine_(std::move(machine)), rules_(all_rules(machine_, facts, raising)) {}
+
+Firing Stepper::firing(Configuration configuration, std::span<const Input> inputs, const Facts& facts,
+                       std::vector<StepEvent>* account) const {
+  return {*machine_, rules_, std::move(configuration), inputs, facts, account};
 }
 
 Configuration Stepper::initial() const {
@@ -53,35 +66,35 @@ Configuration Stepper::initial() const {
   return configuration;
 }
 
-Step Stepper::begin(const Beliefs& beliefs, Chooser& chooser) {
+Step Stepper::begin(const Facts& facts, Chooser& chooser) const {
   Step step;
   auto configuration = initial();
   step.events.push_back(MadeSymbol{configuration.stack.id(), std::nullopt, configuration.stack.top()});
-  auto firing = this->firing(std::move(configuration), std::span<const Input>(), beliefs, &step.events);
+  auto firing = this->firing(std::move(configuration), std::span<const Input>(), facts, &step.events);
   if (machine_->epsilon_always) settle(firing, chooser, &step.events);
   step.after = std::move(firing).take();
   return step;
 }
 
-Step Stepper::step(const Configuration& before, std::span<const Input> inputs, const Beliefs& beliefs,
-                   Chooser& chooser) {
+Step Stepper::step(const Configuration& before, std::span<const Input> inputs, const Facts& facts,
+                   Chooser& chooser) const {
   Step step;
-  auto firing = this->firing(before, inputs, beliefs, &step.events);
+  auto firing = this->firing(before, inputs, facts, &step.events);
   offer(firing, inputs, chooser, &step.events);
   step.after = std::move(firing).take();
   return step;
 }
 
 std::optional<Configuration> Stepper::advance(const Configuration& before, std::span<const Input> inputs,
-                                              const Beliefs& beliefs, Chooser& chooser) {
-  auto firing = this->firing(before, inputs, beliefs, nullptr);
+                                              const Facts& facts, Chooser& chooser) const {
+  auto firing = this->firing(before, inputs, facts, nullptr);
   if (!offer(firing, inputs, chooser, nullptr)) return std::nullopt;
   return std::move(firing).take();
 }
 
-Configuration Stepper::implied(const Implied& row, const Configuration& before, const Input& input,
-                               const Beliefs& beliefs, std::vector<StepEvent>* account) {
-  auto firing = this->firing(before, &input, beliefs, account);
+Configuration Stepper::implied(const Implied& row, const Configuration& before, const Input& input, const Facts& facts,
+                               std::vector<StepEvent>* account) const {
+  auto firing = this->firing(before, &input, facts, account);
   std::vector<Change> changes;
   for (const auto& operation : row.operations) changes.push_back(firing.change(operation));
   for (const auto& change : changes) firing.apply(change);
@@ -89,11 +102,13 @@ Configuration Stepper::implied(const Implied& row, const Configuration& before, 
   return std::move(firing).take();
 }
 
-Cell Stepper::value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs) {
-  return firing(configuration, &input, beliefs, nullptr).compute(term);
+Cell Stepper::value(const Term& term, const Configuration& configuration, const Input& input,
+                    const Facts& facts) const {
+  return firing(configuration, &input, facts, nullptr).compute(term);
 }
 
-bool Stepper::offer(Firing& firing, std::span<const Input> inputs, Chooser& chooser, std::vector<StepEvent>* account) {
+bool Stepper::offer(Firing& firing, std::span<const Input> inputs, Chooser& chooser,
+                    std::vector<StepEvent>* account) const {
   require(!inputs.empty(), "an input is offered");
   auto found = firing.applicable();
   const auto chosen = chooser.choose(found.candidates);
@@ -120,7 +135,7 @@ bool Stepper::offer(Firing& firing, std::span<const Input> inputs, Chooser& choo
 
 // ε-transitions until none applies. Coming back to a configuration by transitions none of which had an alternative, the
 // machine would go round for ever.
-void Stepper::settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* account) {
+void Stepper::settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* account) const {
   std::vector<Configuration> seen;
   std::vector<std::size_t> path;  // path[i] is the transition that led away from seen[i]
   const auto id = [&](std::size_t transition) { return machine_->transitions[transition].id; };

@@ -20,11 +20,12 @@ struct Step {
   std::vector<StepEvent> events;  ///< in the order in which they happened; a symbol before what puts it on the stack
 };
 
+/// A value: every copy does the same.
 class Stepper {
  public:
-  /// `methods` are facts of the world, read anew at every step; `raising` is how `fill` lifts arguments. Both must
-  /// outlive the stepper.
-  Stepper(std::shared_ptr<const Machine> machine, const Rules& methods, const RaisingRules* raising = nullptr);
+  /// `facts` are rules besides those of the language and the machine; `raising` is how `fill` lifts arguments, and must
+  /// outlive the stepper and its copies.
+  Stepper(std::shared_ptr<const Machine> machine, const Rules& facts, const RaisingRules* raising = nullptr);
 
   const Machine& machine() const { return *machine_; }
 
@@ -33,51 +34,49 @@ class Stepper {
   Configuration initial() const;
 
   /// `initial()`; then ε-transitions, where the machine always tries them.
-  Step begin(const Beliefs& beliefs, Chooser& chooser);
+  Step begin(const Facts& facts, Chooser& chooser) const;
 
   /// Offers inputs of which one is to be taken: alternatives, such as the n best guesses of a recogniser; REQUIRES one
   /// at least. What takes any of them is a candidate, with the weight that the confidence of its input gives it. If
   /// nothing does, the configuration stays and the events end with RefusedInput.
-  Step step(const Configuration& before, std::span<const Input> inputs, const Beliefs& beliefs, Chooser& chooser);
-  Step step(const Configuration& before, const Input& input, const Beliefs& beliefs, Chooser& chooser) {
-    return step(before, std::span(&input, 1), beliefs, chooser);
+  Step step(const Configuration& before, std::span<const Input> inputs, const Facts& facts, Chooser& chooser) const;
+  Step step(const Configuration& before, const Input& input, const Facts& facts, Chooser& chooser) const {
+    return step(before, std::span(&input, 1), facts, chooser);
   }
 
   /// The same without an account of what happened, which takes a fraction of the time: nothing is said or done, only
   /// the configuration changes. Nothing if all inputs are refused.
-  std::optional<Configuration> advance(const Configuration& before, std::span<const Input> inputs,
-                                       const Beliefs& beliefs, Chooser& chooser);
-  std::optional<Configuration> advance(const Configuration& before, const Input& input, const Beliefs& beliefs,
-                                       Chooser& chooser) {
-    return advance(before, std::span(&input, 1), beliefs, chooser);
+  std::optional<Configuration> advance(const Configuration& before, std::span<const Input> inputs, const Facts& facts,
+                                       Chooser& chooser) const;
+  std::optional<Configuration> advance(const Configuration& before, const Input& input, const Facts& facts,
+                                       Chooser& chooser) const {
+    return advance(before, std::span(&input, 1), facts, chooser);
   }
 
   /// The configuration that a row of the machine implies, from one in which its terms are read. No gate is asked and no
   /// effect performed.
-  Configuration implied(const Implied& row, const Configuration& before, const Input& input, const Beliefs& beliefs,
-                        std::vector<StepEvent>* account);
+  Configuration implied(const Implied& row, const Configuration& before, const Input& input, const Facts& facts,
+                        std::vector<StepEvent>* account) const;
 
   /// The value of a term of the machine in a configuration, and the inputs it came from.
-  Cell value(const Term& term, const Configuration& configuration, const Input& input, const Beliefs& beliefs);
+  Cell value(const Term& term, const Configuration& configuration, const Input& input, const Facts& facts) const;
 
-  /// For those who choose and keep configurations themselves. `inputs`: none for ε. They, `beliefs` and `account` must
-  /// outlive it, and firings of one stepper must not overlap under different beliefs.
-  Firing firing(Configuration configuration, std::span<const Input> inputs, const Beliefs& beliefs,
-                std::vector<StepEvent>* account);
+  /// For those who choose and keep configurations themselves. `inputs`: none for ε. The stepper, the inputs, all facts
+  /// and `account` must outlive the firing.
+  Firing firing(Configuration configuration, std::span<const Input> inputs, const Facts& facts,
+                std::vector<StepEvent>* account) const;
   /// `input`: nullptr for ε.
-  Firing firing(Configuration configuration, const Input* input, const Beliefs& beliefs,
-                std::vector<StepEvent>* account) {
-    return firing(std::move(configuration), std::span(input, input ? 1 : 0), beliefs, account);
+  Firing firing(Configuration configuration, const Input* input, const Facts& facts,
+                std::vector<StepEvent>* account) const {
+    return firing(std::move(configuration), std::span(input, input ? 1 : 0), facts, account);
   }
 
  private:
-  bool offer(Firing& firing, std::span<const Input> inputs, Chooser& chooser, std::vector<StepEvent>* account);
-  void settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* account);
+  bool offer(Firing& firing, std::span<const Input> inputs, Chooser& chooser, std::vector<StepEvent>* account) const;
+  void settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* account) const;
 
   std::shared_ptr<const Machine> machine_;
-  Rules own_rules_;                   ///< is_input, certainty, wording, tables: read `beliefs_`
-  std::optional<RuleTable> rules_;    ///< once own_rules_ are complete
-  const Beliefs* beliefs_ = nullptr;  ///< those of the step under way
+  RuleTable rules_;  ///< of the language, of facts, and the machine's own: is_input, certainty, wording, tables
 };
 
 /// Inputs that were refused, and why: what no transition takes, what their conditions say, or too many that apply.

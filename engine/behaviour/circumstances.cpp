@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "continua/term/rules.h"
+#include "continua/facts/world_facts.h"
 #include "continua/world/relations.h"
 
 namespace continua {
@@ -50,7 +50,7 @@ Term Circumstances::value(const Expression& expression, const Bindings& bindings
   switch (expression.kind) {
     case Kind::name:
       if (const auto* found = bound(expression.name)) return *found;
-      return Landmark::named(expression.name, *world_) ? Term::entity(expression.name) : named(expression.name);
+      return Landmark::named(expression.name, world_) ? Term::entity(expression.name) : named(expression.name);
     case Kind::component:
       if (const auto* found = bound("[" + expression.name + "]")) return *found;
       return Term::null();
@@ -67,8 +67,8 @@ Term Circumstances::value(const Expression& expression, const Bindings& bindings
   if (expression.kind == Kind::either) return applied("or", arguments);
   if (expression.name == "loc" && arguments.size() == 1) {
     if (arguments[0].kind() == Term::Kind::place) return arguments[0];
-    const auto* object = is_constant(arguments[0]) ? world_->find(arguments[0].name()) : nullptr;
-    return object ? place_term(*object, *world_) : Term::null();
+    const auto* object = is_constant(arguments[0]) ? world_.find(arguments[0].name()) : nullptr;
+    return object ? place_term(*object, world_) : Term::null();
   }
   return applied(expression.name, arguments);
 }
@@ -95,7 +95,7 @@ std::optional<bool> Circumstances::one_holds(const Expression& condition, const 
   for (const auto& each : condition.arguments) arguments.push_back(value(each, bindings));
   if (condition.name == "hold") {
     if (arguments.size() == 2 && !(arguments[0] == agent_term())) return false;
-    return is_constant(arguments.back()) && world_->held == arguments.back().name() && !world_->held.empty();
+    return is_constant(arguments.back()) && world_.held == arguments.back().name() && !world_.held.empty();
   }
   std::string relation = condition.name;
   if (arguments.size() == 2 && (relation == "contain" || relation == "support")) {
@@ -107,13 +107,8 @@ std::optional<bool> Circumstances::one_holds(const Expression& condition, const 
   arguments.erase(arguments.begin());
   // A place may be at(y, on(z)) or at(y, <0, 0, 0>) as well as at(y, z).
   const bool is_place = relation == name_of(Relation::at) && arguments.size() == 1 && !is_constant(arguments[0]);
-  if (is_place && is_wide(arguments[0]) && brought_ && is_constant(thing) && !brought_->contains(thing.name()))
-    return false;
-  const RuleTable none({});
-  Evaluation evaluation(none, [](Name) { return nullptr; });
-  const Term given[] = {thing, is_place ? arguments[0] : applied(relation, arguments)};
-  const Term located = methods_.rules().find("located")->second.compute(given, evaluation);
-  return located.is_null() ? std::nullopt : std::optional(located.is_true());
+  if (is_place && is_wide(arguments[0]) && is_constant(thing) && !brought_.contains(thing.name())) return false;
+  return is_located(thing, is_place ? arguments[0] : applied(relation, arguments), world_, perspective_);
 }
 
 }  // namespace continua

@@ -6,9 +6,9 @@
 #include <set>
 #include <string>
 
-#include "continua/facts/methods.h"
 #include "continua/term/term.h"
 #include "continua/voxml/expression.h"
+#include "continua/world/relations.h"
 #include "continua/world/world_snapshot.h"
 
 namespace continua {
@@ -24,19 +24,14 @@ Term place_term(const ObjectState& object, const WorldSnapshot& world);
 
 class Circumstances {
  public:
-  explicit Circumstances(Perspective perspective) : perspective_(perspective), methods_(perspective) {}
+  /// `perspective` is whose sides place terms mean. `brought` are the things that the act has brought to their places
+  /// so far. A thing is at a wide place, such as left(plate), only after the act has brought it there: standing
+  /// somewhere to the left is not enough. The world and `brought` must outlive the circumstances.
+  Circumstances(Perspective perspective, const WorldSnapshot& snapshot, const std::set<std::string>& brought)
+      : perspective_(perspective), world_(snapshot), brought_(brought) {}
 
-  /// `world` must outlive its use.
-  void see(const WorldSnapshot& world) {
-    world_ = &world;
-    methods_.see(&world, nullptr);
-  }
-  const WorldSnapshot& world() const { return *world_; }
+  const WorldSnapshot& world() const { return world_; }
   Perspective perspective() const { return perspective_; }
-
-  /// The things that the act has brought to their places so far; must outlive its use. A thing is at a wide place, such
-  /// as left(plate), only after the act has brought it there: standing somewhere to the left is not enough.
-  void see_brought(const std::set<std::string>& brought) { brought_ = &brought; }
 
   /// put(x, on(y)) with the values of x and y; loc(y) is the place of y. An unbound name is the thing of the world with
   /// that name, else a constant.
@@ -49,9 +44,8 @@ class Circumstances {
   std::optional<bool> one_holds(const Expression& condition, const Bindings& bindings) const;
 
   Perspective perspective_;
-  Methods methods_;
-  const WorldSnapshot* world_ = nullptr;
-  const std::set<std::string>* brought_ = nullptr;
+  const WorldSnapshot& world_;
+  const std::set<std::string>& brought_;
 };
 
 }  // namespace continua

@@ -39,7 +39,7 @@ ActUnderWay under_way(AskedAct act, const WorldSnapshot& world) {
 }  // namespace
 
 void Performer::begin(Performance& performance, AskedAct act) const {
-  performance.stopping = performance.stopping || stops(act.program, circumstances_.perspective());
+  performance.stopping = performance.stopping || stops(act.program, perspective_);
   performance.waiting.emplace_back(std::move(act));
 }
 
@@ -50,8 +50,7 @@ std::optional<AvatarCommand> Performer::begin(Performance& performance, AvatarCo
   return std::nullopt;
 }
 
-std::optional<PerformanceEvent> Performer::next(Performance& performance, const WorldSnapshot& world) {
-  circumstances_.see(world);
+std::optional<PerformanceEvent> Performer::next(Performance& performance, const WorldSnapshot& world) const {
   if (performance.stopping) give_up(performance, world);
   if (!performance.given_up.empty()) {
     ActEnd end = std::move(performance.given_up.front());
@@ -64,18 +63,18 @@ std::optional<PerformanceEvent> Performer::next(Performance& performance, const 
     performance.waiting.pop_front();
     if (auto* gesture = std::get_if<AvatarCommand>(&waiting)) return GestureCommand{std::move(*gesture)};
     performance.doing = under_way(std::get<AskedAct>(std::move(waiting)), world);
-    circumstances_.see_brought(performance.doing->brought);
-    PerformanceTurn(catalogue_, circumstances_, *performance.doing).begin(performance.was);
+    const Circumstances circumstances(perspective_, world, performance.doing->brought);
+    PerformanceTurn(catalogue_, circumstances, *performance.doing).begin(performance.was);
   }
   ActUnderWay& doing = *performance.doing;
   if (doing.in_flight) return std::nullopt;
-  circumstances_.see_brought(doing.brought);
-  if (auto step = PerformanceTurn(catalogue_, circumstances_, doing).step()) {
+  const Circumstances circumstances(perspective_, world, doing.brought);
+  if (auto step = PerformanceTurn(catalogue_, circumstances, doing).step()) {
     if (step->command) doing.in_flight = step->command->id = ++performance.commands;
     return *std::move(step);
   }
   // Movements while the body comes to a stop belong to the stopped act.
-  if (!stops(doing.end.act.program, circumstances_.perspective())) remember_places(doing, world, performance.was);
+  if (!stops(doing.end.act.program, perspective_)) remember_places(doing, world, performance.was);
   ActEnd end = std::move(doing.end);
   performance.doing.reset();
   return end;
@@ -95,7 +94,7 @@ void Performer::give_up(Performance& performance, const WorldSnapshot& world) co
   }
   const auto is_stop = [&](const auto& waiting) {
     const auto* asked = std::get_if<AskedAct>(&waiting);
-    return asked && stops(asked->program, circumstances_.perspective());
+    return asked && stops(asked->program, perspective_);
   };
   auto& waiting = performance.waiting;
   const auto last = std::find_if(waiting.rbegin(), waiting.rend(), is_stop).base() - 1;

@@ -95,21 +95,21 @@ class Performer {
  public:
   /// Sides in place terms are those of `perspective`. `catalogue` must outlive the performer; without a catalogue only
   /// the body's own programs are known.
-  Performer(const Catalogue* catalogue, Perspective perspective) : catalogue_(catalogue), circumstances_(perspective) {}
+  Performer(const Catalogue* catalogue, Perspective perspective) : catalogue_(catalogue), perspective_(perspective) {}
 
   /// Asks for an act. An act that stops the body cancels all earlier ones.
   void begin(Performance& performance, AskedAct act) const;
   /// Begins an avatar gesture. A gesture of the arm waits behind the acts; others are returned and begin at once.
   std::optional<AvatarCommand> begin(Performance& performance, AvatarCommand gesture) const;
   /// The next event; nothing if a report of the body has to come first.
-  std::optional<PerformanceEvent> next(Performance& performance, const WorldSnapshot& world);
+  std::optional<PerformanceEvent> next(Performance& performance, const WorldSnapshot& world) const;
   void reported(Performance& performance, const ActReport& report) const;
 
  private:
   void give_up(Performance& performance, const WorldSnapshot& world) const;
 
   const Catalogue* catalogue_;
-  Circumstances circumstances_;
+  Perspective perspective_;
 };
 
 }  // namespace continua

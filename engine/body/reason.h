@@ -22,7 +22,7 @@ std::string name_of(ActStatus status);
 
 enum class ReasonCode {
   none,
-  // Obstacles in the nature of the things (facts/METHODS.md).
+  // Obstacles in the nature of the things (facts/FACTS.md).
   no_grasp,
   immovable,
   itself,

@@ -21,7 +21,7 @@ const Voxeme* voxeme_of(const ObjectState& object, const Catalogue& catalogue);
 /// beside the habitat are what an agent can bring about, and are passed over. Nothing where there is no voxeme.
 std::optional<bool> affords(const ObjectState& object, const Catalogue& catalogue, std::string_view what);
 
-/// The obstacle to a program, put(cup, on(plate)); `none` if nothing speaks against it. METHODS.md lists the codes.
+/// The obstacle to a program, put(cup, on(plate)); `none` if nothing speaks against it. FACTS.md lists the codes.
 /// What a program asks of its objects follows from its steps, down to those of the body's own.
 ReasonCode obstacle(const Term& program, const WorldSnapshot& world, const Catalogue& catalogue);
 

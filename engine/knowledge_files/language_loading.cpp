@@ -8,7 +8,7 @@
 
 #include "continua/core/digest.h"
 #include "continua/core/located_json.h"
-#include "continua/facts/methods.h"
+#include "continua/facts/world_facts.h"
 #include "continua/language/vocabulary.h"
 #include "continua/machine_file/machine_loader.h"
 #include "continua/term/raising_file.h"
@@ -65,7 +65,7 @@ Json knowledge_digests(const DataPaths& data, const Machine& machine) {
 
 Signature names_of_terms() {
   auto names = term_signature();
-  names.insert(Methods::signature().begin(), Methods::signature().end());
+  names.insert(WorldFacts::signature().begin(), WorldFacts::signature().end());
   return names;
 }
 
@@ -114,7 +114,7 @@ Result<Machine> load_machine(const std::string& path, const DataPaths& data, con
     return Error{where,
                  fmt::format("there is no language {}{}; expected the name of a folder in {}", in_quotes(language),
                              did_you_mean(language, folders_in(known)), known.lexically_normal().string())};
-  return load_machine(path, Methods::signature(), phrases_folder(data), language);
+  return load_machine(path, WorldFacts::signature(), phrases_folder(data), language);
 }
 
 Result<Language> load_language(const DataPaths& data, const Machine& machine) {

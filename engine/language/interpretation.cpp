@@ -67,9 +67,13 @@ class Interpreter {
  public:
   Interpreter(const Reading& reading, const std::vector<std::string>& words, const Context& context,
               const Meanings& meanings, const RaisingRules& raising)
-      : reading_(reading), referring_(reading, words, context, meanings), meanings_(meanings), raising_(raising) {
+      : reading_(reading),
+        referring_(reading, words, context, meanings),
+        facts_(context.facts),
+        meanings_(meanings),
+        raising_(raising) {
     collect_names(reading.term);
-    for (const auto& object : context.world->objects) names_.insert(object.name);
+    for (const auto& object : context.facts.world->objects) names_.insert(object.name);
   }
 
   Interpretation run() {
@@ -168,7 +172,7 @@ class Interpreter {
     Term raised_argument = argument.term;
     std::string rule;
     if (type.kind() == Type::Kind::function && !fits(argument.term, type.from())) {
-      Evaluation evaluation(*meanings_.rules, meanings_.lookup);
+      Evaluation evaluation(*meanings_.rules, meanings_.lookup, facts_);
       if (auto lifted = raised(argument.term, type.from(), raising_, evaluation)) {
         raised_argument = std::move(lifted->term);
         rule = std::move(lifted->rule);
@@ -327,6 +331,7 @@ class Interpreter {
 
   const Reading& reading_;
   Referring referring_;
+  Facts facts_;
   const Meanings& meanings_;
   const RaisingRules& raising_;
   std::unordered_map<Term, std::shared_ptr<Found>, Term::Hash> found_;

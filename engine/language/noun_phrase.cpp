@@ -162,10 +162,11 @@ bool NounPhraseSearch::is_true(const Term& condition, const std::string& other) 
     if (!proform_of(part, *meanings_.operators)) return std::nullopt;
     return other.empty() ? anything() : all_but(other);
   });
-  Evaluation evaluation(*meanings_.rules, [this](Name name) -> const Term* {
+  const auto lookup = [this](Name name) -> const Term* {
     if (compared_ && name.text() == meanings_.operators->compared) return &*compared_;
     return meanings_.lookup ? meanings_.lookup(name) : nullptr;
-  });
+  };
+  Evaluation evaluation(*meanings_.rules, lookup, context_.facts);
   const bool result = evaluation.value(ready).is_true();
   if (evaluation.exhausted) work_ += exhausted_work;
   margin_ = std::min(margin_, evaluation.margin);
@@ -181,7 +182,7 @@ const std::vector<Term>& NounPhraseSearch::referents(const Term& phrase, const s
   const auto compared = std::exchange(compared_, std::nullopt);
   const Determiner& determiner = *determiner_of(phrase, *meanings_.operators);
   std::vector<const ObjectState*> objects;
-  for (const auto& each : context_.world->objects)
+  for (const auto& each : context_.facts.world->objects)
     if (!determiner.other || each.name != about) objects.push_back(&each);
   Fitting fits = fitting(objects, phrase.argument(), about);
   if (determiner.deictic && pointed_W_) keep_pointed(*pointed_W_, fits, margin_);

@@ -20,7 +20,7 @@ std::vector<Referent> ranked(const Fitting& fitting, const std::vector<double>& 
   double sum = 0;
   for (const double each : densities) sum += each;
   std::vector<Referent> referents;
-  for (const auto& each : context.world->objects) {
+  for (const auto& each : context.facts.world->objects) {
     const auto found = std::find(fitting.objects.begin(), fitting.objects.end(), &each);
     if (found == fitting.objects.end()) continue;
     const double share = densities[static_cast<std::size_t>(found - fitting.objects.begin())] / sum;
@@ -43,7 +43,7 @@ std::vector<RuledOut> in_scene_order(std::vector<RuledOut> ruled_out, const Worl
 // The objects that are asked about; the others are ruled out.
 std::vector<const ObjectState*> asked_about(const Context& context, std::vector<RuledOut>& ruled_out) {
   std::vector<const ObjectState*> objects;
-  for (const auto& each : context.world->objects) {
+  for (const auto& each : context.facts.world->objects) {
     if (context.among.empty() || place_in(context.among, each.name) < context.among.size())
       objects.push_back(&each);
     else
@@ -56,7 +56,7 @@ std::vector<const ObjectState*> asked_about(const Context& context, std::vector<
 std::string first_in_focus(NounPhraseSearch& search, const Term& condition, const Context& context) {
   std::vector<const ObjectState*> objects;
   for (const auto& name : context.focus)
-    if (const auto* object = context.world->find(name)) objects.push_back(object);
+    if (const auto* object = context.facts.world->find(name)) objects.push_back(object);
   const Fitting fitting = search.fitting(objects, condition, "");
   return fitting.objects.empty() ? "" : fitting.objects.front()->name;
 }
@@ -89,7 +89,7 @@ Reference refer(const Term& condition, const Determiner& determiner, const Conte
   if (determiner.deictic && pointed_W) densities = keep_pointed(*pointed_W, fitting, reference.margin);
   reference.referents = ranked(fitting, densities, context);
   ruled_out.insert(ruled_out.end(), fitting.ruled_out.begin(), fitting.ruled_out.end());
-  reference.ruled_out = in_scene_order(std::move(ruled_out), *context.world);
+  reference.ruled_out = in_scene_order(std::move(ruled_out), *context.facts.world);
   return reference;
 }
 
@@ -119,7 +119,7 @@ Reference refer_to_pointed(const Context& context) {
   std::vector<double> densities;
   if (context.pointed_W) densities = keep_pointed(*context.pointed_W, fitting, reference.margin);
   reference.referents = ranked(fitting, densities, context);
-  reference.ruled_out = in_scene_order(std::move(fitting.ruled_out), *context.world);
+  reference.ruled_out = in_scene_order(std::move(fitting.ruled_out), *context.facts.world);
   return reference;
 }
 

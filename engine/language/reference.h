@@ -21,14 +21,14 @@ struct Showing {
   Vec3 place_W = Vec3::Zero();  ///< on the table
 };
 
-/// What an utterance or a gesture is understood against.
+/// What an utterance or a gesture is understood against. REQUIRES a world.
 struct Context {
-  const WorldSnapshot* world = nullptr;  ///< never null in use
-  std::optional<Vec3> pointed_W;         ///< where the human points, on the table
-  std::vector<Showing> showings;         ///< of an utterance: if not empty, each goes with its words, not pointed_W
-  std::vector<std::string> focus;        ///< objects being talked about, the most salient first
-  std::vector<std::string> among;        ///< if not empty: only these are asked about
-  std::vector<Term> topics;              ///< what "one" can stand for, of type e -> t, the likeliest first
+  Facts facts;                     ///< the world among them
+  std::optional<Vec3> pointed_W;   ///< where the human points, on the table
+  std::vector<Showing> showings;   ///< of an utterance: if not empty, each goes with its words, not pointed_W
+  std::vector<std::string> focus;  ///< objects being talked about, the most salient first
+  std::vector<std::string> among;  ///< if not empty: only these are asked about
+  std::vector<Term> topics;        ///< what "one" can stand for, of type e -> t, the likeliest first
 };
 
 /// How words are evaluated: facts of the world as rules, definitions of the lexicon by lookup.

@@ -165,7 +165,7 @@ Meant Referring::by_proform(const Term& phrase, const Proform& proform, std::siz
   Meant meant;
   if (shown_place) {
     const auto pointed = refer_to_pointed(context).referents;
-    if (!pointed.empty() && pointed.front().object != context.world->held) meant.there = pointed.front().object;
+    if (!pointed.empty() && pointed.front().object != context.facts.world->held) meant.there = pointed.front().object;
   }
   meant.resolution.phrase = phrase;
   meant.resolution.words = words_of(phrase, occurrence);
@@ -236,7 +236,8 @@ Reference Referring::found(const Term& condition, const Determiner& determiner, 
   const bool shown = determiner.deictic && context.pointed_W;
   const auto fits = [&](const Reference& reference) {
     return !reference.referents.empty() &&
-           (!shown || is_pointed_at(*context.pointed_W, *context.world->find(reference.referents.front().object)));
+           (!shown ||
+            is_pointed_at(*context.pointed_W, *context.facts.world->find(reference.referents.front().object)));
   };
   auto all = topics();
   if (shown || describes(condition)) all.push_back(anything());

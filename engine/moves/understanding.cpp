@@ -92,9 +92,6 @@ Term attributes_in(const Term& condition) {
 
 }  // namespace
 
-Understanding::Understanding(const Language& language, const WorldSnapshot& world, const RuleTable& rules)
-    : language_(language), rules_(rules), vocabulary_(language.lexicon, world) {}
-
 // The noun of a phrase, without the adjectives before it and what follows; null if it has none ("the blue one").
 Term Understanding::noun_in(const WordSpan& words, const Utterance& utterance) const {
   static const Type modifier = Type::function(property(), property());
@@ -104,9 +101,9 @@ Term Understanding::noun_in(const WordSpan& words, const Utterance& utterance) c
   for (auto at = words.begin; at < words.end; ++at) {
     std::string text;
     const WordSense* noun = nullptr;
-    for (auto end = at; end < std::min(words.end, at + vocabulary_.most_words()); ++end) {
+    for (auto end = at; end < std::min(words.end, at + vocabulary_->most_words()); ++end) {
       text += (text.empty() ? "" : " ") + utterance.words[end];
-      const auto* entry = vocabulary_.find(text);
+      const auto* entry = vocabulary_->find(text);
       if (!entry || std::any_of(entry->senses.begin(), entry->senses.end(), has_type(modifier))) continue;
       const auto sense = std::find_if(entry->senses.begin(), entry->senses.end(), has_type(property()));
       if (sense != entry->senses.end()) noun = &*sense;
@@ -156,7 +153,7 @@ Term Understanding::in_machine_terms(const Term& meaning) const {
   for (int definitions = 0; definitions < most_definitions; ++definitions) {
     const Term before = term;
     term = normal(rewritten(before, [this](const Term& part) -> std::optional<Term> {
-      const auto* known = part.kind() == Term::Kind::constant ? vocabulary_.definition(part.name()) : nullptr;
+      const auto* known = part.kind() == Term::Kind::constant ? vocabulary_->definition(part.name()) : nullptr;
       return known && known->type() == part.type() ? std::optional(*known) : std::nullopt;
     }));
     if (term.is_null()) return meaning;
@@ -166,7 +163,7 @@ Term Understanding::in_machine_terms(const Term& meaning) const {
 }
 
 Meanings Understanding::meanings() const {
-  return {&rules_, [this](Name name) { return vocabulary_.definition(name.text()); }, &language_.lexicon->operators};
+  return {&rules_, [this](Name name) { return vocabulary_->definition(name.text()); }, &language_.lexicon->operators};
 }
 
 Move Understanding::understood(const Utterance& utterance, std::size_t fragment, const Context& context) const {
@@ -205,7 +202,7 @@ std::vector<Demonstrative> Understanding::demonstratives(const Utterance& uttera
 }
 
 Term Understanding::meaning_of(const std::string& text) const {
-  const auto term = parse_term(text, vocabulary_.names());
+  const auto term = parse_term(text, vocabulary_->names());
   return term && term->closed() ? *term : Term::null();
 }
 

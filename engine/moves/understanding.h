@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "continua/language/demonstratives.h"
@@ -27,14 +28,13 @@ struct Language {
 
 class Understanding {
  public:
-  /// `world` gives the words for its objects; `rules` are what conditions on objects compute. `language` and `rules`
-  /// must outlive the understanding.
-  Understanding(const Language& language, const WorldSnapshot& world, const RuleTable& rules);
+  /// `rules` are what conditions on objects compute. `language` and `rules` must outlive the understanding.
+  Understanding(const Language& language, std::shared_ptr<const Vocabulary> words, const RuleTable& rules)
+      : language_(language), rules_(rules), vocabulary_(std::move(words)) {}
 
-  /// The human named a program: its name is a word from now on.
-  void learn(const std::string& name, const Type& type) { vocabulary_.learn(name, type); }
+  const std::shared_ptr<const Vocabulary>& words() const { return vocabulary_; }
 
-  Utterance read(std::string_view text) const { return continua::read(text, vocabulary_); }
+  Utterance read(std::string_view text) const { return continua::read(text, *vocabulary_); }
 
   /// The words that pointing can go with, by the likeliest reading of each fragment.
   std::vector<Demonstrative> demonstratives(const Utterance& utterance) const;
@@ -58,7 +58,7 @@ class Understanding {
 
   const Language& language_;
   const RuleTable& rules_;
-  Vocabulary vocabulary_;
+  std::shared_ptr<const Vocabulary> vocabulary_;
 };
 
 }  // namespace continua

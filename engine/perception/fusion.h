@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -15,12 +16,15 @@
 
 namespace continua {
 
+struct Readings;  // moves/readings.h
+
 /// Something that happened, as it waits to be understood.
 struct Percept {
   int serial = 0;  ///< of its input
   InputEvent event;
-  std::optional<Deixis> deixis;  ///< of a gesture that points
-  std::vector<Taker> takers;     ///< of speech
+  std::optional<Deixis> deixis;                        ///< of a gesture that points
+  std::vector<Taker> takers;                           ///< of speech
+  std::shared_ptr<const Readings> readings = nullptr;  ///< of speech, where its words are understood
 };
 
 /// What is understood at once: a percept with the pointings that go with it.

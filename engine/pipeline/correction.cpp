@@ -1,52 +1,66 @@
-// Where the dialogue is when another avatar was observed to do something else than this one did.
-#include "continua/pipeline/inputs.h"
-#include "continua/pipeline/pipeline.h"
+#include "continua/pipeline/correction.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "continua/moves/inputs.h"
+#include "continua/pipeline/believe.h"
+#include "continua/pipeline/perceive.h"
 
 namespace continua {
+namespace {
 
-Tick Pipeline::corrected(const EngineState& before, const EngineState& after, const InputEvent& event,
-                         const ObservedMoves& observed, const WorldSnapshot& world) {
-  Tick tick{after, {}};
-  EngineState& state = tick.after;
-  methods_.see(&world, &state.chooser.random, &state.learned);
-
+Input input_of(const Engine& engine, const EngineState& before, const InputEvent& event,
+               const ObservedMoves& observed) {
   Input input = to_input(event, 0);
-  input.symbol = symbol(event, before.learned);
+  input.symbol = symbol_of(engine, before, event);
   input.now_s = event.t.seconds();
   input.observed_gestures = Term::list(observed.gestures, Type::term());
   input.observed_acts = Term::list(observed.acts, Type::term());
   if (!observed.said.empty()) input.observed_speech = Term::text(observed.said.back());
+  return input;
+}
 
-  // The input counts as it did; of what was said after it, what was observed.
+// The dialogue before the input, once the input and the words of the other avatar have been heard.
+EngineState with_heard(const Engine& engine, const EngineState& before, EngineState state, const Input& input,
+                       const std::vector<std::string>& said, const WorldSnapshot& world) {
   state.beliefs = before.beliefs;
   state.configuration = before.configuration;
-  std::vector<EngineEvent> known;
-  update_beliefs(state, input, known);
+  state = believe(engine, std::move(state), input, world).after;
   state.last_utterance = before.last_utterance;
-  for (const auto& words : observed.said) {
+  for (const auto& words : said) {
     state.beliefs.overhear(words);
     state.last_utterance = words;
   }
+  return state;
+}
+
+}  // namespace
+
+Tick correct(const Engine& engine, const EngineState& before, const EngineState& after, const InputEvent& event,
+             const ObservedMoves& observed, const WorldSnapshot& world) {
+  const Input input = input_of(engine, before, event, observed);
+  Tick tick{with_heard(engine, before, after, input, observed.said, world), {}};
+  EngineState& state = tick.after;
   for (auto& change : state.beliefs.changes_since(after.beliefs)) tick.events.push_back(std::move(change));
   state.configuration.memory = after.configuration.memory;
   state.configuration.next_symbol = after.configuration.next_symbol;
 
+  const Facts facts = facts_of(state, world);
+  const auto applies = [&](const Implied& row) {
+    return !row.when || engine.stepper.value(*row.when, state.configuration, input, facts).value.is_true();
+  };
   const bool silent = observed.said.empty() && observed.gestures.empty() && observed.acts.empty();
-  const Implied* implied = nullptr;
-  if (!silent)
-    for (const auto& row : machine_->implied)
-      if (!row.when || stepper_.value(*row.when, state.configuration, input, state.beliefs).value.is_true()) {
-        implied = &row;
-        break;
-      }
-  if (!silent && !implied) {
+  const auto& rows = engine.machine->implied;
+  const auto implied = silent ? rows.end() : std::find_if(rows.begin(), rows.end(), applies);
+  if (!silent && implied == rows.end()) {
     state.configuration = after.configuration;
     return tick;
   }
   std::vector<StepEvent> account;
-  if (implied) state.configuration = stepper_.implied(*implied, state.configuration, input, state.beliefs, &account);
+  if (!silent) state.configuration = engine.stepper.implied(*implied, state.configuration, input, facts, &account);
   for (auto& step : account) tick.events.push_back(std::move(step));
-  tick.events.push_back(Corrected{after.configuration.state, state.configuration.state, implied ? implied->number : 0,
+  tick.events.push_back(Corrected{after.configuration.state, state.configuration.state, silent ? 0 : implied->number,
                                   state.configuration.stack.id(), state.configuration.stack.depth()});
   return tick;
 }

@@ -6,26 +6,23 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "continua/automaton/exploration.h"
 #include "continua/behaviour/performance.h"
 #include "continua/learning/learning.h"
-#include "continua/moves/move.h"
-#include "continua/perception/fusion.h"
-#include "continua/pipeline/acting.h"
+#include "continua/moves/known_words.h"
+#include "continua/moves/offer.h"
+#include "continua/perception/pointed.h"
 
 namespace continua {
 
-/// Where the human pointed last, as far as samples tell.
-struct Pointed {
-  Vec3 place_W = Vec3::Zero();
-  SimTime t;
-  std::string object;  ///< the likeliest one there, or empty
-};
-
 struct EngineState {
+  EngineState(Beliefs first_beliefs, Chooser first_chooser, Fusion first_fusion)
+      : beliefs(std::move(first_beliefs)), chooser(std::move(first_chooser)), fusion(std::move(first_fusion)) {}
+
   Configuration configuration;  ///< under `explore` that of the leading branch
   Exploration exploration;      ///< all branches; empty under the other policies
   Beliefs beliefs;
@@ -34,10 +31,10 @@ struct EngineState {
   std::deque<Ensemble> complete;  ///< what is to be attended to, in order
   std::string last_utterance;
   std::optional<Pointed> pointed;
-  Learned learned;  ///< what the human taught
-  std::map<std::string, std::vector<int>, std::less<>>
-      lessons;     ///< what was learned in this run: serials of the inputs it came from
-  int inputs = 0;  ///< so far; the running number of the latest is its serial
+  Learned learned;   ///< what the human taught
+  Lessons lessons;   ///< what was learned in this run
+  KnownWords words;  ///< by which speech is read
+  int inputs = 0;    ///< so far; the running number of the latest is its serial
   Performance performance;
   int acts = 0;  ///< asked for so far; the running number of the latest
 
@@ -76,6 +73,11 @@ struct Understood {
   bool taken = true;
 };
 
+/// A gesture that no command could be made of.
+struct Unplanned {
+  std::string reason;
+};
+
 /// Under `explore`: what the automaton may be in beside what led to the events before it.
 struct Explored {
   std::vector<Branch> branches;
@@ -103,6 +105,9 @@ using EngineEvent = std::variant<Perceived, Attended, Understood, BeliefChange, 
 struct Tick {
   EngineState after;
   std::vector<EngineEvent> events;  ///< in the order in which they happened
+
+  /// Goes on with what happened next.
+  void then(Tick next);
 };
 
 }  // namespace continua

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "continua/core/located_json.h"
-#include "continua/facts/methods.h"
+#include "continua/facts/world_facts.h"
 
 namespace continua {
 namespace {
@@ -61,7 +61,7 @@ std::vector<StepEvent> acted(Acted event, const Learned& learned) {
 }  // namespace
 
 bool is_taken(const std::string& name, const Machine& machine) {
-  return term_signature().contains(name) || Methods::signature().contains(name) || machine.programs.contains(name) ||
+  return term_signature().contains(name) || WorldFacts::signature().contains(name) || machine.programs.contains(name) ||
          machine.bindings.contains(Name(name)) || machine.tables.contains(name);
 }
 

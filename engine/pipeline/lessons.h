@@ -12,10 +12,11 @@ namespace continua {
 /// Whether a name computes something or the machine has another use for it: then no program can be called so.
 bool is_taken(const std::string& name, const Machine& machine);
 
-/// What comes of events, in order: of each itself, or
-/// - of Taught, once it is learned, the same with what was composed; Trouble if it cannot be learned;
-/// - of Forgotten one for each thing that was known, with its value;
-/// - of the act of a learned program one Acted for each act that it comes to; Trouble if that are too many.
+/// The events as lessons change them, in order.
+/// - `Taught`, once it is learned, has the program that was composed; it becomes `Trouble` if it cannot be learned.
+/// - `Forgotten` becomes one `Forgotten` for each lesson that was known, with its value.
+/// - An `Acted` of a taught program becomes one `Acted` for each of its acts, or a `Trouble` if there are too many.
+/// - Other events stay.
 std::vector<StepEvent> with_lessons(std::vector<StepEvent> events, const Machine& machine, Learned& learned);
 
 }  // namespace continua

@@ -77,7 +77,7 @@ Term Evaluation::bounded(Term term) {
 
 RuleTable::RuleTable(std::initializer_list<const Rules*> sources, const RaisingRules* raising) : raising_(raising) {
   for (const auto* source : sources)
-    for (const auto& [name, rule] : *source) rules_.emplace(Name(name), &rule);
+    for (const auto& [name, rule] : *source) rules_.emplace(Name(name), rule);
 }
 
 Term Evaluation::evaluated(const Term& term) {

@@ -14,6 +14,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "continua/term/facts.h"
 #include "continua/term/term.h"
 #include "continua/term/term_text.h"
 
@@ -44,19 +45,19 @@ using Rules = std::map<std::string, Rule, std::less<>>;
 struct RaisingRule;  // term/raising.h
 using RaisingRules = std::vector<RaisingRule>;
 
-/// Rules of several sources by name; where two have the same, the first counts. Beside them, how `fill` raises an
-/// argument of the wrong type, if it does. The sources and `raising` must outlive the table.
+/// Rules of several sources by name: a value. Of two rules with the same name the first counts. `raising` tells how
+/// `fill` raises an argument of the wrong type, if it does, and must outlive the table.
 class RuleTable {
  public:
   explicit RuleTable(std::initializer_list<const Rules*> sources, const RaisingRules* raising = nullptr);
   const Rule* find(Name name) const {
     const auto found = rules_.find(name);
-    return found == rules_.end() ? nullptr : found->second;
+    return found == rules_.end() ? nullptr : &found->second;
   }
   const RaisingRules* raising() const { return raising_; }
 
  private:
-  std::unordered_map<Name, const Rule*, Name::Hash> rules_;
+  std::unordered_map<Name, Rule, Name::Hash> rules_;
   const RaisingRules* raising_;
 };
 
@@ -73,7 +74,8 @@ class Evaluation {
   /// not the value of a name of type e: an object may be called like the word for it.
   /// `rules` must outlive the evaluation.
   using Lookup = std::function<const Term*(Name name)>;
-  Evaluation(const RuleTable& rules, Lookup lookup) : rules_(rules), lookup_(std::move(lookup)) {}
+  Evaluation(const RuleTable& rules, Lookup lookup, Facts known = {})
+      : rules_(rules), lookup_(std::move(lookup)), facts_(known) {}
 
   /// The value of a closed term. Values found by lookup are evaluated where they are not values yet.
   /// Ends after a bounded number of steps, whatever the term; then the value is null and `exhausted` is set.
@@ -81,6 +83,8 @@ class Evaluation {
   /// Applies a function value to a value.
   Term apply(const Term& function, const Term& argument);
 
+  /// For rules: what they read besides their arguments.
+  const Facts& facts() const { return facts_; }
   /// For rules: how arguments are raised; nullptr: they are not.
   const RaisingRules* raising() const { return rules_.raising(); }
   /// For rules: allows `steps` more of work, or sets `exhausted`; the rule then gives null.
@@ -119,6 +123,7 @@ class Evaluation {
 
   const RuleTable& rules_;
   Lookup lookup_;
+  Facts facts_;
   std::size_t steps_ = 0;
   int depth_ = 0;
 };

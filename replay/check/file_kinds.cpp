@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "continua/core/located_json.h"
-#include "continua/facts/methods.h"
+#include "continua/facts/world_facts.h"
 #include "continua/knowledge_files/data_paths.h"
 #include "continua/knowledge_files/language_loading.h"
 #include "continua/machine_file/jflap.h"
@@ -89,8 +89,8 @@ FileCheck check_session(std::string_view text, const std::string& path) {
 FileCheck check_machine_file(std::string_view text, const std::string& path) {
   const auto data = find_data_paths();
   const auto phrases = data ? phrases_folder(*data) : "";
-  const auto machine = parse_machine(text, path, Methods::signature(), phrases);
-  if (!machine) return {check_machine(text, path, Methods::signature(), phrases), {}, "", exit_impossible};
+  const auto machine = parse_machine(text, path, WorldFacts::signature(), phrases);
+  if (!machine) return {check_machine(text, path, WorldFacts::signature(), phrases), {}, "", exit_impossible};
   return {{},
           {},
           fmt::format("machine, {}, {}", counted(machine->states.size(), "state"),
@@ -144,7 +144,7 @@ FileCheck check_phrase_file(std::string_view text, const std::string& path) {
     ++users;
     const auto of_machine = read_file(file.string());
     for (auto& problem :
-         check_machine(*of_machine, file.string(), Methods::signature(), folder.string(), is_language ? name : ""))
+         check_machine(*of_machine, file.string(), WorldFacts::signature(), folder.string(), is_language ? name : ""))
       if (problem.where.starts_with(fs::path(path).lexically_normal().string() + ":"))
         check.problems.push_back(std::move(problem));
   }

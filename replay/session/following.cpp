@@ -56,7 +56,7 @@ bool Following::end(const Episode& episode, SimTime t) {
          std::any_of(episode.produced.begin(), episode.produced.end(), is_act);
 }
 
-Tick Following::correct(Pipeline& pipeline, const EngineState& after, const WorldSnapshot& world) const {
+Tick Following::correct(const Pipeline& pipeline, const EngineState& after, const WorldSnapshot& world) const {
   require(corrected_, "what agrees is not corrected");
   return pipeline.corrected(before_->state, after, before_->event, observed_, world);
 }

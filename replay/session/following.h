@@ -38,7 +38,7 @@ class Following {
   /// What came of the input last ended is not what was observed of it, and the engine is to go on from the latter.
   bool is_corrected() const { return corrected_; }
   /// REQUIRES is_corrected().
-  Tick correct(Pipeline& pipeline, const EngineState& after, const WorldSnapshot& world) const;
+  Tick correct(const Pipeline& pipeline, const EngineState& after, const WorldSnapshot& world) const;
 
  private:
   struct Before {

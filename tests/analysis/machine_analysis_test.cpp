@@ -131,8 +131,9 @@ TEST_CASE("what random machines do is what was told of them") {
     for (const auto& conflict : analysis.conflicts) told.emplace(conflict.state, conflict.first, conflict.second);
 
     // All configurations that few transitions lead to, whether inputs or ε.
-    Stepper stepper(loaded, no_methods);
+    const Stepper stepper(loaded, no_facts);
     const Beliefs beliefs(loaded->beliefs);
+    const Facts facts{.beliefs = &beliefs};
     std::deque<Configuration> open{stepper.initial()};
     std::set<std::tuple<StateIndex, std::size_t, std::size_t>> met;
     for (int visited = 0; !open.empty() && visited < 150; ++visited, open.pop_front()) {
@@ -144,8 +145,8 @@ TEST_CASE("what random machines do is what was told of them") {
         offered.symbol = input;
         const auto* given = input.empty() ? nullptr : &offered;
         auto takers = input.empty() ? std::vector<std::size_t>() : silent;
-        for (const auto& one : stepper.firing(configuration, given, beliefs, nullptr).applicable().candidates) {
-          auto firing = stepper.firing(configuration, given, beliefs, nullptr);
+        for (const auto& one : stepper.firing(configuration, given, facts, nullptr).applicable().candidates) {
+          auto firing = stepper.firing(configuration, given, facts, nullptr);
           if (!firing.fire({one.transition, 1, {}, false}, {}, 0)) continue;
           takers.push_back(one.transition);
           open.push_back(std::move(firing).take());

@@ -15,10 +15,10 @@ class Exploring {
  public:
   explicit Exploring(const std::string& text, std::size_t limit = 64)
       : machine_(machine_of(text)),
-        stepper_(machine_, no_methods),
+        stepper_(machine_, no_facts),
         explorer_(stepper_, limit),
         beliefs_(machine_->beliefs),
-        latest_(explorer_.begin(beliefs_)) {}
+        latest_(explorer_.begin({.beliefs = &beliefs_})) {}
 
   Exploring& feed(const std::string& symbols, double confidence = 1) {
     for (const char symbol : symbols) {
@@ -26,7 +26,7 @@ class Exploring {
       input.serial = ++serial_;
       input.symbol = std::string(1, symbol);
       input.confidence = confidence;
-      latest_ = explorer_.step(latest_.after, input, beliefs_);
+      latest_ = explorer_.step(latest_.after, input, {.beliefs = &beliefs_});
     }
     return *this;
   }

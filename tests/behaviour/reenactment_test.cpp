@@ -1,6 +1,6 @@
 #include "continua/behaviour/reenactment.h"
 
-#include "continua/facts/methods.h"
+#include "continua/facts/world_facts.h"
 #include "support/catch.h"
 
 using namespace continua;

@@ -38,13 +38,14 @@ void step(benchmark::State& state, const std::string& name) {
     input.symbol = symbol.get<std::string>();
     inputs.push_back(std::move(input));
   }
-  const Rules no_methods;
+  const Rules no_facts;
   const Beliefs beliefs(machine->beliefs);
+  const Facts facts{.beliefs = &beliefs};
   Chooser chooser;
-  Stepper stepper(machine, no_methods);
+  const Stepper stepper(machine, no_facts);
   for (auto _ : state) {
     auto configuration = stepper.initial();
-    for (const auto& input : inputs) configuration = *stepper.advance(configuration, input, beliefs, chooser);
+    for (const auto& input : inputs) configuration = *stepper.advance(configuration, input, facts, chooser);
     benchmark::DoNotOptimize(configuration.state);
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * inputs.size()));

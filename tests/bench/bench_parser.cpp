@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "continua/facts/methods.h"
+#include "continua/facts/world_facts.h"
 #include "continua/language/parser.h"
 
 namespace continua {
@@ -14,7 +14,7 @@ namespace {
 
 const Vocabulary& vocabulary() {
   static const Vocabulary words = [] {
-    auto lexicon = load_lexicon(CONTINUA_SOURCE_DIR "/engine/knowledge/lexicon/english", Methods::signature());
+    auto lexicon = load_lexicon(CONTINUA_SOURCE_DIR "/engine/knowledge/lexicon/english", WorldFacts::signature());
     if (!lexicon) {
       std::fprintf(stderr, "bench_parser: %s\n", lexicon.error().text().c_str());
       std::exit(2);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "continua/facts/methods.h"
+#include "continua/facts/world_facts.h"
 #include "continua/language/parser.h"
 #include "continua/term/term_text.h"
 #include "support/catch.h"
@@ -15,7 +15,7 @@ inline const std::string english_folder = CONTINUA_SOURCE_DIR "/engine/knowledge
 
 inline std::shared_ptr<const Lexicon> english() {
   static const auto lexicon = [] {
-    auto loaded = load_lexicon(english_folder, Methods::signature());
+    auto loaded = load_lexicon(english_folder, WorldFacts::signature());
     if (!loaded) FAIL(loaded.error().text());
     return std::make_shared<const Lexicon>(*std::move(loaded));
   }();

@@ -87,7 +87,7 @@ struct Scene {
   Context context;
 
   Scene() {
-    context.world = &world;
+    context.facts.world = &world;
     for (const char* type : {"cup", "block"}) define(type, fmt::format("\\x. attribute(x, 'type') = '{}'", type));
     define("plate_", "\\x. attribute(x, 'type') = 'plate'");
     define("knife_", "\\x. attribute(x, 'type') = 'knife'");

@@ -32,7 +32,7 @@ std::string errors_of(const std::string& text) {
   const TemporaryFolder folder;
   folder.file("a.json", text);
   std::string errors;
-  for (const auto& error : check_lexicon(folder.path().string(), Methods::signature()))
+  for (const auto& error : check_lexicon(folder.path().string(), WorldFacts::signature()))
     errors += (errors.empty() ? "" : "\n") + error.text().substr(folder.path().string().size() + 1);
   return errors;
 }
@@ -114,7 +114,7 @@ TEST_CASE("the digest is that of the content") {
   one.file("a.json", small);
   two.file("a.json", small + "\n ");
   const auto digest = [](const TemporaryFolder& folder) {
-    return load_lexicon(folder.path().string(), Methods::signature())->digest;
+    return load_lexicon(folder.path().string(), WorldFacts::signature())->digest;
   };
   CHECK(digest(one) == digest(two));
   two.file("a.json", small.substr(0, small.find("please")) + "so" + small.substr(small.find("please") + 6));

@@ -2,7 +2,7 @@
 #include "continua/pipeline/acting.h"
 
 #include "continua/automaton/stepper.h"
-#include "continua/facts/methods.h"
+#include "continua/facts/world_facts.h"
 #include "continua/machine_file/machine_loader.h"
 #include "support/catch.h"
 
@@ -32,10 +32,10 @@ WorldSnapshot world_with_cups() {
 
 class Talk {
  public:
-  explicit Talk(const std::string& language) : methods_(Perspective::human) {
+  explicit Talk(const std::string& language) : facts_(Perspective::human) {
     const std::string knowledge = CONTINUA_SOURCE_DIR "/engine/knowledge/";
     auto machine =
-        load_machine(knowledge + "machines/interaction.json", Methods::signature(), knowledge + "phrases", language);
+        load_machine(knowledge + "machines/interaction.json", WorldFacts::signature(), knowledge + "phrases", language);
     if (!machine) FAIL(machine.error().text());
     machine_ = std::make_shared<const Machine>(*std::move(machine));
   }
@@ -48,12 +48,12 @@ class Talk {
     // Acts that are done are not talked about.
     end.status = status_of(reason.code) == ActStatus::done ? ActStatus::blocked : status_of(reason.code);
     end.reason = reason;
-    methods_.see(&world_, nullptr);
-    Stepper stepper(machine_, methods_.rules());
+    const Stepper stepper(machine_, facts_.rules());
     const Beliefs beliefs(machine_->beliefs);
+    const Facts facts{.world = &world_, .beliefs = &beliefs};
     Chooser chooser{machine_->choice, Random(1), {}, 0};
-    const auto begun = stepper.begin(beliefs, chooser);
-    const auto step = stepper.step(begun.after, to_input(end, 1, SimTime{}), beliefs, chooser);
+    const auto begun = stepper.begin(facts, chooser);
+    const auto step = stepper.step(begun.after, to_input(end, 1, SimTime{}), facts, chooser);
     std::string words;
     for (const auto& event : step.events)
       if (const auto* said = std::get_if<Said>(&event)) words += said->text;
@@ -62,7 +62,7 @@ class Talk {
 
  private:
   WorldSnapshot world_ = world_with_cups();
-  Methods methods_;
+  WorldFacts facts_;
   std::shared_ptr<const Machine> machine_;
 };
 

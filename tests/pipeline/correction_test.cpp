@@ -1,4 +1,5 @@
 // The engine goes on from what another avatar was observed to do.
+#include "continua/facts/world_facts.h"
 #include "continua/machine_file/machine_loader.h"
 #include "continua/pipeline/pipeline.h"
 #include "support/catch.h"
@@ -26,7 +27,7 @@ const char* machine_text = R"json({
 
 struct Play {
   Play() {
-    auto loaded = parse_machine(machine_text, "m.json", Methods::signature());
+    auto loaded = parse_machine(machine_text, "m.json", WorldFacts::signature());
     if (!loaded) FAIL(loaded.error().text());
     machine = std::make_shared<const Machine>(std::move(*loaded));
     pipeline.emplace(machine, nullptr, Perspective::human);

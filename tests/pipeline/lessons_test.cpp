@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "continua/facts/world_facts.h"
 #include "continua/learning/learning_file.h"
 #include "continua/machine_file/machine_loader.h"
 #include "continua/pipeline/pipeline.h"
@@ -34,7 +35,7 @@ const char* machine_text = R"json({
 
 struct Play {
   explicit Play(Learned learned = {}) {
-    auto loaded = parse_machine(machine_text, "m.json", Methods::signature());
+    auto loaded = parse_machine(machine_text, "m.json", WorldFacts::signature());
     if (!loaded) FAIL(loaded.error().text());
     pipeline.emplace(std::make_shared<const Machine>(std::move(*loaded)), nullptr, Perspective::human);
     state.emplace(pipeline->begin({Choice::likeliest, Random(1), {}, 0}, {}, std::move(learned)).after);

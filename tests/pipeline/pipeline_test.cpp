@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "continua/facts/world_facts.h"
 #include "continua/machine_file/machine_loader.h"
 #include "support/catch.h"
 
@@ -42,7 +43,7 @@ WorldSnapshot world() {
 // Plays events and gives what happened as words.
 struct Play {
   Play() {
-    auto loaded = parse_machine(machine_text, "m.json", Methods::signature());
+    auto loaded = parse_machine(machine_text, "m.json", WorldFacts::signature());
     if (!loaded) FAIL(loaded.error().text());
     pipeline.emplace(std::make_shared<const Machine>(std::move(*loaded)), nullptr, Perspective::avatar);
     state.emplace(pipeline->begin({Choice::unique, Random(1), {}, 0}, snapshot).after);
@@ -116,6 +117,20 @@ TEST_CASE("of several ways to say something the first is taken that is not what 
   CHECK(play.say("well") == "\"Well?\"");
   CHECK(play.say("so") == "\"So?\"");
   CHECK(play.say("well") == "\"Well?\"");
+}
+
+TEST_CASE("a pipeline keeps nothing of a run: each run sees its own world, and a copy goes on with it") {
+  Play play, other;
+  other.snapshot.objects.pop_back();
+  other.pipeline.emplace(*play.pipeline);
+  other.state.emplace(other.pipeline->begin({Choice::unique, Random(1), {}, 0}, other.snapshot).after);
+  play.point(0.28);
+  CHECK(other.point(0.28) == "belief point 0.5; \"This?\"; belief this 0.5; reach near_one");
+  play.pipeline.reset();
+  play.pipeline.emplace(*other.pipeline);
+  CHECK(play.say("no") == "belief point 0; no transition from Asked takes 'speech no'");
+  CHECK(play.say("yes") == "grasp(far_one)");
+  CHECK(other.say("yes") == "grasp(near_one)");
 }
 
 TEST_CASE("an answer lowers the belief in what was asked about") {

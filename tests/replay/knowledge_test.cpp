@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "continua/core/located_json.h"
-#include "continua/facts/methods.h"
+#include "continua/facts/world_facts.h"
 #include "continua/knowledge_files/language_loading.h"
 #include "continua/machine_file/machine_loader.h"
 #include "continua/replay/check/examples.h"
@@ -74,14 +74,14 @@ TEST_CASE("the example of the format's page is a sound machine") {
   const std::string begin = "```json\n";
   const auto from = page.find(begin) + begin.size();
   const auto machine =
-      parse_machine(page.substr(from, page.find("```", from) - from), "FORMAT.md", Methods::signature());
+      parse_machine(page.substr(from, page.find("```", from) - from), "FORMAT.md", WorldFacts::signature());
   if (!machine) FAIL(machine.error().text());
   CHECK(machine->transitions.size() == 3);
 }
 
 TEST_CASE("the machine of the recorded system has its states and transitions") {
   const auto path = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge/machines/diana2018.json";
-  const auto machine = load_machine(path.string(), Methods::signature());
+  const auto machine = load_machine(path.string(), WorldFacts::signature());
   REQUIRE(machine.ok());
   CHECK(machine->states.size() == 29);
   CHECK(machine->transitions.size() == 111);

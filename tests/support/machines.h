@@ -15,7 +15,7 @@
 
 namespace continua {
 
-inline const Rules no_methods;
+inline const Rules no_facts;
 
 inline std::shared_ptr<const Machine> machine_of(const std::string& text) {
   auto machine = parse_machine(text, "m.json", {});
@@ -31,10 +31,10 @@ class Player {
   explicit Player(std::shared_ptr<const Machine> machine, std::optional<Choice> choice = std::nullopt,
                   std::uint64_t seed = 1)
       : machine_(std::move(machine)),
-        stepper_(machine_, no_methods),
+        stepper_(machine_, no_facts),
         beliefs_(machine_->beliefs),
         chooser_{choice.value_or(machine_->choice), Random(seed), {}, 0} {
-    take(stepper_.begin(beliefs_, chooser_));
+    take(stepper_.begin(facts(), chooser_));
   }
 
   /// Offers symbols, separated by ", ".
@@ -46,7 +46,7 @@ class Player {
       input.symbol = symbols.substr(at, comma - at);
       input.target = Term::point(serial_, 0, 0);
       input.confidence = confidence;
-      take(stepper_.step(configuration_, input, beliefs_, chooser_));
+      take(stepper_.step(configuration_, input, facts(), chooser_));
       at = comma + 2;
     }
     return *this;
@@ -64,7 +64,7 @@ class Player {
       inputs.back().confidence = std::stod(confidence);
     }
     serial_ += static_cast<int>(inputs.size());
-    take(stepper_.step(configuration_, inputs, beliefs_, chooser_));
+    take(stepper_.step(configuration_, inputs, facts(), chooser_));
     return *this;
   }
 
@@ -96,6 +96,7 @@ class Player {
   std::size_t taken() const { return all<Fired>().at(0).alternative; }
 
  private:
+  Facts facts() const { return {.beliefs = &beliefs_}; }
   void take(Step step) {
     configuration_ = std::move(step.after);
     events_ = std::move(step.events);

@@ -44,25 +44,26 @@ class SmallEngine {
   /// When exploring, at most `limit` configurations are kept.
   explicit SmallEngine(const std::string& json, std::size_t limit = 400)
       : machine_(machine_of(json)),
-        stepper_(machine_, no_methods),
+        stepper_(machine_, no_facts),
         explorer_(stepper_, limit),
         beliefs_(machine_->beliefs),
         chooser_{machine_->choice, Random(0), {}, 0} {}
   SmallEngine(const SmallEngine&) = delete;
 
   const Machine& machine() const { return *machine_; }
-  Step begin() { return stepper_.begin(beliefs_, chooser_); }
+  Step begin() { return stepper_.begin(facts(), chooser_); }
   Step step(const Configuration& before, const std::vector<naive::Offer>& offers) {
-    return stepper_.step(before, inputs(offers), beliefs_, chooser_);
+    return stepper_.step(before, inputs(offers), facts(), chooser_);
   }
   Step step(const Configuration& before, char symbol) { return step(before, {{symbol, 1}}); }
-  ExplorationStep explore() { return explorer_.begin(beliefs_); }
+  ExplorationStep explore() { return explorer_.begin(facts()); }
   ExplorationStep explore(const Exploration& before, const std::vector<naive::Offer>& offers) {
-    return explorer_.step(before, inputs(offers), beliefs_);
+    return explorer_.step(before, inputs(offers), facts());
   }
   ExplorationStep explore(const Exploration& before, char symbol) { return explore(before, {{symbol, 1}}); }
 
  private:
+  Facts facts() const { return {.beliefs = &beliefs_}; }
   static std::vector<Input> inputs(const std::vector<naive::Offer>& offers) {
     std::vector<Input> inputs(offers.size());
     for (std::size_t i = 0; i < offers.size(); ++i) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "continua/facts/methods.h"
+#include "continua/facts/world_facts.h"
 #include "continua/language/reference.h"
 #include "support/catch.h"
 
@@ -26,11 +26,11 @@ inline ObjectState thing(const std::string& name, const std::string& type, const
 class SmallTalk {
  public:
   explicit SmallTalk(Perspective perspective = Perspective::human)
-      : methods_(perspective), rules_({&term_rules(), &methods_.rules()}) {
+      : facts_(perspective), rules_({&term_rules(), &facts_.rules()}) {
     world.table = {{-0.6, -0.4, 0}, {0.6, 0.4, 0}};
-    context.world = &world;
+    context.facts.world = &world;
     names_ = term_signature();
-    names_.insert(Methods::signature().begin(), Methods::signature().end());
+    names_.insert(WorldFacts::signature().begin(), WorldFacts::signature().end());
     const auto declare = [this](std::initializer_list<const char*> names, const char* type) {
       for (const auto* each : names) names_.emplace(each, Type::parse(type).value());
     };
@@ -78,7 +78,6 @@ class SmallTalk {
   }
 
   Meanings meanings() {
-    methods_.see(&world, nullptr);
     const auto lookup = [this](Name name) {
       const auto found = definitions_.find(name.text());
       return found == definitions_.end() ? nullptr : &found->second;
@@ -95,7 +94,7 @@ class SmallTalk {
     definitions_.emplace(word, read("\\x. attribute(x, '" + attribute + "') = '" + value + "'"));
   }
 
-  Methods methods_;
+  WorldFacts facts_;
   RuleTable rules_;
   Signature names_;
   std::map<std::string, Term> definitions_;

@@ -16,8 +16,8 @@ struct Discourse {
 };
 
 /// The machine's `context`, evaluated in the configuration. Pointing is left out.
-Discourse discourse_of(Stepper& stepper, const Configuration& configuration, const Input& input, const Beliefs& beliefs,
-                       const WorldSnapshot& world);
+Discourse discourse_of(const Stepper& stepper, const Configuration& configuration, const Input& input,
+                       const Facts& facts);
 
 /// The inputs that a move draws on: its own, and those of what it took from the context.
 std::vector<int> sources(const Move& move, int serial, const Discourse& discourse);

@@ -1,4 +1,4 @@
-#include "continua/pipeline/inputs.h"
+#include "continua/moves/inputs.h"
 
 #include <utility>
 

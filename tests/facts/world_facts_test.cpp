@@ -1,9 +1,11 @@
-#include "continua/facts/methods.h"
+#include "continua/facts/world_facts.h"
 
 #include <set>
 #include <sstream>
 
 #include "continua/core/located_json.h"
+#include "continua/core/random.h"
+#include "continua/learning/learning.h"
 #include "continua/voxml/catalogue.h"
 #include "support/catch.h"
 #include "support/markdown_table.h"
@@ -11,7 +13,7 @@
 namespace continua {
 namespace {
 
-std::string methods_page() { return read_file(CONTINUA_SOURCE_DIR "/engine/facts/METHODS.md").value(); }
+std::string facts_page() { return read_file(CONTINUA_SOURCE_DIR "/engine/facts/FACTS.md").value(); }
 
 Vec3 read_vector(const std::string& text) {
   std::istringstream stream(text);
@@ -20,12 +22,12 @@ Vec3 read_vector(const std::string& text) {
   return vector;
 }
 
-// The world that METHODS.md describes.
+// The world that FACTS.md describes.
 WorldSnapshot documented_world() {
   WorldSnapshot world;
   world.table = {{-0.6, -0.4, 0}, {0.6, 0.4, 0}};
   world.held = "block2";
-  for (const auto& row : table_rows(methods_page(), 4)) {
+  for (const auto& row : table_rows(facts_page(), 4)) {
     ObjectState object;
     object.name = row[0];
     std::istringstream attributes(row[1]);
@@ -63,13 +65,12 @@ WorldSnapshot world_of(std::vector<ObjectState> objects) {
 class Seen {
  public:
   explicit Seen(WorldSnapshot world, std::uint64_t seed = 1, Perspective perspective = Perspective::human)
-      : world_(std::move(world)), random_(seed), methods_(perspective, &voxemes()) {
+      : world_(std::move(world)), random_(seed), facts_(perspective, &voxemes()) {
     const auto program = parse_term("\\x. [grasp(x), lift(x)]", names_of({{"grasp", "e -> t"}, {"lift", "e -> t"}}));
     learned_.gestures.emplace("claw",
                               parse_term("lift(block2)", names_of({{"lift", "e -> t"}, {"block2", "e"}})).value());
     learned_.programs.emplace("hoist", Program{program.value()});
-    methods_.see(&world_, &random_, &learned_);
-    names_.insert(Methods::signature().begin(), Methods::signature().end());
+    names_.insert(WorldFacts::signature().begin(), WorldFacts::signature().end());
     for (const auto& object : world_.objects) names_.emplace(object.name, Type::entity());
     for (const auto* each : {"ghost", "avatar", "human"}) names_.emplace(each, Type::entity());
     for (const auto* each : {"left", "right", "in_front", "behind", "on", "over"})
@@ -83,8 +84,8 @@ class Seen {
     INFO(text);
     auto read = parse_term(text, names_);
     if (!read) FAIL(read.error().text());
-    const RuleTable rules({&term_rules(), &methods_.rules()});
-    Evaluation evaluation(rules, nullptr);
+    const RuleTable rules({&term_rules(), &facts_.rules()});
+    Evaluation evaluation(rules, nullptr, {.world = &world_, .random = &random_, .learned = &learned_});
     Term value = evaluation.value(*read);
     margin = evaluation.margin;
     return value;
@@ -104,26 +105,26 @@ class Seen {
   WorldSnapshot world_;
   Random random_;
   Learned learned_;
-  Methods methods_;
+  WorldFacts facts_;
   Signature names_ = term_signature();
 };
 
 }  // namespace
 
-TEST_CASE("every example of METHODS.md is true, and every method has one") {
+TEST_CASE("every example of FACTS.md is true, and every fact has one") {
   Seen seen(documented_world());
   std::set<std::string> documented;
-  for (const auto& row : table_rows(methods_page(), 5)) {
+  for (const auto& row : table_rows(facts_page(), 5)) {
     const auto &name = row[0], &type = row[1], &example = row[3], &value = row[4];
     INFO(name << ": " << example);
     CHECK(documented.insert(name).second);
-    REQUIRE(Methods::signature().contains(name));
-    CHECK(Methods::signature().at(name).text() == type);
+    REQUIRE(WorldFacts::signature().contains(name));
+    CHECK(WorldFacts::signature().at(name).text() == type);
     CHECK(seen.value(example) == value);
     CHECK(example.find(name) != std::string::npos);
   }
   std::set<std::string> names;
-  for (const auto& [name, type] : Methods::signature()) names.insert(name);
+  for (const auto& [name, type] : WorldFacts::signature()) names.insert(name);
   CHECK(documented == names);
 }
 
@@ -157,7 +158,7 @@ TEST_CASE("what is not in the world gives null, and so does no world") {
     CHECK(seen.value(text) == "null");
   CHECK(Seen(world_of({})).value("[held, head(scene)]") == "[null, null]");
 
-  const Methods blind(Perspective::human);
+  const WorldFacts blind(Perspective::human);
   for (const auto& [name, rule] : blind.rules()) {
     INFO(name);
     const std::vector<Term> arguments(rule.arity, Term::entity("plate"));
@@ -255,7 +256,7 @@ TEST_CASE("a thing is located where a place term says, as the perspective sees i
   CHECK(avatar.value("map(['left', 'right', 'in_front', 'behind'], offset(block2))") == "[0.3, -0.3, 0.02, -0.02]");
 }
 
-TEST_CASE("candidates of a region are found with methods and functions together") {
+TEST_CASE("candidates of a region are found with facts and functions together") {
   Seen seen(documented_world());
   CHECK(seen.value("filter(scene, \\o. attribute(o, 'type') = 'block' and o != held and clear(o, 1 / 3) and "
                    "inside(closest(o, <0.1, 0, 0>), square(<0.1, 0, 0>, 0.2)))") == "[block3]");

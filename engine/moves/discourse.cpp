@@ -1,4 +1,4 @@
-#include "continua/pipeline/discourse.h"
+#include "continua/moves/discourse.h"
 
 #include <algorithm>
 #include <set>
@@ -25,14 +25,14 @@ void add(std::set<int>& because, Resolution::By by, const Discourse& discourse) 
 
 }  // namespace
 
-Discourse discourse_of(Stepper& stepper, const Configuration& configuration, const Input& input, const Beliefs& beliefs,
-                       const WorldSnapshot& world) {
+Discourse discourse_of(const Stepper& stepper, const Configuration& configuration, const Input& input,
+                       const Facts& facts) {
   Discourse discourse;
-  discourse.context.world = &world;
+  discourse.context.facts = facts;
   const auto& terms = stepper.machine().context;
   const auto value = [&](const std::optional<Term>& term, std::vector<int>& because) {
     if (!term) return Term::null();
-    auto cell = stepper.value(*term, configuration, input, beliefs);
+    auto cell = stepper.value(*term, configuration, input, facts);
     because = std::move(cell.because);
     return cell.value;
   };

@@ -1,0 +1,150 @@
+#include "continua/moves/offer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "continua/moves/discourse.h"
+#include "continua/moves/inputs.h"
+#include "continua/moves/kind.h"
+#include "continua/term/substitution.h"
+
+namespace continua {
+namespace {
+
+double understood_share(const Utterance& utterance) {
+  const auto words = static_cast<double>(utterance.words.size());
+  const auto lost = static_cast<double>(utterance.unknown.size() + utterance.unused.size());
+  return words > 0 && !utterance.fragments.empty() ? (words - lost) / words : 1;
+}
+
+// Words about something that is not there are less likely to have been said.
+constexpr double share_of_unseen = 0.5;
+
+bool finds_all(const Interpretation& interpretation) {
+  return std::none_of(interpretation.gaps.begin(), interpretation.gaps.end(),
+                      [](const Gap& gap) { return gap.why == Gap::Why::none; });
+}
+
+const ReadSpeech& speech_of(const Offer& offer, const Ensemble& ensemble) {
+  return ensemble.percept.readings->alternatives[offer.alternative];
+}
+
+Discourse discourse_of(const Input& input, const Dialogue& now) {
+  return discourse_of(now.stepper, now.configuration, input, now.facts);
+}
+
+// Words and gestures that were taught draw on the inputs of their lesson.
+std::vector<int> because_of(const Offer& offer, const InputEvent& event, const Discourse& discourse,
+                            const Dialogue& now) {
+  const Learned& learned = *now.facts.learned;
+  auto because = sources(offer.move, offer.input.serial, discourse);
+  const auto add = [&](const std::string& name) {
+    const auto lesson = now.lessons.find(name);
+    if (lesson != now.lessons.end()) because.insert(because.end(), lesson->second.begin(), lesson->second.end());
+  };
+  if (event.modality == Modality::gesture && learned.gestures.contains(event.name)) add(event.name);
+  if (!offer.move.readings.empty())
+    for (const auto& [name, program] : learned.programs)
+      if (contains(offer.move.readings[offer.move.chosen].term, Term::constant(name, program.type()))) add(name);
+  std::sort(because.begin(), because.end());
+  because.erase(std::unique(because.begin(), because.end()), because.end());
+  return because;
+}
+
+// The offer once its move is understood.
+Offer complete(Offer offer, const InputEvent& event, const Discourse& discourse, const Dialogue& now) {
+  carry(offer.move, offer.input);
+  offer.input.because = because_of(offer, event, discourse, now);
+  offer.applied.clear();
+  for (const auto& applying : offer.move.interpretation.applied)
+    offer.applied.push_back({applying.application, sources(applying, offer.input.serial, discourse)});
+  return offer;
+}
+
+// The offer with its fragment of the utterance understood.
+Offer understood(Offer offer, const ReadSpeech& speech, const std::vector<ShownWords>& shown, const Dialogue& now) {
+  auto discourse = discourse_of(offer.input, now);
+  for (const auto& [words, pointing] : shown) {
+    discourse.context.showings.push_back({words, pointing.place_W});
+    discourse.shown.push_back(pointing.serials);
+  }
+  offer.move = now.understanding->understood(speech.utterance, offer.fragment, discourse.context);
+  offer = complete(std::move(offer), speech.event, discourse, now);
+  offer.input.symbol = text(Modality::speech) + " " + offer.move.kind;
+  const auto& fragments = speech.utterance.fragments;
+  const auto next = offer.fragment + 1;
+  offer.input.next = next < fragments.size() ? Term::text(fragments[next].readings.front().move) : Term::null();
+  return offer;
+}
+
+Offer heard(const Ensemble& ensemble, std::size_t alternative, const Dialogue& now) {
+  Offer offer;
+  offer.alternative = alternative;
+  const auto& speech = speech_of(offer, ensemble);
+  const auto shown = shown_words(speech, ensemble, now.window);
+  const bool is_one_of_several = ensemble.percept.readings->alternatives.size() > 1;
+  offer.input = to_input(speech.event, ensemble.percept.serial);
+  offer.input.now_s = ensemble.at.seconds();
+  if (!shown.empty()) offer.input.pointed = point_term(shown.front().pointing.place_W);
+  if (is_one_of_several) offer.input.confidence *= understood_share(speech.utterance);
+  if (speech.utterance.fragments.empty())
+    offer.move = now.understanding->not_understood(speech.utterance);
+  else
+    offer = understood(std::move(offer), speech, shown, now);
+  if (is_one_of_several && !finds_all(offer.move.interpretation)) offer.input.confidence *= share_of_unseen;
+  return offer;
+}
+
+// A gesture says what was taught, else what the catalogue has.
+Term said_by(const InputEvent& gesture, const Dialogue& now) {
+  if (gesture.modality != Modality::gesture || !now.gestures) return Term::null();
+  const Learned& learned = *now.facts.learned;
+  const auto taught = learned.gestures.find(gesture.name);
+  if (taught != learned.gestures.end()) return gesture.phase == "stop" ? Term::null() : taught->second;
+  const auto* entry = now.gestures->find(gesture.name);
+  const auto* meaning = entry && entry->acts(gesture.phase) ? entry->meaning(gesture.direction) : nullptr;
+  return meaning ? now.understanding->meaning_of(*meaning) : Term::null();
+}
+
+Offer seen(const Ensemble& ensemble, std::size_t alternative, const Dialogue& now) {
+  const InputEvent event = continua::alternative(ensemble.percept.event, alternative);
+  Offer offer;
+  offer.alternative = alternative;
+  offer.input = to_input(event, ensemble.percept.serial);
+  offer.input.symbol = symbol_of(event, now.gestures, *now.facts.learned);
+  if (event.modality == Modality::gesture) offer.input.gesture = Term::text(event.name);
+  offer.input.now_s = ensemble.at.seconds();
+  offer.move.kind = kind_of(event, now.stepper.machine(), now.gestures, *now.facts.learned);
+  if (!now.understanding) return offer;
+  auto discourse = discourse_of(offer.input, now);
+  if (const auto place_W = place_of(event); place_W && offer.move.kind == deixis) {
+    discourse.context.pointed_W = *place_W;
+    offer.input.pointed = point_term(*place_W);
+    offer.move.reference = refer_to_pointed(discourse.context);
+  } else if (const Term says = said_by(event, now); !says.is_null()) {
+    offer.move = now.understanding->shown(says, offer.move.kind, discourse.context);
+  }
+  return complete(std::move(offer), event, discourse, now);
+}
+
+}  // namespace
+
+std::vector<Offer> offers_of(const Ensemble& ensemble, const Dialogue& now) {
+  const auto& event = ensemble.percept.event;
+  const bool is_heard = now.understanding && event.modality == Modality::speech;
+  std::vector<Offer> offers;
+  for (std::size_t k = 0; k <= event.alternatives.size(); ++k)
+    offers.push_back(is_heard ? heard(ensemble, k, now) : seen(ensemble, k, now));
+  return offers;
+}
+
+std::optional<Offer> next_offer(const Offer& taken, const Ensemble& ensemble, const Dialogue& now) {
+  if (!now.understanding || ensemble.percept.event.modality != Modality::speech) return std::nullopt;
+  const auto& speech = speech_of(taken, ensemble);
+  if (taken.fragment + 1 >= speech.utterance.fragments.size()) return std::nullopt;
+  Offer offer = taken;
+  ++offer.fragment;
+  return understood(std::move(offer), speech, shown_words(speech, ensemble, now.window), now);
+}
+
+}  // namespace continua

@@ -1,0 +1,63 @@
+#include "continua/pipeline/behave.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "continua/behaviour/planner.h"
+#include "continua/pipeline/lessons.h"
+
+namespace continua {
+namespace {
+
+// The first that is not what was said last; where there is none, the first.
+const std::string& fresh(const std::vector<std::string>& variants, const std::string& last) {
+  const auto found = std::find_if(variants.begin(), variants.end(), [&](const auto& one) { return one != last; });
+  return found == variants.end() ? variants.front() : *found;
+}
+
+Tick say(const Engine& engine, EngineState state, Said said) {
+  Tick tick{std::move(state), {}};
+  auto& last = tick.after.last_utterance;
+  const std::string words = said.text = fresh(said.variants, last);
+  if (engine.machine->repeats_utterances || words != last) tick.events.push_back(StepEvent(std::move(said)));
+  last = words;
+  for (auto& change : tick.after.beliefs.overhear(words)) tick.events.push_back(std::move(change));
+  return tick;
+}
+
+// A gesture is one command to the body.
+Tick gesture(const Engine& engine, EngineState state, Gestured gestured) {
+  Tick tick{std::move(state), {}};
+  auto command = plan(gestured.term, true, engine.perspective);
+  tick.events.push_back(StepEvent(std::move(gestured)));
+  if (!command)
+    tick.events.push_back(Unplanned{words_of(command.reason())});
+  else if (auto begun = engine.performer.begin(tick.after.performance, *std::move(command)))
+    tick.events.push_back(GestureCommand{*begun});
+  return tick;
+}
+
+Tick behave(const Engine& engine, EngineState state, StepEvent event) {
+  if (auto* said = std::get_if<Said>(&event)) return say(engine, std::move(state), std::move(*said));
+  if (auto* gestured = std::get_if<Gestured>(&event)) return gesture(engine, std::move(state), std::move(*gestured));
+  if (const auto* taught = std::get_if<Taught>(&event)) state.lessons[taught->name] = taught->because;
+  if (const auto* acted = std::get_if<Acted>(&event))
+    engine.performer.begin(state.performance, {++state.acts, acted->term, acted->because});
+  Tick tick{std::move(state), {}};
+  tick.events.push_back(std::move(event));
+  return tick;
+}
+
+}  // namespace
+
+Tick behave(const Engine& engine, Stepped stepped) {
+  Tick tick{std::move(stepped.after), {}};
+  for (auto& event : with_lessons(std::move(stepped.events), *engine.machine, tick.after.learned))
+    tick.then(behave(engine, std::move(tick.after), std::move(event)));
+  tick.events.insert(tick.events.end(), std::make_move_iterator(stepped.others.begin()),
+                     std::make_move_iterator(stepped.others.end()));
+  return tick;
+}
+
+}  // namespace continua

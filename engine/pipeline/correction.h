@@ -1,0 +1,12 @@
+// Correction as a stage: where the dialogue is when another avatar was observed to do something else.
+#pragma once
+
+#include "continua/pipeline/engine.h"
+
+namespace continua {
+
+/// `Pipeline::corrected`, for an engine that went from `before` to `after` at the event.
+Tick correct(const Engine& engine, const EngineState& before, const EngineState& after, const InputEvent& event,
+             const ObservedMoves& observed, const WorldSnapshot& world);
+
+}  // namespace continua

@@ -1,0 +1,58 @@
+#include "continua/pipeline/fuse.h"
+
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace continua {
+namespace {
+
+// Pointings farther beside the table are not believed.
+constexpr double believed_beside_m = 0.25;
+
+EngineState with_complete(EngineState state, std::vector<Ensemble> ensembles) {
+  state.complete.insert(state.complete.end(), std::make_move_iterator(ensembles.begin()),
+                        std::make_move_iterator(ensembles.end()));
+  return state;
+}
+
+}  // namespace
+
+Fusion first_fusion(const Engine& engine, const WorldSnapshot& world) {
+  const Vec3 margin(believed_beside_m, believed_beside_m, 0);
+  return Fusion(engine.window, {world.table.min - margin, world.table.max + margin});
+}
+
+Result<EngineState> fuse(const Engine& engine, EngineState state, Percept percept, SimTime now) {
+  const InputEvent event = percept.event;
+  const int serial = percept.serial;
+  if (!state.fusion.receive(std::move(percept), now))
+    return Error{
+        "", fmt::format("it came {} s late; expected within {} s", (now - event.t).seconds(), state.fusion.latest_s())};
+  if (event.modality == Modality::pointing) state.fusion.sample(event, serial, now);
+  // Where nothing is to be fused, nothing waits.
+  return engine.machine->fusion ? released(std::move(state), now) : released_all(std::move(state));
+}
+
+EngineState released(EngineState state, SimTime now) {
+  auto ensembles = state.fusion.release(now);
+  return with_complete(std::move(state), std::move(ensembles));
+}
+
+EngineState released_all(EngineState state) {
+  auto ensembles = state.fusion.release_all();
+  return with_complete(std::move(state), std::move(ensembles));
+}
+
+Ensemble take_complete(const Engine& engine, EngineState& state) {
+  Ensemble ensemble = std::move(state.complete.front());
+  state.complete.pop_front();
+  const auto understanding = understanding_of(engine, state);
+  auto& percept = ensemble.percept;
+  if (understanding && percept.event.modality == Modality::speech)
+    percept.readings = readings_of(percept.event, *understanding, std::move(percept.readings));
+  return ensemble;
+}
+
+}  // namespace continua

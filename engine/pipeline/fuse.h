@@ -1,0 +1,22 @@
+// Fusion as a stage: percepts wait for their counterparts, and become ensembles.
+#pragma once
+
+#include "continua/pipeline/engine.h"
+
+namespace continua {
+
+/// What waits before the first event. Pointings far beside the table are not believed.
+Fusion first_fusion(const Engine& engine, const WorldSnapshot& world);
+
+/// The state once a percept has arrived at `now`. The error is the sentence of a refusal: the percept came too late.
+Result<EngineState> fuse(const Engine& engine, EngineState state, Percept percept, SimTime now);
+
+/// The state with all that is complete at `now` in EngineState::complete.
+EngineState released(EngineState state, SimTime now);
+/// The same with all that waits.
+EngineState released_all(EngineState state);
+
+/// Takes the first of EngineState::complete, with readings by the words that are known now. REQUIRES that there is one.
+Ensemble take_complete(const Engine& engine, EngineState& state);
+
+}  // namespace continua

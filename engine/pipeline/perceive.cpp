@@ -1,0 +1,43 @@
+#include "continua/pipeline/perceive.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "continua/moves/kind.h"
+
+namespace continua {
+namespace {
+
+bool is_confident(const InputEvent& event, double least) {
+  return event.confidence >= least || std::any_of(event.alternatives.begin(), event.alternatives.end(),
+                                                  [&](const Alternative& one) { return one.confidence >= least; });
+}
+
+}  // namespace
+
+std::string symbol_of(const Engine& engine, const EngineState& state, const InputEvent& event) {
+  return symbol_of(event, gestures_of(engine), state.learned);
+}
+
+Result<Percept> perceive(const Engine& engine, const EngineState& state, const InputEvent& event, int serial) {
+  const double least = engine.machine->minimum_confidence;
+  if (!is_confident(event, least))
+    return Error{"", fmt::format("confidence {} is below the machine's minimum of {}", event.confidence, least)};
+  Percept percept{serial, event, {}, {}};
+  const auto understanding = understanding_of(engine, state);
+  if (event.modality == Modality::speech && understanding) {
+    percept.readings = readings_of(event, *understanding);
+    percept.takers = percept.readings->alternatives.front().takers;
+  } else if (event.modality == Modality::gesture &&
+             kind_of(event, *engine.machine, gestures_of(engine), state.learned) == deixis) {
+    // A gesture that does not say where it points points where the hand does.
+    if (!place_of(event) && state.pointed && goes_on(*state.pointed, event.t, engine.window))
+      percept.event.target_W = state.pointed->place_W;
+    percept.deixis = deixis_of(percept.event, serial);
+  }
+  return percept;
+}
+
+}  // namespace continua

@@ -1,0 +1,16 @@
+// An event as a percept: its reading, the words that pointing can go with, where a gesture points.
+#pragma once
+
+#include <string>
+
+#include "continua/pipeline/engine.h"
+
+namespace continua {
+
+/// The symbol under which the machine knows the event.
+std::string symbol_of(const Engine& engine, const EngineState& state, const InputEvent& event);
+
+/// `serial` names the event. The error is the sentence of a refusal: the recogniser is not sure enough.
+Result<Percept> perceive(const Engine& engine, const EngineState& state, const InputEvent& event, int serial);
+
+}  // namespace continua

@@ -1,0 +1,12 @@
+// A run that another pipeline has begun, taken over in the middle.
+#pragma once
+
+#include "continua/pipeline/engine.h"
+
+namespace continua {
+
+/// `Pipeline::take_over`: the state for this engine's machine, by names. Errors: a taught word that means something
+/// else in this machine, and those of automaton/carry_over.h.
+Result<EngineState> taken_over(const Engine& engine, EngineState state, const Machine& was, const WorldSnapshot& world);
+
+}  // namespace continua
