@@ -15,7 +15,7 @@ Conversation::Conversation(EngineParts parts, Body& body, std::size_t most_branc
     : parts_(std::move(parts)),
       body_(body),
       most_branches_(most_branches),
-      pipeline_(std::make_unique<Pipeline>(parts_.machine, parts_.language, parts_.perspective, most_branches)) {}
+      pipeline_(parts_.machine, parts_.language, parts_.perspective, most_branches) {}
 
 std::vector<Happening> Conversation::begin(Learned learned) { return all({}, {open(std::move(learned))}); }
 
@@ -47,25 +47,25 @@ void Conversation::run(std::optional<SimTime> t, const Onlooker& onlooker) {
 }
 
 Thought Conversation::open(Learned learned) {
-  return obey(pipeline_->begin(parts_.chooser(), body_.snapshot(), std::move(learned)));
+  return obey(pipeline_.begin(parts_.chooser(), body_.snapshot(), std::move(learned)));
 }
 
 Thought Conversation::receive(const InputEvent& event) {
-  return obey(pipeline_->receive(*state_, event, body_.snapshot()));
+  return obey(pipeline_.receive(*state_, event, body_.snapshot()));
 }
 
 Thought Conversation::change(const Change& change) {
   const bool settled = settled_;
-  auto thought = obey(change(*pipeline_, *state_, body_.snapshot()));
+  auto thought = obey(change(pipeline_, *state_, body_.snapshot()));
   settled_ = settled;
   return thought;
 }
 
 Outcome Conversation::go_on_with(EngineParts parts, const std::function<void(EngineState&)>& prepare) {
-  auto pipeline = std::make_unique<Pipeline>(parts.machine, parts.language, parts.perspective, most_branches_);
+  Pipeline pipeline(parts.machine, parts.language, parts.perspective, most_branches_);
   EngineState state = *state_;
   prepare(state);
-  auto taken_over = pipeline->take_over(std::move(state), *parts_.machine, body_.snapshot());
+  auto taken_over = pipeline.take_over(std::move(state), *parts_.machine, body_.snapshot());
   if (!taken_over) return taken_over.error();
   state_ = *std::move(taken_over);
   pipeline_ = std::move(pipeline);
@@ -84,9 +84,9 @@ Conversation::Step Conversation::next(std::optional<SimTime> t) const {
 }
 
 Happening Conversation::take(Step step, std::optional<SimTime> t) {
-  if (step == Step::tell) return obey(pipeline_->reported(*state_, std::exchange(untold_, {}), body_.snapshot()));
-  if (step == Step::attend) return obey(pipeline_->attend(*state_, body_.snapshot()));
-  if (step == Step::wake) return obey(pipeline_->wake(*state_, now_));
+  if (step == Step::tell) return obey(pipeline_.reported(*state_, std::exchange(untold_, {}), body_.snapshot()));
+  if (step == Step::attend) return obey(pipeline_.attend(*state_, body_.snapshot()));
+  if (step == Step::wake) return obey(pipeline_.wake(*state_, now_));
   if (!settled_) return let_world_go_on(now_);
   return let_world_go_on(std::min(*t, due().value_or(*t)));
 }

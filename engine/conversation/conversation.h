@@ -9,7 +9,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -43,10 +42,10 @@ class Conversation {
 
   SimTime now() const { return now_; }
   const EngineState& state() const { return *state_; }
-  const Pipeline& pipeline() const { return *pipeline_; }
+  const Pipeline& pipeline() const { return pipeline_; }
   const EngineParts& parts() const { return parts_; }
   /// The instant at which waiting inputs are attended to at the latest; nothing when none waits.
-  std::optional<SimTime> due() const { return pipeline_->due(*state_); }
+  std::optional<SimTime> due() const { return pipeline_.due(*state_); }
 
   // The same for callers who look on while it happens.
 
@@ -71,7 +70,7 @@ class Conversation {
   bool is_settled() const { return settled_; }
 
   /// The engine as `change` makes it, from its pipeline, its state and the world.
-  using Change = std::function<Tick(Pipeline&, const EngineState&, const WorldSnapshot&)>;
+  using Change = std::function<Tick(const Pipeline&, const EngineState&, const WorldSnapshot&)>;
   Thought change(const Change& change);
   /// Goes on with other parts, from the state as `prepare` leaves it. Errors as Pipeline::take_over; then nothing has
   /// changed.
@@ -87,7 +86,7 @@ class Conversation {
   EngineParts parts_;
   Body& body_;
   std::size_t most_branches_;
-  std::unique_ptr<Pipeline> pipeline_;
+  Pipeline pipeline_;
   std::optional<EngineState> state_;  // since `open`
   SimTime now_;
   std::vector<ActReport> untold_;  // reports among which an act has ended

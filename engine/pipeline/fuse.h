@@ -1,6 +1,7 @@
 // Fusion as a stage: percepts wait for their counterparts, and become ensembles.
 #pragma once
 
+#include "continua/core/result.h"
 #include "continua/pipeline/engine.h"
 
 namespace continua {

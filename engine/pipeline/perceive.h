@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "continua/core/result.h"
 #include "continua/pipeline/engine.h"
 
 namespace continua {

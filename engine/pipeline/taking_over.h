@@ -1,6 +1,7 @@
 // A run that another pipeline has begun, taken over in the middle.
 #pragma once
 
+#include "continua/core/result.h"
 #include "continua/pipeline/engine.h"
 
 namespace continua {

@@ -117,7 +117,7 @@ void SessionLoop::follow_observed() {
     if (!report.poses.front().bodies.empty()) recorder_.world(report);
   }
   if (!following_->is_corrected()) return;
-  record(conversation_.change([&](Pipeline& pipeline, const EngineState& state, const WorldSnapshot& world) {
+  record(conversation_.change([&](const Pipeline& pipeline, const EngineState& state, const WorldSnapshot& world) {
     return following_->correct(pipeline, state, world);
   }));
 }
