@@ -49,6 +49,7 @@ struct Field {
   std::string_view sentence;                     ///< its meaning, for RUNLOG.md
   std::string_view form{};                       ///< what the value is beyond its type: "term", "seconds", "record"
   bool in_brief = false;                         ///< brief() reads it
+  bool follows = false;                          ///< other members determine it, so it is no decision of its own
   std::array<std::string_view, 4> leaves_out{};  ///< of a Json value: members that say where
 
   constexpr Field as(std::string_view what) const {
@@ -59,6 +60,11 @@ struct Field {
   constexpr Field briefly() const {
     auto field = *this;
     field.in_brief = true;
+    return field;
+  }
+  constexpr Field following() const {
+    auto field = *this;
+    field.follows = true;
     return field;
   }
   constexpr Field without(std::array<std::string_view, 4> names) const {

@@ -20,6 +20,7 @@ static_assert(all_kinds_have_a_brief());
 
 Unknown unknown(std::string_view name, const Json& line) {
   Unknown record{std::string(name), line};
+  if (!line.is_object()) return record;
   for (const char* member : {"kind", "n", "t", "cause"}) record.members.erase(member);
   return record;
 }
@@ -46,6 +47,22 @@ Result<Record> read_record(const Json& line, const std::string& where) {
   if (!record) return Record(unknown(kind, line));
   if (problem) return Error{where, fmt::format("{}{}: {}", kind, problem->where, problem->sentence)};
   return *std::move(record);
+}
+
+Record readable_part(const Json& line) {
+  const auto name = line.is_object() ? line.find("kind") : line.end();
+  const auto kind = name != line.end() && name->is_string() ? name->get<std::string>() : std::string();
+  std::optional<Record> record;
+  for_each_kind([&]<class T>() {
+    if (record || T::kind.name != kind) return;
+    auto& known = std::get<T>(record.emplace(T{}));
+    for_each_field<T>([&](const auto& field) {
+      const auto found = line.find(field.name);
+      auto& member = known.*(field.member);
+      if (found != line.end() && read_value(*found, member)) member = {};
+    });
+  });
+  return record ? *std::move(record) : unknown(kind, line);
 }
 
 Stamp stamp_of(const Json& line) {

@@ -256,7 +256,7 @@ struct Application {
     return std::tuple{
         field("function", &Application::function, Says::what, "The function.").as("term").briefly(),
         field("argument", &Application::argument, Says::what, "The argument.").as("term").briefly(),
-        field("result", &Application::result, Says::what, "The result.").as("term").briefly(),
+        field("result", &Application::result, Says::what, "The result.").as("term").briefly().following(),
         field("types", &Application::types, Says::how, "Their types."),
         field("rule", &Application::rule, Says::how, "The raising rule that made the argument fit, or null."),
         field("because", &Application::because, Says::aside, "The inputs that contributed.").as("record")};

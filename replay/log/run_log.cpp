@@ -1,40 +1,52 @@
 #include "continua/replay/log/run_log.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/record_json.h"
 
 namespace continua {
 namespace {
 
-// What must be equal on every machine; RUNLOG.md says so too.
-constexpr std::array<std::string_view, 18> decision_kinds = {
-    "input",   "percept", "reading",     "belief",    "memory", "transition", "symbol",  "rewrite",   "gesture",
-    "refusal", "expect",  "application", "utterance", "act",    "branches",   "learned", "forgotten", "correction"};
+// Takes out of `json`, a value of T, the members that are no decisions, however deep.
+template <class T>
+void keep_decisions(Json& json) {
+  using Inner = log::Innermost<T>;
+  if constexpr (log::HasFields<Inner>) {
+    if (json.is_array())
+      for (auto& element : json) keep_decisions<Inner>(element);
+    if (!json.is_object()) return;
+    log::for_each_field<Inner>([&]<class Struct, class Value>(const log::Field<Struct, Value>& field) {
+      const auto found = json.find(field.name);
+      if (found == json.end()) return;
+      if (field.says == log::Says::aside || field.follows)
+        json.erase(found);
+      else
+        keep_decisions<Value>(*found);
+    });
+  }
+}
 
-// Between which other records an act goes on and ends is measured: what it came to counts by the act's number.
+// Between which other records an act goes on and ends is measured: its outcome counts by the act's number.
 bool tells_outcome(std::string_view kind, const Json& fields) {
-  return kind == "act" && fields.contains("act") && fields["act"].is_number_integer() &&
+  return log::is<log::Act>(kind) && fields.contains("act") && fields["act"].is_number_integer() &&
          (!fields.contains("status") || fields["status"] != "asked");
 }
 
 }  // namespace
 
 bool is_decision(std::string_view kind) {
-  return std::find(decision_kinds.begin(), decision_kinds.end(), kind) != decision_kinds.end();
+  bool counts = false;
+  log::for_each_kind([&]<class T>() {
+    if (T::kind.name == kind) counts = T::kind.decision != log::Decision::no;
+  });
+  return counts;
 }
 
-// Numbers of records count poses too, and when an act ends is measured, as are margins and weights: none is a decision.
 std::optional<Json> DecisionOrder::next(std::string_view kind, double t_s, Json fields) {
   if (!is_decision(kind)) return std::nullopt;
-  for (const char* field : {"because", "margin", "result", "weights", "resolved", "entries", "rules"})
-    fields.erase(field);
-  // Why a condition did not hold may be measured: values of the world at that moment.
-  if (fields.contains("refused") && fields["refused"].is_array())
-    for (auto& refused : fields["refused"])
-      if (refused.is_object()) refused.erase("reason");
-  const bool timed = kind != "act" && !fields.contains("measured");
+  log::for_each_kind([&]<class T>() {
+    if (T::kind.name == kind) keep_decisions<T>(fields);
+  });
+  const bool timed = !log::is<log::Act>(kind) && !fields.contains("measured");
   Json decision{{"kind", kind}, {"fields", std::move(fields)}};
   if (timed) decision["t"] = t_s;
   const auto& what = decision["fields"];
@@ -57,24 +69,22 @@ std::vector<Json> DecisionOrder::outcomes() const {
   return all;
 }
 
-double margin_of(std::string_view kind, const Json& fields) {
-  double least = std::numeric_limits<double>::infinity();
-  const auto note = [&](const Json& object) {
-    if (!object.is_object()) return;
-    const auto margin = object.find("margin");
-    if (margin != object.end() && margin->is_number()) least = std::min(least, std::abs(margin->get<double>()));
-  };
-  if (kind != "transition" && kind != "reading") return least;
-  note(fields);
-  if (const auto resolved = fields.find("resolved"); resolved != fields.end())
-    for (const auto& resolution : *resolved) note(resolution);
-  return least;
+int RunLog::write(const log::Record& record, SimTime t, std::optional<int> cause, bool measured) {
+  auto fields = log::members_of(record);
+  if (measured) fields["measured"] = true;
+  return write_record(log::kind_of(record), log::margin_of(record), t, fields, cause);
 }
 
 int RunLog::write(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause) {
+  auto line = fields;
+  line["kind"] = kind;
+  return write_record(kind, log::margin_of(log::readable_part(line)), t, fields, cause);
+}
+
+int RunLog::write_record(std::string_view kind, double margin, SimTime t, const Json& fields,
+                         std::optional<int> cause) {
   if (next_ % records_per_block == records_per_block - 1) close_block(t);
-  if (const double margin = margin_of(kind, fields); margin < fragile_margin)
-    fragile_.push_back({{"n", next_}, {"margin", margin}});
+  if (margin < fragile_margin) fragile_.push_back({{"n", next_}, {"margin", margin}});
   return write_line(kind, t, fields, cause);
 }
 
@@ -92,7 +102,7 @@ int RunLog::write_line(std::string_view kind, SimTime t, const Json& fields, std
   const auto line = compact(record) + "\n";
   all_.add(line);
   block_.add(line);
-  if (kind == "pose") physics_.add(line);
+  if (log::is<log::Pose>(kind)) physics_.add(line);
   if (const auto decision = decision_order_.next(kind, t.seconds(), fields)) decisions_.add(compact(*decision));
   ++counts_[std::string(kind)];
   out_.write(line.data(), static_cast<std::streamsize>(line.size()));

@@ -12,6 +12,7 @@
 #include "continua/core/digest.h"
 #include "continua/core/located_json.h"
 #include "continua/core/sim_time.h"
+#include "continua/replay/log/records.h"
 
 namespace continua {
 
@@ -39,15 +40,14 @@ inline constexpr int records_per_block = 256;
 /// (world/geometry.h), and as much of any other number that was compared.
 inline constexpr double fragile_margin = 1e-4;
 
-/// How near the record's decisions were to others: the smallest `margin` in it, infinity without any.
-double margin_of(std::string_view kind, const Json& fields);
-
 class RunLog {
  public:
   /// Every line is written to `out` at once and whole; `out` must outlive the log.
   explicit RunLog(std::ostream& out) : out_(out) {}
 
-  /// Writes one record and returns its number. `fields` follow `kind`, `n`, `t` and `cause` in their order.
+  /// Writes one record and returns its number. `measured`: its time depends on how long an act took.
+  int write(const log::Record& record, SimTime t, std::optional<int> cause = std::nullopt, bool measured = false);
+  /// The same of a record in its JSON: `fields` follow `kind`, `n`, `t` and `cause` in their order.
   int write(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause = std::nullopt);
 
   /// Writes the last line.
@@ -59,6 +59,7 @@ class RunLog {
   std::size_t fragile() const { return fragile_.size(); }
 
  private:
+  int write_record(std::string_view kind, double margin, SimTime t, const Json& fields, std::optional<int> cause);
   int write_line(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause);
   void close_block(SimTime t);
 

@@ -9,11 +9,11 @@
 #include "continua/core/digest.h"
 #include "continua/core/result.h"
 #include "continua/replay/log/line_scan.h"
+#include "continua/replay/log/record_json.h"
+#include "continua/replay/log/records.h"
 
 namespace continua {
 namespace {
-
-using Names = std::vector<std::string_view>;
 
 // What is to be done with members of these names. Of a log's million records each is looked up: by a table of their
 // lengths and first bytes.
@@ -47,57 +47,63 @@ class Members {
 
 enum class Use : std::uint8_t { what, walked_what, rest, walked_rest, none };
 
-// Members that tell where a record stands in its log, or how near and by which way it was decided.
-const Names of_place{"kind",     "n",      "t",       "cause",    "because", "line",  "step",
-                     "measured", "margin", "weights", "resolved", "entries", "rules", "id",
-                     "below",    "stack",  "act",     "result",   "waited_s"};
-
 }  // namespace
 
 struct RecordKind {
-  /// `what`: members that tell what happened; `left_out`: members that do not count in those that are `walked`.
-  RecordKind(std::string_view of, const Names& what, const Names& out = {}, const Names& walked = {}) : name(of) {
-    const auto is_among = [](std::string_view one, const Names& names) {
-      return std::find(names.begin(), names.end(), one) != names.end();
-    };
-    for (const auto one : what) uses.add(one, is_among(one, walked) ? Use::walked_what : Use::what);
-    for (const auto one : walked)
-      if (!is_among(one, what)) uses.add(one, Use::walked_rest);
-    for (const auto one : of_place)
-      if (!is_among(one, what) && !is_among(one, walked)) uses.add(one, Use::none);
-    for (const auto one : out) left_out.add(one, true);
-  }
-
   std::string_view name;
   Members<Use> uses;
-  Members<bool> left_out;
+  Members<bool> left_out;  // names that do not count within members that are walked
 };
 
 namespace {
 
-// A transition's id is its machine's, every other the log's.
-const std::vector<RecordKind> kinds{
-    {"input", {"event"}, {"t", "until", "act", "row"}, {"event"}},
-    {"percept", {"bound"}, {"from", "until", "spread_m", "samples", "left_out"}, {"bound"}},
-    {"reading", {"move", "words", "meaning", "referents", "taken"}},
-    {"belief", {"concept", "value"}},
-    {"memory", {"register", "value"}},
-    {"transition", {"id", "from", "to", "input"}, {"reason"}, {"refused"}},
-    {"correction", {"from", "to"}},
-    {"symbol", {"slots"}},
-    {"rewrite", {"state"}},
-    {"application", {"function", "argument", "result"}},
-    {"utterance", {"text"}},
-    {"gesture", {"gesture"}},
-    {"learned", {"of", "name", "value"}},
-    {"forgotten", {"of", "name", "value"}},
-    {"act", {"program", "status"}},
-    {"refusal", {"state", "input"}, {"reason"}, {"refused"}},
-    {"observed", {"channel", "content"}},
-    {"expect", {"expected"}},
-    {"branches", {"branches"}, {"id", "parent", "stack", "dropped"}, {"branches", "dropped"}},
-    {"pose", {"bodies"}},
-};
+constexpr bool counts(log::Says says) { return says == log::Says::what || says == log::Says::how; }
+
+// Notes the names that do not count in values of T, however deep; whether there are any.
+template <class T>
+bool leave_out(Members<bool>& names) {
+  using Inner = log::Innermost<T>;
+  bool any = false;
+  if constexpr (log::HasFields<Inner>)
+    log::for_each_field<Inner>([&]<class Struct, class Value>(const log::Field<Struct, Value>& field) {
+      if (!counts(field.says)) {
+        if (!names.find(field.name, false)) names.add(field.name, true);
+        any = true;
+      } else {
+        any = leave_out<Value>(names) || any;
+      }
+    });
+  return any;
+}
+
+// The tables of a kind of record; nothing where no member tells what happened.
+template <class T>
+std::optional<RecordKind> tables_of() {
+  RecordKind kind{T::kind.name, {}, {}};
+  bool tells = false;
+  for (const auto stamp : {"kind", "n", "t", "cause", "measured"}) kind.uses.add(stamp, Use::none);
+  log::for_each_field<T>([&]<class Struct, class Value>(const log::Field<Struct, Value>& field) {
+    if (!counts(field.says)) return kind.uses.add(field.name, Use::none);
+    bool walked = leave_out<Value>(kind.left_out);
+    for (const auto name : field.leaves_out)
+      if (!name.empty()) kind.left_out.add(name, true), walked = true;
+    const bool what = field.says == log::Says::what;
+    tells = tells || what;
+    kind.uses.add(field.name, what ? (walked ? Use::walked_what : Use::what) : (walked ? Use::walked_rest : Use::rest));
+  });
+  return tells ? std::optional(kind) : std::nullopt;
+}
+
+const std::vector<RecordKind>& kinds() {
+  static const auto all = [] {
+    std::vector<RecordKind> found;
+    log::for_each_kind([&]<class T>() {
+      if (auto tables = tables_of<T>()) found.push_back(std::move(*tables));
+    });
+    return found;
+  }();
+  return all;
+}
 
 // The value without members of these names.
 void add_walked(std::string_view value, const Members<bool>& left_out, std::string& text) {
@@ -123,8 +129,9 @@ void add_walked(std::string_view value, const Members<bool>& left_out, std::stri
 }  // namespace
 
 const RecordKind* record_kind(std::string_view name) {
-  const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const RecordKind& one) { return one.name == name; });
-  return found == kinds.end() ? nullptr : &*found;
+  const auto found =
+      std::find_if(kinds().begin(), kinds().end(), [&](const RecordKind& one) { return one.name == name; });
+  return found == kinds().end() ? nullptr : &*found;
 }
 
 RecordMeaning meaning_of(const RecordKind* kind, std::span<const RecordMember> members) {
@@ -149,7 +156,7 @@ RecordMeaning meaning_of(const RecordKind* kind, std::span<const RecordMember> m
 
 std::uint64_t meaning_of_event(std::string_view event) {
   std::string text;
-  add_walked(event, record_kind("input")->left_out, text);
+  add_walked(event, record_kind(log::Input::kind.name)->left_out, text);
   return hash_of(text);
 }
 

@@ -1,19 +1,20 @@
 #include "continua/replay/log/run_stops.h"
 
-#include <set>
 #include <string>
+
+#include "continua/replay/log/records.h"
 
 namespace continua {
 namespace {
 
-enum class Stop { never, unless_of_sample, of_sample_too, of_sample_if_stack_changed };
+using log::Stop;
 
 Stop stop_at(const std::string& kind) {
-  static const std::set<std::string> never{"run",    "symbol", "rest",     "end", "memory",
-                                           "belief", "block",  "observed", "pose"};
-  if (never.count(kind)) return Stop::never;
-  if (kind == "input" || kind == "refusal") return Stop::unless_of_sample;
-  return kind == "transition" || kind == "rewrite" ? Stop::of_sample_if_stack_changed : Stop::of_sample_too;
+  auto stop = Stop::always;
+  log::for_each_kind([&]<class T>() {
+    if (T::kind.name == kind) stop = T::kind.stop;
+  });
+  return stop;
 }
 
 }  // namespace
@@ -33,9 +34,8 @@ std::vector<std::uint32_t> records_worth_stopping_at(const RunIndex& run) {
       top = marks[mark++].top;
     }
     const auto stop = stops[entry.kind];
-    if (stop != Stop::never &&
-        (!entry.by_sample || stop == Stop::of_sample_too || (stop == Stop::of_sample_if_stack_changed && changed)))
-      found.push_back(static_cast<std::uint32_t>(n));
+    const bool of_sample_too = stop == Stop::always || (stop == Stop::if_sample_changed_stack && changed);
+    if (stop != Stop::never && (!entry.by_sample || of_sample_too)) found.push_back(static_cast<std::uint32_t>(n));
   }
   return found;
 }

@@ -8,6 +8,7 @@
 
 #include "continua/pipeline/pipeline.h"
 #include "continua/replay/log/run_log.h"
+#include "continua/replay/recorder/record_of.h"
 #include "continua/replay/score/agreement.h"
 #include "continua/replay/trace/trace_file.h"
 
@@ -52,44 +53,34 @@ class Recorder {
   const std::vector<std::string>& last_referents() const { return last_referents_; }
 
  private:
+  // Events that only become a record.
+  template <class Event>
+  void one(const Event& event);
+  // Events that the recorder also remembers, or that cause what follows.
   void one(const Perceived& perceived);
   void one(const Attended& attended);
   void one(const Understood& understood);
-  void one(const BeliefChange& change);
   void one(const StepEvent& step);
-  void one(const Explored& explored);
-  void one(const Corrected& corrected);
   void one(const GestureCommand&) {}
-  void one(const Unplanned& unplanned);
   void one(const ActStep& step);
   void one(const ActEnd& end);
   void one(const Fired& fired);
-  void one(const MadeSymbol& made);
-  void one(const Rewrote& rewrote);
-  void one(const Applied& applied);
   void one(const Said& said);
   void one(const Gestured& gestured);
   void one(const Acted& acted);
-  void one(const Remembered& remembered);
-  void one(const Taught& taught);
-  void one(const Forgotten& forgotten);
-  void one(const RefusedInput& refused);
-  void one(const Trouble& trouble);
 
   void report(const ActReport& act);
   void pose(const PoseSample& sample);
   void rest(const RestSpan& span);
-  Json refusals(const std::vector<Refused>& refused, std::size_t alternatives) const;
-  Json inputs(const std::vector<int>& because) const;
-  static Json fields_of(const Deixis& pointing);
-  int write(std::string_view kind, Json fields);
-  void write_act(int number, const std::string& status, Json more, SimTime t);
+  int write(const log::Record& record);
+  /// A record of an act that was asked for before. `record` lacks the act's number and, if empty, its program.
+  void write_act(int number, log::Act record, SimTime t);
 
   RunLog& log_;
   const Machine* machine_;
   SimTime now_;
-  std::optional<int> cause_;         ///< number of the record that brought about the next one
-  std::map<int, int> input_record_;  ///< serial of an input → number of its record
+  std::optional<int> cause_;  ///< number of the record that brought about the next one
+  InputRecords input_record_;
   std::vector<AvatarMove> moves_;
   int latest_input_ = 0;
   bool measured_ = false;  ///< the time of what is written depends on how long an act took

@@ -1,0 +1,55 @@
+// The record of a run log that each event of the engine and the world becomes: pure functions. The recorder numbers
+// the records, and knows the acts.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "continua/pipeline/engine_state.h"
+#include "continua/replay/log/records.h"
+
+namespace continua {
+
+/// The number of the record of each input, by its serial.
+using InputRecords = std::map<int, int>;
+
+/// The numbers of these inputs' records, as `because` has them. Inputs without a record are left out.
+std::vector<std::int64_t> records_of(const std::vector<int>& serials, const InputRecords& inputs);
+
+// Input
+log::Percept record_of(const Attended& attended, const InputRecords& inputs);
+log::Reading record_of(const Understood& understood, const InputRecords& inputs);
+log::Learned record_of(const Taught& taught, const InputRecords& inputs);
+log::Forgotten record_of(const Forgotten& forgotten, const InputRecords& inputs);
+
+/// Names of the objects that the move can mean, the likeliest first; nothing for a move without a noun phrase or
+/// pointing.
+std::optional<std::vector<std::string>> referents_of(const Move& move);
+
+// Automaton
+log::Belief record_of(const BeliefChange& change);
+log::Memory record_of(const Remembered& remembered, const Machine& machine);
+log::Transition record_of(const Fired& fired, const Machine& machine);
+log::Branches record_of(const Explored& explored, const Machine& machine);
+log::Correction record_of(const Corrected& corrected, const Machine& machine);
+log::Symbol record_of(const MadeSymbol& made, const Machine& machine);
+log::Rewrite record_of(const Rewrote& rewrote, const Machine& machine);
+log::Application record_of(const Applied& applied, const InputRecords& inputs);
+log::Refusal record_of(const RefusedInput& refused, const Machine& machine);
+log::Problem record_of(const Trouble& trouble);
+
+// Avatar
+log::Utterance record_of(const Said& said, const InputRecords& inputs);
+log::AvatarGesture record_of(const Gestured& gestured, const InputRecords& inputs);
+log::Problem record_of(const Unplanned& unplanned);
+/// What a step of an act came to, and the act.
+log::ActResult result_of(const ActReport& report);
+log::ActResult result_of(const ActEnd& end);
+/// A step that needed no doing.
+log::ActResult result_of(const ActStep& step);
+log::Pose record_of(const PoseSample& sample);
+log::Rest record_of(const RestSpan& span);
+
+}  // namespace continua
