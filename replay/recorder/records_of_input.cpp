@@ -15,7 +15,9 @@
 namespace continua {
 namespace {
 
-constexpr double weight_steps = 1e6;
+constexpr double weight_grid = 1e-6;
+
+double on_weight_grid(double weight) { return std::round(weight / weight_grid) * weight_grid + 0.0; }
 
 std::string joined(const std::vector<std::string>& words) { return fmt::to_string(fmt::join(words, " ")); }
 
@@ -57,7 +59,7 @@ std::vector<std::string> names_of(const Reference& reference) {
 template <class WithReference>
 void add_reference(const Reference& reference, WithReference& record) {
   auto& weights = record.weights.emplace();
-  for (const auto& referent : reference.referents) weights.push_back(rounded(referent.weight, weight_steps));
+  for (const auto& referent : reference.referents) weights.push_back(on_weight_grid(referent.weight));
   auto& ruled_out = record.ruled_out.emplace();
   for (const auto& [name, reason] : reference.ruled_out) ruled_out.push_back({name, reason});
   if (reference.sides != Sides::exact) record.sides = reference.sides == Sides::rough ? "rough" : "loose";
