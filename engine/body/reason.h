@@ -105,8 +105,8 @@ std::string words_of(const Reason& reason);
 template <class T>
 class [[nodiscard]] OrReason {
  public:
-  OrReason(T value) : held_(std::move(value)) {}         // NOLINT(google-explicit-constructor)
-  OrReason(Reason reason) : held_(std::move(reason)) {}  // NOLINT(google-explicit-constructor)
+  OrReason(T value) : held_(std::move(value)) {}   // NOLINT(google-explicit-constructor)
+  OrReason(Reason why) : held_(std::move(why)) {}  // NOLINT(google-explicit-constructor)
 
   explicit operator bool() const { return held_.index() == 0; }
 
