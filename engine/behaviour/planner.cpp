@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "continua/core/angles.h"
 #include "continua/term/term_text.h"
 
 namespace continua {
@@ -11,8 +12,6 @@ namespace {
 
 // Rise of a lifted object: clear of its neighbours, and low enough for the arm everywhere on the table.
 constexpr double lift_height_m = 0.1;
-
-constexpr double quarter_turn_deg = 90, rad_per_deg = 0.017453292519943295;
 
 bool is_thing(const Term& term) { return term.kind() == Term::Kind::constant && term.type() == Type::entity(); }
 
@@ -60,7 +59,7 @@ OrReason<AvatarCommand> plan(const Term& program, bool gesture, Perspective pers
     if (!is_thing(arguments[0])) return wrong();
     command.object = arguments[0].name();
     if (known->what == Capability::lift) command.height_m = lift_height_m;
-    if (known->what == Capability::turn) command.turn_rad = rad_per_deg * quarter_turn_deg;
+    if (known->what == Capability::turn) command.turn_rad = quarter_turn;
   } else if (is_thing(arguments.back())) {
     command.object = arguments.back().name();
     return command;

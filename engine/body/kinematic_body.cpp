@@ -5,14 +5,13 @@
 
 #include "continua/body/push_apart.h"
 #include "continua/body/standing.h"
+#include "continua/core/angles.h"
 
 namespace continua {
 
 namespace {
 
 using Status = ActReport::Status;
-
-constexpr double full_turn = 6.283185307179586;
 
 ObjectState& object_of(WorldSnapshot& world, std::string_view name) {
   const auto found = std::find_if(world.objects.begin(), world.objects.end(),
@@ -25,7 +24,6 @@ ObjectState& object_of(WorldSnapshot& world, std::string_view name) {
 Eigen::Quaterniond turn_of(const ObjectState& now, const ObjectState* lying) {
   const Eigen::Quaterniond yaw(Eigen::AngleAxisd(now.yaw, Vec3::UnitZ()));
   if (!lying) return yaw;
-  constexpr double quarter_turn = 1.5707963267948966;
   const bool x_upright = lying->half_extents_m.x() >= lying->half_extents_m.y();
   return yaw * Eigen::AngleAxisd(quarter_turn, x_upright ? Vec3::UnitY() : Vec3(-Vec3::UnitX()));
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "continua/body/placement.h"
+#include "continua/core/angles.h"
 #include "continua/simulation/hand_route.h"
 
 namespace continua {
@@ -18,7 +19,7 @@ using Code = ReasonCode;
 using Status = ActStatus;
 
 constexpr double turned_wrong = 0.17;  // radians (10 degrees): a turn with a larger error has missed
-constexpr double full_turn = 6.283185307179586, deg_per_rad = 57.29577951308232, mm_per_m = 1000;
+constexpr double mm_per_m = 1000;
 // A failed act is tried once more. If the arm finds no way with a grip, two other grips are tried.
 constexpr int most_retries = 1, most_detours = 2;
 // Half of the speeds of rest: a toppling object does not stay below them for long.
@@ -225,7 +226,7 @@ std::optional<Reason> Avatar::judge(const WorldSnapshot& world) const {
   }
   if (command.what == Capability::turn && std::abs(outcome.yaw_error) > turned_wrong)
     return Reason{
-        Code::turned_wrong, {command.object}, {fmt::format("{:.0f}", deg_per_rad * std::abs(outcome.yaw_error))}};
+        Code::turned_wrong, {command.object}, {fmt::format("{:.0f}", std::abs(outcome.yaw_error) / rad_per_deg)}};
   // Anywhere in a hollow will do.
   const bool inside = moves_to_goal(command.what) && goal.relation == Relation::in;
   if (!inside && outcome.position_error_m > set_down_error_m)

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "continua/body/placement.h"
+#include "continua/core/angles.h"
 #include "continua/simulation/avatar.h"
 #include "continua/simulation/hand_route.h"
 #include "continua/simulation/stacks.h"
@@ -14,7 +15,6 @@ namespace {
 using Code = ReasonCode;
 using Status = ActStatus;
 
-constexpr double quarter_turn = 1.5707963267948966;
 constexpr double room_within_m = 0.012;  // an object may be set down this far from its place to find room
 constexpr double standing_m = 0.005;     // an object no farther above its support stands on it
 // Handlings that make room, and pushes of one object: bounds against acts that never end.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "continua/core/angles.h"
 #include "continua/simulation/geom_bounds.h"
 #include "continua/simulation/mujoco_model.h"
 
@@ -13,7 +14,6 @@ namespace continua {
 
 namespace {
 
-constexpr double pi = 3.141592653589793;
 constexpr std::array sides = {"left", "right"};
 
 /// A joint that follows a servo's value: value * per_unit + at_zero.
@@ -140,8 +140,8 @@ class Reader {
       const Pose X_WJ{vec_of(data_->xanchor + 3 * joint), R_WJ};
       const Pose unturned{Vec3::Zero(), Eigen::Quaterniond(Eigen::AngleAxisd(-q, axis_J))};
       arm.home[static_cast<int>(arm.joints.size())] = q;
-      arm.joints.push_back({inverse(X_WL) * X_WJ * unturned, axis_J, limited ? model_.jnt_range[2 * joint] : -2 * pi,
-                            limited ? model_.jnt_range[2 * joint + 1] : 2 * pi});
+      arm.joints.push_back({inverse(X_WL) * X_WJ * unturned, axis_J, limited ? model_.jnt_range[2 * joint] : -full_turn,
+                            limited ? model_.jnt_range[2 * joint + 1] : full_turn});
       X_WL = X_WJ;
     }
     arm.X_LT = inverse(X_WL) * X_WGrip();
@@ -237,10 +237,10 @@ class Reader {
     Arm& arm = form_.arm;
     const Pose X_WT = tool_pose(arm, arm.home);
     const double natural = form_.natural_yaw(X_WT.p_WB);
-    double off = std::remainder(yaw_of_closing(X_WT) - natural, 2 * pi);
-    if (std::abs(off) > pi / 2) {
-      arm.X_LT = arm.X_LT * Pose{Vec3::Zero(), Eigen::Quaterniond(Eigen::AngleAxisd(pi, Vec3::UnitX()))};
-      off = std::remainder(off + pi, 2 * pi);
+    double off = std::remainder(yaw_of_closing(X_WT) - natural, full_turn);
+    if (std::abs(off) > quarter_turn) {
+      arm.X_LT = arm.X_LT * Pose{Vec3::Zero(), Eigen::Quaterniond(Eigen::AngleAxisd(half_turn, Vec3::UnitX()))};
+      off = std::remainder(off + half_turn, full_turn);
     }
     constexpr double along = 0.99;  // cosine: 8 degrees
     constexpr double spare = 0.15;  // radians: a wrist at its limit leaves the arm no way

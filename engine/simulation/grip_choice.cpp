@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "continua/core/angles.h"
 #include "continua/simulation/hand_route.h"
 #include "continua/simulation/stacks.h"
 
@@ -12,7 +13,6 @@ namespace continua {
 
 namespace {
 
-constexpr double quarter = 1.5707963267948966;
 constexpr double least_conflict_m = 1e-4;  // positions lie on a grid: a smaller conflict is a touch
 
 // A tilted hand takes things that bear others, and things below something high.
@@ -142,7 +142,7 @@ void add_grips_from_above(const ObjectState& object, const WorldSnapshot& world,
   const double natural = avatar.natural_yaw(object.p_WO);
   for (const int side : {0, 1}) {
     const double across = side == 0 ? object.half_extents_m.y() : object.half_extents_m.x();
-    const double yaw = nearest(object.yaw + side * quarter, 2 * quarter, natural);
+    const double yaw = nearest(object.yaw + side * quarter_turn, 2 * quarter_turn, natural);
     const Vec3 closing(std::cos(yaw), std::sin(yaw), 0), sideways(-std::sin(yaw), std::cos(yaw), 0);
     const Eigen::AngleAxisd R_WO(object.yaw, Vec3::UnitZ());
     // Shifts of the fingers go along the object or its part, from the middle.
@@ -189,7 +189,7 @@ void add_grips_on_edges(const ObjectState& object, const WorldSnapshot& world, c
   for (const auto& edge : shape.edges(inset_m, hand.finger_half_width_m, thickest_m, air_m)) {
     const double direction = object.yaw + edge.direction;
     const Vec3 out(std::cos(direction), std::sin(direction), 0);
-    const double yaw = nearest(std::atan2(-out.x(), out.y()), 4 * quarter, natural);  // ahead is inward
+    const double yaw = nearest(std::atan2(-out.x(), out.y()), 4 * quarter_turn, natural);  // ahead is inward
     for (const double steep : edge_steeps) {
       const double c = std::cos(steep), s = std::sin(steep);
       const double half_m = (inset_m * s + (edge.top_m - edge.bottom_m) * c) / 2, opening_m = half_m + margin_m;
@@ -197,9 +197,9 @@ void add_grips_on_edges(const ObjectState& object, const WorldSnapshot& world, c
       const double z = edge.top_m + hand.finger_tip_m * s - half_m * c;
       const double lowest = z - hand.finger_tip_m * s - (opening_m + hand.finger_thickness_m) * c;
       if (lowest < shape.bottom_m() + above_table_m || opening_m > hand.widest_opening_m) continue;
-      for (const double roll : {quarter, -quarter}) {
+      for (const double roll : {quarter_turn, -quarter_turn}) {
         Grip grip;
-        grip.hand = {yaw, quarter - steep, roll};
+        grip.hand = {yaw, quarter_turn - steep, roll};
         grip.p_OT = r * out + Vec3(0, 0, z);
         grip.opening_m = opening_m;
         const Pose X_WT = hand_at(grip, object.p_WO, false);
@@ -247,7 +247,7 @@ Pose hand_at(const Grip& grip, const Vec3& p_WO, bool turned) {
   return {p_WO + grip.aside_W + R * grip.p_OT, R * rotation(grip.hand)};
 }
 
-double straightened(double yaw) { return nearest(0, quarter, yaw); }
+double straightened(double yaw) { return nearest(0, quarter_turn, yaw); }
 
 std::vector<Grip> grips_on(const ObjectState& object, const WorldSnapshot& world, const AvatarForm& avatar,
                            const ObjectShape* shape, const std::vector<std::string>& parts) {
@@ -268,13 +268,13 @@ std::vector<Grip> grips_at(const Grip& grip, const ObjectState& object, const Ve
                            const AvatarForm& avatar, const std::string& into) {
   const auto others = obstacles(apart_from(object, world), into);
   const double straighten = straightened(object.yaw) - object.yaw;
-  const double start_wrist = std::remainder(grip.hand.yaw - avatar.natural_yaw(object.p_WO), 4 * quarter);
+  const double start_wrist = std::remainder(grip.hand.yaw - avatar.natural_yaw(object.p_WO), 4 * quarter_turn);
   const double yaw = avatar.natural_yaw(object.p_WO) + start_wrist;
   std::vector<Grip> grips;
   for (const int quarters : {0, 1, -1, 2, -2}) {
     if (quarters % 2 != 0 && !is_square(object)) continue;
     Grip turned = grip;
-    turned.turn = straighten + quarters * quarter;
+    turned.turn = straighten + quarters * quarter_turn;
     const double wrist = yaw + turned.turn - avatar.natural_yaw(p_WG);
     if (quarters != 0 && !avatar.wrist_turns(wrist)) continue;
     turned.conflict_m = std::max(grip.conflict_m, conflict_at_goal(turned, p_WG, avatar.hand, others));
@@ -292,7 +292,7 @@ std::vector<Grip> grips_on_end(const Grip& grip, const ObjectState& object, cons
   constexpr std::array asides = {0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.6, -1.6};
   const bool along_x = object.half_extents_m.x() >= object.half_extents_m.y();
   const double half_m = std::max(object.half_extents_m.x(), object.half_extents_m.y());
-  const double long_yaw = object.yaw + (along_x ? 0 : quarter);
+  const double long_yaw = object.yaw + (along_x ? 0 : quarter_turn);
   const Vec3 long_W(std::cos(long_yaw), std::sin(long_yaw), 0);
   const Vec3 closing_W(std::cos(grip.hand.yaw), std::sin(grip.hand.yaw), 0), ahead_W(closing_W.y(), -closing_W.x(), 0);
   const double held_ahead_m = grip.p_OT.dot(ahead_W);
@@ -307,9 +307,9 @@ std::vector<Grip> grips_on_end(const Grip& grip, const ObjectState& object, cons
   std::vector<Grip> grips;
   for (const double aside : asides) {
     Grip stood = grip;
-    stood.tip = side * (quarter - lean);
-    const double wrist = aside + (side < 0 ? 2 * quarter * (aside > 0 ? -1 : 1) : 0);
-    const double start_wrist = std::remainder(grip.hand.yaw - avatar.natural_yaw(object.p_WO), 4 * quarter);
+    stood.tip = side * (quarter_turn - lean);
+    const double wrist = aside + (side < 0 ? 2 * quarter_turn * (aside > 0 ? -1 : 1) : 0);
+    const double start_wrist = std::remainder(grip.hand.yaw - avatar.natural_yaw(object.p_WO), 4 * quarter_turn);
     if (!avatar.wrist_turns(wrist) || !avatar.wrist_turns(start_wrist)) continue;
     stood.turn = avatar.natural_yaw(p_WG) + wrist - grip.hand.yaw;
     const Vec3 to_W = Eigen::AngleAxisd(stood.turn, Vec3::UnitZ()) * (side * ahead_W);

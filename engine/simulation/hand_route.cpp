@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continua/core/angles.h"
 #include "continua/simulation/stacks.h"
 
 namespace continua {
@@ -10,7 +11,6 @@ namespace continua {
 namespace {
 
 constexpr double clearance_m = 0.025;  // between a moving thing and the things below it
-constexpr double full_turn = 6.283185307179586, quarter_turn = full_turn / 4;
 
 bool overlap(const Box& a, const Box& b) { return (a.max.cwiseMin(b.max) - a.min.cwiseMax(b.min)).minCoeff() > 0; }
 

@@ -4,14 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "continua/core/angles.h"
 #include "continua/simulation/hand_route.h"
 #include "continua/simulation/stacks.h"
 
 namespace continua {
 
 namespace {
-
-constexpr double full_turn = 6.283185307179586;
 
 /// Reachability of poses, with room for the arm.
 class Reach {

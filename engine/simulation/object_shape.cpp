@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continua/core/angles.h"
 #include "continua/simulation/mujoco_model.h"
 
 namespace continua {
@@ -100,7 +101,7 @@ std::vector<ObjectShape::Edge> ObjectShape::edges(double inset_m, double half_wi
   std::vector<Edge> found;
   for (int i = 0; i < directions; ++i) {
     Edge edge;
-    edge.direction = 6.283185307179586 * i / directions;
+    edge.direction = full_turn * i / directions;
     const Vec3 out(std::cos(edge.direction), std::sin(edge.direction), 0), aside(-out.y(), out.x(), 0);
     for (double r = 0; r < farthest_m; r += column_m / 2)
       if (at(r * out.x(), r * out.y())) edge.radius_m = r;
@@ -130,7 +131,7 @@ bool ObjectShape::is_round() const {
   constexpr double as_round = 0.1;  // a regular octagon is
   const double radius_m = std::max(half_.x(), half_.y()), margin_m = as_round * radius_m + column_m;
   for (int i = 0; i < directions; ++i) {
-    const double angle = 6.283185307179586 * i / directions;
+    const double angle = full_turn * i / directions;
     double reach_m = 0;
     for (double r = 0; r < half_.head<2>().norm(); r += column_m / 2)
       if (at(r * std::cos(angle), r * std::sin(angle))) reach_m = r;

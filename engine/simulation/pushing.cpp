@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "continua/core/angles.h"
 #include "continua/simulation/hand_route.h"
 #include "continua/simulation/stacks.h"
 
@@ -14,7 +15,6 @@ namespace {
 
 using Code = ReasonCode;
 
-constexpr double half_turn = 3.141592653589793;
 constexpr double tips_above_m = 0.002;  // above the table: the fingers meet flat things too
 constexpr double standing_m = 0.005;    // an object no farther above the table stands on it
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "continua/core/angles.h"
 #include "continua/simulation/oriented_box.h"
 #include "continua/simulation/stacks.h"
 
@@ -11,7 +12,6 @@ namespace continua {
 
 namespace {
 
-constexpr double full_turn = 6.283185307179586, quarter_turn = full_turn / 4;
 constexpr double touching_m = 0.001;
 constexpr double level_m = 0.005;  // things whose bottoms differ by less stand beside each other
 constexpr double rim_part = 0.3;   // of a hollow thing's half width: the corners of its box that a round rim lacks

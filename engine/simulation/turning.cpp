@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continua/core/angles.h"
 #include "continua/simulation/hand_route.h"
 #include "continua/simulation/stacks.h"
 
 namespace continua {
 
 namespace {
-
-constexpr double half_turn = 3.141592653589793;
 
 // In the unit of grip_choice.cpp. For each radian of the wrist before and after the turn: among grips as good, the one
 // with the most play at both ends.

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "continua/core/angles.h"
 
 namespace continua {
 namespace {
@@ -30,11 +31,10 @@ std::optional<mjvCamera> camera_from(const std::string& side, const std::vector<
                                      double aspect, double free_below) {
   const auto known = std::find_if(sides.begin(), sides.end(), [&](const Side& one) { return side == one.name; });
   if (known == sides.end()) return std::nullopt;
-  constexpr double degree = std::numbers::pi / 180;
-  const double a = known->azimuth * degree, e = known->elevation * degree;
+  const double a = known->azimuth * rad_per_deg, e = known->elevation * rad_per_deg;
   const Vec3 forward(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
   const Vec3 right(std::sin(a), -std::cos(a), 0), up = right.cross(forward);
-  const double half_height = std::tan(fovy * degree / 2), half_width = half_height * aspect;
+  const double half_height = std::tan(fovy * rad_per_deg / 2), half_width = half_height * aspect;
 
   Vec3 lookat = Vec3::Zero();
   for (const Vec3& point : points_W) lookat += point / static_cast<double>(points_W.size());
