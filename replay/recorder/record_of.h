@@ -9,6 +9,7 @@
 
 #include "continua/pipeline/engine_state.h"
 #include "continua/replay/log/records.h"
+#include "continua/replay/trace/trace_file.h"
 
 namespace continua {
 
@@ -27,6 +28,11 @@ log::Forgotten record_of(const Forgotten& forgotten, const InputRecords& inputs)
 /// Names of the objects that the move can mean, the likeliest first; nothing for a move without a noun phrase or
 /// pointing.
 std::optional<std::vector<std::string>> referents_of(const Move& move);
+
+// Events of the trace that are no inputs
+inline log::Observed record_of(const TraceEvent& event, const Observed& observed) {
+  return {static_cast<std::int64_t>(event.line), observed.channel, observed.content};
+}
 
 // Automaton
 log::Belief record_of(const BeliefChange& change);

@@ -51,10 +51,10 @@ int Recorder::input(const TraceEvent& event, const std::string& symbol) {
   return latest_input_;
 }
 
-int Recorder::observed(const TraceEvent& event, const Observed& observed) {
+int Recorder::trace_event(const TraceEvent& event, const log::Record& record) {
   now_ = event.t;
   cause_ = std::nullopt;
-  return write(log::Observed{static_cast<std::int64_t>(event.line), observed.channel, observed.content});
+  return write(record);
 }
 
 template <class Event>

@@ -27,7 +27,7 @@ class Recorder {
 
   /// These return the number of their record.
   int input(const TraceEvent& event, const std::string& symbol);
-  int observed(const TraceEvent& event, const Observed& observed);
+  int trace_event(const TraceEvent& event, const log::Record& record);
   void engine(const std::vector<EngineEvent>& events, SimTime t);
   /// Acts, poses and rests in order of their times. A rest is one record, however many reports it lasts for.
   void world(const WorldReport& report);

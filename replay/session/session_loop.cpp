@@ -40,6 +40,11 @@ void SessionLoop::begin(const std::vector<Note>& notes) {
   look_on();
 }
 
+template <class What>
+void SessionLoop::take(const TraceEvent& event, const What& what) {
+  if constexpr (requires { record_of(event, what); }) recorder_.trace_event(event, record_of(event, what));
+}
+
 void SessionLoop::take(const TraceEvent& event) {
   if (!over_) std::visit([&](const auto& what) { take(event, what); }, event.what);
 }
@@ -103,7 +108,7 @@ void SessionLoop::take(const TraceEvent& event, const InputEvent& input) {
 }
 
 void SessionLoop::take(const TraceEvent& event, const Observed& observed) {
-  const int n = recorder_.observed(event, observed);
+  const int n = recorder_.trace_event(event, record_of(event, observed));
   episodes_.observed({observed.channel, observed.content, n}, event.t);
 }
 

@@ -54,8 +54,9 @@ class SessionLoop {
   void take(const TraceEvent& event, const InputEvent& input);
   void take(const TraceEvent& event, const Observed& observed);
   void take(const TraceEvent& event, const Expectation& expectation);
-  void take(const TraceEvent&, const End&) {}
-  void take(const TraceEvent&, const UnknownKind&) {}
+  /// Events that only the log takes, if they become a record at all.
+  template <class What>
+  void take(const TraceEvent& event, const What& what);
   void follow_observed();
   void check_expectations();
   void run(std::optional<SimTime> t);

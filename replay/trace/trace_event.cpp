@@ -5,112 +5,10 @@
 #include <map>
 
 #include "continua/replay/trace/trace_fields.h"
+#include "continua/replay/trace/trace_input.h"
 
 namespace continua {
 namespace {
-
-const std::map<std::string, std::vector<std::string>>& field_table() {
-  static const std::map<std::string, std::vector<std::string>> table = {
-      {"speech", {"t", "kind", "row", "happened", "text", "until", "confidence", "words", "alternatives"}},
-      {"gesture",
-       {"t", "kind", "row", "happened", "name", "hand", "direction", "phase", "target", "until", "confidence",
-        "alternatives"}},
-      {"pointing", {"t", "kind", "row", "happened", "hand", "target", "ray", "until", "confidence"}},
-      {"observed", {"t", "kind", "row", "channel", "content"}},
-      {"expect", {"t", "kind", "row", "state", "says", "indicated", "referents", "act", "holding", "stack_depth"}},
-      {"end", {"t", "kind", "row"}},
-  };
-  return table;
-}
-
-void read_signal(const TraceFields& fields, InputEvent& event) {
-  if (const auto happened = fields.number("happened", 0, trace_time_limit_s)) {
-    const auto own = SimTime::from_seconds(*happened);
-    if (own > event.t) fields.wrong("happened", "a time that is not after 't', when it became known");
-    event.t = own;
-  }
-  if (const auto until = fields.number("until", 0, trace_time_limit_s)) {
-    event.until = SimTime::from_seconds(*until);
-    if (*event.until < event.t)
-      fields.wrong("until",
-                   fields.has("happened") ? "a time that is not before 'happened'" : "a time that is not before 't'");
-  }
-  const auto confidence = fields.number("confidence", 0, 1);
-  event.confidence = confidence.value_or(1);
-}
-
-void read_alternatives(const TraceFields& fields, InputEvent& event) {
-  fields.for_each("alternatives", [&](const TraceFields& alternative) {
-    alternative.need({"text", "name"});
-    auto content = alternative.has("text") ? alternative.text("text") : alternative.text("name");
-    event.alternatives.push_back({std::move(content), alternative.number("confidence", 0, 1).value_or(1)});
-  });
-}
-
-// An n-best list alone is as good as its best entry.
-std::string best_of(const TraceFields& fields, const char* name, InputEvent& event) {
-  fields.need({name, "alternatives"});
-  if (fields.has(name) || event.alternatives.empty()) return fields.text(name);
-  if (!fields.has("confidence")) event.confidence = event.alternatives.front().confidence;
-  return event.alternatives.front().text;
-}
-
-std::string read_hand(const TraceFields& fields) { return fields.choice("hand", {"left", "right"}); }
-
-InputEvent read_speech(const TraceFields& fields, SimTime t) {
-  InputEvent event;
-  event.t = t;
-  event.modality = Modality::speech;
-  read_signal(fields, event);
-  read_alternatives(fields, event);
-  event.text = best_of(fields, "text", event);
-  fields.for_each("words", [&](const TraceFields& word) {
-    word.need({"text"});
-    word.need({"t"});
-    const auto at = word.number("t", 0, trace_time_limit_s);
-    event.words.push_back({word.text("text"), SimTime::from_seconds(at.value_or(0))});
-  });
-  return event;
-}
-
-InputEvent read_gesture(const TraceFields& fields, SimTime t) {
-  InputEvent event;
-  event.t = t;
-  event.modality = Modality::gesture;
-  read_signal(fields, event);
-  read_alternatives(fields, event);
-  event.name = best_of(fields, "name", event);
-  event.hand = read_hand(fields);
-  event.direction = fields.text("direction");
-  event.phase = fields.choice("phase", {"start", "stop", "stroke"});
-  event.target_W = fields.vector("target", 2, trace_coordinate_limit_m);
-  return event;
-}
-
-InputEvent read_pointing(const TraceFields& fields, SimTime t) {
-  InputEvent event;
-  event.t = t;
-  event.modality = Modality::pointing;
-  read_signal(fields, event);
-  event.hand = read_hand(fields);
-  fields.need({"target", "ray"});
-  event.target_W = fields.vector("target", 2, trace_coordinate_limit_m);
-  if (const Json* ray = fields.find("ray")) {
-    if (!ray->is_object()) {
-      fields.wrong("ray", "an object with 'from' and 'direction'");
-      return event;
-    }
-    fields.within("ray", [&](const TraceFields& parts) {
-      parts.need({"from"});
-      parts.need({"direction"});
-      const auto from = parts.vector("from", 3, trace_coordinate_limit_m);
-      const auto direction = parts.vector("direction", 3, trace_coordinate_limit_m);
-      if (direction && direction->isZero(0)) parts.wrong("direction", "a direction that is not zero");
-      if (from && direction) event.ray = Ray{*from, *direction};
-    });
-  }
-  return event;
-}
 
 Observed read_observed(const TraceFields& fields) {
   fields.need({"channel"});
@@ -148,17 +46,124 @@ Expectation read_expectation(const TraceFields& fields, const Json& json) {
   return expected;
 }
 
+void put_expectation(Json& json, const Expectation& expected) {
+  const auto put = [&](const char* name, const std::optional<std::string>& value) {
+    if (value) json[name] = *value == "null" ? Json() : Json(*value);
+  };
+  put("state", expected.state);
+  put("says", expected.says);
+  put("indicated", expected.indicated);
+  if (expected.referents) json["referents"] = *expected.referents;
+  put("act", expected.act);
+  put("holding", expected.holding);
+  if (expected.stack_depth) json["stack_depth"] = *expected.stack_depth;
+}
+
+void put_observed(Json& json, const TraceEvent& event) {
+  const auto& observed = std::get<Observed>(event.what);
+  json["channel"] = observed.channel;
+  json["content"] = observed.content;
+}
+
+using What = decltype(TraceEvent::what);
+
+// A kind of event, both ways. Every kind has the fields `t`, `kind` and `row` besides its own.
+struct EventKind {
+  std::string name;
+  std::vector<std::string> fields;  // its own, in the order in which they are written
+  What (*read)(const TraceFields&, SimTime t, const Json&);
+  void (*write)(Json&, const TraceEvent&);  // of an event that was read by it
+};
+
+const std::vector<EventKind>& kinds() {
+  using Fields = TraceFields;
+  static const std::vector<EventKind> table = {
+      {"speech",
+       {"happened", "text", "until", "confidence", "words", "alternatives"},
+       [](const Fields& fields, SimTime t, const Json&) -> What { return read_speech(fields, t); },
+       put_input_event},
+      {"gesture",
+       {"happened", "name", "hand", "direction", "phase", "target", "until", "confidence", "alternatives"},
+       [](const Fields& fields, SimTime t, const Json&) -> What { return read_gesture(fields, t); },
+       put_input_event},
+      {"pointing",
+       {"happened", "hand", "target", "ray", "until", "confidence"},
+       [](const Fields& fields, SimTime t, const Json&) -> What { return read_pointing(fields, t); },
+       put_input_event},
+      {"observed",
+       {"channel", "content"},
+       [](const Fields& fields, SimTime, const Json&) -> What { return read_observed(fields); },
+       put_observed},
+      {"expect",
+       {"state", "says", "indicated", "referents", "act", "holding", "stack_depth"},
+       [](const Fields& fields, SimTime, const Json& json) -> What { return read_expectation(fields, json); },
+       [](Json& json, const TraceEvent& event) { put_expectation(json, std::get<Expectation>(event.what)); }},
+      {"end", {}, [](const Fields&, SimTime, const Json&) -> What { return End{}; }, [](Json&, const TraceEvent&) {}},
+  };
+  return table;
+}
+
+const EventKind* kind_named(std::string_view name) {
+  const auto found =
+      std::find_if(kinds().begin(), kinds().end(), [&](const EventKind& kind) { return kind.name == name; });
+  return found == kinds().end() ? nullptr : &*found;
+}
+
+// The name of its kind: a modality's, or that of the alternative of TraceEvent::what.
+std::string name_of_kind(const TraceEvent& event) {
+  if (const auto* input = std::get_if<InputEvent>(&event.what)) return text(input->modality);
+  if (std::holds_alternative<UnknownKind>(event.what))
+    return event.json.is_object() ? event.json.value("kind", "") : std::string();
+  return std::visit(
+      []<class T>(const T&) -> std::string {
+        if constexpr (requires { T::kind; }) return T::kind;
+        return {};
+      },
+      event.what);
+}
+
 }  // namespace
 
 const std::vector<std::string>& fields_of_kind(const std::string& kind) {
   static const std::vector<std::string> none;
-  const auto found = field_table().find(kind);
-  return found == field_table().end() ? none : found->second;
+  static const auto fields = [] {
+    std::map<std::string, std::vector<std::string>> all;
+    for (const auto& each : kinds()) {
+      auto& names = all[each.name] = {"t", "kind", "row"};
+      names.insert(names.end(), each.fields.begin(), each.fields.end());
+    }
+    return all;
+  }();
+  const auto found = fields.find(kind);
+  return found == fields.end() ? none : found->second;
 }
 
 const std::vector<std::string>& event_kinds() {
-  static const std::vector<std::string> kinds = {"speech", "gesture", "pointing", "observed", "expect", "end"};
-  return kinds;
+  static const auto names = [] {
+    std::vector<std::string> all;
+    for (const auto& each : kinds()) all.push_back(each.name);
+    return all;
+  }();
+  return names;
+}
+
+// Appends what `read` holds beside the fields of `known`.
+void put_unknown_fields(Json& json, const Json& read, const std::vector<std::string>& known) {
+  if (!read.is_object()) return;
+  for (const auto& [key, value] : read.items())
+    if (std::find(known.begin(), known.end(), key) == known.end() && !json.contains(key)) json[key] = value;
+}
+
+Json json_of(const TraceEvent& event) {
+  Json json;
+  json["t"] = event.t.seconds();
+  const auto kind = name_of_kind(event);
+  json["kind"] = kind;
+  if (event.row) json["row"] = *event.row;
+  const auto* known = kind_named(kind);
+  if (known && !std::holds_alternative<UnknownKind>(event.what)) known->write(json, event);
+  put_unknown_fields(json, event.json, fields_of_kind(kind));
+  return json;
 }
 
 TraceEvent event_from_json(Json json, const std::string& name, std::size_t line, std::vector<Error>& problems,
@@ -180,18 +185,8 @@ TraceEvent event_from_json(Json json, const std::string& name, std::size_t line,
   event.t = SimTime::from_seconds(fields.number("t", 0, trace_time_limit_s).value_or(0));
   if (const auto row = fields.whole_number("row", 1'000'000'000)) event.row = *row;
 
-  if (kind == "speech")
-    event.what = read_speech(fields, event.t);
-  else if (kind == "gesture")
-    event.what = read_gesture(fields, event.t);
-  else if (kind == "pointing")
-    event.what = read_pointing(fields, event.t);
-  else if (kind == "observed")
-    event.what = read_observed(fields);
-  else if (kind == "expect")
-    event.what = read_expectation(fields, json);
-  else if (kind == "end")
-    event.what = End{};
+  if (const auto* known = kind_named(kind))
+    event.what = known->read(fields, event.t, json);
   else if (!kind.empty())
     notes.push_back({line, fmt::format("unknown kind {}{}: kept and passed over", in_quotes(kind),
                                        did_you_mean(kind, event_kinds()))});

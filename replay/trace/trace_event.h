@@ -26,6 +26,9 @@ const std::vector<std::string>& event_kinds();
 TraceEvent event_from_json(Json json, const std::string& name, std::size_t line, std::vector<Error>& problems,
                            std::vector<Note>& notes);
 
+/// Appends the members of `read`, an object, whose names are neither known nor in `json`.
+void put_unknown_fields(Json& json, const Json& read, const std::vector<std::string>& known);
+
 /// The event's own fields in their fixed order, followed by those of `event.json` that its kind does not have.
 Json json_of(const TraceEvent& event);
 

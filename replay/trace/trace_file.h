@@ -42,6 +42,7 @@ struct TraceHeader {
 
 /// What another agent did at this point; never an input.
 struct Observed {
+  static constexpr const char* kind = "observed";
   std::string channel;  ///< "speech", "gesture" or "action"
   std::string content;
 };
@@ -49,13 +50,16 @@ struct Observed {
 /// What must hold at this point of a replay; absent fields are not checked. Where the file has JSON's null, the
 /// text is "null": nothing is indicated, said, held or done.
 struct Expectation {
+  static constexpr const char* kind = "expect";
   std::optional<std::string> state, says, indicated, act, holding;
   std::optional<std::vector<std::string>> referents;
   std::optional<std::int64_t> stack_depth;
 };
 
 /// Lets the clock run on to its time; the last event.
-struct End {};
+struct End {
+  static constexpr const char* kind = "end";
+};
 
 /// A kind of event that this version does not know: kept for writing, otherwise to be passed over.
 struct UnknownKind {};

@@ -1,0 +1,139 @@
+#include "continua/replay/trace/trace_input.h"
+
+#include "continua/replay/trace/trace_event.h"
+
+namespace continua {
+namespace {
+
+void read_signal(const TraceFields& fields, InputEvent& event) {
+  if (const auto happened = fields.number("happened", 0, trace_time_limit_s)) {
+    const auto own = SimTime::from_seconds(*happened);
+    if (own > event.t) fields.wrong("happened", "a time that is not after 't', when it became known");
+    event.t = own;
+  }
+  if (const auto until = fields.number("until", 0, trace_time_limit_s)) {
+    event.until = SimTime::from_seconds(*until);
+    if (*event.until < event.t)
+      fields.wrong("until",
+                   fields.has("happened") ? "a time that is not before 'happened'" : "a time that is not before 't'");
+  }
+  const auto confidence = fields.number("confidence", 0, 1);
+  event.confidence = confidence.value_or(1);
+}
+
+void read_alternatives(const TraceFields& fields, InputEvent& event) {
+  fields.for_each("alternatives", [&](const TraceFields& alternative) {
+    alternative.need({"text", "name"});
+    auto content = alternative.has("text") ? alternative.text("text") : alternative.text("name");
+    event.alternatives.push_back({std::move(content), alternative.number("confidence", 0, 1).value_or(1)});
+  });
+}
+
+// An n-best list alone is as good as its best entry.
+std::string best_of(const TraceFields& fields, const char* name, InputEvent& event) {
+  fields.need({name, "alternatives"});
+  if (fields.has(name) || event.alternatives.empty()) return fields.text(name);
+  if (!fields.has("confidence")) event.confidence = event.alternatives.front().confidence;
+  return event.alternatives.front().text;
+}
+
+std::string read_hand(const TraceFields& fields) { return fields.choice("hand", {"left", "right"}); }
+
+Json pair_of(const Vec3& p_W) { return Json::array({p_W.x(), p_W.y()}); }
+Json triple_of(const Vec3& p_W) { return Json::array({p_W.x(), p_W.y(), p_W.z()}); }
+
+void put_text(Json& json, const char* name, const std::string& text) {
+  if (!text.empty()) json[name] = text;
+}
+
+void put_input(Json& json, const InputEvent& event) {
+  if (event.modality == Modality::speech) json["text"] = event.text;
+  if (event.modality == Modality::gesture) json["name"] = event.name;
+  put_text(json, "hand", event.hand);
+  put_text(json, "direction", event.direction);
+  put_text(json, "phase", event.phase);
+  if (event.target_W) json["target"] = pair_of(*event.target_W);
+  if (event.ray) {
+    json["ray"]["from"] = triple_of(event.ray->from_W);
+    json["ray"]["direction"] = triple_of(event.ray->direction_W);
+  }
+  if (event.until) json["until"] = event.until->seconds();
+  if (event.confidence != 1) json["confidence"] = event.confidence;
+  for (const auto& word : event.words) {
+    Json entry;
+    entry["text"] = word.text;
+    entry["t"] = word.t.seconds();
+    json["words"].push_back(std::move(entry));
+  }
+  for (const auto& alternative : event.alternatives) {
+    Json entry;
+    entry["text"] = alternative.text;
+    entry["confidence"] = alternative.confidence;
+    json["alternatives"].push_back(std::move(entry));
+  }
+}
+
+}  // namespace
+
+InputEvent read_speech(const TraceFields& fields, SimTime t) {
+  InputEvent event;
+  event.t = t;
+  event.modality = Modality::speech;
+  read_signal(fields, event);
+  read_alternatives(fields, event);
+  event.text = best_of(fields, "text", event);
+  fields.for_each("words", [&](const TraceFields& word) {
+    word.need({"text"});
+    word.need({"t"});
+    const auto at = word.number("t", 0, trace_time_limit_s);
+    event.words.push_back({word.text("text"), SimTime::from_seconds(at.value_or(0))});
+  });
+  return event;
+}
+
+InputEvent read_gesture(const TraceFields& fields, SimTime t) {
+  InputEvent event;
+  event.t = t;
+  event.modality = Modality::gesture;
+  read_signal(fields, event);
+  read_alternatives(fields, event);
+  event.name = best_of(fields, "name", event);
+  event.hand = read_hand(fields);
+  event.direction = fields.text("direction");
+  event.phase = fields.choice("phase", {"start", "stop", "stroke"});
+  event.target_W = fields.vector("target", 2, trace_coordinate_limit_m);
+  return event;
+}
+
+InputEvent read_pointing(const TraceFields& fields, SimTime t) {
+  InputEvent event;
+  event.t = t;
+  event.modality = Modality::pointing;
+  read_signal(fields, event);
+  event.hand = read_hand(fields);
+  fields.need({"target", "ray"});
+  event.target_W = fields.vector("target", 2, trace_coordinate_limit_m);
+  if (const Json* ray = fields.find("ray")) {
+    if (!ray->is_object()) {
+      fields.wrong("ray", "an object with 'from' and 'direction'");
+      return event;
+    }
+    fields.within("ray", [&](const TraceFields& parts) {
+      parts.need({"from"});
+      parts.need({"direction"});
+      const auto from = parts.vector("from", 3, trace_coordinate_limit_m);
+      const auto direction = parts.vector("direction", 3, trace_coordinate_limit_m);
+      if (direction && direction->isZero(0)) parts.wrong("direction", "a direction that is not zero");
+      if (from && direction) event.ray = Ray{*from, *direction};
+    });
+  }
+  return event;
+}
+
+void put_input_event(Json& json, const TraceEvent& event) {
+  const auto& input = std::get<InputEvent>(event.what);
+  if (input.t < event.t) json["happened"] = input.t.seconds();
+  put_input(json, input);
+}
+
+}  // namespace continua
