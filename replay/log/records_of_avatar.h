@@ -58,10 +58,10 @@ struct ActResult {
 
 struct Act {
   std::int64_t act = 0;
-  std::string program, status;
-  std::optional<std::int64_t> step;
-  std::optional<std::vector<std::int64_t>> because;
-  std::optional<ActResult> result;
+  std::string program = {}, status = {};
+  std::optional<std::int64_t> step = {};
+  std::optional<std::vector<std::int64_t>> because = {};
+  std::optional<ActResult> result = {};
 
   static constexpr Kind kind{.name = "act",
                              .when =
