@@ -14,7 +14,8 @@
 #include "continua/knowledge_files/named_machine.h"
 #include "continua/replay/export/graph_dot.h"
 #include "continua/replay/export/graph_svg.h"
-#include "continua/replay/recorder/recorder.h"
+#include "continua/replay/log/record_json.h"
+#include "continua/replay/recorder/machine_graph.h"
 
 namespace continua {
 namespace {
@@ -116,7 +117,7 @@ std::string description_of(const std::shared_ptr<const Machine>& machine) {
 
 Result<std::string> answer(const MachineOptions& options, const std::shared_ptr<const Machine>& machine) {
   if (!options.dot && !options.svg) return description_of(machine);
-  const auto graph = state_graph_of(graph_of(*machine), machine->name);
+  const auto graph = state_graph_of(log::to_json(graph_of(*machine)), machine->name);
   if (!graph) return graph.error();
   return options.svg ? svg_of(*graph) : dot_of(*graph);
 }

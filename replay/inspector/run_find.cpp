@@ -8,9 +8,9 @@
 #include "continua/replay/inspector/run_labels.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/line_scan.h"
-#include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_stops.h"
 #include "continua/replay/log/run_text.h"
+#include "continua/replay/log/schema.h"
 
 namespace continua {
 namespace {
@@ -45,9 +45,9 @@ bool shows_as_written(std::string_view value) {
 class Finder {
  public:
   Finder(std::string kind, const std::vector<std::string>& words)
-      : kind_(std::move(kind)), parts_(brief_parts(kind_)), words_(words) {
+      : kind_(std::move(kind)), schema_(log::schema_of(kind_)), words_(words) {
     const auto told = folded(kind_);
-    const auto adds = folded(parts_ ? parts_->adds : "");
+    const auto adds = folded(schema_ ? schema_->kind.brief_adds : "");
     for (const auto& word : words_) {
       if (told.find(word) != std::string::npos) continue;
       told_by_kind_ = false;
@@ -65,11 +65,13 @@ class Finder {
     if (told_by_kind_) return true;
     if (log::is<log::Pose>(kind_)) return false;
     shown_.clear();
-    bool as_written = parts_.has_value();
-    if (parts_) {
-      const auto& members = parts_->members;
+    bool as_written = schema_ != nullptr;
+    if (schema_) {
+      const auto& members = schema_->members;
       scan_members(line, [&](std::string_view key, std::string_view value) {
-        const auto member = std::find(members.begin(), members.end(), key);
+        const auto member = std::find_if(members.begin(), members.end(), [&](const auto& one) {
+          return one.in_brief && one.name == key;
+        });
         if (member == members.end()) return;
         shown_.append(1, static_cast<char>(1 + (member - members.begin()))).append(value);
         as_written = as_written && shows_as_written(value);
@@ -94,7 +96,7 @@ class Finder {
   }
 
   std::string kind_;
-  std::optional<BriefParts> parts_;
+  const log::KindSchema* schema_;
   std::vector<std::string> words_;
   bool told_by_kind_ = true;
   std::string shown_;                           // of the record at hand, what its label is made from

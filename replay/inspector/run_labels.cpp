@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "continua/replay/log/kinds.h"
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_text.h"
+#include "continua/replay/log/schema.h"
 
 namespace continua {
 namespace {
@@ -18,33 +20,33 @@ std::string event_text(std::string_view event) {
 }
 
 std::string shown_text(const std::string& kind, std::string_view line) {
-  if (kind == "input") return event_text(member_in(line, "event"));
-  const char* member = kind == "utterance"  ? "text"
-                       : kind == "gesture"  ? "gesture"
-                       : kind == "act"      ? "program"
-                       : kind == "observed" ? "content"
-                                            : nullptr;
-  return member ? text_in(member_in(line, member)) : std::string();
+  if (log::is<log::Input>(kind)) return event_text(member_in(line, log::name_of(&log::Input::event)));
+  const auto text_of_member = [&](auto member) { return text_in(member_in(line, log::name_of(member))); };
+  if (log::is<log::Utterance>(kind)) return text_of_member(&log::Utterance::text);
+  if (log::is<log::AvatarGesture>(kind)) return text_of_member(&log::AvatarGesture::gesture);
+  if (log::is<log::Act>(kind)) return text_of_member(&log::Act::program);
+  if (log::is<log::Observed>(kind)) return text_of_member(&log::Observed::content);
+  return {};
 }
 
 }  // namespace
 
 std::string label_of(const std::string& kind, std::string_view line) {
-  if (kind == "pose") return {};
-  const auto parts = brief_parts(kind);
-  Json record;
-  if (parts) {
-    // Only what is read is made a tree.
-    thread_local std::string part;
-    part = "{\"kind\":" + compact(kind);
-    scan_members(line, [&](std::string_view key, std::string_view value) {
-      if (std::find(parts->members.begin(), parts->members.end(), key) != parts->members.end())
-        part.append(",\"").append(key).append("\":").append(value);
-    });
-    record = Json::parse(part += '}', nullptr, false);
-  } else {
-    record = Json::parse(line, nullptr, false);
+  if (log::is<log::Pose>(kind)) return {};
+  const auto* schema = log::schema_of(kind);
+  if (!schema) {
+    const auto record = Json::parse(line, nullptr, false);
+    return record.is_object() ? brief(record) : std::string();
   }
+  // Only what is read is made a tree.
+  thread_local std::string part;
+  part = "{\"kind\":" + compact(kind);
+  scan_members(line, [&](std::string_view key, std::string_view value) {
+    const auto shown = [&](const log::MemberSchema& one) { return one.in_brief && one.name == key; };
+    if (std::any_of(schema->members.begin(), schema->members.end(), shown))
+      part.append(",\"").append(key).append("\":").append(value);
+  });
+  const auto record = Json::parse(part += '}', nullptr, false);
   return record.is_object() ? brief(record) : std::string();
 }
 

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -122,10 +124,25 @@ concept HasBrief = requires(const T& record) {
   { record.brief() } -> std::same_as<std::string>;
 };
 
+/// The kinds of records that a header declares.
+template <IsRecord... T>
+struct Kinds {};
+
 /// Calls `use(field)` for each member of T, in the order in which they are written.
 template <HasFields T, class Use>
 constexpr void for_each_field(Use&& use) {
   std::apply([&use](const auto&... field) { (use(field), ...); }, T::fields());
+}
+
+/// The name of a member in the log.
+template <class Struct, class Value>
+constexpr std::string_view name_of(Value Struct::*member) {
+  std::string_view name;
+  for_each_field<Struct>([&]<class Of, class Type>(const Field<Of, Type>& field) {
+    if constexpr (std::is_same_v<Type, Value>)
+      if (field.member == member) name = field.name;
+  });
+  return name;
 }
 
 }  // namespace continua::log

@@ -1,4 +1,4 @@
-// Each kind of record in a few words.
+// Kinds of records in a few words, where that takes more than a line.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -6,19 +6,6 @@
 
 namespace continua::log {
 namespace {
-
-std::string joined(std::initializer_list<std::string_view> parts) {
-  std::string out;
-  for (const auto part : parts) {
-    if (part.empty()) continue;
-    if (!out.empty()) out += ' ';
-    out += part;
-  }
-  return out;
-}
-
-// A number as it stands in the log.
-std::string number(double value) { return compact(Json(value)); }
 
 // A member of an object that the trace or the machine file declares: text as it is, all else as JSON.
 std::string text_in(const Json& object, const char* key) {
@@ -39,8 +26,6 @@ std::string members_text(const Json& object) {
 
 std::string Unknown::brief() const { return compact(members); }
 
-std::string Run::brief() const { return joined({trace.name, "on", machine.name}); }
-
 std::string Input::brief() const {
   const auto of = text_in(event, "kind");
   const auto part = [this](const char* key) { return text_in(event, key); };
@@ -57,7 +42,7 @@ std::string Percept::brief() const {
   for (const auto& [words, deixis] : bound)
     text += fmt::format("{}{}: pointed at {}", text.empty() ? "" : ", ", words, compact(Json(deixis.place)));
   if (text.empty()) text = "nothing is pointed at";
-  return waited_s == 0 ? text : fmt::format("{}, after {} s", text, number(waited_s));
+  return waited_s == 0 ? text : fmt::format("{}, after {} s", text, number_text(waited_s));
 }
 
 // "V put(plate, in_front(avatar))", "N cup or cup_blue", "not understood: glorp"
@@ -71,20 +56,10 @@ std::string Reading::brief() const {
   return joined({*move, said});
 }
 
-std::string Observed::brief() const { return joined({channel, content}); }
-
 std::string Expect::brief() const {
   const auto wanted = members_text(expected);
   return met ? "met: " + wanted : fmt::format("not met: expected {}; found {}", wanted, members_text(found));
 }
-
-std::string Belief::brief() const { return fmt::format("{} {} (was {})", concept_name, number(value), number(was)); }
-
-std::string Memory::brief() const { return fmt::format("{} := {}", register_name, value); }
-
-std::string Transition::brief() const { return fmt::format("{} → {}", from, to); }
-
-std::string Correction::brief() const { return fmt::format("{} → {}", from, to); }
 
 // "second half or first half"
 std::string Branches::brief() const {
@@ -103,29 +78,5 @@ std::string Rewrite::brief() const {
   if (operation.is_string()) return joined({state, operation.get<std::string>()});
   return joined({state, operation.is_object() && !operation.empty() ? operation.begin().key() : std::string()});
 }
-
-std::string Application::brief() const { return fmt::format("{} @ {} = {}", function, argument, result); }
-
-std::string Utterance::brief() const { return fmt::format("“{}”", text); }
-
-std::string AvatarGesture::brief() const { return gesture; }
-
-std::string Learned::brief() const { return fmt::format("{} {} = {}", of, name, value); }
-
-std::string Forgotten::brief() const { return fmt::format("{} {} = {}", of, name, value); }
-
-std::string Act::brief() const { return joined({status, program}); }
-
-std::string Pose::brief() const { return fmt::format("{} bodies", bodies.size()); }
-
-std::string Rest::brief() const { return fmt::format("{} – {} s", number(from_s), number(to_s)); }
-
-std::string Refusal::brief() const { return joined({input, "in", state + ":", reason}); }
-
-std::string Problem::brief() const { return fmt::format("line {}: {}", line ? std::to_string(*line) : "", message); }
-
-std::string Block::brief() const { return fmt::format("records {} to {}", records[0], records[1]); }
-
-std::string End::brief() const { return "end of the log"; }
 
 }  // namespace continua::log

@@ -1,5 +1,5 @@
 // All kinds of records of a run log (RUNLOG.md). A new kind is a struct with a `kind`, `fields()` and `brief()` in one
-// of the headers below, and a place in `Record`; nothing else lists the kinds or their members.
+// of the headers below, and a place in the list at its end; nothing else lists the kinds or their members.
 #pragma once
 
 #include <variant>
@@ -20,9 +20,16 @@ struct Unknown {
   std::string brief() const;
 };
 
-using Record = std::variant<Unknown, Run, Input, Percept, Reading, Observed, Belief, Memory, Transition, Correction,
-                            Branches, Symbol, Rewrite, Application, Utterance, AvatarGesture, Learned, Forgotten, Act,
-                            Pose, Rest, Refusal, Problem, Expect, Block, End>;
+template <class... Lists>
+struct RecordOf;
+template <class... Some, class... More, class... Lists>
+struct RecordOf<Kinds<Some...>, Kinds<More...>, Lists...> : RecordOf<Kinds<Some..., More...>, Lists...> {};
+template <class... All>
+struct RecordOf<Kinds<All...>> {
+  using type = std::variant<Unknown, All...>;
+};
+
+using Record = RecordOf<RecordsOfLog, RecordsOfInput, RecordsOfAutomaton, RecordsOfAvatar>::type;
 
 /// Calls `use.template operator()<T>()` for each kind of record, in the order of RUNLOG.md.
 template <class Use>

@@ -1,6 +1,9 @@
 // Records of a run log about the automaton: transitions, its stack, registers and certainties.
 #pragma once
 
+#include <fmt/format.h>
+
+#include "continua/replay/log/brief_words.h"
 #include "continua/replay/log/fields.h"
 
 namespace continua::log {
@@ -19,7 +22,7 @@ struct Belief {
                       field("value", &Belief::value, Says::what, "The certainty now, 0 to 1.").briefly(),
                       field("was", &Belief::was, Says::how, "The certainty before.").briefly()};
   }
-  std::string brief() const;
+  std::string brief() const { return fmt::format("{} {} (was {})", concept_name, number_text(value), number_text(was)); }
 };
 
 struct Memory {
@@ -34,7 +37,7 @@ struct Memory {
     return std::tuple{field("register", &Memory::register_name, Says::what, "Name of the register.").briefly(),
                       field("value", &Memory::value, Says::what, "Its new value.").as("term").briefly()};
   }
-  std::string brief() const;
+  std::string brief() const { return fmt::format("{} := {}", register_name, value); }
 };
 
 /// A transition that could have fired.
@@ -123,7 +126,7 @@ struct Transition {
         field("alternative", &Transition::alternative, Says::how,
               "Which of the inputs offered was taken, from 0; left out where one was offered.")};
   }
-  std::string brief() const;
+  std::string brief() const { return fmt::format("{} → {}", from, to); }
 };
 
 struct Correction {
@@ -147,7 +150,7 @@ struct Correction {
         field("stack", &Correction::stack, Says::where, "Id of the top symbol afterwards."),
         field("depth", &Correction::depth, Says::how, "Number of symbols on the stack afterwards.")};
   }
-  std::string brief() const;
+  std::string brief() const { return fmt::format("{} → {}", from, to); }
 };
 
 /// One configuration that the automaton may be in.
@@ -261,7 +264,7 @@ struct Application {
         field("rule", &Application::rule, Says::how, "The raising rule that made the argument fit, or null."),
         field("because", &Application::because, Says::aside, "The inputs that contributed.").as("record")};
   }
-  std::string brief() const;
+  std::string brief() const { return fmt::format("{} @ {} = {}", function, argument, result); }
 };
 
 struct Refusal {
@@ -280,7 +283,9 @@ struct Refusal {
         field("reason", &Refusal::reason, Says::how, "The reason, a sentence.").briefly(),
         field("refused", &Refusal::refused, Says::how, "The transitions of this state and input.")};
   }
-  std::string brief() const;
+  std::string brief() const { return joined({input, "in", state + ":", reason}); }
 };
+
+using RecordsOfAutomaton = Kinds<Belief, Memory, Transition, Correction, Branches, Symbol, Rewrite, Application, Refusal>;
 
 }  // namespace continua::log

@@ -1,6 +1,9 @@
 // Records of a run log about the avatar: what it says and shows, its acts, and where bodies are.
 #pragma once
 
+#include <fmt/format.h>
+
+#include "continua/replay/log/brief_words.h"
 #include "continua/replay/log/fields.h"
 
 namespace continua::log {
@@ -17,7 +20,7 @@ struct Utterance {
     return std::tuple{field("text", &Utterance::text, Says::what, "The words.").briefly(),
                       field("because", &Utterance::because, Says::aside, "The inputs that contributed.").as("record")};
   }
-  std::string brief() const;
+  std::string brief() const { return fmt::format("“{}”", text); }
 };
 
 /// The avatar's; the human's gestures are inputs.
@@ -32,7 +35,7 @@ struct AvatarGesture {
         field("gesture", &AvatarGesture::gesture, Says::what, "The avatar gesture.").as("term").briefly(),
         field("because", &AvatarGesture::because, Says::aside, "The inputs that contributed.").as("record")};
   }
-  std::string brief() const;
+  std::string brief() const { return gesture; }
 };
 
 /// What an act, or a step of one, came to.
@@ -55,6 +58,9 @@ struct ActResult {
         field("retries", &ActResult::retries, Says::aside, "The reasons why earlier attempts failed, in order.")};
   }
 };
+
+/// Status of an act that has not begun.
+inline constexpr std::string_view asked = "asked";
 
 struct Act {
   std::int64_t act = 0;
@@ -82,7 +88,7 @@ struct Act {
         field("because", &Act::because, Says::aside, "When asked for: the inputs that contributed.").as("record"),
         field("result", &Act::result, Says::aside, "When it has ended: how it went.")};
   }
-  std::string brief() const;
+  std::string brief() const { return joined({status, program}); }
 };
 
 /// [x, y, z, qw, qx, qy, qz] in frame W, metres.
@@ -97,7 +103,7 @@ struct Pose {
                           .as("metres")
                           .briefly()};
   }
-  std::string brief() const;
+  std::string brief() const { return fmt::format("{} bodies", bodies.size()); }
 };
 
 struct Rest {
@@ -111,7 +117,9 @@ struct Rest {
     return std::tuple{field("from", &Rest::from_s, Says::where, "Its beginning.").as("seconds").briefly(),
                       field("to", &Rest::to_s, Says::where, "Its end.").as("seconds").briefly()};
   }
-  std::string brief() const;
+  std::string brief() const { return fmt::format("{} – {} s", number_text(from_s), number_text(to_s)); }
 };
+
+using RecordsOfAvatar = Kinds<Utterance, AvatarGesture, Act, Pose, Rest>;
 
 }  // namespace continua::log

@@ -1,6 +1,9 @@
 // Records of a run log about the human and the trace: inputs and their meanings, lessons, expectations.
 #pragma once
 
+#include <fmt/format.h>
+
+#include "continua/replay/log/brief_words.h"
 #include "continua/replay/log/fields.h"
 
 namespace continua::log {
@@ -236,7 +239,7 @@ struct Learned {
             .briefly(),
         field("because", &Learned::because, Says::aside, "The inputs that contributed.").as("record")};
   }
-  std::string brief() const;
+  std::string brief() const { return fmt::format("{} {} = {}", of, name, value); }
 };
 
 struct Forgotten {
@@ -253,7 +256,7 @@ struct Forgotten {
                       field("value", &Forgotten::value, Says::what, "What it meant.").as("term").briefly(),
                       field("because", &Forgotten::because, Says::aside, "The inputs that contributed.").as("record")};
   }
-  std::string brief() const;
+  std::string brief() const { return fmt::format("{} {} = {}", of, name, value); }
 };
 
 struct Observed {
@@ -268,7 +271,7 @@ struct Observed {
                       field("channel", &Observed::channel, Says::what, "`speech`, `gesture` or `action`.").briefly(),
                       field("content", &Observed::content, Says::what, "The words, or the term.").briefly()};
   }
-  std::string brief() const;
+  std::string brief() const { return joined({channel, content}); }
 };
 
 struct Expect {
@@ -288,5 +291,7 @@ struct Expect {
   }
   std::string brief() const;
 };
+
+using RecordsOfInput = Kinds<Input, Percept, Reading, Learned, Forgotten, Observed, Expect>;
 
 }  // namespace continua::log

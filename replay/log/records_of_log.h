@@ -1,6 +1,9 @@
 // Records of a run log about the run itself: the header, problems, blocks and the end.
 #pragma once
 
+#include <fmt/format.h>
+
+#include "continua/replay/log/brief_words.h"
 #include "continua/replay/log/fields.h"
 
 namespace continua::log {
@@ -179,7 +182,7 @@ struct Run {
               "`world` or `teacher`: how far the run follows the observations; left out where it does not."),
         field("what_if", &Run::what_if, Says::how, "The changes in mid-run (below); left out where there were none.")};
   }
-  std::string brief() const;
+  std::string brief() const { return joined({trace.name, "on", machine.name}); }
 };
 
 struct Problem {
@@ -194,7 +197,7 @@ struct Problem {
     return std::tuple{field("line", &Problem::line, Says::where, "Line of the trace, or null.").briefly(),
                       field("message", &Problem::message, Says::aside, "The problem, a sentence.").briefly()};
   }
-  std::string brief() const;
+  std::string brief() const { return fmt::format("line {}: {}", line ? std::to_string(*line) : "", message); }
 };
 
 struct Block {
@@ -209,7 +212,7 @@ struct Block {
         field("digest", &Block::digest, Says::aside,
               "Digest of the digest of the block before (nothing for the first), its line and these lines: a chain.")};
   }
-  std::string brief() const;
+  std::string brief() const { return fmt::format("records {} to {}", records[0], records[1]); }
 };
 
 /// A decision that was near to another one.
@@ -239,7 +242,9 @@ struct End {
         field("physics", &End::physics, Says::aside, "Digest of the poses."),
         field("digest", &End::digest, Says::aside, "Digest of all lines before.")};
   }
-  std::string brief() const;
+  std::string brief() const { return "end of the log"; }
 };
+
+using RecordsOfLog = Kinds<Run, Problem, Block, End>;
 
 }  // namespace continua::log

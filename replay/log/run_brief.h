@@ -1,8 +1,6 @@
 // A record in a few words, for lists and labels. Reads the log's own fields only.
 #pragma once
 
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,17 +14,8 @@ const Json& member_of(const Json& object, const char* key);
 /// Text of a member that may be missing, null or not a string: strings without quotes, all else as JSON.
 std::string text_of(const Json& object, const char* key);
 
-/// What the record says, without its kind, number and time. Kinds it does not know give their fields as JSON.
+/// What the record says, without its kind, number and time. Kinds that this program does not know give their fields as
+/// JSON.
 std::string brief(const Json& record);
-
-/// What brief() makes of records of a kind: it puts what their members say one after another, with something of `adds`
-/// between any two.
-struct BriefParts {
-  std::span<const std::string_view> members;  ///< that it reads, besides `kind`
-  std::string_view adds;
-};
-
-/// Nothing for kinds that brief() does not know: it gives all of their members.
-std::optional<BriefParts> brief_parts(std::string_view kind);
 
 }  // namespace continua

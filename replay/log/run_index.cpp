@@ -13,30 +13,35 @@
 #include <fmt/format.h>
 
 #include "continua/core/digest.h"
+#include "continua/replay/log/kinds.h"
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_text.h"
 
 namespace continua {
 namespace {
 
+using log::name_of;
+
 // A log that tells of more kinds is none of ours: what comes after is taken for the last one.
 constexpr std::size_t most_kinds = 1000;
 constexpr std::size_t most_records = std::numeric_limits<std::int32_t>::max();
 constexpr std::size_t block_bytes = std::size_t{1} << 20;  // read at once
 
-// REQUIRES that the key is as long as the name.
-template <std::size_t size>
-bool is(std::string_view key, const char (&name)[size]) {
-  return std::memcmp(key.data(), name, size - 1) == 0;
+// The value of a member as written; empty where there is none.
+std::string_view value_in(const std::vector<RecordMember>& members, std::string_view name) {
+  const auto found =
+      std::find_if(members.begin(), members.end(), [&](const RecordMember& one) { return one.key == name; });
+  return found == members.end() ? std::string_view() : found->value;
 }
 
 // What the trace tells: the inputs by their own kinds, of which the last are all others, and what else a line may be.
-constexpr std::array<std::string_view, 6> event_kinds{"speech", "gesture", "pointing", "", "observed", "expect"};
+constexpr std::array<std::string_view, 6> event_kinds{"speech", "gesture", "pointing", "", log::Observed::kind.name,
+                                                      log::Expect::kind.name};
 constexpr std::uint8_t pointing_event = 3;  // a place in these, from 1
 
 std::uint8_t event_number(std::string_view record_kind, std::string_view event) {
   auto kind = record_kind;
-  if (record_kind == "input") {
+  if (log::is<log::Input>(record_kind)) {
     kind = "";
     scan_members(event, [&](std::string_view key, std::string_view value) {
       if (key == "kind" && is_plain_text(value)) kind = value.substr(1, value.size() - 2);
@@ -217,105 +222,83 @@ std::uint32_t RunIndex::name_number(std::string_view value) {
 Outcome RunIndex::add_line(std::string_view line, std::uint64_t offset) {
   const auto n = entries_.size();
   if (n >= most_records) return Error{where(n), "more records than this program reads"};
-  RecordEntry entry;
-  entry.offset = offset;
-  entry.length = static_cast<std::uint32_t>(line.size());
-  std::string_view kind;
-  std::optional<std::size_t> number;
-  std::optional<double> t, version;
-  std::optional<std::int64_t> id, below, top, act, step;
-  std::optional<std::uint32_t> depth;
-  std::string_view slots, event, name, from, to;
-  bool has_stack = false, asked = false, of_line = false;
   thread_local std::vector<RecordMember> members;
   members.clear();
   const bool whole = scan_members(line, [&](std::string_view key, std::string_view value) {
     members.push_back({key, value});
-    switch (key.size()) {
-      case 1:
-        if (is(key, "n")) number = number_in<std::size_t>(value);
-        if (is(key, "t")) t = number_in<double>(value);
-        break;
-      case 2:
-        if (is(key, "id")) {
-          id = number_in<std::int64_t>(value);
-          name = value;
-        }
-        if (is(key, "to")) to = value;
-        break;
-      case 3:
-        if (is(key, "act")) act = number_in<std::int64_t>(value);
-        break;
-      case 4:
-        if (is(key, "kind") && value.size() > 2 && value.front() == '"') kind = value.substr(1, value.size() - 2);
-        if (is(key, "line")) of_line = value != "null";
-        if (is(key, "step")) step = number_in<std::int64_t>(value);
-        if (is(key, "from")) from = value;
-        break;
-      case 5:
-        if (is(key, "cause")) entry.cause = number_in<std::int64_t>(value).value_or(-1);
-        if (is(key, "below")) below = number_in<std::int64_t>(value);
-        if (is(key, "slots")) slots = value;
-        if (is(key, "event")) event = value;
-        if (is(key, "depth")) depth = number_in<std::uint32_t>(value);
-        if (is(key, "stack")) {
-          has_stack = true;
-          top = number_in<std::int64_t>(value);
-        }
-        break;
-      case 6:
-        if (is(key, "status")) asked = value == "\"asked\"";
-        break;
-      case 7:
-        if (is(key, "version")) version = number_in<double>(value);
-        break;
-      case 8:
-        if (is(key, "measured")) entry.measured = value == "true";
-        break;
-      default:
-        break;
-    }
   });
-  if (n == 0 && (!whole || kind != "run"))
-    return Error{where(0), "not a run log: the first line is not a whole record of kind 'run'"};
-  if (n == 0 && version.value_or(0) != 1)
-    return Error{where(0), "a run log of another version; this program reads version 1"};
-  if (!whole) return Error{where(n), "not a JSON object on one line; expected a record"};
-  if (kind.empty()) return Error{where(n), "a record without 'kind'"};
-  if (number != n)
-    return Error{where(n), number ? fmt::format("record number {} where {} was expected: lines are missing or out of "
-                                                "order",
-                                                *number, n)
-                                  : std::string("a record without its number 'n'")};
-  if (!t) return Error{where(n), "a record without its time 't' in seconds"};
+  const auto written_kind = value_in(members, "kind");
+  const bool named = written_kind.size() > 2 && written_kind.front() == '"';
+  const auto kind = named ? written_kind.substr(1, written_kind.size() - 2) : std::string_view();
+  if (auto problem = problem_of(members, whole, kind)) return problem;
+  RecordEntry entry;
+  entry.offset = offset;
+  entry.length = static_cast<std::uint32_t>(line.size());
   entry.kind = kind_number(kind);
-  entry.t = SimTime::from_seconds(*t);
+  entry.t = SimTime::from_seconds(*number_in<double>(value_in(members, name_of(&log::Stamp::t_s))));
+  entry.measured = value_in(members, name_of(&log::Stamp::measured)) == "true";
+  entry.cause = number_in<std::int64_t>(value_in(members, name_of(&log::Stamp::cause))).value_or(-1);
   if (entry.cause >= static_cast<std::int64_t>(n)) entry.cause = -1;
-  if (const auto number_of_event = event_number(kind, event)) {
-    if (of_line) entry.event = number_of_event;
-    entry.sample = kind == "input" && number_of_event == pointing_event;
+  if (const auto number = event_number(kind, value_in(members, name_of(&log::Input::event)))) {
+    const auto in_trace = value_in(members, name_of(&log::Input::line));
+    if (!in_trace.empty() && in_trace != "null") entry.event = number;
+    entry.sample = log::is<log::Input>(kind) && number == pointing_event;
   }
   entry.by_sample = entry.sample || (entry.cause >= 0 && entries_[static_cast<std::size_t>(entry.cause)].by_sample);
   entry.meaning = meaning_of(record_kinds_[entry.kind], members);
   entries_.push_back(entry);
-  const auto number32 = static_cast<std::uint32_t>(n);
-  // A symbol lies above an older one: a chain can only lead down, whatever the file says.
-  if (kind == "symbol" && id && *id >= 0) {
-    const auto* lower = below ? symbol(*below) : nullptr;
-    const std::array<std::uint64_t, 2> stack{lower ? lower->stack : 0, hash_of(slots)};
-    const SymbolPlace place{number32, lower ? lower->depth + 1 : 1, lower ? *below : -1,
-                            hash_of({reinterpret_cast<const char*>(stack.data()), sizeof stack})};
-    symbols_.try_emplace(*id, place);
-  }
-  if (has_stack) {
-    const auto* symbol_on_top = symbol(top.value_or(-1));
-    marks_.push_back({number32, depth.value_or(symbol_on_top ? symbol_on_top->depth : 0), top.value_or(-1)});
-  }
-  if (kind == "transition" || kind == "correction")
-    steps_.push_back({number32, name_number(name), name_number(from), name_number(to)});
-  if (kind == "act" && act)
-    acts_.push_back({n, *act, static_cast<std::uint32_t>(std::max<std::int64_t>(step.value_or(0), 0)), asked});
+  add_marks(members, kind);
   return std::nullopt;
+}
+
+// A sentence if these are not the members of the next record.
+Outcome RunIndex::problem_of(const std::vector<RecordMember>& members, bool whole, std::string_view kind) const {
+  const auto n = entries_.size();
+  if (n == 0 && (!whole || !log::is<log::Run>(kind)))
+    return Error{where(0), "not a run log: the first line is not a whole record of kind 'run'"};
+  if (n == 0 && number_in<double>(value_in(members, name_of(&log::Run::version))).value_or(0) != 1)
+    return Error{where(0), "a run log of another version; this program reads version 1"};
+  if (!whole) return Error{where(n), "not a JSON object on one line; expected a record"};
+  if (kind.empty()) return Error{where(n), "a record without 'kind'"};
+  const auto number = number_in<std::size_t>(value_in(members, name_of(&log::Stamp::n)));
+  if (!number) return Error{where(n), "a record without its number 'n'"};
+  if (number != n)
+    return Error{where(n), fmt::format("record number {} where {} was expected: lines are missing or out of order",
+                                       *number, n)};
+  if (!number_in<double>(value_in(members, name_of(&log::Stamp::t_s))))
+    return Error{where(n), "a record without its time 't' in seconds"};
+  return std::nullopt;
+}
+
+// Whatever of the last record other parts of a log are found by.
+void RunIndex::add_marks(const std::vector<RecordMember>& members, std::string_view kind) {
+  const auto n = static_cast<std::uint32_t>(entries_.size() - 1);
+  const auto value = [&](auto member) { return value_in(members, name_of(member)); };
+  // A symbol lies above an older one: a chain can only lead down, whatever the file says.
+  if (log::is<log::Symbol>(kind)) {
+    const auto id = number_in<std::int64_t>(value(&log::Symbol::id));
+    const auto below = number_in<std::int64_t>(value(&log::Symbol::below));
+    const auto* lower = below ? symbol(*below) : nullptr;
+    const std::array<std::uint64_t, 2> stack{lower ? lower->stack : 0, hash_of(value(&log::Symbol::slots))};
+    if (id && *id >= 0)
+      symbols_.try_emplace(*id, SymbolPlace{n, lower ? lower->depth + 1 : 1, lower ? *below : -1,
+                                            hash_of({reinterpret_cast<const char*>(stack.data()), sizeof stack})});
+  }
+  // Kinds that change the stack name its top by the same member.
+  if (const auto top_value = value(&log::Transition::stack); !top_value.empty()) {
+    const auto top = number_in<std::int64_t>(top_value).value_or(-1);
+    const auto* symbol_on_top = symbol(top);
+    const auto depth = number_in<std::uint32_t>(value(&log::Transition::depth));
+    marks_.push_back({n, depth.value_or(symbol_on_top ? symbol_on_top->depth : 0), top});
+  }
+  if (log::is_any<log::Transition, log::Correction>(kind))
+    steps_.push_back({n, name_number(value(&log::Transition::id)), name_number(value(&log::Transition::from)),
+                      name_number(value(&log::Transition::to))});
+  if (const auto act = number_in<std::int64_t>(value(&log::Act::act)); act && log::is<log::Act>(kind)) {
+    const auto step = number_in<std::int64_t>(value(&log::Act::step)).value_or(0);
+    acts_.push_back({n, *act, static_cast<std::uint32_t>(std::max<std::int64_t>(step, 0)),
+                     text_in(value(&log::Act::status)) == log::asked});
+  }
 }
 
 std::optional<std::size_t> RunIndex::cause(std::size_t n) const {
@@ -369,7 +352,7 @@ Result<Json> RunIndex::record(std::size_t n) const {
   return parsed;
 }
 
-bool RunIndex::complete() const { return !entries_.empty() && kind(entries_.size() - 1) == "end"; }
+bool RunIndex::complete() const { return !entries_.empty() && log::is<log::End>(kind(entries_.size() - 1)); }
 
 std::optional<std::size_t> RunIndex::mark_at(std::size_t n) const {
   const auto after = std::upper_bound(marks_.begin(), marks_.end(), n,
@@ -396,7 +379,7 @@ Result<Json> RunIndex::snapshot(std::int64_t top) const {
     const auto& place = symbols_.at(id);
     auto symbol = record(place.n);
     if (!symbol) return symbol.error();
-    Json slots = symbol->value("slots", Json::object());
+    Json slots = symbol->value(name_of(&log::Symbol::slots), Json::object());
     stack.push_back(Json{{"id", id},
                          {"below", place.below < 0 ? Json() : Json(place.below)},
                          {"made", place.n},

@@ -145,6 +145,8 @@ class RunIndex {
   Outcome read_on(std::uint64_t offset);
   bool goes_on_in(const Source& source) const;
   Outcome add_line(std::string_view line, std::uint64_t offset);
+  Outcome problem_of(const std::vector<RecordMember>& members, bool whole, std::string_view kind) const;
+  void add_marks(const std::vector<RecordMember>& members, std::string_view kind);
   std::uint16_t kind_number(std::string_view kind);
   std::uint32_t name_number(std::string_view value);
   // run_index_file.cpp

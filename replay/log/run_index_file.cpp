@@ -21,7 +21,7 @@ constexpr std::uint64_t shortest_kept = std::uint64_t{8} << 20;
 
 // What a file of another version, or of a machine that lays numbers out otherwise, does not begin with.
 struct Begin {
-  std::array<char, 24> name{"continua run index 2"};
+  std::array<char, 24> name{"continua run index 3"};
   std::uint64_t order = 0x0102030405060708ULL;
   std::uint64_t sizes = (sizeof(RecordEntry) << 32) + (sizeof(StackMark) << 24) + (sizeof(SymbolPlace) << 16) +
                         (sizeof(ActMark) << 8) + sizeof(StepMark);

@@ -1,66 +1,64 @@
 #include "continua/replay/log/run_log.h"
 
-#include "continua/replay/log/kinds.h"
-#include "continua/replay/log/record_json.h"
+#include <algorithm>
+
+#include "continua/replay/log/schema.h"
 
 namespace continua {
 namespace {
 
-// Takes out of `json`, a value of T, the members that are no decisions, however deep.
-template <class T>
-void keep_decisions(Json& json) {
-  using Inner = log::Innermost<T>;
-  if constexpr (log::HasFields<Inner>) {
-    if (json.is_array())
-      for (auto& element : json) keep_decisions<Inner>(element);
-    if (!json.is_object()) return;
-    log::for_each_field<Inner>([&]<class Struct, class Value>(const log::Field<Struct, Value>& field) {
-      const auto found = json.find(field.name);
-      if (found == json.end()) return;
-      if (field.says == log::Says::aside || field.follows)
-        json.erase(found);
-      else
-        keep_decisions<Value>(*found);
-    });
+using log::Act;
+using log::MemberSchema;
+using log::name_of;
+
+// Numbers of records count poses too, and when an act ends is measured, as are margins and weights: none is a decision.
+void erase_asides(Json& value, const std::vector<MemberSchema>& members) {
+  if (value.is_array())
+    for (auto& element : value) erase_asides(element, members);
+  if (!value.is_object()) return;
+  for (const auto& member : members) {
+    const auto found = value.find(member.name);
+    if (found == value.end()) continue;
+    if (member.says == log::Says::aside || member.follows)
+      value.erase(found);
+    else if (!member.members.empty())
+      erase_asides(*found, member.members);
   }
 }
 
-// Between which other records an act goes on and ends is measured: its outcome counts by the act's number.
-bool tells_outcome(std::string_view kind, const Json& fields) {
-  return log::is<log::Act>(kind) && fields.contains("act") && fields["act"].is_number_integer() &&
-         (!fields.contains("status") || fields["status"] != "asked");
+// Between which other records an act goes on and ends is measured: what it came to counts by the act's number.
+std::optional<std::int64_t> ended_act(const Json& fields) {
+  const auto act = fields.find(name_of(&Act::act)), status = fields.find(name_of(&Act::status));
+  const bool asked = status != fields.end() && *status == log::asked;
+  if (act == fields.end() || !act->is_number_integer() || asked) return std::nullopt;
+  return act->get<std::int64_t>();
 }
 
 }  // namespace
 
 bool is_decision(std::string_view kind) {
-  bool counts = false;
-  log::for_each_kind([&]<class T>() {
-    if (T::kind.name == kind) counts = T::kind.decision != log::Decision::no;
-  });
-  return counts;
-}
-
-std::optional<Json> DecisionOrder::next(std::string_view kind, double t_s, Json fields) {
-  if (!is_decision(kind)) return std::nullopt;
-  log::for_each_kind([&]<class T>() {
-    if (T::kind.name == kind) keep_decisions<T>(fields);
-  });
-  const bool timed = !log::is<log::Act>(kind) && !fields.contains("measured");
-  Json decision{{"kind", kind}, {"fields", std::move(fields)}};
-  if (timed) decision["t"] = t_s;
-  const auto& what = decision["fields"];
-  if (!tells_outcome(kind, what)) return decision;
-  if (!what.contains("step")) outcomes_[what["act"].get<std::int64_t>()] = decision;
-  return std::nullopt;
+  const auto* known = log::schema_of(kind);
+  return known && known->is_decision();
 }
 
 std::optional<Json> DecisionOrder::next(const Json& record) {
   if (!record.is_object() || !record.contains("kind") || !record["kind"].is_string()) return std::nullopt;
+  const auto& name = record["kind"].get_ref<const std::string&>();
+  const auto* kind = log::schema_of(name);
+  if (!kind || !kind->is_decision()) return std::nullopt;
   Json fields = record;
-  for (const char* field : {"kind", "n", "t", "cause"}) fields.erase(field);
-  const bool timed = record.contains("t") && record["t"].is_number();
-  return next(record["kind"].get<std::string>(), timed ? record["t"].get<double>() : 0, std::move(fields));
+  fields.erase("kind");
+  for (const auto part : {name_of(&log::Stamp::n), name_of(&log::Stamp::t_s), name_of(&log::Stamp::cause)})
+    fields.erase(part);
+  erase_asides(fields, kind->members);
+  const bool outcome = kind->kind.decision == log::Decision::outcome;
+  const bool timed = !outcome && !fields.contains(name_of(&log::Stamp::measured));
+  Json decision{{"kind", name}, {"fields", std::move(fields)}};
+  if (timed) decision["t"] = log::stamp_of(record).t_s;
+  const auto act = outcome ? ended_act(decision["fields"]) : std::nullopt;
+  if (!act) return decision;
+  if (!decision["fields"].contains(name_of(&Act::step))) outcomes_[*act] = std::move(decision);
+  return std::nullopt;
 }
 
 std::vector<Json> DecisionOrder::outcomes() const {
@@ -70,41 +68,26 @@ std::vector<Json> DecisionOrder::outcomes() const {
 }
 
 int RunLog::write(const log::Record& record, SimTime t, std::optional<int> cause, bool measured) {
-  auto fields = log::members_of(record);
-  if (measured) fields["measured"] = true;
-  return write_record(log::kind_of(record), log::margin_of(record), t, fields, cause);
-}
-
-int RunLog::write(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause) {
-  auto line = fields;
-  line["kind"] = kind;
-  return write_record(kind, log::margin_of(log::readable_part(line)), t, fields, cause);
-}
-
-int RunLog::write_record(std::string_view kind, double margin, SimTime t, const Json& fields,
-                         std::optional<int> cause) {
   if (next_ % records_per_block == records_per_block - 1) close_block(t);
-  if (margin < fragile_margin) fragile_.push_back({{"n", next_}, {"margin", margin}});
-  return write_line(kind, t, fields, cause);
+  if (const double margin = log::margin_of(record); margin < fragile_margin) fragile_.push_back({next_, margin});
+  return write_line(record, t, cause, measured);
 }
 
 void RunLog::close_block(SimTime t) {
   const auto digest = block_.text();
   block_ = RunningDigest();
   block_.add(digest);
-  write_line("block", t, {{"records", {next_ - records_per_block + 1, next_ - 1}}, {"digest", digest}}, std::nullopt);
+  write_line(log::Block{{next_ - records_per_block + 1, next_ - 1}, digest}, t);
 }
 
-int RunLog::write_line(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause) {
-  Json record{{"kind", kind}, {"n", next_}, {"t", t.seconds()}};
-  if (cause) record["cause"] = *cause;
-  for (const auto& [key, value] : fields.items()) record[key] = value;
-  const auto line = compact(record) + "\n";
+int RunLog::write_line(const log::Record& record, SimTime t, std::optional<int> cause, bool measured) {
+  const auto told = log::line_of({next_, t.seconds(), cause, measured}, record);
+  const auto line = compact(told) + "\n";
   all_.add(line);
   block_.add(line);
-  if (log::is<log::Pose>(kind)) physics_.add(line);
-  if (const auto decision = decision_order_.next(kind, t.seconds(), fields)) decisions_.add(compact(*decision));
-  ++counts_[std::string(kind)];
+  if (std::holds_alternative<log::Pose>(record)) physics_.add(line);
+  if (const auto decision = decision_order_.next(told)) decisions_.add(compact(*decision));
+  ++counts_[std::string(log::kind_of(record))];
   out_.write(line.data(), static_cast<std::streamsize>(line.size()));
   out_.flush();
   return next_++;
@@ -113,12 +96,12 @@ int RunLog::write_line(std::string_view kind, SimTime t, const Json& fields, std
 void RunLog::finish(SimTime t) {
   for (const auto& outcome : decision_order_.outcomes()) decisions_.add(compact(outcome));
   if (next_ % records_per_block == records_per_block - 1) close_block(t);
-  const Json fields{{"counts", counts_},
-                    {"fragile", fragile_},
-                    {"decisions", decisions_.text()},
-                    {"physics", physics_.text()},
-                    {"digest", all_.text()}};
-  write_line("end", t, fields, std::nullopt);
+  write_line(log::End{.counts = {counts_.begin(), counts_.end()},
+                      .fragile = fragile_,
+                      .decisions = decisions_.text(),
+                      .physics = physics_.text(),
+                      .digest = all_.text()},
+             t);
 }
 
 }  // namespace continua

@@ -24,7 +24,6 @@ bool is_decision(std::string_view kind);
 class DecisionOrder {
  public:
   /// Nothing, if the record is no decision, or tells how an act goes on.
-  std::optional<Json> next(std::string_view kind, double t_s, Json fields);
   std::optional<Json> next(const Json& record);
   /// After the last record: what each act came to, by the acts' numbers.
   std::vector<Json> outcomes() const;
@@ -45,28 +44,26 @@ class RunLog {
   /// Every line is written to `out` at once and whole; `out` must outlive the log.
   explicit RunLog(std::ostream& out) : out_(out) {}
 
-  /// Writes one record and returns its number. `measured`: its time depends on how long an act took.
+  /// Writes one record and returns its number. `cause`: number of the record that brought it about. `measured`: its
+  /// time follows from the end of an act.
   int write(const log::Record& record, SimTime t, std::optional<int> cause = std::nullopt, bool measured = false);
-  /// The same of a record in its JSON: `fields` follow `kind`, `n`, `t` and `cause` in their order.
-  int write(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause = std::nullopt);
 
   /// Writes the last line.
   void finish(SimTime t);
 
   /// How many records of each kind there are.
-  const std::map<std::string, int>& counts() const { return counts_; }
+  const std::map<std::string, std::int64_t, std::less<>>& counts() const { return counts_; }
   /// How many decisions were fragile so far.
   std::size_t fragile() const { return fragile_.size(); }
 
  private:
-  int write_record(std::string_view kind, double margin, SimTime t, const Json& fields, std::optional<int> cause);
-  int write_line(std::string_view kind, SimTime t, const Json& fields, std::optional<int> cause);
+  int write_line(const log::Record& record, SimTime t, std::optional<int> cause = std::nullopt, bool measured = false);
   void close_block(SimTime t);
 
   std::ostream& out_;
   int next_ = 0;
-  Json fragile_ = Json::array();  ///< {"n", "margin"}
-  std::map<std::string, int> counts_;
+  std::vector<log::FragileDecision> fragile_;
+  std::map<std::string, std::int64_t, std::less<>> counts_;  ///< by kind
   RunningDigest all_, block_, decisions_, physics_;
   DecisionOrder decision_order_;
 };

@@ -9,8 +9,8 @@
 #include "continua/core/digest.h"
 #include "continua/core/result.h"
 #include "continua/replay/log/line_scan.h"
-#include "continua/replay/log/record_json.h"
 #include "continua/replay/log/records.h"
+#include "continua/replay/log/schema.h"
 
 namespace continua {
 namespace {
@@ -23,7 +23,8 @@ class Members {
   void add(std::string_view name, Use use) {
     require(uses_.size() < places_.size() / 2, "a table has room for its names");
     auto at = place_of(name);
-    while (places_[at]) at = (at + 1) % places_.size();
+    while (places_[at] && uses_[places_[at] - 1U].first != name) at = (at + 1) % places_.size();
+    if (places_[at]) return;
     uses_.emplace_back(name, use);
     places_[at] = static_cast<std::uint8_t>(uses_.size());
   }
@@ -47,60 +48,52 @@ class Members {
 
 enum class Use : std::uint8_t { what, walked_what, rest, walked_rest, none };
 
+// Members within the value that do not count.
+std::vector<std::string_view> left_out_of(const log::MemberSchema& member) {
+  auto names = member.leaves_out;
+  for (const auto& within : member.members) {
+    if (!log::tells_content(within.says)) names.push_back(within.name);
+    for (const auto name : left_out_of(within)) names.push_back(name);
+  }
+  return names;
+}
+
 }  // namespace
 
 struct RecordKind {
+  explicit RecordKind(const log::KindSchema& kind) : name(kind.kind.name) {
+    uses.add("kind", Use::none);
+    for (const auto& member : log::stamp_schema()) uses.add(member.name, Use::none);
+    for (const auto& member : kind.members) {
+      const bool counts = log::tells_content(member.says);
+      const auto names = counts ? left_out_of(member) : std::vector<std::string_view>();
+      for (const auto one : names) left_out.add(one, true);
+      uses.add(member.name, use_of(member.says, !names.empty()));
+    }
+  }
+
+  static Use use_of(log::Says says, bool walked) {
+    if (!log::tells_content(says)) return Use::none;
+    if (says == log::Says::what) return walked ? Use::walked_what : Use::what;
+    return walked ? Use::walked_rest : Use::rest;
+  }
+
   std::string_view name;
   Members<Use> uses;
-  Members<bool> left_out;  // names that do not count within members that are walked
+  Members<bool> left_out;  ///< members that do not count in those that are walked
 };
 
 namespace {
 
-constexpr bool counts(log::Says says) { return says == log::Says::what || says == log::Says::how; }
-
-// Notes the names that do not count in values of T, however deep; whether there are any.
-template <class T>
-bool leave_out(Members<bool>& names) {
-  using Inner = log::Innermost<T>;
-  bool any = false;
-  if constexpr (log::HasFields<Inner>)
-    log::for_each_field<Inner>([&]<class Struct, class Value>(const log::Field<Struct, Value>& field) {
-      if (!counts(field.says)) {
-        if (!names.find(field.name, false)) names.add(field.name, true);
-        any = true;
-      } else {
-        any = leave_out<Value>(names) || any;
-      }
-    });
-  return any;
-}
-
-// The tables of a kind of record; nothing where no member tells what happened.
-template <class T>
-std::optional<RecordKind> tables_of() {
-  RecordKind kind{T::kind.name, {}, {}};
-  bool tells = false;
-  for (const auto stamp : {"kind", "n", "t", "cause", "measured"}) kind.uses.add(stamp, Use::none);
-  log::for_each_field<T>([&]<class Struct, class Value>(const log::Field<Struct, Value>& field) {
-    if (!counts(field.says)) return kind.uses.add(field.name, Use::none);
-    bool walked = leave_out<Value>(kind.left_out);
-    for (const auto name : field.leaves_out)
-      if (!name.empty()) kind.left_out.add(name, true), walked = true;
-    const bool what = field.says == log::Says::what;
-    tells = tells || what;
-    kind.uses.add(field.name, what ? (walked ? Use::walked_what : Use::what) : (walked ? Use::walked_rest : Use::rest));
-  });
-  return tells ? std::optional(kind) : std::nullopt;
-}
-
+// Kinds that say what happened.
 const std::vector<RecordKind>& kinds() {
   static const auto all = [] {
-    std::vector<RecordKind> found;
-    log::for_each_kind([&]<class T>() {
-      if (auto tables = tables_of<T>()) found.push_back(std::move(*tables));
-    });
-    return found;
+    std::vector<RecordKind> counted;
+    for (const auto& kind : log::schema())
+      if (std::any_of(kind.members.begin(), kind.members.end(),
+                      [](const auto& member) { return member.says == log::Says::what; }))
+        counted.emplace_back(kind);
+    return counted;
   }();
   return all;
 }
@@ -129,9 +122,9 @@ void add_walked(std::string_view value, const Members<bool>& left_out, std::stri
 }  // namespace
 
 const RecordKind* record_kind(std::string_view name) {
-  const auto found =
-      std::find_if(kinds().begin(), kinds().end(), [&](const RecordKind& one) { return one.name == name; });
-  return found == kinds().end() ? nullptr : &*found;
+  const auto& all = kinds();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const RecordKind& one) { return one.name == name; });
+  return found == all.end() ? nullptr : &*found;
 }
 
 RecordMeaning meaning_of(const RecordKind* kind, std::span<const RecordMember> members) {

@@ -6,39 +6,6 @@
 #include "continua/term/term_text.h"
 
 namespace continua {
-namespace {
-
-// An operation's name, and what the machine file says of it, unless it is none.
-void add_operation(Json& object, const Operation& operation) {
-  const auto source = Json::parse(operation.source);
-  object["operation"] = source.begin().key();
-  object["content"] = operation.kind == Operation::Kind::none ? Json(nullptr) : source.begin().value();
-}
-
-}  // namespace
-
-Json graph_of(const Machine& machine) {
-  Json states = Json::array(), edges = Json::array();
-  for (const auto& state : machine.states) {
-    states.push_back({{"id", state.name}, {"accepting", state.accepting}});
-    if (!state.gate) continue;
-    auto& gate = states.back()["gate"];
-    gate = {{"condition", print(state.gate->when)}, {"else", machine.states[state.gate->otherwise].name}};
-    add_operation(gate, state.gate->operation);
-  }
-  for (const auto& transition : machine.transitions)
-    for (const auto from : transition.from) {
-      edges.push_back({{"id", transition.id},
-                       {"from", machine.states[from].name},
-                       {"to", machine.states[transition.to].name},
-                       {"input", transition.on ? transition.on_text : "ε"},
-                       {"condition", transition.when ? Json(print(*transition.when)) : Json(nullptr)},
-                       {"weight", transition.weight}});
-      add_operation(edges.back(), transition.operation);
-    }
-  return {{"states", std::move(states)}, {"start", machine.states[machine.start].name}, {"edges", std::move(edges)}};
-}
-
 int Recorder::write(const log::Record& record) { return log_.write(record, now_, cause_, measured_); }
 
 int Recorder::input(const TraceEvent& event, const std::string& symbol) {
@@ -107,7 +74,6 @@ void Recorder::one(const StepEvent& step) {
 void Recorder::one(const Fired& fired) { cause_ = write(record_of(fired, *machine_)); }
 
 void Recorder::one(const Said& said) {
-  last_utterance_ = said.text;
   moves_.push_back({"speech", said.text, write(record_of(said, input_record_))});
 }
 

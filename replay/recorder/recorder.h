@@ -14,9 +14,6 @@
 
 namespace continua {
 
-/// The machine's states and transitions as the header carries them (RUNLOG.md, `graph`).
-Json graph_of(const Machine& machine);
-
 class Recorder {
  public:
   /// Both must outlive the recorder.
@@ -45,7 +42,6 @@ class Recorder {
   };
   /// By number.
   const std::map<int, Act>& acts() const { return acts_; }
-  const std::string& last_utterance() const { return last_utterance_; }
   const std::string& last_act() const { return last_act_; }
   /// What the avatar did since this was asked last.
   std::vector<AvatarMove> take_moves() { return std::exchange(moves_, {}); }
@@ -87,7 +83,7 @@ class Recorder {
   std::map<int, Act> acts_;
   std::map<int, ActStep> steps_;  ///< by command
   std::optional<RestSpan> lasting_rest_;
-  std::string last_utterance_, last_act_;
+  std::string last_act_;
   std::vector<std::string> last_referents_;
 };
 

@@ -5,8 +5,8 @@
 #include "continua/core/located_json.h"
 #include "continua/learning/learning_file.h"
 #include "continua/machine_file/machine_parameters.h"
-#include "continua/replay/log/run_record.h"
-#include "continua/replay/recorder/recorder.h"
+#include "continua/replay/log/records.h"
+#include "continua/replay/recorder/machine_graph.h"
 #include "continua/replay/session/scene_voxemes.h"
 #include "continua/replay/session/session_parts.h"
 #include "continua/replay/session/version.h"
@@ -15,60 +15,67 @@
 namespace continua {
 namespace {
 
-// The header of a run that these parts answer from its beginning.
-Json fields_of(const LoadedSession& loaded, const EngineParts& parts) {
+log::SceneDescription description_of(const Scene& scene, const Catalogue& voxemes) {
+  const auto world = scene.description();
+  log::SceneDescription told{.name = std::filesystem::path(scene.path()).stem().string(),
+                             .digest = digest(scene.text()),
+                             .mjcf = scene.text(),
+                             .geoms = world.at("geoms"),
+                             .bodies = world.at("bodies"),
+                             .without_voxeme = {}};
+  if (const auto without = objects_without_voxeme(scene, voxemes); !without.empty()) told.without_voxeme = without;
+  return told;
+}
+
+void add_knowledge(log::Run& header, const EngineParts& parts) {
   const Machine& machine = *parts.machine;
   const Language& language = *parts.language;
-  RunHeader header;
-  header.continua_version = program_version();
-  header.trace_name = std::filesystem::path(loaded.trace.name).filename().string();
-  if (!loaded.options.live) header.trace_digest = loaded.trace.digest;
+  header.machine = {machine.name, digest(machine.document), Json::parse(machine.document)};
+  if (!machine.phrases.empty())
+    header.phrases.emplace(log::Document{machine.phrases, digest(machine.phrase_document),
+                                         Json::parse(machine.phrase_document)});
+  if (language.lexicon) header.lexicon.emplace(log::NamedFile{machine.lexicon, language.lexicon->digest});
+  if (const auto& voxemes = language.voxemes->digest(); !voxemes.empty())
+    header.voxemes.emplace(log::VoxemeFiles{voxemes});
+  header.knowledge = parts.knowledge;
+  header.graph = graph_of(machine);
+  if (!machine.parameters.empty()) header.parameters = parameter_values(machine);
+}
+
+// The header of a run that these parts answer from its beginning.
+log::Run header_of(const LoadedSession& loaded, const EngineParts& parts) {
+  log::Run header;
+  header.continua = program_version();
+  header.trace.name = std::filesystem::path(loaded.trace.name).filename().string();
+  if (!loaded.options.live && !loaded.trace.digest.empty()) header.trace.digest.emplace(loaded.trace.digest);
   header.seed = parts.seed;
   header.choice = text(parts.choice);
-  for (const auto& [step, transition] : parts.forced) header.forced[step] = machine.transitions[transition].id;
-  if (parts.choice == Choice::explore) header.most_branches = loaded.most_branches();
+  for (const auto& [step, transition] : parts.forced)
+    header.forced.emplace_back(std::to_string(step), parts.machine->transitions[transition].id);
+  if (parts.choice == Choice::explore) header.most_branches.emplace(loaded.most_branches());
   header.world = loaded.options.physics ? "physics" : "kinematic";
   header.perspective = text(parts.perspective);
-  if (loaded.options.variant != Variant::free) header.variant = text(loaded.options.variant);
-  if (!machine.parameters.empty()) header.parameters = parameter_values(machine);
   header.fingerprint = fingerprint();
-  header.machine_name = machine.name;
-  header.machine_digest = digest(machine.document);
-  header.machine_document = Json::parse(machine.document);
-  if (!machine.phrases.empty()) {
-    header.phrases_name = machine.phrases;
-    header.phrases_digest = digest(machine.phrase_document);
-    header.phrases_document = Json::parse(machine.phrase_document);
-  }
+  add_knowledge(header, parts);
   if (!(loaded.learned == Learned())) header.learned = Json::parse(print_learned(loaded.learned));
-  header.graph = graph_of(machine);
-  if (language.lexicon) {
-    header.lexicon_name = machine.lexicon;
-    header.lexicon_digest = language.lexicon->digest;
-  }
-  header.knowledge = parts.knowledge;
-  header.voxemes_digest = language.voxemes->digest();
-  header.scene_name = std::filesystem::path(loaded.scene.path()).stem().string();
-  header.scene_digest = digest(loaded.scene.text());
-  header.scene_mjcf = loaded.scene.text();
-  header.scene_description = loaded.scene.description();
-  header.without_voxeme = objects_without_voxeme(loaded.scene, *language.voxemes);
-  return run_fields(header);
+  header.scene = description_of(loaded.scene, *parts.language->voxemes);
+  if (loaded.options.variant != Variant::free) header.variant = text(loaded.options.variant);
+  return header;
 }
 
 }  // namespace
 
-Json header_of(const LoadedSession& loaded) {
-  Json fields = fields_of(loaded, loaded.parts);
-  if (!loaded.what_if) return fields;
+log::Run header_of(const LoadedSession& loaded) {
+  auto header = header_of(loaded, loaded.parts);
+  if (!loaded.what_if) return header;
   const auto& what_if = *loaded.what_if;
   Json changed{{"from", what_if.from.seconds()}};
   if (what_if.trace) changed["trace"] = {{"name", what_if.trace->first}, {"digest", what_if.trace->second}};
-  const Json then = fields_of(loaded, what_if.parts);
+  const Json before = log::members_of(header), then = log::members_of(header_of(loaded, what_if.parts));
   for (const auto& [key, value] : then.items())
-    if (key != "scene" && value != fields[key]) changed[key] = value;
-  fields["what_if"] = std::move(changed);
-  return fields;
+    if (key != "scene" && value != before.value(key, Json())) changed[key] = value;
+  header.what_if = std::move(changed);
+  return header;
 }
 
 }  // namespace continua

@@ -33,7 +33,7 @@ const std::string& SessionLoop::state() const {
 }
 
 void SessionLoop::begin(const std::vector<Note>& notes) {
-  log_.write("run", SimTime{}, loaded_.header);
+  log_.write(loaded_.header, SimTime{});
   record(conversation_.open(loaded_.learned));
   run({});
   for (const auto& note : notes) recorder_.problem(note.line, note.sentence, SimTime{});
@@ -190,12 +190,14 @@ void SessionLoop::settle() {
 
 void SessionLoop::write_end() {
   recorder_.finish();
-  const auto& counts = log_.counts();
   summary_.fragile = static_cast<int>(log_.fragile());
-  const auto count = [&](const char* kind) { return counts.contains(kind) ? counts.at(kind) : 0; };
-  summary_.utterances = count("utterance");
-  summary_.refusals = count("refusal");
-  summary_.problems = count("problem");
+  const auto count = [&](const log::Kind& kind) {
+    const auto found = log_.counts().find(kind.name);
+    return found == log_.counts().end() ? 0 : static_cast<int>(found->second);
+  };
+  summary_.utterances = count(log::Utterance::kind);
+  summary_.refusals = count(log::Refusal::kind);
+  summary_.problems = count(log::Problem::kind);
   for (const auto& [number, act] : recorder_.acts()) {
     ++summary_.acts;
     summary_.acts_done += act.status == ActReport::Status::done;

@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "continua/body/body.h"
-#include "continua/core/located_json.h"
 #include "continua/knowledge_files/engine_parts.h"
 #include "continua/learning/learning.h"
 #include "continua/pipeline/pipeline.h"
+#include "continua/replay/log/records_of_log.h"
 #include "continua/replay/session/session.h"
 #include "continua/replay/trace/trace_file.h"
 #include "continua/simulation/scene.h"
@@ -32,14 +32,14 @@ struct LoadedSession {
   Scene scene;
   Learned learned;  ///< when the run begins
   std::optional<Error> warning;
-  Json header;  ///< header_of() the rest
+  log::Run header;  ///< header_of() the rest
   std::optional<Learned> learned_at_end;
 
   std::size_t most_branches() const { return options.most_branches ? options.most_branches : default_most_branches; }
 };
 
-/// The fields of the run log's header (RUNLOG.md, `run`).
-Json header_of(const LoadedSession& loaded);
+/// The header of the run log (RUNLOG.md, `run`).
+log::Run header_of(const LoadedSession& loaded);
 
 /// A world as the scene has it at the beginning. Errors: the scene's avatar is incomplete.
 Result<std::unique_ptr<Body>> body_of(const Scene& scene, bool physics);

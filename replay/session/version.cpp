@@ -27,11 +27,11 @@ std::string version_text() {
 
 std::string program_version() { return CONTINUA_VERSION; }
 
-Json fingerprint() {
-  return {{"mujoco", mujoco_version()},
-          {"compiler", CONTINUA_COMPILER},
-          {"arch", CONTINUA_ARCHITECTURE},
-          {"instructions", instructions()}};
+log::Fingerprint fingerprint() {
+  return {.mujoco = mujoco_version(),
+          .compiler = CONTINUA_COMPILER,
+          .arch = CONTINUA_ARCHITECTURE,
+          .instructions = instructions()};
 }
 
 }  // namespace continua

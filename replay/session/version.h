@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "continua/core/located_json.h"
+#include "continua/replay/log/records_of_log.h"
 
 namespace continua {
 
@@ -14,6 +14,6 @@ std::string version_text();
 std::string program_version();
 
 /// What physics may depend on: a run's poses are comparable byte for byte only under the same fingerprint (RUNLOG.md).
-Json fingerprint();
+log::Fingerprint fingerprint();
 
 }  // namespace continua

@@ -7,7 +7,8 @@
 #include "continua/machine_file/machine_loader.h"
 #include "continua/replay/export/graph_dot.h"
 #include "continua/replay/export/graph_svg.h"
-#include "continua/replay/recorder/recorder.h"
+#include "continua/replay/log/record_json.h"
+#include "continua/replay/recorder/machine_graph.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
 
@@ -18,7 +19,7 @@ namespace {
 StateGraph graph_of_text(const std::string& text) {
   const auto machine = parse_machine(text, "m.json", {});
   if (!machine) FAIL(machine.error().text());
-  auto graph = state_graph_of(graph_of(*machine), machine->name);
+  auto graph = state_graph_of(log::to_json(graph_of(*machine)), machine->name);
   if (!graph) FAIL(graph.error().text());
   return *std::move(graph);
 }
@@ -165,7 +166,7 @@ TEST_CASE("what a gate rejected was taken up to the gate, and from there") {
                     "m.json", {});
   const ScratchFolder folder;
   for (const bool gate_known : {true, false}) {
-    auto header = graph_of(*machine);
+    auto header = log::to_json(graph_of(*machine));
     if (!gate_known)
       for (auto& state : header["states"]) state.erase("gate");
     LogBuilder log;
@@ -189,7 +190,7 @@ TEST_CASE("what several gates rejected passed all of them") {
                                      "m.json", {});
   const ScratchFolder folder;
   LogBuilder log;
-  log.add("run", 0, {{"version", 1}, {"graph", graph_of(*machine)}});
+  log.add("run", 0, {{"version", 1}, {"graph", log::to_json(graph_of(*machine))}});
   log.add("transition", 1, transition_fields("in", "A", "D", 1, 1));
   const auto graph = state_graph_of(*RunIndex::open(folder.write("gates.run.jsonl", log.text())));
   CHECK(arrows_text(*graph) == "! B->C: 1× [not (region = null)]\n! C->D: 1× [not (region = null)]\nA->B: 1× x\n");

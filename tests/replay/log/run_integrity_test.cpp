@@ -20,18 +20,18 @@ namespace {
 // A log of so many records, besides its header, its blocks and its end.
 std::string log_of(int records) {
   std::ostringstream out;
-  RunLog log(out);
-  log.write("run", SimTime{}, {{"version", 1}, {"trace", {{"name", "x"}}}});
+  RunLog written(out);
+  written.write(log::Run{}, SimTime{});
   for (int i = 0; i < records; ++i) {
     const auto t = SimTime::from_seconds(i * 0.1);
     if (i % 3 == 0)
-      log.write("utterance", t, {{"text", fmt::format("Word {}.", i)}});
+      written.write(log::Utterance{fmt::format("Word {}.", i), {}}, t);
     else if (i % 3 == 1)
-      log.write("pose", t, {{"bodies", {{"cup", {i * 0.001, 0, 0}}}}});
+      written.write(log::Pose{{{"cup", {i * 0.001, 0, 0, 1, 0, 0, 0}}}}, t);
     else
-      log.write("act", t, {{"act", i}, {"program", "grasp(cup)"}, {"status", "done"}});
+      written.write(log::Act{i, "grasp(cup)", "done", {}, {}, {}}, t);
   }
-  log.finish(SimTime::from_seconds(records * 0.1));
+  written.finish(SimTime::from_seconds(records * 0.1));
   return out.str();
 }
 

@@ -1,0 +1,95 @@
+#include "continua/replay/log/schema.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "continua/replay/log/record_json.h"
+#include "continua/replay/log/records.h"
+
+namespace continua::log {
+namespace {
+
+template <class T>
+std::string type_text() {
+  if constexpr (is_optional<T>)
+    return type_text<typename T::value_type>();
+  else if constexpr (is_or_null<T>)
+    return type_text<typename T::value_type>() + " or null";
+  else if constexpr (is_named<T>)
+    return "object of " + type_text<typename T::value_type::second_type>();
+  else if constexpr (is_list<T>)
+    return "list of " + type_text<typename T::value_type>();
+  else if constexpr (is_array<T>)
+    return fmt::format("list of {} {}", std::tuple_size_v<T>, type_text<typename T::value_type>());
+  else if constexpr (HasFields<T>)
+    return "object";
+  else if constexpr (std::is_same_v<T, std::string>)
+    return "text";
+  else if constexpr (std::is_same_v<T, bool>)
+    return "boolean";
+  else if constexpr (std::is_same_v<T, Json>)
+    return "any";
+  else
+    return std::is_integral_v<T> ? "integer" : "number";
+}
+
+template <HasFields T>
+std::vector<MemberSchema> members_of_type() {
+  std::vector<MemberSchema> members;
+  for_each_field<T>([&]<class Struct, class Value>(const Field<Struct, Value>& field) {
+    MemberSchema member{.name = field.name,
+                        .type = type_text<Value>(),
+                        .left_out = is_optional<Value>,
+                        .says = field.says,
+                        .sentence = field.sentence,
+                        .form = field.form,
+                        .in_brief = field.in_brief,
+                        .follows = field.follows,
+                        .leaves_out = {},
+                        .members = {}};
+    for (const auto name : field.leaves_out)
+      if (!name.empty()) member.leaves_out.push_back(name);
+    if constexpr (HasFields<Innermost<Value>>) member.members = members_of_type<Innermost<Value>>();
+    members.push_back(std::move(member));
+  });
+  return members;
+}
+
+}  // namespace
+
+const std::vector<KindSchema>& schema() {
+  static const auto all = [] {
+    std::vector<KindSchema> kinds;
+    for_each_kind([&]<class T>() { kinds.push_back({T::kind, members_of_type<T>()}); });
+    return kinds;
+  }();
+  return all;
+}
+
+const KindSchema* schema_of(std::string_view kind) {
+  const auto& all = schema();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const KindSchema& one) { return one.kind.name == kind; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+const std::vector<MemberSchema>& stamp_schema() {
+  static const auto members = members_of_type<Stamp>();
+  return members;
+}
+
+std::string_view text(Says says) {
+  switch (says) {
+    case Says::what:
+      return "what";
+    case Says::how:
+      return "how";
+    case Says::where:
+      return "where";
+    case Says::aside:
+      return "aside";
+  }
+  return "what";
+}
+
+}  // namespace continua::log
