@@ -1,0 +1,155 @@
+// The tables of RUNLOG.md are printed from what records declare. To print them anew:
+//   CONTINUA_RENEW_PAGES=1 build/tests/test_replay "RUNLOG.md*"
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "continua/replay/log/records.h"
+#include "continua/replay/log/schema.h"
+#include "support/catch.h"
+
+using namespace continua;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path page_path = fs::path(CONTINUA_SOURCE_DIR) / "replay/log/RUNLOG.md";
+const std::string begin_mark = "<!-- Printed from replay/log/records_of_*.h: tests/replay/log/runlog_page_test.cpp -->\n";
+const std::string end_mark = "<!-- End of what is printed. -->\n";
+
+constexpr std::size_t longest_example = 600;
+
+using Examples = std::map<std::string, std::string, std::less<>>;
+
+std::string type_of(const log::MemberSchema& member) {
+  std::string type = member.type == "any" ? "JSON" : member.type;
+  if (member.form == "term" && type.starts_with("text")) type.replace(0, 4, "term");
+  if (!member.form.empty() && member.form != "term") type += fmt::format(", {}", member.form);
+  return member.left_out ? type + "; optional" : type;
+}
+
+void add_rows(std::string& text, const std::vector<log::MemberSchema>& members, const std::string& above,
+              bool counts) {
+  for (const auto& member : members) {
+    const auto name = above + std::string(member.name);
+    const bool decides = counts && member.says != log::Says::aside && !member.follows;
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", name, type_of(member), log::text(member.says),
+                        decides ? "yes" : "", member.sentence);
+    const bool several = member.type.find("list of") != std::string::npos;
+    add_rows(text, member.members, name + (several ? "[]." : "."), decides);
+  }
+}
+
+std::string table_of(const std::vector<log::MemberSchema>& members, bool counts) {
+  std::string text = "| member | type | says | decides | meaning |\n| --- | --- | --- | --- | --- |\n";
+  add_rows(text, members, "", counts);
+  return text;
+}
+
+std::string decision_sentence(log::Decision decision) {
+  switch (decision) {
+    case log::Decision::no:
+      return "No decision.";
+    case log::Decision::yes:
+      return "A decision.";
+    case log::Decision::outcome:
+      return "A decision when asked for, and in the last status of each; its `t` is none.";
+  }
+  return {};
+}
+
+std::string tables(const Examples& examples) {
+  std::string text = "\n### Members of every record\n\n" + table_of(log::stamp_schema(), false);
+  for (const auto& [kind, members] : log::schema()) {
+    text += fmt::format("\n### `{}`\n\n{} {}\n\n{}", kind.name, kind.when, decision_sentence(kind.decision),
+                        table_of(members, kind.decision != log::Decision::no));
+    if (const auto example = examples.find(kind.name); example != examples.end())
+      text += fmt::format("\n```json\n{}\n```\n", example->second);
+  }
+  return text + "\n";
+}
+
+// Long values cut, and marked by "…".
+Json shortened(const Json& value) {
+  if (value.is_string() && value.get_ref<const std::string&>().size() > 48)
+    return value.get_ref<const std::string&>().substr(0, 16) + "…";
+  if (value.is_array() && value.size() > 2) return Json::array({shortened(value[0]), "…"});
+  if (!value.is_structured()) return value;
+  Json short_value = value;
+  for (auto& element : short_value) element = shortened(element);
+  return short_value;
+}
+
+std::string kind_in(const Json& line) { return line.at("kind").get<std::string>(); }
+
+// Of each kind the line of the approved runs with the most members that is not too long.
+Examples approved_examples() {
+  std::vector<fs::path> paths;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(CONTINUA_SOURCE_DIR) / "traces"))
+    if (entry.path().string().ends_with(".run.jsonl")) paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  std::map<std::string, Json> best;
+  for (const auto& path : paths) {
+    std::ifstream file(path);
+    for (std::string text; std::getline(file, text);) {
+      const auto line = Json::parse(text);
+      auto& found = best[kind_in(line)];
+      if (found.is_null() || (text.size() <= longest_example && line.size() > found.size())) found = line;
+    }
+  }
+  Examples examples;
+  for (const auto& [kind, line] : best)
+    examples[kind] = compact(line).size() <= longest_example ? compact(line) : compact(shortened(line));
+  return examples;
+}
+
+// The examples in the page, which stay as they are.
+Examples examples_in(const std::string& page) {
+  Examples examples;
+  const std::string fence = "\n```json\n";
+  for (auto at = page.find(fence); at != std::string::npos; at = page.find(fence, at)) {
+    at += fence.size();
+    const auto text = page.substr(at, page.find('\n', at) - at);
+    examples[kind_in(Json::parse(text))] = text;
+  }
+  return examples;
+}
+
+std::string read_page() { return read_file(page_path.string()).value(); }
+
+}  // namespace
+
+TEST_CASE("RUNLOG.md has the tables that records declare") {
+  const auto page = read_page();
+  const auto from = page.find(begin_mark), to = page.find(end_mark);
+  REQUIRE((from != std::string::npos && to != std::string::npos));
+  const auto at = from + begin_mark.size();
+  auto examples = examples_in(page);
+  if (std::getenv("CONTINUA_RENEW_PAGES")) {
+    examples.merge(approved_examples());
+    std::ofstream(page_path) << page.substr(0, at) << tables(examples) << page.substr(to);
+  }
+  const auto now = read_page();
+  CHECK(now.substr(at, now.find(end_mark) - at) == tables(examples));
+}
+
+TEST_CASE("RUNLOG.md has an example of every kind, with members that the kind declares") {
+  const auto examples = examples_in(read_page());
+  for (const auto& [kind, members] : log::schema()) {
+    INFO(kind.name);
+    const auto example = examples.find(kind.name);
+    REQUIRE(example != examples.end());
+    const auto line = Json::parse(example->second);
+    if (example->second.find("…") == std::string::npos)
+      CHECK(compact(log::line_of(log::stamp_of(line), *log::read_record(line))) == example->second);
+    for (const auto& [name, value] : line.items()) {
+      const auto named = [&name = name](const log::MemberSchema& member) { return member.name == name; };
+      const auto& stamp = log::stamp_schema();
+      CHECK((name == "kind" || std::any_of(stamp.begin(), stamp.end(), named) ||
+             std::any_of(members.begin(), members.end(), named)));
+    }
+  }
+}
