@@ -69,9 +69,8 @@ class Finder {
     if (schema_) {
       const auto& members = schema_->members;
       scan_members(line, [&](std::string_view key, std::string_view value) {
-        const auto member = std::find_if(members.begin(), members.end(), [&](const auto& one) {
-          return one.in_brief && one.name == key;
-        });
+        const auto member = std::find_if(members.begin(), members.end(),
+                                         [&](const auto& one) { return one.in_brief && one.name == key; });
         if (member == members.end()) return;
         shown_.append(1, static_cast<char>(1 + (member - members.begin()))).append(value);
         as_written = as_written && shows_as_written(value);

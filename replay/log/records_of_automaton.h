@@ -22,7 +22,9 @@ struct Belief {
                       field("value", &Belief::value, Says::what, "The certainty now, 0 to 1.").briefly(),
                       field("was", &Belief::was, Says::how, "The certainty before.").briefly()};
   }
-  std::string brief() const { return fmt::format("{} {} (was {})", concept_name, number_text(value), number_text(was)); }
+  std::string brief() const {
+    return fmt::format("{} {} (was {})", concept_name, number_text(value), number_text(was));
+  }
 };
 
 struct Memory {
@@ -286,6 +288,7 @@ struct Refusal {
   std::string brief() const { return joined({input, "in", state + ":", reason}); }
 };
 
-using RecordsOfAutomaton = Kinds<Belief, Memory, Transition, Correction, Branches, Symbol, Rewrite, Application, Refusal>;
+using RecordsOfAutomaton =
+    Kinds<Belief, Memory, Transition, Correction, Branches, Symbol, Rewrite, Application, Refusal>;
 
 }  // namespace continua::log

@@ -35,8 +35,8 @@ std::string_view value_in(const std::vector<RecordMember>& members, std::string_
 }
 
 // What the trace tells: the inputs by their own kinds, of which the last are all others, and what else a line may be.
-constexpr std::array<std::string_view, 6> event_kinds{"speech", "gesture", "pointing", "", log::Observed::kind.name,
-                                                      log::Expect::kind.name};
+constexpr std::array<std::string_view, 6> event_kinds{
+    "speech", "gesture", "pointing", "", log::Observed::kind.name, log::Expect::kind.name};
 constexpr std::uint8_t pointing_event = 3;  // a place in these, from 1
 
 std::uint8_t event_number(std::string_view record_kind, std::string_view event) {
@@ -263,8 +263,8 @@ Outcome RunIndex::problem_of(const std::vector<RecordMember>& members, bool whol
   const auto number = number_in<std::size_t>(value_in(members, name_of(&log::Stamp::n)));
   if (!number) return Error{where(n), "a record without its number 'n'"};
   if (number != n)
-    return Error{where(n), fmt::format("record number {} where {} was expected: lines are missing or out of order",
-                                       *number, n)};
+    return Error{where(n),
+                 fmt::format("record number {} where {} was expected: lines are missing or out of order", *number, n)};
   if (!number_in<double>(value_in(members, name_of(&log::Stamp::t_s))))
     return Error{where(n), "a record without its time 't' in seconds"};
   return std::nullopt;

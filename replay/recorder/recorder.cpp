@@ -73,9 +73,7 @@ void Recorder::one(const StepEvent& step) {
 
 void Recorder::one(const Fired& fired) { cause_ = write(record_of(fired, *machine_)); }
 
-void Recorder::one(const Said& said) {
-  moves_.push_back({"speech", said.text, write(record_of(said, input_record_))});
-}
+void Recorder::one(const Said& said) { moves_.push_back({"speech", said.text, write(record_of(said, input_record_))}); }
 
 void Recorder::one(const Gestured& gestured) {
   auto record = record_of(gestured, input_record_);

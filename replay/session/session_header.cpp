@@ -32,8 +32,8 @@ void add_knowledge(log::Run& header, const EngineParts& parts) {
   const Language& language = *parts.language;
   header.machine = {machine.name, digest(machine.document), Json::parse(machine.document)};
   if (!machine.phrases.empty())
-    header.phrases.emplace(log::Document{machine.phrases, digest(machine.phrase_document),
-                                         Json::parse(machine.phrase_document)});
+    header.phrases.emplace(
+        log::Document{machine.phrases, digest(machine.phrase_document), Json::parse(machine.phrase_document)});
   if (language.lexicon) header.lexicon.emplace(log::NamedFile{machine.lexicon, language.lexicon->digest});
   if (const auto& voxemes = language.voxemes->digest(); !voxemes.empty())
     header.voxemes.emplace(log::VoxemeFiles{voxemes});

@@ -10,9 +10,7 @@ namespace {
 
 SimTime seconds(double t_s) { return SimTime::from_seconds(t_s); }
 
-Json last_line(const std::string& text) {
-  return Json::parse(text.substr(text.rfind('\n', text.size() - 2) + 1));
-}
+Json last_line(const std::string& text) { return Json::parse(text.substr(text.rfind('\n', text.size() - 2) + 1)); }
 
 log::Transition transition(const std::string& id, std::optional<double> margin) {
   log::Transition record;

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path page_path = fs::path(CONTINUA_SOURCE_DIR) / "replay/log/RUNLOG.md";
-const std::string begin_mark = "<!-- Printed from replay/log/records_of_*.h: tests/replay/log/runlog_page_test.cpp -->\n";
+const std::string begin_mark =
+    "<!-- Printed from replay/log/records_of_*.h: tests/replay/log/runlog_page_test.cpp -->\n";
 const std::string end_mark = "<!-- End of what is printed. -->\n";
 
 constexpr std::size_t longest_example = 600;
@@ -31,8 +32,7 @@ std::string type_of(const log::MemberSchema& member) {
   return member.left_out ? type + "; optional" : type;
 }
 
-void add_rows(std::string& text, const std::vector<log::MemberSchema>& members, const std::string& above,
-              bool counts) {
+void add_rows(std::string& text, const std::vector<log::MemberSchema>& members, const std::string& above, bool counts) {
   for (const auto& member : members) {
     const auto name = above + std::string(member.name);
     const bool decides = counts && member.says != log::Says::aside && !member.follows;
