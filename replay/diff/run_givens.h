@@ -1,4 +1,4 @@
-// What two runs were made of, as far as it differs: their headers (RUNLOG.md, `run`) held against each other.
+// What two runs were made of, as far as it differs: their headers (RECORDS.md, `run`) held against each other.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // How a record of a run log declares its members. Everything else that must know them is derived from that list: JSON
-// both ways, the digest of decisions, the comparison of two runs, the tables of RUNLOG.md and the schema for the page.
+// both ways, the digest of decisions, the comparison of two runs, the tables of RECORDS.md and the schema for the page.
 #pragma once
 
 #include <array>
@@ -48,7 +48,7 @@ struct Field {
   std::string_view name;
   Value Struct::*member;
   Says says;
-  std::string_view sentence;                     ///< its meaning, for RUNLOG.md
+  std::string_view sentence;                     ///< its meaning, for RECORDS.md
   std::string_view form{};                       ///< what the value is beyond its type: "term", "seconds", "record"
   bool in_brief = false;                         ///< brief() reads it
   bool follows = false;                          ///< other members determine it, so it is no decision of its own
@@ -101,7 +101,7 @@ enum class Stop : std::uint8_t {
 /// A kind of record.
 struct Kind {
   std::string_view name;
-  std::string_view when;  ///< when such a record is written, for RUNLOG.md
+  std::string_view when;  ///< when such a record is written, for RECORDS.md
   Decision decision = Decision::no;
   Stop stop = Stop::always;
   std::string_view brief_adds{};  ///< everything that brief() puts between the values of members

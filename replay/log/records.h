@@ -1,4 +1,4 @@
-// All kinds of records of a run log (RUNLOG.md). A new kind is a struct with a `kind`, `fields()` and `brief()` in one
+// All kinds of records of a run log (RECORDS.md). A new kind is a struct with a `kind`, `fields()` and `brief()` in one
 // of the headers below, and a place in the list at its end; nothing else lists the kinds or their members.
 #pragma once
 
@@ -31,7 +31,7 @@ struct RecordOf<Kinds<All...>> {
 
 using Record = RecordOf<RecordsOfLog, RecordsOfInput, RecordsOfAutomaton, RecordsOfAvatar>::type;
 
-/// Calls `use.template operator()<T>()` for each kind of record, in the order of RUNLOG.md.
+/// Calls `use.template operator()<T>()` for each kind of record, in the order of RECORDS.md.
 template <class Use>
 constexpr void for_each_kind(Use&& use) {
   [&use]<class... Kinds>(std::variant<Unknown, Kinds...>*) {

@@ -180,7 +180,8 @@ struct Run {
               "{name: value} of all parameters of the machine; left out where it has none."),
         field("variant", &Run::variant, Says::how,
               "`world` or `teacher`: how far the run follows the observations; left out where it does not."),
-        field("what_if", &Run::what_if, Says::how, "The changes in mid-run (below); left out where there were none.")};
+        field("what_if", &Run::what_if, Says::how,
+              "The changes in mid-run, as RUNLOG.md describes; left out where there were none.")};
   }
   std::string brief() const { return joined({trace.name, "on", machine.name}); }
 };

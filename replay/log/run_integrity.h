@@ -1,4 +1,4 @@
-// Whether a run log is what was written: its chain of digests and what its last line states (RUNLOG.md, `block`,
+// Whether a run log is what was written: its chain of digests and what its last line states (RECORDS.md, `block`,
 // `end`).
 #pragma once
 

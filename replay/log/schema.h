@@ -29,7 +29,7 @@ struct KindSchema {
   bool is_decision() const { return kind.decision != Decision::no; }
 };
 
-/// All kinds, in the order of RUNLOG.md.
+/// All kinds, in the order of RECORDS.md.
 const std::vector<KindSchema>& schema();
 
 /// The kind of this name; nullptr if this program does not know it.

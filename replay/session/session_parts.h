@@ -38,7 +38,7 @@ struct LoadedSession {
   std::size_t most_branches() const { return options.most_branches ? options.most_branches : default_most_branches; }
 };
 
-/// The header of the run log (RUNLOG.md, `run`).
+/// The header of the run log (RECORDS.md, `run`).
 log::Run header_of(const LoadedSession& loaded);
 
 /// A world as the scene has it at the beginning. Errors: the scene's avatar is incomplete.

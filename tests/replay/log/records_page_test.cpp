@@ -1,5 +1,5 @@
-// The tables of RUNLOG.md are printed from what records declare. To print them anew:
-//   CONTINUA_RENEW_PAGES=1 build/tests/test_replay "RUNLOG.md*"
+// The tables of RECORDS.md are printed from what records declare. To print them anew:
+//   CONTINUA_RENEW_PAGES=1 build/tests/test_replay "RECORDS.md*"
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -16,10 +16,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path page_path = fs::path(CONTINUA_SOURCE_DIR) / "replay/log/RUNLOG.md";
-const std::string begin_mark =
-    "<!-- Printed from replay/log/records_of_*.h: tests/replay/log/runlog_page_test.cpp -->\n";
-const std::string end_mark = "<!-- End of what is printed. -->\n";
+const fs::path page_path = fs::path(CONTINUA_SOURCE_DIR) / "replay/log/RECORDS.md";
+// The page is printed from here on; prose stands above.
+const std::string first_heading = "\n## Members of every record\n";
 
 constexpr std::size_t longest_example = 600;
 
@@ -62,14 +61,14 @@ std::string decision_sentence(log::Decision decision) {
 }
 
 std::string tables(const Examples& examples) {
-  std::string text = "\n### Members of every record\n\n" + table_of(log::stamp_schema(), false);
+  std::string text = first_heading + "\n" + table_of(log::stamp_schema(), false);
   for (const auto& [kind, members] : log::schema()) {
-    text += fmt::format("\n### `{}`\n\n{} {}\n\n{}", kind.name, kind.when, decision_sentence(kind.decision),
-                        table_of(members, kind.decision != log::Decision::no));
+    text += fmt::format("\n## `{}`\n\n{} {}\n", kind.name, kind.when, decision_sentence(kind.decision));
     if (const auto example = examples.find(kind.name); example != examples.end())
-      text += fmt::format("\n```json\n{}\n```\n", example->second);
+      text += fmt::format("Example: `` {} ``\n", example->second);
+    text += "\n" + table_of(members, kind.decision != log::Decision::no);
   }
-  return text + "\n";
+  return text;
 }
 
 // Long values cut, and marked by "…".
@@ -109,10 +108,10 @@ Examples approved_examples() {
 // The examples in the page, which stay as they are.
 Examples examples_in(const std::string& page) {
   Examples examples;
-  const std::string fence = "\n```json\n";
-  for (auto at = page.find(fence); at != std::string::npos; at = page.find(fence, at)) {
-    at += fence.size();
-    const auto text = page.substr(at, page.find('\n', at) - at);
+  const std::string begin = "\nExample: `` ", end = " ``\n";
+  for (auto at = page.find(begin); at != std::string::npos; at = page.find(begin, at)) {
+    at += begin.size();
+    const auto text = page.substr(at, page.find(end, at) - at);
     examples[kind_in(Json::parse(text))] = text;
   }
   return examples;
@@ -122,21 +121,19 @@ std::string read_page() { return read_file(page_path.string()).value(); }
 
 }  // namespace
 
-TEST_CASE("RUNLOG.md has the tables that records declare") {
+TEST_CASE("RECORDS.md has the tables that records declare") {
   const auto page = read_page();
-  const auto from = page.find(begin_mark), to = page.find(end_mark);
-  REQUIRE((from != std::string::npos && to != std::string::npos));
-  const auto at = from + begin_mark.size();
+  const auto from = page.find(first_heading);
+  REQUIRE(from != std::string::npos);
   auto examples = examples_in(page);
   if (std::getenv("CONTINUA_RENEW_PAGES")) {
     examples.merge(approved_examples());
-    std::ofstream(page_path) << page.substr(0, at) << tables(examples) << page.substr(to);
+    std::ofstream(page_path) << page.substr(0, from) << tables(examples);
   }
-  const auto now = read_page();
-  CHECK(now.substr(at, now.find(end_mark) - at) == tables(examples));
+  CHECK(read_page().substr(from) == tables(examples));
 }
 
-TEST_CASE("RUNLOG.md has an example of every kind, with members that the kind declares") {
+TEST_CASE("RECORDS.md has an example of every kind, with members that the kind declares") {
   const auto examples = examples_in(read_page());
   for (const auto& [kind, members] : log::schema()) {
     INFO(kind.name);
