@@ -13,6 +13,7 @@
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_listing.h"
 #include "continua/replay/log/run_views.h"
+#include "continua/replay/log/schema.h"
 
 namespace continua {
 namespace {
@@ -162,6 +163,7 @@ ApiResponse InspectorApi::get(std::string_view target) {
   if (parts.size() >= 2 && parts[0] == "api") {
     if (parts[1] == "runs" && parts.size() == 2) return answer(Json{{"runs", listings_.all()}});
     if (parts[1] == "runs" && parts.size() <= 4) return run(parts[2], parts.size() == 4 ? parts[3] : "", query);
+    if (parts[1] == "schema" && parts.size() == 2) return answer(log::schema_json());
     if (parts[1] == "diff" && parts.size() == 2) return diff(query);
     if (parts[1] == "sessions") return api_error(501, "live sessions are not served by this version");
   }

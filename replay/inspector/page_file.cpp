@@ -15,6 +15,7 @@
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_index.h"
 #include "continua/replay/log/run_stops.h"
+#include "continua/replay/log/schema.h"
 #include "continua/web/assets.h"
 
 namespace continua {
@@ -133,6 +134,7 @@ Outcome add_poses(Answers& answers, const RunIndex& run) {
 
 Outcome collect(Answers& answers, const RunIndex& run, const std::function<void(double)>& progress) {
   answers.view("run", "");
+  answers.add("schema", compact(log::schema_json()));
   for (const char* view : {"graph", "scene", "notes"}) answers.view(view, view);
   const auto columns = answers.ask("columns");
   if (columns.status != 200) return Error{run.path(), "its columns cannot be worked out"};

@@ -35,10 +35,13 @@ bool all_in(std::string_view text, const std::vector<std::string>& words) {
                      [&](const std::string& word) { return text.find(word) != std::string_view::npos; });
 }
 
-// Whether brief() shows the value as it is written.
-bool shows_as_written(std::string_view value) {
-  if (is_plain_text(value) || value == "null" || value == "true" || value == "false") return true;
-  return value.size() <= 15 && number_in<std::int64_t>(value) && !value.starts_with("-0");
+// Whether brief() shows the value as written. A value of another type than declared is shown otherwise.
+bool shows_as_written(std::string_view value, std::string_view type) {
+  const bool any = type == "any";
+  if (is_plain_text(value)) return any || type.starts_with("text");
+  if (value == "null" || value == "true" || value == "false") return any;
+  const bool whole = value.size() <= 15 && number_in<std::int64_t>(value) && !value.starts_with("-0");
+  return whole && (any || type.starts_with("integer"));
 }
 
 // Finds words in records of a kind. A label is made only where what it is made from holds the words.
@@ -73,7 +76,7 @@ class Finder {
                                          [&](const auto& one) { return one.in_brief && one.name == key; });
         if (member == members.end()) return;
         shown_.append(1, static_cast<char>(1 + (member - members.begin()))).append(value);
-        as_written = as_written && shows_as_written(value);
+        as_written = as_written && shows_as_written(value, member->type);
       });
     } else {
       shown_ = line;

@@ -59,7 +59,11 @@ Record readable_part(const Json& line) {
     for_each_field<T>([&](const auto& field) {
       const auto found = line.find(field.name);
       auto& member = known.*(field.member);
-      if (found != line.end() && read_value(*found, member)) member = {};
+      if (found == line.end() || !read_value(*found, member)) return;
+      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, std::string>)
+        member = compact(*found);
+      else
+        member = {};
     });
   });
   return record ? *std::move(record) : unknown(kind, line);

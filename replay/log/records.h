@@ -62,7 +62,8 @@ struct Stamp {
 /// is an error, placed at `where` and the member's path.
 Result<Record> read_record(const Json& line, const std::string& where = {});
 
-/// The same of a line that may be anything: a member of another type than declared keeps its default.
+/// The same of a line that may be anything: a member of another type than declared keeps its default, or is its JSON
+/// where text is declared.
 Record readable_part(const Json& line);
 
 /// The members of `line` that records of every kind have; what is missing or of another type keeps its default.

@@ -49,7 +49,7 @@ struct ActResult {
         field("position_error_m", &ActResult::position_error_m, Says::aside, "Distance from the goal.").as("metres"),
         field("yaw_error", &ActResult::yaw_error, Says::aside, "Turn from the goal.").as("radians"),
         field("reason", &ActResult::reason, Says::aside, "The reason why it went otherwise, a sentence in English."),
-        field("code", &ActResult::code, Says::aside, "The code of that reason: `too_wide`, `slipped` …"),
+        field("code", &ActResult::code, Says::aside, "The code of that reason, such as `too_wide` or `slipped`."),
         field("objects", &ActResult::objects, Says::aside,
               "The objects and participants that the reason is about, the most important first."),
         field("touches", &ActResult::touches, Says::aside,

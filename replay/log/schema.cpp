@@ -56,6 +56,33 @@ std::vector<MemberSchema> members_of_type() {
   return members;
 }
 
+std::string_view name_of(Decision decision) {
+  switch (decision) {
+    case Decision::no:
+      return "no";
+    case Decision::yes:
+      return "yes";
+    case Decision::outcome:
+      return "outcome";
+  }
+  return "no";
+}
+
+Json json_of(const std::vector<MemberSchema>& members) {
+  Json all = Json::array();
+  for (const auto& member : members) {
+    Json one{{"name", member.name},
+             {"type", member.type},
+             {"optional", member.left_out},
+             {"says", name_of(member.says)},
+             {"meaning", member.sentence}};
+    if (!member.form.empty()) one["form"] = member.form;
+    if (!member.members.empty()) one["members"] = json_of(member.members);
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
 }  // namespace
 
 const std::vector<KindSchema>& schema() {
@@ -78,7 +105,17 @@ const std::vector<MemberSchema>& stamp_schema() {
   return members;
 }
 
-std::string_view text(Says says) {
+Json schema_json() {
+  Json kinds = Json::array();
+  for (const auto& one : schema())
+    kinds.push_back({{"name", one.kind.name},
+                     {"when", one.kind.when},
+                     {"decision", name_of(one.kind.decision)},
+                     {"members", json_of(one.members)}});
+  return {{"stamp", json_of(stamp_schema())}, {"kinds", std::move(kinds)}};
+}
+
+std::string_view name_of(Says says) {
   switch (says) {
     case Says::what:
       return "what";

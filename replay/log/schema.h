@@ -38,10 +38,15 @@ const KindSchema* schema_of(std::string_view kind);
 /// Members that records of every kind have, without `kind`.
 const std::vector<MemberSchema>& stamp_schema();
 
+/// The schema for the page: {"stamp": [member], "kinds": [{"name", "when", "decision": "no", "yes" or "outcome",
+/// "members": [member]}]} with members as {"name", "type", "optional", "says", "meaning"} and, where there are any,
+/// "form" and "members".
+Json schema_json();
+
 /// Whether two runs are compared by such members.
 constexpr bool tells_content(Says says) { return says == Says::what || says == Says::how; }
 
 /// "what", "how", "where" or "aside".
-std::string_view text(Says says);
+std::string_view name_of(Says says);
 
 }  // namespace continua::log

@@ -116,6 +116,7 @@ function run({
   );
   return new RunData({
     summary: {counts: {}},
+    schema: {stamp: [], kinds: []},
     graph: {start: 'A', states: [{id: 'A'}, {id: 'B'}, {id: 'C'}], edges: []},
     columns: readColumns(buffer),
     labels: {label: () => '', text: () => ''},

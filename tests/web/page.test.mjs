@@ -52,6 +52,7 @@ test('the graph shows the states, the current one lit, the others on demand', as
   const states = at('graph').locator('.node');
   assert.equal(await states.count(), 3);
   assert.equal(await at('graph').locator('.node.current').getAttribute('data-state'), 'AskWhichObject');
+  assert.match(await at('graph').locator('.edge.last').getAttribute('aria-label'), /to AskWhichObject, taken/);
   await at('taken-only').uncheck();
   assert.equal(await states.count(), 4);
   await at('graph').locator('[data-state=Act]').click();

@@ -196,6 +196,9 @@ test('why: the sentence, the chain to the input, who was ruled out, what came of
   assert.match(await at('decided').innerText(), /Compose → Done/);
   await at('fields').locator('summary').click();
   assert.match(await at('fields').innerText(), /program[\s\S]*put\(cup_blue/);
+  const schema = await (await fetch(`${server.address}/api/schema`)).json();
+  const {members} = schema.kinds.find((kind) => kind.name === 'act');
+  assert.ok((await at('fields').innerText()).includes(members.find((one) => one.name === 'program').meaning));
   await at('why').locator('button').first().click();
   const record = events.get('correction').all[await visitor.n()];
   assert.equal(record.kind, 'transition');

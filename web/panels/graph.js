@@ -128,8 +128,9 @@ class Graph {
   }
   // The arrow that was followed last lies above the others.
   #lightStep(step) {
-    const {from, to} = this.#data.steps;
-    const edge = step >= 0 && this.#edges.get(keyOf(from[step], to[step]));
+    if (step < 0) return;
+    const {from, to} = this.#data.stepAt(step);
+    const edge = this.#edges.get(keyOf(from, to));
     if (!edge) return;
     this.#mark(edge, 'last');
     edge.parentNode.insertBefore(edge, this.#nodes.values().next().value);

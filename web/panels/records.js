@@ -136,7 +136,9 @@ class Records {
       {'aria-label': 'Kind of record', 'data-testid': 'kind', onchange: () => model.go({kind: this.#kind.value})},
       h('option', {value: ''}, `stops (${grouped(data.stops.length)})`),
       h('option', {value: '*'}, `everything (${grouped(data.size)})`),
-      data.kinds.map((name) => h('option', {value: name}, `${name} (${grouped(data.count(name))})`)),
+      data.kinds.map((name) =>
+        h('option', {value: name, title: data.schema.when(name)}, `${name} (${grouped(data.count(name))})`),
+      ),
     );
     this.element = panel('records', 'Records', [this.#count, this.#kind, this.#filter], this.#rows.element);
   }

@@ -1,7 +1,7 @@
 // The record at the cursor: why it came about, from one sentence to the record field by field, and what came of it.
 import {h, panel, shown, seconds} from '../dom.js';
 import {Latest} from '../terms/latest.js';
-import {plainFields, recordView} from '../terms/record_views.js';
+import {allFields, recordView} from '../terms/record_views.js';
 import {
   actRecords,
   built,
@@ -40,11 +40,11 @@ export function mountWhy({data, client, jump}) {
       : [h('b', {}, record.kind), ` ${shown(data.label(n))}`];
     const parts = [
       h('p', {class: 'sentence', 'data-testid': 'headline'}, headline),
-      recordView(record),
+      recordView(record, data.schema),
       problem && h('p', {class: 'trouble'}, problem.message),
       explained && sections.map((section) => section(explained, to)),
       explained?.trouble && h('p', {class: 'trouble'}, explained.trouble),
-      folded('The record field by field', 'fields', false, plainFields(record, [])),
+      folded('The record field by field', 'fields', false, allFields(record, data.schema)),
     ];
     body.replaceChildren(...parts.flat(Infinity).filter(Boolean));
     if (n !== shown_n) body.scrollTop = 0;

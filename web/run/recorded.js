@@ -25,7 +25,7 @@ export class Recorded {
   async answer(path) {
     const url = new URL(path, 'http://localhost');
     const query = url.searchParams;
-    const view = /^\/api\/runs\/[^/]+(?:\/([a-z]+))?$/.exec(url.pathname)?.[1] ?? 'run';
+    const view = /^\/api\/(?:runs\/[^/]+\/?)?([a-z]*)$/.exec(url.pathname)?.[1] || 'run';
     const n = Number(query.get('n'));
     const own = {
       columns: () => this.#columns(),

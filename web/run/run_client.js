@@ -37,14 +37,19 @@ export const fetchDiff = (a, b) => get(`/api/diff?a=${encodeURIComponent(a)}&b=$
 export const askWhatIf = (question) => send('POST', '/api/what-if', question);
 export const pictureOf = (id, t, size) => `${run(id)}/frame?t=${t}&size=${size}`;
 
+let schema = null;
+// The same as long as the server lives.
+const fetchSchema = () => (schema ??= get('/api/schema'));
+
 /** All that the page of a run needs at once. */
 export async function fetchRun(id) {
-  const [summary, graph, columns] = await Promise.all([
+  const [summary, graph, columns, schema] = await Promise.all([
     get(run(id)),
     get(`${run(id)}/graph`),
     bytes(`${run(id)}/columns`),
+    fetchSchema(),
   ]);
-  return {summary, graph, columns};
+  return {summary, graph, columns, schema};
 }
 
 /** Calls `grown({records, t, complete, live})` whenever the run's log has grown. @returns what to close when enough is heard. */

@@ -1,14 +1,16 @@
 // A run as the panels query it, from its columns: places, times, states, causes. Pure; knows no page.
 import {lastAtMost} from '../search.js';
 import {laneOf} from './columns.js';
+import {Schema} from './schema.js';
 
 const most_effects = 50;
 
 export class RunData {
-  /** `columns` as readColumns gives them; `labels` has label(n) and text(n), '' while they are not known. */
-  constructor({summary, graph, columns: {columns, kinds, names, records, duration, complete}, labels}) {
+  /** `columns` as readColumns gives them; `schema` as /api/schema does; `labels` has label(n) and text(n), '' while they are not known. */
+  constructor({summary, graph, schema, columns: {columns, kinds, names, records, duration, complete}, labels}) {
     this.summary = summary;
     this.graph = graph;
+    this.schema = new Schema(schema);
     this.kinds = kinds;
     this.names = names;
     this.size = records;

@@ -180,22 +180,31 @@ function parseList({parses, rank: taken}) {
 
 const most_letters = 2000;
 
-/** Whatever the log says, field by field: what every kind that has no view of its own gets. */
-export function plainFields(record, without = ['kind', 'n', 't', 'cause', 'because', 'refused']) {
-  const fields = [];
-  for (const [key, value] of Object.entries(record)) {
-    if (without.includes(key) || value === undefined) continue;
-    const letters = JSON.stringify(value).length;
-    fields.push(
-      line(
-        key,
-        letters > most_letters
-          ? `${objectText(value).slice(0, most_letters)}… (${letters} letters)`
-          : objectText(value),
-      ),
-    );
-  }
-  return h('dl', {}, fields);
+function shortened(value) {
+  const letters = JSON.stringify(value).length;
+  return letters > most_letters
+    ? `${objectText(value).slice(0, most_letters)}… (${letters} letters)`
+    : objectText(value);
+}
+
+/** The whole record, each member with its meaning. */
+export function allFields(record, schema) {
+  const fields = Object.entries(record).map(([name, value]) => {
+    const meaning = schema.meaning(record.kind, name);
+    return line(name, shortened(value), meaning && h('span', {class: 'meaning'}, meaning));
+  });
+  return [h('p', {class: 'meaning'}, schema.when(record.kind)), h('dl', {}, fields)];
+}
+
+// The members of a kind that has no view of its own. Causes and refusals have sections of theirs.
+function ownFields(record, schema) {
+  const shows = (name) => !schema.isStamp(name) && name !== 'because' && name !== 'refused';
+  const own = Object.entries(record).filter(([name, value]) => shows(name) && value !== undefined);
+  return h(
+    'dl',
+    {},
+    own.map(([name, value]) => line(name, shortened(value))),
+  );
 }
 
 const views = {
@@ -206,7 +215,7 @@ const views = {
 };
 
 /** The view of the record's kind; null where the sentence above the view says it all. */
-export function recordView(record) {
+export function recordView(record, schema) {
   if (record.kind === 'utterance' || record.kind === 'gesture') return null;
-  return views[record.kind]?.(record) ?? [plainFields(record), refusals(record.refused)];
+  return views[record.kind]?.(record) ?? [ownFields(record, schema), refusals(record.refused)];
 }

@@ -1,5 +1,6 @@
 #include "continua/replay/inspector/inspector_api.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
@@ -101,6 +102,21 @@ TEST_CASE("what a page draws from comes as bytes") {
   CHECK(found.content_type == "application/octet-stream");
   REQUIRE(found.body.size() % 4 == 0);
   CHECK(found.body.substr(0, 4) == std::string("\5\0\0\0", 4));
+}
+
+TEST_CASE("the schema names each kind and member of records with its meaning") {
+  Served served;
+  const auto schema = served.get("/api/schema");
+  CHECK(column(schema["stamp"], "name") == Json{"n", "t", "cause", "measured"});
+  const auto kinds = column(schema["kinds"], "name");
+  const auto act = std::find(kinds.begin(), kinds.end(), "act");
+  REQUIRE(act != kinds.end());
+  const auto& members = schema["kinds"][static_cast<std::size_t>(act - kinds.begin())]["members"];
+  CHECK(members[0] == Json{{"name", "act"},
+                           {"type", "integer"},
+                           {"optional", false},
+                           {"says", "where"},
+                           {"meaning", "Running number of the act, from 1."}});
 }
 
 TEST_CASE("how far a run has come") {

@@ -35,7 +35,7 @@ void add_rows(std::string& text, const std::vector<log::MemberSchema>& members, 
   for (const auto& member : members) {
     const auto name = above + std::string(member.name);
     const bool decides = counts && member.says != log::Says::aside && !member.follows;
-    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", name, type_of(member), log::text(member.says),
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", name, type_of(member), log::name_of(member.says),
                         decides ? "yes" : "", member.sentence);
     const bool several = member.type.find("list of") != std::string::npos;
     add_rows(text, member.members, name + (several ? "[]." : "."), decides);
