@@ -28,7 +28,7 @@ std::optional<Choice> parse_choice(std::string_view name) {
   return std::nullopt;
 }
 
-std::string text(Choice choice) {
+std::string name_of(Choice choice) {
   for (const auto& [known, name] : names)
     if (known == choice) return std::string(name);
   return "";

@@ -19,7 +19,7 @@ enum class Choice {
 };
 
 std::optional<Choice> parse_choice(std::string_view name);
-std::string text(Choice choice);
+std::string name_of(Choice choice);
 /// "likeliest, sample, unique or explore", for messages.
 std::string choice_names();
 

@@ -8,7 +8,7 @@ Term empty_value(const Type& type) {
   return type.kind() == Type::Kind::list ? Term::list({}, type.element()) : Term::null();
 }
 
-std::string text(Lesson lesson) { return lesson == Lesson::gesture ? "gesture" : "word"; }
+std::string name_of(Lesson lesson) { return lesson == Lesson::gesture ? "gesture" : "word"; }
 
 namespace {
 

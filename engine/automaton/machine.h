@@ -90,7 +90,7 @@ struct Remember {
 };
 /// What can be taught: what a gesture means, what acts a word stands for.
 enum class Lesson { gesture, word };
-std::string text(Lesson lesson);
+std::string name_of(Lesson lesson);
 
 struct Learn {
   Lesson of = Lesson::gesture;

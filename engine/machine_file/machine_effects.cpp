@@ -97,7 +97,7 @@ std::optional<Learn> EffectReader::learn(const Item& lesson) const {
   const bool word = *of == Lesson::word;
   if (const auto other = lesson.member(word ? "means" : "acts"); other.exists())
     other.problem_at_key(word ? "a word stands for \"acts\"" : "a gesture has \"means\"");
-  const auto name = terms_.term(lesson.member(text(*of)), Type::text_type());
+  const auto name = terms_.term(lesson.member(name_of(*of)), Type::text_type());
   const auto value = word ? terms_.term(lesson.required("acts", "a list of acts, a term"), Type::list(Type::term()))
                           : terms_.term(lesson.required("means", "what the gesture means, a term"), Type::term());
   if (!name || !value) return std::nullopt;
@@ -110,7 +110,7 @@ std::optional<Forget> EffectReader::forget(const Item& lesson) const {
   expect_kind(lesson, "what is forgotten");
   const auto of = read_lesson(lesson);
   if (!of) return std::nullopt;
-  const auto name = terms_.term(lesson.member(text(*of)), Type::text_type());
+  const auto name = terms_.term(lesson.member(name_of(*of)), Type::text_type());
   if (!name) return std::nullopt;
   return Forget{*of, *name};
 }

@@ -15,7 +15,7 @@ bool is_taught(const InputEvent& gesture, const Learned& learned) {
 
 std::string symbol_of(const InputEvent& event, const GestureCatalogue* gestures, const Learned& learned) {
   if (event.modality != Modality::gesture || !gestures) return symbol_of(event);
-  if (is_taught(event, learned)) return text(Modality::gesture) + " " + iconic;
+  if (is_taught(event, learned)) return name_of(Modality::gesture) + " " + iconic;
   return gesture_symbol(event, gestures->find(event.name));
 }
 

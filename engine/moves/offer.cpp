@@ -70,7 +70,7 @@ Offer understood(Offer offer, const ReadSpeech& speech, const std::vector<ShownW
   }
   offer.move = now.understanding->understood(speech.utterance, offer.fragment, discourse.context);
   offer = complete(std::move(offer), speech.event, discourse, now);
-  offer.input.symbol = text(Modality::speech) + " " + offer.move.kind;
+  offer.input.symbol = name_of(Modality::speech) + " " + offer.move.kind;
   const auto& fragments = speech.utterance.fragments;
   const auto next = offer.fragment + 1;
   offer.input.next = next < fragments.size() ? Term::text(fragments[next].readings.front().move) : Term::null();

@@ -20,7 +20,7 @@ const GestureEntry* GestureCatalogue::find(std::string_view gesture) const {
 }
 
 std::string gesture_symbol(const InputEvent& event, const GestureEntry* entry) {
-  const std::string symbol = text(Modality::gesture) + " " + (entry ? entry->kind : "unknown");
+  const std::string symbol = name_of(Modality::gesture) + " " + (entry ? entry->kind : "unknown");
   const bool acts = entry ? entry->acts(event.phase) : event.phase != "stop";
   return acts ? symbol : symbol + " " + event.phase;
 }

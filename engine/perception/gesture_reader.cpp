@@ -85,7 +85,7 @@ void check_example(const Item& item, const GestureCatalogue& catalogue) {
   constexpr const char* parts = "hand, name, direction and phase, those that are there";
   const auto gesture = item.required("gesture", parts).text(parts);
   if (gesture.empty()) return;
-  const auto event = event_of(text(Modality::gesture) + " " + gesture);
+  const auto event = event_of(name_of(Modality::gesture) + " " + gesture);
   const auto* entry = catalogue.find(event.name);
   const auto check = [&](const char* key, const char* what, const std::string& actual) {
     const auto stated = item.member(key);

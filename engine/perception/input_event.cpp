@@ -20,7 +20,7 @@ void append(std::string& symbol, const std::string& part) {
 
 }  // namespace
 
-std::string text(Modality modality) {
+std::string name_of(Modality modality) {
   switch (modality) {
     case Modality::speech:
       return "speech";
@@ -33,7 +33,7 @@ std::string text(Modality modality) {
 }
 
 std::string symbol_of(const InputEvent& event) {
-  std::string symbol = text(event.modality);
+  std::string symbol = name_of(event.modality);
   switch (event.modality) {
     case Modality::speech:
       append(symbol, bare_words(event.text));
@@ -62,11 +62,11 @@ InputEvent event_of(std::string_view symbol) {
     at = end + 1;
   }
   InputEvent event;
-  if (words.empty() || words.front() == text(Modality::speech)) {
+  if (words.empty() || words.front() == name_of(Modality::speech)) {
     event.text = words.empty() ? "" : symbol.substr(symbol.find(' ') + 1);
     return event;
   }
-  event.modality = words.front() == text(Modality::pointing) ? Modality::pointing : Modality::gesture;
+  event.modality = words.front() == name_of(Modality::pointing) ? Modality::pointing : Modality::gesture;
   words.erase(words.begin());
   if (words.size() > 1 && is_one_of(phases, words.back())) event.phase = words.back(), words.pop_back();
   if (words.size() > 1 && is_one_of(directions, words.back())) event.direction = words.back(), words.pop_back();

@@ -63,6 +63,6 @@ std::optional<Vec3> place_of(const InputEvent& event);
 /// alternatives; 0 is the event itself. REQUIRES k <= alternatives.size().
 InputEvent alternative(const InputEvent& event, std::size_t k);
 
-std::string text(Modality modality);
+std::string name_of(Modality modality);
 
 }  // namespace continua

@@ -11,7 +11,7 @@
 namespace continua {
 namespace fs = std::filesystem;
 
-std::string_view text(Voxeme::Entity entity) {
+std::string_view name_of(Voxeme::Entity entity) {
   switch (entity) {
     case Voxeme::Entity::object:
       return "object";
@@ -68,7 +68,7 @@ ReadCatalogue read_catalogue(const std::string& folder) {
     read.notes.insert(read.notes.end(), document->notes.begin(), document->notes.end());
     auto& voxeme = document->voxeme;
     if (const auto* earlier = read.catalogue.find(voxeme.entity, voxeme.predicate))
-      read.notes.push_back({path, fmt::format("the {} {} replaces that of {}", continua::text(voxeme.entity),
+      read.notes.push_back({path, fmt::format("the {} {} replaces that of {}", name_of(voxeme.entity),
                                               in_quotes(voxeme.predicate), earlier->path)});
     read.catalogue.add(std::move(voxeme));
   }

@@ -63,6 +63,6 @@ struct ReadCatalogue {
 /// Every *.xml below `folder`, in the order of their paths; nothing where there is no such folder.
 ReadCatalogue read_catalogue(const std::string& folder);
 
-std::string_view text(Voxeme::Entity entity);
+std::string_view name_of(Voxeme::Entity entity);
 
 }  // namespace continua

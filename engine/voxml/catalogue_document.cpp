@@ -97,7 +97,7 @@ class DocumentReader {
   bool set_entity() {
     for (const auto entity : {Voxeme::Entity::object, Voxeme::Entity::program, Voxeme::Entity::attribute,
                               Voxeme::Entity::relation, Voxeme::Entity::function})
-      if (same_letters(entity_, text(entity))) {
+      if (same_letters(entity_, name_of(entity))) {
         voxeme().entity = entity;
         return true;
       }

@@ -45,7 +45,7 @@ class ProgramCheck {
     const auto fits = [&](std::size_t given) { return list ? given + 1 >= declared.size() : given == declared.size(); };
     if (!fits(used) && !(agent && fits(used + 1)))
       problem(call,
-              fmt::format("the {} {} has {} arguments", text(voxeme.entity), in_quotes(call.name), declared.size()));
+              fmt::format("the {} {} has {} arguments", name_of(voxeme.entity), in_quotes(call.name), declared.size()));
   }
 
   void event(const Expression& each) {

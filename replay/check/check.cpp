@@ -56,7 +56,7 @@ std::size_t line_of(const RunDiff& diff, const RunIndex& run) {
 
 }  // namespace
 
-const char* text(Verdict verdict) {
+const char* name_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::same:
       return "same";

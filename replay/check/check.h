@@ -20,7 +20,7 @@ enum class Verdict {
 };
 
 /// "same", "same decisions", "new", "changed", "stale", "broken".
-const char* text(Verdict verdict);
+const char* name_of(Verdict verdict);
 bool is_failure(Verdict verdict);
 /// Whether approving would put it right.
 bool can_be_approved(Verdict verdict);

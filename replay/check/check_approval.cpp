@@ -68,7 +68,7 @@ Outcome approve(const CheckOptions& options, const std::vector<CheckItem>& items
     if (check.approved && takes_place_of(approval, *check.approved)) fs::remove(check.approved->path, none);
     fmt::print("approved {}\n", approval.path);
     auto& approved = cases[i];
-    approved.verdict = text(Verdict::same);
+    approved.verdict = name_of(Verdict::same);
     approved.sentence = "approved; was " + approved.sentence;
     approved.status = exit_done;
   }

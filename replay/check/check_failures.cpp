@@ -39,7 +39,7 @@ Result<std::string> write_failure(const FailureReport& report, const TraceCheck&
 
   const auto run_path = at(report.name + ".run.jsonl");
   std::vector<std::pair<std::string, std::string>> files = {{run_path, check.run}};
-  RunReport page{report.trace, text(check.verdict), check.reason, nullptr, nullptr, nullptr, {}};
+  RunReport page{report.trace, name_of(check.verdict), check.reason, nullptr, nullptr, nullptr, {}};
   page.commands = {
       fmt::format("continua replay {}{} -o {}", shell_word(report.trace), report.replay_options, shell_word(run_path))};
   if (check.approved) files.emplace_back(at(report.name + ending_of(*check.approved)), check.approved->content);

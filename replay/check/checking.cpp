@@ -130,7 +130,7 @@ Checking::Finding Checking::trace_finding(std::size_t index) {
   const bool fails = is_failure(check.verdict) || (options_.strict && check.verdict == Verdict::same_decisions);
   auto& told = finding.told;
   told.is_trace = true;
-  told.verdict = text(check.verdict);
+  told.verdict = name_of(check.verdict);
   told.status = fails ? exit_no : exit_done;
   told.sentence = check.reason.empty() ? told.verdict : fmt::format("{}: {}", told.verdict, check.reason);
   if (!fails)

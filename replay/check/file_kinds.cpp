@@ -48,7 +48,7 @@ bool begins_with_kind(std::string_view text, const char* kind) {
 FileCheck check_trace(std::string_view text, const std::string& path) {
   const auto reading = read_whole_trace(text, path);
   FileCheck check{reading.problems, {}, "trace, " + counted(reading.trace.events.size(), "event")};
-  for (const auto& note : reading.trace.notes) check.notes.push_back(continua::text(reading.trace, note));
+  for (const auto& note : reading.trace.notes) check.notes.push_back(sentence_of(reading.trace, note));
   return check;
 }
 
@@ -82,7 +82,7 @@ FileCheck check_session(std::string_view text, const std::string& path) {
   const auto trace = import_session_text(text, path);
   if (!trace) return {{trace.error()}, {}, ""};
   FileCheck check{{}, {}, "session log, " + counted(trace->events.size(), "row")};
-  for (const auto& note : trace->notes) check.notes.push_back(continua::text(*trace, note));
+  for (const auto& note : trace->notes) check.notes.push_back(sentence_of(*trace, note));
   return check;
 }
 
@@ -189,8 +189,7 @@ FileCheck check_jflap(std::string_view text, const std::string& path) {
 FileCheck check_voxeme(std::string_view text, const std::string& path) {
   const auto read = read_voxeme(text, path);
   if (!read) return {{read.error()}, {}, ""};
-  FileCheck check{
-      {}, {}, fmt::format("voxeme, the {} {}", continua::text(read->voxeme.entity), read->voxeme.predicate)};
+  FileCheck check{{}, {}, fmt::format("voxeme, the {} {}", name_of(read->voxeme.entity), read->voxeme.predicate)};
   for (const auto& note : read->notes) check.notes.push_back(note.text());
   return check;
 }

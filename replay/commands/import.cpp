@@ -31,7 +31,7 @@ void count(const Trace& trace, Counts& counts) {
 
 void print_notes(const Trace& trace) {
   for (std::size_t i = 0; i < std::min(trace.notes.size(), notes_shown); ++i)
-    fmt::print(stderr, "{}\n", text(trace, trace.notes[i]));
+    fmt::print(stderr, "{}\n", sentence_of(trace, trace.notes[i]));
   if (trace.notes.size() > notes_shown)
     fmt::print(stderr, "{}: {} more notes\n", trace.name, trace.notes.size() - notes_shown);
 }

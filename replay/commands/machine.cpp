@@ -102,7 +102,7 @@ std::string description_of(const std::shared_ptr<const Machine>& machine) {
   text += fmt::format("{}, start {}, accepting {}\n", counted(machine->states.size(), "state"),
                       machine->states[machine->start].name, list(accepting_of(*machine)));
   text += fmt::format("{}, {} of them ε{}; policy {}\n", counted(machine->transitions.size(), "transition"), silent,
-                      analysis.weighted ? ", weighted" : "", continua::text(machine->choice));
+                      analysis.weighted ? ", weighted" : "", name_of(machine->choice));
   text += fmt::format("inputs: {}\n", list(inputs_of(*machine)));
   text += fmt::format("slots: {}\n", list(slots_of(*machine)));
   text += fmt::format("{}: {}\n", analysis.decided ? "conflicts" : "possible conflicts", analysis.conflicts.size());

@@ -146,7 +146,7 @@ int run_score(const ScoreOptions& options) {
   Scoring scoring(options, std::move(*runs));
   scoring.run();
   bool usable = true;
-  const ScoreReport score{text(options.replay.variant), scoring.usable(usable)};
+  const ScoreReport score{name_of(options.replay.variant), scoring.usable(usable)};
   if (score.traces.empty() && !options.json) return exit_impossible;
   const auto text = options.json       ? score_json(score).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                     : options.markdown ? score_markdown(score)

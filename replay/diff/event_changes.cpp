@@ -146,7 +146,7 @@ class EventAligner {
 
 }  // namespace
 
-const char* text(EventChange::Kind kind) {
+const char* name_of(EventChange::Kind kind) {
   switch (kind) {
     case EventChange::Kind::dropped:
       return "dropped";

@@ -33,7 +33,7 @@ struct EventChange {
 };
 
 /// "dropped", …
-const char* text(EventChange::Kind kind);
+const char* name_of(EventChange::Kind kind);
 
 struct EventAlignment {
   /// Events that are the same or became one another, by a's places. With dropped and added ones they are all.

@@ -422,7 +422,7 @@ bool unrelated(const RunDiff& diff) {
 
 }  // namespace
 
-const char* text(RunDifference::Kind kind) {
+const char* name_of(RunDifference::Kind kind) {
   switch (kind) {
     case RunDifference::Kind::input:
       return "input";
@@ -440,7 +440,7 @@ const char* text(RunDifference::Kind kind) {
   return "";
 }
 
-const char* text(RunDiff::Sameness sameness) {
+const char* name_of(RunDiff::Sameness sameness) {
   switch (sameness) {
     case RunDiff::Sameness::same:
       return "same";

@@ -36,7 +36,7 @@ struct RunDifference {
 };
 
 /// "input", …
-const char* text(RunDifference::Kind kind);
+const char* name_of(RunDifference::Kind kind);
 
 /// Why the runs part.
 struct RootCause {
@@ -75,7 +75,7 @@ struct RunDiff {
 };
 
 /// "same", "without effect", "different", "unrelated"
-const char* text(RunDiff::Sameness sameness);
+const char* name_of(RunDiff::Sameness sameness);
 
 /// Whether nothing that happened differs.
 bool is_same(const RunDiff& diff);

@@ -37,7 +37,7 @@ class Text {
     side("B", b_);
     if (!diff_.differences.empty()) {
       led();
-      heading(fmt::format("First difference ({})", text(diff_.differences[diff_.first].kind)));
+      heading(fmt::format("First difference ({})", name_of(diff_.differences[diff_.first].kind)));
       difference(diff_.differences[diff_.first]);
       more();
     }
@@ -88,7 +88,7 @@ class Text {
       for (std::size_t i = 0, shown = 0; shown < others; ++i) {
         if (i == diff_.first) continue;
         ++shown;
-        text_ += fmt::format("  {} at {} s\n", text(diff_.differences[i].kind),
+        text_ += fmt::format("  {} at {} s\n", name_of(diff_.differences[i].kind),
                              seconds_text(diff_.differences[i].t.seconds()));
         difference(diff_.differences[i]);
       }
@@ -143,16 +143,16 @@ std::string diff_markdown(const RunIndex& a, const RunIndex& b, const RunDiff& d
 Json diff_json(const RunIndex& a, const RunIndex& b, const RunDiff& diff) {
   Json differences = Json::array(), givens = Json::array();
   for (const auto& one : diff.differences)
-    differences.push_back({{"kind", text(one.kind)},
+    differences.push_back({{"kind", name_of(one.kind)},
                            {"t", one.t.seconds()},
                            {"a", json_of(a, one.a)},
                            {"b", json_of(b, one.b)},
-                           {"change", one.input ? Json(text(one.input->kind)) : Json(nullptr)}});
+                           {"change", one.input ? Json(name_of(one.input->kind)) : Json(nullptr)}});
   for (const auto& given : diff.givens)
     givens.push_back(
         {{"kind", given.kind}, {"what", given.what}, {"a", given.a}, {"b", given.b}, {"sentence", told(given)}});
   return {{"same", is_same(diff)},
-          {"sameness", text(diff.sameness)},
+          {"sameness", name_of(diff.sameness)},
           {"sentence", diff.sentence},
           {"cause",
            {{"kind", diff.cause.kind},

@@ -77,7 +77,7 @@ std::string trace_diff_text(const TraceDiff& diff, bool colour) {
                                 only_a   ? "-"
                                 : only_b ? "+"
                                          : "~",
-                                continua::text(change.kind), lines, change.cause.sentence));
+                                name_of(change.kind), lines, change.cause.sentence));
   }
   return text;
 }
@@ -86,7 +86,7 @@ std::string trace_diff_markdown(const TraceDiff& diff) {
   std::string text = fmt::format("**{}**\n", diff.sentence);
   for (const auto& one : diff.header) text += fmt::format("\n- header: {}", told_header(one));
   for (const auto& change : diff.changes)
-    text += fmt::format("\n- {}: {}", continua::text(change.kind), change.cause.sentence);
+    text += fmt::format("\n- {}: {}", name_of(change.kind), change.cause.sentence);
   return diff.same ? text : text + "\n";
 }
 
@@ -94,7 +94,7 @@ Json trace_diff_json(const TraceDiff& diff) {
   Json header = Json::array(), changes = Json::array();
   for (const auto& one : diff.header) header.push_back({{"what", one.what}, {"a", one.a}, {"b", one.b}});
   for (const auto& change : diff.changes)
-    changes.push_back({{"kind", text(change.kind)},
+    changes.push_back({{"kind", name_of(change.kind)},
                        {"line_a", change.line_a ? Json(change.line_a) : Json(nullptr)},
                        {"line_b", change.line_b ? Json(change.line_b) : Json(nullptr)},
                        {"what", change.cause.what},

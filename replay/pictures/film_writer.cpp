@@ -17,6 +17,42 @@
 extern char** environ;
 
 namespace continua {
+namespace {
+
+// Raw pictures come in by the standard input; a film that any browser plays is written to `part`.
+std::vector<std::string> ffmpeg_words(const std::string& part, ImageSize size, int frames_per_second) {
+  const auto sides = fmt::format("{}x{}", size.width, size.height);
+  const auto pace = std::to_string(frames_per_second);
+  // clang-format off
+  return {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
+          "-f", "rawvideo", "-pix_fmt", "bgr0", "-s", sides, "-r", pace, "-i", "pipe:0",
+          "-an", "-c:v", "libx264", "-preset", "veryfast", "-crf", "20", "-pix_fmt", "yuv420p",
+          "-movflags", "+faststart", "-f", "mp4", "file:" + part};
+  // clang-format on
+}
+
+// Starts the program that reads `in` and writes its complaints to `messages`. An error number, 0 for none.
+int start(std::vector<std::string> words, int in, std::FILE* messages, pid_t& process) {
+  std::vector<char*> arguments;
+  for (auto& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, in, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(messages), STDERR_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  // In a group of its own: an interrupt from the keyboard is ours to answer.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  const int failed = posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  return failed;
+}
+
+}  // namespace
 
 Result<FilmWriter> FilmWriter::open(const std::string& path, ImageSize size, int frames_per_second) {
   require(size.width % 2 == 0 && size.height % 2 == 0, "a film's sides must be even");
@@ -33,51 +69,7 @@ Result<FilmWriter> FilmWriter::open(const std::string& path, ImageSize size, int
   film.pipe_ = ends[1];
   std::signal(SIGPIPE, SIG_IGN);  // that ffmpeg has ended is told by write()
 
-  std::vector<std::string> words{"ffmpeg",
-                                 "-hide_banner",
-                                 "-loglevel",
-                                 "error",
-                                 "-y",
-                                 "-f",
-                                 "rawvideo",
-                                 "-pix_fmt",
-                                 "bgr0",
-                                 "-s",
-                                 fmt::format("{}x{}", size.width, size.height),
-                                 "-r",
-                                 std::to_string(frames_per_second),
-                                 "-i",
-                                 "pipe:0",
-                                 "-an",
-                                 "-c:v",
-                                 "libx264",
-                                 "-preset",
-                                 "veryfast",
-                                 "-crf",
-                                 "20",
-                                 "-pix_fmt",
-                                 "yuv420p",
-                                 "-movflags",
-                                 "+faststart",
-                                 "-f",
-                                 "mp4",
-                                 "file:" + film.part_};
-  std::vector<char*> arguments;
-  for (auto& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(film.messages_), STDERR_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  // In a group of its own: an interrupt from the keyboard is ours to answer.
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  const int failed = posix_spawnp(&film.process_, "ffmpeg", &actions, &attributes, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  posix_spawnattr_destroy(&attributes);
+  const int failed = start(ffmpeg_words(film.part_, size, frames_per_second), ends[0], film.messages_, film.process_);
   ::close(ends[0]);
   if (failed != 0) {
     film.process_ = -1;

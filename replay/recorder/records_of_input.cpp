@@ -176,11 +176,11 @@ log::Reading record_of(const Understood& understood, const InputRecords& inputs)
 }
 
 log::Learned record_of(const Taught& taught, const InputRecords& inputs) {
-  return {text(taught.of), taught.name, value_of(taught.of, taught.value), records_of(taught.because, inputs)};
+  return {name_of(taught.of), taught.name, value_of(taught.of, taught.value), records_of(taught.because, inputs)};
 }
 
 log::Forgotten record_of(const Forgotten& forgotten, const InputRecords& inputs) {
-  return {text(*forgotten.of), forgotten.name, value_of(*forgotten.of, forgotten.value),
+  return {name_of(*forgotten.of), forgotten.name, value_of(*forgotten.of, forgotten.value),
           records_of(forgotten.because, inputs)};
 }
 

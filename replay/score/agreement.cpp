@@ -88,7 +88,7 @@ std::string blanked(const WrittenTerm& term, const Blanks& blanks) {
 
 }  // namespace
 
-std::string text(AgreementLevel level) {
+std::string name_of(AgreementLevel level) {
   switch (level) {
     case AgreementLevel::none:
       return "none";

@@ -26,7 +26,7 @@ enum class AgreementLevel {
   exact,          ///< the same moves in order, coordinates within the tolerance
 };
 
-std::string text(AgreementLevel level);
+std::string name_of(AgreementLevel level);
 
 /// What two avatars may differ in and still follow the same template.
 struct Blanks {

@@ -154,7 +154,7 @@ Json json_of(const Episode& miss) {
           {"input", miss.symbol},
           {"observed", json_of(miss.observed)},
           {"produced", json_of(miss.produced)},
-          {"level", text(miss.level)}};
+          {"level", name_of(miss.level)}};
 }
 
 Json json_of(const TraceScore& trace) {

@@ -204,13 +204,13 @@ Outcome refused_variant(const ReplayOptions& options, Choice choice) {
 
 }  // namespace
 
-std::string text(Variant variant) {
+std::string name_of(Variant variant) {
   return variant == Variant::free ? "free" : variant == Variant::world ? "world" : "teacher";
 }
 
 std::optional<Variant> parse_variant(std::string_view name) {
   for (const auto variant : {Variant::free, Variant::world, Variant::teacher})
-    if (text(variant) == name) return variant;
+    if (name_of(variant) == name) return variant;
   return std::nullopt;
 }
 

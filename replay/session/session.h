@@ -24,7 +24,7 @@ enum class Variant {
   teacher,  ///< also, where the engine did otherwise, it goes on as if it had done what was observed
 };
 
-std::string text(Variant variant);
+std::string name_of(Variant variant);
 /// Nothing, if there is none of that name.
 std::optional<Variant> parse_variant(std::string_view name);
 

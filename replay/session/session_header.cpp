@@ -49,17 +49,17 @@ log::Run header_of(const LoadedSession& loaded, const EngineParts& parts) {
   header.trace.name = std::filesystem::path(loaded.trace.name).filename().string();
   if (!loaded.options.live && !loaded.trace.digest.empty()) header.trace.digest.emplace(loaded.trace.digest);
   header.seed = parts.seed;
-  header.choice = text(parts.choice);
+  header.choice = name_of(parts.choice);
   for (const auto& [step, transition] : parts.forced)
     header.forced.emplace_back(std::to_string(step), parts.machine->transitions[transition].id);
   if (parts.choice == Choice::explore) header.most_branches.emplace(loaded.most_branches());
   header.world = loaded.options.physics ? "physics" : "kinematic";
-  header.perspective = text(parts.perspective);
+  header.perspective = name_of(parts.perspective);
   header.fingerprint = fingerprint();
   add_knowledge(header, parts);
   if (!(loaded.learned == Learned())) header.learned = Json::parse(print_learned(loaded.learned));
   header.scene = description_of(loaded.scene, *parts.language->voxemes);
-  if (loaded.options.variant != Variant::free) header.variant = text(loaded.options.variant);
+  if (loaded.options.variant != Variant::free) header.variant = name_of(loaded.options.variant);
   return header;
 }
 

@@ -111,7 +111,7 @@ const EventKind* kind_named(std::string_view name) {
 
 // The name of its kind: a modality's, or that of the alternative of TraceEvent::what.
 std::string name_of_kind(const TraceEvent& event) {
-  if (const auto* input = std::get_if<InputEvent>(&event.what)) return text(input->modality);
+  if (const auto* input = std::get_if<InputEvent>(&event.what)) return name_of(input->modality);
   if (std::holds_alternative<UnknownKind>(event.what))
     return event.json.is_object() ? event.json.value("kind", "") : std::string();
   return std::visit(

@@ -194,9 +194,9 @@ Result<TraceEvent> read_event(const Json& json, const std::string& name, std::si
   return event;
 }
 
-std::string text(Perspective perspective) { return perspective == Perspective::human ? "human" : "avatar"; }
+std::string name_of(Perspective perspective) { return perspective == Perspective::human ? "human" : "avatar"; }
 
-std::string text(const Trace& trace, const Note& note) {
+std::string sentence_of(const Trace& trace, const Note& note) {
   return fmt::format("{}:{}: {}", trace.name, note.line, note.sentence);
 }
 

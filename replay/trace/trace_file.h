@@ -108,9 +108,9 @@ std::string write_header(const TraceHeader& header);
 std::string write_event(const TraceEvent& event);
 std::string write_trace(const Trace& trace);
 
-std::string text(Perspective perspective);
+std::string name_of(Perspective perspective);
 
 /// "file:line: sentence".
-std::string text(const Trace& trace, const Note& note);
+std::string sentence_of(const Trace& trace, const Note& note);
 
 }  // namespace continua

@@ -23,7 +23,7 @@ std::string write_header(const TraceHeader& header) {
   if (!header.machine.empty()) json["machine"] = header.machine;
   if (!header.language.empty()) json["language"] = header.language;
   json["seed"] = header.seed;
-  json["perspective"] = text(header.perspective);
+  json["perspective"] = name_of(header.perspective);
   if (!header.source.empty()) json["source"] = header.source;
   if (!header.recorded.empty()) json["recorded"] = header.recorded;
   if (!header.parameters.empty()) json["parameters"] = header.parameters;

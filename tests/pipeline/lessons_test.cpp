@@ -51,10 +51,10 @@ struct Play {
       const auto* step = std::get_if<StepEvent>(&one);
       if (!step) continue;
       if (const auto* taught = std::get_if<Taught>(step))
-        happened += fmt::format("+ {} {}: {} because {}\n", text(taught->of), taught->name, print(taught->value),
+        happened += fmt::format("+ {} {}: {} because {}\n", name_of(taught->of), taught->name, print(taught->value),
                                 taught->because.size());
       if (const auto* lost = std::get_if<Forgotten>(step))
-        happened += fmt::format("- {} {}: {}\n", text(lost->of.value()), lost->name, print(lost->value));
+        happened += fmt::format("- {} {}: {}\n", name_of(lost->of.value()), lost->name, print(lost->value));
       if (const auto* said = std::get_if<Said>(step)) happened += said->text + "\n";
       if (const auto* trouble = std::get_if<Trouble>(step)) happened += trouble->message + "\n";
     }

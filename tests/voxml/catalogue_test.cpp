@@ -13,7 +13,7 @@ namespace {
 std::string told(const Result<ReadVoxeme>& read) {
   if (!read) return read.error().text() + "\n";
   const auto& v = read->voxeme;
-  std::string out = fmt::format("{} {}", text(v.entity), v.predicate);
+  std::string out = fmt::format("{} {}", name_of(v.entity), v.predicate);
   if (!v.lex_type.empty()) out += " : " + v.lex_type;
   out += "\n";
   const auto of = [](const Numbered& n) { return n.name + (n.number.empty() ? "" : "#" + n.number); };

@@ -50,7 +50,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
 }
 
 std::string verdict_and_reason(const TraceCheck& check) {
-  return std::string(text(check.verdict)) + (check.reason.empty() ? "" : ": " + check.reason);
+  return std::string(name_of(check.verdict)) + (check.reason.empty() ? "" : ": " + check.reason);
 }
 
 // The text without the names of temporary folders.
@@ -162,7 +162,7 @@ TEST_CASE("a run that was approved by its digests is held against them") {
     digests[key] = value;
     one.folder.file("one.run.json", digests.dump());
     CAPTURE(key, value.dump());
-    CHECK(text(checked(one.trace).verdict) == std::string(verdict));
+    CHECK(name_of(checked(one.trace).verdict) == std::string(verdict));
   }
   auto changed = Json::parse(approval.content);
   changed["digest"] = changed["decisions"] = "0";

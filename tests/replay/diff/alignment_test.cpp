@@ -58,7 +58,7 @@ std::string changes(const std::string& a, const std::string& b) {
   };
   std::string all;
   for (const auto& change : align_events(of_a, of_b).changes) {
-    all += (all.empty() ? "" : ", ") + std::string(text(change.kind));
+    all += (all.empty() ? "" : ", ") + std::string(name_of(change.kind));
     if (change.a) all += " " + name(of_a, *change.a);
     if (change.b) all += " " + name(of_b, *change.b);
     if (change.other) all += " with " + name(of_a, change.other->first);

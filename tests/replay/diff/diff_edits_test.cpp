@@ -215,8 +215,8 @@ std::string wrong(const RunDiff& diff, const Named& named) {
     return "cause does not name " + named.what;
   if (diff.sentence.find(diff.cause.sentence) == std::string::npos) return "the sentence does not tell the cause";
   const auto& first = diff.differences.at(diff.first);
-  if (!named.change.empty() && (!first.input || text(first.input->kind) != named.change))
-    return "first difference is " + std::string(first.input ? text(first.input->kind) : text(first.kind));
+  if (!named.change.empty() && (!first.input || name_of(first.input->kind) != named.change))
+    return "first difference is " + std::string(first.input ? name_of(first.input->kind) : name_of(first.kind));
   return "";
 }
 

@@ -15,7 +15,9 @@ AvatarMove gesture(const std::string& term) { return {"gesture", term}; }
 
 const Blanks blanks{{"block1", "block2", "red", "black", "light_blue", "cup_1"}};
 
-std::string level(const Moves& observed, const Moves& produced) { return text(agreement(observed, produced, blanks)); }
+std::string level(const Moves& observed, const Moves& produced) {
+  return name_of(agreement(observed, produced, blanks));
+}
 
 std::string level_of_acts(const std::string& observed, const std::string& produced) {
   return level({act(observed)}, {act(produced)});

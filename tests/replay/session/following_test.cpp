@@ -65,7 +65,7 @@ struct Play {
   // The agreement of each episode.
   std::string levels() const {
     std::string all;
-    for (const auto& episode : summary.episodes) all += (all.empty() ? "" : " ") + text(episode.level);
+    for (const auto& episode : summary.episodes) all += (all.empty() ? "" : " ") + name_of(episode.level);
     return all;
   }
   std::string act() const {

@@ -31,7 +31,7 @@ std::string event_of(const std::string& channel, const std::string& content) {
 std::vector<std::string> notes_of(const std::string& log) {
   const auto trace = imported(log);
   std::vector<std::string> notes;
-  for (const auto& note : trace.notes) notes.push_back(text(trace, note));
+  for (const auto& note : trace.notes) notes.push_back(sentence_of(trace, note));
   return notes;
 }
 
@@ -158,7 +158,7 @@ TEST_CASE("rows that cannot be used are left out with a note") {
   CHECK(trace.events.size() == 1);
   CHECK(trace.events[0].row == 2U);
   REQUIRE(trace.notes.size() == 2);
-  CHECK(text(trace, trace.notes[0]) == note);
+  CHECK(sentence_of(trace, trace.notes[0]) == note);
   CHECK(trace.notes[1].sentence == "the log begins at index 9");
 }
 
