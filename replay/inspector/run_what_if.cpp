@@ -10,6 +10,7 @@
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/schema.h"
 
 namespace continua {
 namespace {
@@ -59,17 +60,26 @@ std::string line_of(const Json& event, double t) {
   return compact(line);
 }
 
+bool tells_event(const std::string& kind) {
+  const auto* schema = log::schema_of(kind);
+  return log::is<log::Input>(kind) || log::is<log::Expect>(kind) || (schema && schema->kind.repeats_event);
+}
+
 // The event of the trace that a record was of; null if it was none.
 Json event_of(const std::string& kind, const Json& record) {
   if (log::is<log::Input>(kind)) {
     const auto& event = member_of(record, "event");
     return event.is_object() && text_of(event, "kind") != "act" ? event : Json();
   }
-  if (log::is<log::Observed>(kind))
-    return {{"kind", "observed"}, {"channel", text_of(record, "channel")}, {"content", text_of(record, "content")}};
-  if (!log::is<log::Expect>(kind) || !member_of(record, "expected").is_object()) return {};
-  Json event{{"kind", "expect"}};
-  event.update(record["expected"]);
+  Json event{{"kind", kind}};
+  if (!log::is<log::Expect>(kind)) {
+    event.update(log::members_of(log::readable_part(record)));
+    event.erase("line");
+  } else if (const auto& expected = member_of(record, "expected"); expected.is_object()) {
+    event.update(expected);
+  } else {
+    return {};
+  }
   return event;
 }
 
@@ -144,7 +154,7 @@ Result<std::string> trace_lines(const RunIndex& run, const WhatIfRequest& reques
   std::vector<Line> lines;
   for (std::size_t n = 0; n < run.size(); ++n) {
     const auto& kind = run.kind(n);
-    if (!log::is<log::Input>(kind) && !log::is<log::Observed>(kind) && !log::is<log::Expect>(kind)) continue;
+    if (!tells_event(kind)) continue;
     const auto record = run.record(n);
     if (!record) return record.error();
     auto event = event_of(kind, *record);

@@ -104,6 +104,7 @@ struct Kind {
   std::string_view when;  ///< when such a record is written, for RECORDS.md
   Decision decision = Decision::no;
   Stop stop = Stop::always;
+  bool repeats_event = false;     ///< its members, without `line`, are those of an event of the trace of this kind
   std::string_view brief_adds{};  ///< everything that brief() puts between the values of members
 };
 

@@ -265,7 +265,8 @@ struct Observed {
 
   static constexpr Kind kind{.name = "observed",
                              .when = "Another agent did something, as the trace says. It is never an input.",
-                             .stop = Stop::never};
+                             .stop = Stop::never,
+                             .repeats_event = true};
   static constexpr auto fields() {
     return std::tuple{field("line", &Observed::line, Says::where, "Line of the trace."),
                       field("channel", &Observed::channel, Says::what, "`speech`, `gesture` or `action`.").briefly(),
