@@ -293,6 +293,20 @@ struct Expect {
   std::string brief() const;
 };
 
-using RecordsOfInput = Kinds<Input, Percept, Reading, Learned, Forgotten, Observed, Expect>;
+struct Mark {
+  std::int64_t line = 0;
+  std::string text;
+
+  static constexpr Kind kind{.name = "mark",
+                             .when = "The experimenter marked this moment, as the trace says. It is never an input.",
+                             .repeats_event = true};
+  static constexpr auto fields() {
+    return std::tuple{field("line", &Mark::line, Says::where, "Line of the trace."),
+                      field("text", &Mark::text, Says::what, "The mark's words.").briefly()};
+  }
+  std::string brief() const { return text; }
+};
+
+using RecordsOfInput = Kinds<Input, Percept, Reading, Learned, Forgotten, Observed, Expect, Mark>;
 
 }  // namespace continua::log

@@ -33,6 +33,9 @@ std::optional<std::vector<std::string>> referents_of(const Move& move);
 inline log::Observed record_of(const TraceEvent& event, const Observed& observed) {
   return {static_cast<std::int64_t>(event.line), observed.channel, observed.content};
 }
+inline log::Mark record_of(const TraceEvent& event, const Mark& mark) {
+  return {static_cast<std::int64_t>(event.line), mark.text};
+}
 
 // Automaton
 log::Belief record_of(const BeliefChange& change);

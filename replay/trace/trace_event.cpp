@@ -98,6 +98,13 @@ const std::vector<EventKind>& kinds() {
        {"state", "says", "indicated", "referents", "act", "holding", "stack_depth"},
        [](const Fields& fields, SimTime, const Json& json) -> What { return read_expectation(fields, json); },
        [](Json& json, const TraceEvent& event) { put_expectation(json, std::get<Expectation>(event.what)); }},
+      {"mark",
+       {"text"},
+       [](const Fields& fields, SimTime, const Json&) -> What {
+         fields.need({"text"});
+         return Mark{fields.text("text")};
+       },
+       [](Json& json, const TraceEvent& event) { json["text"] = std::get<Mark>(event.what).text; }},
       {"end", {}, [](const Fields&, SimTime, const Json&) -> What { return End{}; }, [](Json&, const TraceEvent&) {}},
   };
   return table;

@@ -56,6 +56,12 @@ struct Expectation {
   std::optional<std::int64_t> stack_depth;
 };
 
+/// A moment that the experimenter marked: a trial, a condition. Never an input.
+struct Mark {
+  static constexpr const char* kind = "mark";
+  std::string text;
+};
+
 /// Lets the clock run on to its time; the last event.
 struct End {
   static constexpr const char* kind = "end";
@@ -68,7 +74,7 @@ struct TraceEvent {
   std::size_t line = 0;            ///< in the trace, counting from 1; 0 when it was not read from one
   SimTime t;                       ///< when it became known; an InputEvent's own time may be earlier
   std::optional<std::size_t> row;  ///< line of the log that it was imported from
-  std::variant<InputEvent, Observed, Expectation, End, UnknownKind> what;
+  std::variant<InputEvent, Observed, Expectation, Mark, End, UnknownKind> what;
   Json json;  ///< the line as read, or null
 };
 

@@ -85,12 +85,15 @@ Trace any_trace() {
     TraceEvent event;
     event.t = t;
     if (coin()) event.row = *rc::gen::inRange<std::size_t>(0, 100'000);
-    switch (*rc::gen::inRange(0, 4)) {
+    switch (*rc::gen::inRange(0, 5)) {
       case 0:
         event.what = Observed{*rc::gen::element<std::string>("speech", "gesture", "action"), any_text()};
         break;
       case 1:
         event.what = any_expectation();
+        break;
+      case 2:
+        event.what = Mark{any_text()};
         break;
       default:
         event.what = any_input(t);
@@ -127,6 +130,8 @@ void check_same(const Observed& a, const Observed& b) {
   RC_ASSERT(a.channel == b.channel);
   RC_ASSERT(a.content == b.content);
 }
+
+void check_same(const Mark& a, const Mark& b) { RC_ASSERT(a.text == b.text); }
 
 void check_same(const Expectation& a, const Expectation& b) {
   RC_ASSERT(a.state == b.state);
