@@ -72,13 +72,23 @@ std::string tables(const Examples& examples) {
 }
 
 // Long values cut, and marked by "…".
-Json shortened(const Json& value) {
+Json shortened(const Json& value, int depth = 0) {
   if (value.is_string() && value.get_ref<const std::string&>().size() > 48)
     return value.get_ref<const std::string&>().substr(0, 16) + "…";
-  if (value.is_array() && value.size() > 2) return Json::array({shortened(value[0]), "…"});
-  if (!value.is_structured()) return value;
-  Json short_value = value;
-  for (auto& element : short_value) element = shortened(element);
+  if (!value.is_structured() || value.empty()) return value;
+  if (depth > 2) return "…";
+  if (value.is_array() && value.size() > 2) return Json::array({shortened(value[0], depth + 1), "…"});
+  Json short_value = value.is_object() ? Json::object() : Json::array();
+  for (const auto& [name, element] : value.items()) {
+    if (value.is_array()) {
+      short_value.push_back(shortened(element, depth + 1));
+    } else if (depth > 0 && short_value.size() == 4) {
+      short_value["…"] = "…";
+      break;
+    } else {
+      short_value[name] = shortened(element, depth + 1);
+    }
+  }
   return short_value;
 }
 
