@@ -58,7 +58,7 @@ Reading with_it(Reading reading, const Operators& operators) {
   return with(it.term, meant, std::move(reading));
 }
 
-// The names of what things are: cup, white.
+// The names of kinds and properties of things: cup, white.
 void collect_kinds(const Term& term, const Operators& operators, std::set<std::string>& kinds, bool& any) {
   switch (term.kind()) {
     case Term::Kind::constant:

@@ -6,14 +6,12 @@
 
 namespace continua {
 
-/// The reading with what it says of itself put in:
-/// - for an "it" (a proform of type e that stands for what is in focus) inside of a noun phrase the noun phrase said
-/// last
-///   before it there, else before that phrase. An "it" that is itself put somewhere, or somewhere that is behind it,
-///   goes by the focus and stays, as do several;
-/// - for an "other" (a proform of source `other`) in a noun phrase "not that" of the last noun phrase before it that
-///   speaks of the same kind of thing: "put the white cup next to the other cup". Where there is none it goes by the
-///   focus and stays.
+/// Replaces the pro-forms that the reading itself gives an antecedent:
+/// - A single "it" (a pro-form of type e for the thing in focus) inside a noun phrase becomes the last noun phrase that
+///   ends before it, else the last one that ends before its phrase. An "it" that is itself an argument of the command,
+///   a goal that depends on such an "it", and several "it" are left to the focus.
+/// - An "other" (a pro-form of source `other`) in a noun phrase becomes "not the last noun phrase before it of the same
+///   kind of thing": "put the white cup next to the other cup". Without such a phrase the "other" is left to the focus.
 Reading with_antecedents(const Reading& reading, const Operators& operators);
 
 }  // namespace continua

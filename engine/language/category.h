@@ -16,12 +16,12 @@
 
 namespace continua {
 
-/// What a lexicon says of an atom.
+/// An atom as the lexicon declares it.
 struct Atom {
-  std::vector<Type> types;            ///< of its terms; the first is what functions of it take
-  std::string move;                   ///< what words of this category are as a whole; empty if they cannot stand alone
-  bool open = false;                  ///< a command may lack it
-  bool phrase = false;                ///< its words are kept with the reading: noun phrases and nouns
+  std::vector<Type> types;  ///< of its terms; functions over it take the first
+  std::string move;     ///< the kind of move that words of this category make alone; empty if they cannot stand alone
+  bool open = false;    ///< a command may lack it
+  bool phrase = false;  ///< its words are kept with the reading: noun phrases and nouns
   std::vector<std::string> features;  ///< that distinguish kinds of it, such as number
 };
 using Atoms = std::map<std::string, Atom, std::less<>>;
@@ -32,8 +32,8 @@ class Category {
  public:
   enum class Slash { forward, backward };
 
-  /// Slashes associate to the left: S/PP/NP is (S/PP)/NP. `/*` and `\*` only apply, they do not compose. An error
-  /// names the column, what was found and the nearest atom.
+  /// Slashes associate to the left: S/PP/NP is (S/PP)/NP. `/*` and `\*` only apply, they do not compose. An error names
+  /// the column, the text found there and the nearest atom.
   static Result<Category> parse(std::string_view text, const Atoms& atoms);
   /// `result/argument`, or `result\argument`.
   static Category function(Category result, Slash slash, Category argument, bool composes = true);

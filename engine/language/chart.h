@@ -1,9 +1,9 @@
 // All ways to build phrases from neighbouring words: a chart (CKY) over combinatory categorial grammar, with
 // application, harmonic composition, the lexicon's unary rules, and words that may be left out at no cost.
 //
-// Each derivation that only repeats another in a different order is left out (Eisner, Efficient normal-form parsing for
-// combinatory categorial grammar, 1996); what still means the same is one entry. Spans and entries of a span are
-// bounded, so time grows linearly with the number of words.
+// A derivation that only repeats another in a different order is left out (Eisner, Efficient normal-form parsing for
+// combinatory categorial grammar, 1996); derivations of one meaning share one entry. The number of spans and of entries
+// in a span is bounded, so time grows linearly with the number of words.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ class Chart {
     double cost = 0;
     WordSpan words;
     Rule rule = Rule::word;
-    /// What it was made of, by number; with one part, `right` is `left`.
+    /// The entries that it was made of, by number; with one part, `right` is `left`.
     std::size_t left = 0, right = 0;
     int unary = 0;                          ///< unary rules at its top
     const UnaryRule* changed_by = nullptr;  ///< under Rule::unary
@@ -34,11 +34,11 @@ class Chart {
   /// Longest phrase, in words; most entries of a span, and of one category among them.
   static constexpr std::size_t longest_span = 40, most_entries = 40, most_of_category = 8;
 
-  /// What is said of a word before it is looked up.
+  /// A word before it is looked up.
   struct Word {
     std::string text;
     bool before_unknown = false;  ///< words that are not known stood after it: "the" has lost its noun
-    WordEntry name = {};          ///< what it can be besides, as a name that nobody knows
+    WordEntry name = {};          ///< the same word as a name that nobody knows
   };
 
   Chart(const std::vector<Word>& words, const Vocabulary& vocabulary);
@@ -52,9 +52,9 @@ class Chart {
   struct Skippable {
     std::size_t count;  ///< words
     double cost;
-    bool known = true;  ///< that it may be left out; else it has lost what it belonged to
+    bool known = true;  ///< false: it is left out because it has lost its phrase
   };
-  /// What may be left out from this word on, inside of a phrase where it costs nothing.
+  /// The words that may be left out from this word on, inside a phrase where that costs nothing.
   const std::vector<Skippable>& skippable(std::size_t begin) const { return skippable_[begin]; }
 
  private:

@@ -1,4 +1,4 @@
-// The parts of an utterance that pointing can give content to (semantics §3, Ensembles).
+// The parts of an utterance that pointing can give content to (SEMANTICS.md §3, Ensembles).
 #pragma once
 
 #include <vector>

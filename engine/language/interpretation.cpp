@@ -21,13 +21,13 @@ constexpr std::size_t most_parts = 1000;
 // "those blocks on those plates" are as many commands as there are pairs.
 constexpr std::size_t most_commands = 100;
 
-/// A term and what it draws on.
+/// A term and the inputs that it draws on.
 struct Value {
   Term term;
   std::vector<By> by;
 };
 
-/// What a sentence comes to: its meaning, in which variables stand for what is still open, the outermost first.
+/// The meaning of a sentence, in which variables stand for open parts, the outermost first.
 struct Answer {
   struct Open {
     Gap gap;
@@ -48,7 +48,7 @@ std::vector<By> together(const std::vector<By>& a, const std::vector<By>& b) {
   return all;
 }
 
-// One answer for each of several objects, as one: the list of what they come to, below the same gaps.
+// Answers for several objects as one answer: the list of their terms, below the same gaps.
 Answer together(std::vector<Answer> answers) {
   std::vector<Term> meanings;
   for (const auto& each : answers) {
@@ -121,7 +121,7 @@ class Interpreter {
     return Term::lambda(variable.name(), variable.type(), abstracted(term, variable));
   }
 
-  // What the reading itself lacks is open below all that its phrases leave open.
+  // Gaps of the reading itself are open below all gaps of its phrases.
   Answer sentence(Term term) {
     std::vector<Answer::Open> own;
     while (term.type().kind() == Type::Kind::function) {
@@ -197,7 +197,7 @@ class Interpreter {
     };
   }
 
-  // From the first element to the last. What one command speaks of is in focus for the next.
+  // From the first element to the last. The objects of one command are in focus for the next.
   Meaning list(const Term& term) {
     std::vector<Meaning> elements;
     for (const auto& each : term.elements()) elements.push_back(meaning_of(each, Type::term()));
@@ -251,10 +251,10 @@ class Interpreter {
         term, [this, term] { return referring_.meant_by_noun(term); }, Type::term());
   }
 
-  // A phrase gives its value to the rest of the sentence. Of several that are meant together it gives the list, where
-  // a list can be used, else the rest is done for each. Where nothing or too much is meant, the rest is captured: it is
-  // done with a variable, for which the meaning then waits.
-  // Words that the reading uses in two places ("push the block to the left") are found once.
+  // A phrase gives its value to the rest of the sentence. Several values that are meant together are given as a list
+  // where a list can be used; else the rest is done for each. Where nothing or too much is meant, the rest is captured:
+  // it is done with a variable, and the meaning waits for a value of that variable.
+  // A phrase that the reading uses in two places ("push the block to the left") is found once.
   Meaning phrase(const Term& term, std::function<Meant()> find, const Type& wanted) {
     auto& known = found_[term];
     if (!known || times_said(term) != 1) known = std::make_shared<Found>();
@@ -321,7 +321,7 @@ class Interpreter {
     return meant;
   }
 
-  // What a phrase was found to mean, and the variable that stands for it where it is open.
+  // The meaning found for a phrase, and the variable that stands for it where it is open.
   struct Found {
     bool done = false;
     Meant meant;

@@ -1,6 +1,6 @@
-// From a reading to what it means here and now, in continuation-passing style (paper §3, semantics §2): each noun
-// phrase and pro-form is a computation that gives its referent to the rest of the sentence. Where there is none, or
-// more than one, the rest of the sentence is captured as a term that still waits for it.
+// From a reading to its meaning here and now, in continuation-passing style (paper §3, SEMANTICS.md §2): each noun
+// phrase and pro-form is a computation that gives its referent to the rest of the sentence. Where there is no referent,
+// or more than one, the rest of the sentence is captured as a term that still waits for it.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ struct Gap {
   std::string words;                 ///< of the noun, without its determiner ("blue plate"); empty if unsaid
 };
 
-/// What a noun phrase or pro-form was taken to mean, for the log.
+/// The meaning given to a noun phrase or pro-form, for the log.
 struct Resolution {
   enum class By { words, focus, pointed, topic, presence };  ///< presence: you, me
   Term phrase;                                               ///< as in the reading: the(\x. knife(x)), it, there
@@ -36,23 +36,25 @@ struct Resolution {
   std::optional<std::size_t> showing;  ///< the one of the context that was drawn on
   Reference reference;                 ///< of noun phrases
 
-  /// Whether `reference` says what the phrase can mean: it is a noun phrase, and no pro-form.
+  /// Whether `reference` lists the candidates: true of a noun phrase, false of a pro-form.
   bool has_referents() const { return !reference.referents.empty() || !reference.ruled_out.empty(); }
 };
 
-/// An application and what its parts drew on, so that the log can name who said or showed it.
+/// An application and the inputs that its parts drew on, so that the log can name who said or showed it.
 struct Applying {
   Application application;
   std::vector<Resolution::By> by;
 };
 
 struct Interpretation {
-  /// The reading's term with objects and places in place of its noun phrases; a lambda for each gap, in the order in
-  /// which programs take them, then those that the reading itself has (whose gaps are unsaid). A noun phrase alone
-  /// gives its referent, or \x. x with the gap that says why not. A noun alone ("cup") is a noun phrase that may mean
-  /// any, and counts pointing. Of a plural the rest of the sentence takes the list; where it is said of each (`each :
-  /// e* -> e`, FUNCTIONS.md), it is done for each: put(each(those(\x. block(x))), v) is [put(block1, v), put(block2,
-  /// v)]. In a list of commands each is in the focus of the next. Null for a reading of more than 1000 nodes.
+  /// The reading's term with objects and places in place of its noun phrases. It has a lambda for each gap, in the
+  /// order in which programs take them, then for the gaps of the reading itself (which are unsaid).
+  /// - A noun phrase alone gives its referent, or \x. x with the gap that says why there is none.
+  /// - A noun alone ("cup") is a noun phrase that may mean any, and counts pointing.
+  /// - A plural gives its list to the rest of the sentence; where the rest holds of each (`each : e* -> e`,
+  ///   FUNCTIONS.md), it is done for each: put(each(those(\x. block(x))), v) is [put(block1, v), put(block2, v)].
+  /// - In a list of commands the objects of each are in focus for the next.
+  /// Null for a reading of more than 1000 nodes.
   Term meaning;
   std::vector<Gap> gaps;
   std::vector<Resolution> resolutions;  ///< in the order of their effects: arguments before functions

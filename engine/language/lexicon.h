@@ -1,4 +1,4 @@
-// The words of a language and what they mean: data, read from a folder of JSON files (language/LEXICON.md).
+// The words of a language and their meanings: data, read from a folder of JSON files (language/LEXICON.md).
 #pragma once
 
 #include <map>
@@ -71,7 +71,7 @@ struct LexiconExample {
   std::optional<std::vector<Term>> fragments;  ///< the first of each
   std::optional<Term> reading;                 ///< the first of the only fragment
   std::optional<std::string> move;             ///< of the first reading
-  std::optional<std::vector<Type>> missing;    ///< what the first reading lacks, in order
+  std::optional<std::vector<Type>> missing;    ///< the gaps of the first reading, in order
   std::vector<std::string> unknown;
 };
 
@@ -94,11 +94,11 @@ struct Lexicon {
   std::string digest;               ///< of its files
 };
 
-/// Reads all *.json of the folder. `facts` are the names that terms may use beside the term language and what the
-/// lexicon declares: facts of the world. The error is the first problem.
+/// Reads all *.json of the folder. `facts` are the names of facts of the world; terms may use them besides the term
+/// language and the lexicon's own declarations. The error is the first problem.
 Result<Lexicon> load_lexicon(const std::string& folder, const Signature& facts);
 
-/// Every problem of the folder, "file:line:column: what was found, what was expected", file by file.
+/// Every problem of the folder, file by file, each as "file:line:column: found, expected".
 std::vector<Error> check_lexicon(const std::string& folder, const Signature& facts);
 
 /// The examples that are not read as they say, each with its place.

@@ -42,7 +42,7 @@ std::string listed(const std::vector<Type>& types) {
   return listed(texts);
 }
 
-// The first difference between an example and its reading, as a sentence; empty if there is none.
+// The first difference between an example and its reading, as a sentence; empty if they are equal.
 std::string fault(const LexiconExample& example, const Utterance& utterance, const Lexicon& lexicon) {
   std::vector<Term> first;
   for (const auto& fragment : utterance.fragments) first.push_back(fragment.readings.front().term);

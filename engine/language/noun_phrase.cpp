@@ -11,7 +11,7 @@ namespace continua {
 namespace {
 
 constexpr std::size_t most_work = 400000;               // nodes of the conditions tried
-constexpr std::size_t exhausted_work = most_work / 20;  // what an evaluation that ran out of steps counts for
+constexpr std::size_t exhausted_work = most_work / 20;  // the price of an evaluation that ran out of steps
 constexpr std::size_t most_conjuncts = 1000;
 constexpr int deepest_phrase = 50;
 

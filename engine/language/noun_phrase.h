@@ -1,4 +1,4 @@
-// Whether conditions with noun phrases inside hold of objects: what reference (language/reference.h) is made of.
+// Whether conditions with noun phrases inside hold of objects: the search behind reference (language/reference.h).
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,8 @@ struct Fitting {
   std::vector<RuledOut> ruled_out;
 };
 
-/// Finds what noun phrases fit, one search for a noun phrase and all those inside it. The work is bounded: past the
-/// bound, nothing more is true.
+/// Finds the objects that a noun phrase fits: one search for a noun phrase and all those inside it. The work is
+/// bounded; past the bound, nothing more is true.
 class NounPhraseSearch {
  public:
   /// `pointed_W` counts for deictic noun phrases inside; all must outlive the search.
@@ -35,7 +35,7 @@ class NounPhraseSearch {
   /// From now on superlatives compare only these.
   void compare(const std::vector<const ObjectState*>& objects);
 
-  /// `term` with what its pro-forms stand for; those that mean "other" stay.
+  /// `term` with the values of its pro-forms; those that mean "other" stay.
   Term resolved(const Term& term) const;
 
   /// How near the nearest decision was, metres.
@@ -57,8 +57,8 @@ class NounPhraseSearch {
   double margin_ = std::numeric_limits<double>::infinity();
 };
 
-/// Leaves out of `fitting` what pointing speaks against, the likeliest first; returns the densities of those that stay.
-/// Lowers `margin` to how near that was.
+/// Drops from `fitting` the objects that pointing speaks against, the likeliest first; returns the densities of those
+/// that stay. Lowers `margin` to the distance from another outcome.
 std::vector<double> keep_pointed(const Vec3& pointed_W, Fitting& fitting, double& margin);
 
 }  // namespace continua

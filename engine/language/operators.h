@@ -1,5 +1,5 @@
-// The words whose meaning depends on what is being talked about: determiners and pro-forms. A lexicon declares them as
-// data (language/LEXICON.md); what C++ knows is what they ask for, not how they are called.
+// The words whose meaning depends on the conversation: determiners and pro-forms. A lexicon declares them as data
+// (language/LEXICON.md); C++ knows their meanings, not their names.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@
 
 namespace continua {
 
-/// e -> t: what is said of things.
+/// e -> t: a property of things.
 inline const Type& property() {
   static const Type type = Type::function(Type::entity(), Type::truth());
   return type;
@@ -27,13 +27,13 @@ struct Determiner {
 /// A word that stands for something said, shown or present.
 struct Proform {
   enum class Source {
-    focus,    ///< it, them: what is being talked about
+    focus,    ///< it, them: the thing under discussion
     pointed,  ///< here, there: where the human points
     topic,    ///< one: the noun that was last used; a constant of type e -> t
-    other,    ///< a constant of type e -> t: true of all but the first in focus that fits, or but what the noun phrase
-              ///< around is about
-    avatar,   ///< you
-    human,    ///< me
+    other,  ///< a constant of type e -> t: true of all but the first in focus that fits, or but the subject of the noun
+            ///< around is about
+    avatar,  ///< you
+    human,   ///< me
   };
   Source source = Source::focus;
 };
@@ -41,14 +41,14 @@ struct Proform {
 struct Operators {
   std::map<std::string, Determiner, std::less<>> determiners;
   std::map<std::string, Proform, std::less<>> proforms;
-  /// The name, of type e*, of what "leftmost" and its like compare. It is defined as all there is; of a noun phrase
-  /// that answers a question it is what was asked about. Empty: there is no such name.
+  /// The name, of type e*, of the things that "leftmost" and its like compare. It is defined as all there is; in a noun
+  /// phrase that answers a question, as the things asked about. Empty: there is no such name.
   std::string compared;
 };
 
-/// Of a noun phrase, determiner(condition); null if the term is none.
+/// The determiner of a noun phrase, determiner(condition); null if the term is no noun phrase.
 const Determiner* determiner_of(const Term& term, const Operators& operators);
-/// Of the constant; null if the term is none that stands for something.
+/// The pro-form of the constant; null if the term is no pro-form.
 const Proform* proform_of(const Term& term, const Operators& operators);
 /// Whether a pro-form of type e -> t with this source ("one", "other") occurs in it.
 bool says(const Term& term, Proform::Source source, const Operators& operators);

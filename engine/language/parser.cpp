@@ -11,13 +11,13 @@
 namespace continua {
 namespace {
 
-// What an utterance costs beside the costs of its readings.
+// Costs of an utterance besides those of its readings.
 constexpr double cost_of_fragment = 2, cost_of_missing = 1, cost_of_unused = 4;
 
 // Readings that cost so much more than the cheapest are no readings.
 constexpr double largest_difference = 0.5;
 
-// What an entry lacks to be of an atom that can stand alone.
+// The gaps of an entry that would be of an atom that can stand alone without them.
 struct Root {
   const Atom* atom = nullptr;
   std::vector<Type> missing;  ///< in the order in which its term takes them
@@ -78,7 +78,7 @@ class Segment {
     bool fragment = false, unused = false;
   };
 
-  // From the last word to the first, the cheapest way to cover what follows.
+  // From the last word to the first: the cheapest cover of the words from there on.
   void cover() {
     best_.assign(words_.size() + 1, Step());
     best_.back().cost = 0;

@@ -1,4 +1,4 @@
-// Reads what was said: the cheapest sequence of fragments that covers the words, each with its readings.
+// Reads an utterance: the cheapest sequence of fragments that covers the words, each with its readings.
 #pragma once
 
 #include <string_view>
@@ -8,12 +8,12 @@
 
 namespace continua {
 
-/// Words that are read of one utterance; what follows them is cut.
+/// Words that are read of one utterance; later words are cut off.
 inline constexpr std::size_t most_words = 200;
 /// Readings that a fragment has at most.
 inline constexpr std::size_t most_readings = 6;
 
-/// Any text; what is not understood is told in `unknown` and `unused`.
+/// Reads any text; words that no fragment covers are listed in `unknown` and `unused`.
 Utterance read(std::string_view text, const Vocabulary& vocabulary);
 
 }  // namespace continua

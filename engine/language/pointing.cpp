@@ -33,7 +33,8 @@ Steepness steepness(const Aim& aim) {
   return {std::hypot(aim.x / aim.variance_x, aim.y / aim.variance_y), 1 / (2 * least)};
 }
 
-// How far place and objects may move before the logarithm changes by `gap`. An offset changes by twice what both move.
+// The distance that place and objects may move before the logarithm changes by `gap`. When both move, their offset
+// changes by twice as much.
 double movement(double gap, const Steepness& of) {
   return (std::sqrt(of.a * of.a + 4 * of.b * std::abs(gap)) - of.a) / (4 * of.b);
 }

@@ -21,7 +21,7 @@ inline constexpr double least_share = 1e-3;
 /// one aims (a third of half its extent), and `astray_per_m2`.
 double pointing_density(const Vec3& pointed_W, const ObjectState& object);
 
-/// Whether it is near enough to be what is pointed at, whatever else there is: likelier to be meant than a stray.
+/// Whether the object, alone on the table, would count as pointed at: likelier to be meant than a stray.
 bool is_pointed_at(const Vec3& pointed_W, const ObjectState& object);
 
 /// How far the place and the objects may move, metres, before density(a) / density(b) grows or shrinks to `ratio`, and

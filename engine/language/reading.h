@@ -1,4 +1,4 @@
-// What the parser makes of an utterance: fragments, each with its readings.
+// The parser's result: fragments of an utterance, each with its readings.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct Phrase {
   WordSpan words;
 };
 
-/// A sense of a word as a reading uses it: what the lexicon, or an attribute of the scene, says of it.
+/// A sense of a word that a reading uses, from the lexicon or from an attribute of the scene.
 struct UsedSense {
   std::string words;     ///< as the entry has them, several with spaces between them
   std::string category;  ///< as the entry has it; empty: they were passed over, as it allows
@@ -29,13 +29,13 @@ struct UsedSense {
   double cost = 0;
 };
 
-/// One way to understand some words. The term still says `the(\x. cup(x) and blue(x))` and `it`: what is meant by them
-/// is found by interpretation (language/interpretation.h). What a command lacks is a variable:
-/// "put the knife" is \v. put(the(\x. knife(x)), v) of type loc -> t.
+/// One way to understand some words. The term still says `the(\x. cup(x) and blue(x))` and `it`: interpretation
+/// (language/interpretation.h) finds their referents. A gap of a command is a variable: "put the knife" is \v.
+/// put(the(\x. knife(x)), v) of type loc -> t.
 struct Reading {
   Term term;
   std::string category;            ///< of the words as a whole: "S", "NP", "S/PP"
-  std::string move;                ///< what kind of move that is, as the lexicon says: V, N, P, y, n, …
+  std::string move;                ///< the kind of move, as the lexicon says: V, N, P, y, n, …
   double cost = 0;                 ///< smaller is likelier
   std::vector<Phrase> phrases;     ///< in order of their words, longer ones first
   std::vector<UsedSense> senses;   ///< in order of their words

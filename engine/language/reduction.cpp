@@ -55,7 +55,7 @@ class Reducer {
   bool gave_up() const { return steps_ <= 0; }
 
  private:
-  // Several objects where one is taken: what is said is meant of each.
+  // Several objects where one is taken: the function holds of each.
   static bool is_group_for_one(const Type& function, const Type& argument) {
     return function.kind() == Type::Kind::function && argument.kind() == Type::Kind::list &&
            !consistent(function.from(), argument) && consistent(function.from(), argument.element());

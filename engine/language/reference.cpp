@@ -52,7 +52,8 @@ std::vector<const ObjectState*> asked_about(const Context& context, std::vector<
   return objects;
 }
 
-// What "the other cup" leaves out: the first in focus of those that it would mean without "other"; empty if none.
+// The object that "the other cup" leaves out: the first in focus of those that the phrase would mean without "other";
+// empty if there is no such object.
 std::string first_in_focus(NounPhraseSearch& search, const Term& condition, const Context& context) {
   std::vector<const ObjectState*> objects;
   for (const auto& name : context.focus)

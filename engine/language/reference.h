@@ -1,5 +1,5 @@
-// Which objects a noun phrase can mean (semantics §3; paper §2.1): its conditions over the world, pointing, and what is
-// being talked about give ranked referents, and for each other object the condition that ruled it out.
+// The objects that a noun phrase can mean (SEMANTICS.md §3; paper §2.1). Its conditions over the world, pointing and
+// the focus give ranked referents, and for each other object the condition that ruled it out.
 #pragma once
 
 #include <limits>
@@ -21,7 +21,7 @@ struct Showing {
   Vec3 place_W = Vec3::Zero();  ///< on the table
 };
 
-/// What an utterance or a gesture is understood against. REQUIRES a world.
+/// The circumstances in which an utterance or a gesture is understood. REQUIRES a world.
 struct Context {
   Facts facts;                     ///< the world among them
   std::optional<Vec3> pointed_W;   ///< where the human points, on the table
@@ -55,22 +55,21 @@ struct Reference {
   Sides sides = Sides::exact;                               ///< how "left of" and its like had to be taken
 };
 
-/// Every object is a referent or ruled out.
+/// Referents of `condition`, a term of type e -> t such as \x. cup(x) and located(x, left(the(\y. plate(y)))). Every
+/// object is a referent or ruled out. `determiner` tells whether pointing counts.
 ///
 /// - Conditions are tried one by one, in their order; the first that fails is the reason. Null is not true.
-/// - Pointing counts for a deictic determiner only: words decide first, then what is less than `least_share`
-///   (language/pointing.h) as likely as the likeliest is left out. Far from all that fit, pointing says nothing. Where
-///   the phrase around is deictic too, the pointing is its own.
-/// - Without pointing all referents weigh the same; those in focus come first, but stay as many as they are. Of
-///   determiners that say how many are meant, all that fit are given, whether they are as many or not.
-/// - "other" and `another` leave out what is in focus; inside a noun phrase, what that phrase is about.
+/// - Pointing counts for a deictic determiner only. Words decide first; then an object less than `least_share`
+///   (language/pointing.h) as likely as the likeliest is left out. Far from all objects that fit, pointing says
+///   nothing. Where the phrase around is deictic too, the pointing is its own.
+/// - Without pointing all referents weigh the same. Those in focus come first, but none is left out. A determiner of
+///   number gives all objects that fit, whether their number is right or not.
+/// - "other" and `another` leave out the thing in focus; inside a noun phrase, the subject of that phrase.
 /// - Sides are exact; where nothing fits, rough; where still nothing does, loose.
-/// - The work is bounded; past the bound nothing is true. The margin is a length's: moving everything by less than half
+/// - A nested noun phrase need not single out one thing by itself: one fitting referent of it is enough ("the block
+///   right of the red block").
+/// - The work is bounded; past the bound nothing is true. The margin is a length: moving everything by less than half
 ///   of it changes no referent.
-///
-/// Referents of `condition`, a term of type e -> t such as \x. cup(x) and located(x, left(the(\y. plate(y)))).
-/// `determiner` tells whether pointing counts. A nested noun phrase need not single out one thing by itself: it is
-/// enough that one of its referents fits ("the block right of the red block").
 Reference refer(const Term& condition, const Determiner& determiner, const Context& context, const Meanings& meanings);
 
 /// Referents of pointing alone.

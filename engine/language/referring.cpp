@@ -105,7 +105,7 @@ Meant Referring::by_determiner(const Term& phrase, const Term& condition, Determ
   return chosen(phrase, std::move(reference), determiner, words_of(condition, occurrence), context, occurrence);
 }
 
-// "That" with nothing pointed at is what is being talked about; one thing, where it is said of one.
+// "That" without pointing means the thing in focus, and a single one where the type is that of one thing.
 Meant Referring::undefined(const Term& phrase, const Determiner& determiner, std::size_t occurrence) const {
   Meant meant;
   meant.plural = is_plural(determiner);
@@ -121,8 +121,8 @@ Meant Referring::undefined(const Term& phrase, const Determiner& determiner, std
   return meant;
 }
 
-// Definite phrases mean all referents that there are, so that there must be as many as are spoken of; of an indefinite
-// one the likeliest are taken.
+// A definite phrase means all its referents, so their number must be the one that the phrase speaks of; an indefinite
+// phrase takes the likeliest.
 Meant Referring::chosen(const Term& phrase, Reference reference, const Determiner& determiner, std::string noun,
                         const Context& context, std::size_t occurrence) const {
   const auto found = reference.referents.size();
@@ -208,7 +208,7 @@ std::vector<Term> Referring::topics() const {
   return {anything()};
 }
 
-// "the red one" with what "one" stands for, so that the reasons why others are ruled out say it.
+// "the red one" with the noun that "one" stands for, so that the reasons against other objects name it.
 Term Referring::with_topic(const Term& condition, const Term& topic) const {
   Term with = condition;
   for (const auto& [name, pro] : meanings_.operators->proforms)
@@ -224,9 +224,9 @@ bool Referring::describes(const Term& condition) const {
          !says(condition, Proform::Source::other, *meanings_.operators);
 }
 
-// An answer is one of those that were asked about, whatever they are. Where none fits, it says something else, as does
-// what answers nothing: then "one" stands for the first noun that has such a thing, with "this" and "that" such a thing
-// where the human points; if no noun has, for whatever is there or is so described: "the red one".
+// An answer means things that were asked about. Where none of them fits, the phrase is no answer: "one" then stands for
+// the first noun of the conversation that has such a thing, and for "this" and "that" such a thing where the human
+// points. If no noun has one, "one" is anything that is there or is so described: "the red one".
 Reference Referring::found(const Term& condition, const Determiner& determiner, Context context) const {
   if (!context.among.empty()) {
     auto reference = refer(with_topic(condition, anything()), determiner, context, meanings_);

@@ -1,5 +1,5 @@
-// What a phrase of a reading is taken to mean: noun phrases by refer(), pro-forms by what is said, shown or present.
-// A part of the interpretation (language/interpretation.h).
+// The meaning of a phrase of a reading: noun phrases by refer(), pro-forms by words, pointing or presence. A part of
+// the interpretation (language/interpretation.h).
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace continua {
 
-/// The values of a phrase: one, or the several of a plural; or why there are none.
+/// The values of a phrase: one, or the several of a plural; or the reason why there are none.
 struct Meant {
   std::vector<Term> values;
   bool plural = false;  ///< all values are meant together
@@ -31,8 +31,8 @@ class Referring {
   /// `occurrence`: which of those that are said with this term, in the order of their words. REQUIRES is_phrase().
   Meant meant(const Term& phrase, std::size_t occurrence) const;
 
-  /// Something that is true or false of objects, a noun ("red cup"), and no command that lacks its argument: what is at
-  /// its head computes something.
+  /// Whether the term is true or false of objects (a noun, "red cup"): its head computes something, so it is no command
+  /// that lacks an argument.
   bool is_noun(const Term& term) const;
   Meant meant_by_noun(const Term& noun) const;
 
@@ -52,7 +52,7 @@ class Referring {
   Meant chosen(const Term& phrase, Reference reference, const Determiner& determiner, std::string noun,
                const Context& context, std::size_t occurrence) const;
   std::optional<Term> single_value(const Proform& proform, const Type& type, const Context& context) const;
-  /// What "one" can stand for, the likeliest first; any thing where nothing was named.
+  /// The nouns that "one" can stand for, the likeliest first; any thing where nothing was named.
   std::vector<Term> topics() const;
   Term with_topic(const Term& condition, const Term& topic) const;
   bool describes(const Term& condition) const;

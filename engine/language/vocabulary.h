@@ -15,16 +15,16 @@ class Vocabulary {
  public:
   Vocabulary(std::shared_ptr<const Lexicon> lexicon, const WorldSnapshot& world);
 
-  /// The human named a program: from now on its name is a word, as the lexicon's `learned` says. A lexicon's own word
-  /// keeps its senses beside. REQUIRES that it has not been learned before.
+  /// The human named a program: from now on its name is a word, as the lexicon's `learned` says. A word of the lexicon
+  /// keeps its other senses. REQUIRES that it has not been learned before.
   void learn(const std::string& name, const Type& type);
 
   const Lexicon& lexicon() const { return *lexicon_; }
-  /// What a word means, several words with spaces between them; nullptr if it has no meaning.
+  /// The meaning of a word, or of several with spaces between them; nullptr if it has none.
   const WordEntry* find(std::string_view words) const;
   /// All that find() knows, in the order of the alphabet.
   std::set<std::string> words() const;
-  /// What words that nobody knows can be: names to be given.
+  /// Words that nobody knows, as names to be given.
   WordEntry as_name(const std::string& words) const;
   /// Whether the word is one, or a part of several that are one.
   bool knows(std::string_view word) const { return parts_.contains(word); }
