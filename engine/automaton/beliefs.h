@@ -1,5 +1,5 @@
-// How sure the avatar is of what it perceives: a table of concepts, raised by evidence, answers and its own words,
-// which gates read as `certainty(symbol)`. Declared by the machine (FORMAT.md, Beliefs).
+// The avatar's certainty of its perceptions: a table of concepts, raised by evidence, answers and its own words, which
+// gates read as `certainty(symbol)`. Declared by the machine (FORMAT.md, Beliefs).
 #pragma once
 
 #include <map>
@@ -54,12 +54,12 @@ class Beliefs {
   /// Product over the symbol's concepts of the largest of own and related certainties; 1 if it has none.
   double certainty(std::string_view symbol) const;
 
-  /// Each returns what it changed, in the table's order.
+  /// Each returns its changes, in the table's order.
   std::vector<BeliefChange> raise(std::string_view symbol);
   std::vector<BeliefChange> set(std::string_view symbol, double value);
   std::vector<BeliefChange> overhear(std::string_view utterance);
 
-  /// What is another certainty than in beliefs of the same table, in the table's order.
+  /// The certainties that differ from those of `before`, of the same table and in its order.
   std::vector<BeliefChange> changes_since(const Beliefs& before) const;
 
   /// The same certainties of another table's concepts, by their names; one that is fixed there, or new, is as at first.

@@ -1,4 +1,4 @@
-// Which of several applicable transitions is taken (semantics §1, Nondeterminism).
+// The choice among several applicable transitions (SEMANTICS.md §1, Nondeterminism).
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace continua {
 enum class Choice {
   likeliest,  ///< the heaviest; ties by alternative, then file order
   sample,     ///< a seeded draw by weight
-  unique,     ///< an input's only one; of several for the same input, none; of several inputs, the heaviest's
+  unique,     ///< the only transition of an input; none if one input has several; of several inputs, the heaviest one's
   explore,    ///< all of them: automaton/exploration.h
 };
 
@@ -41,12 +41,12 @@ struct Chosen {
 struct Chooser {
   Choice policy = Choice::likeliest;
   Random random{0};
-  std::map<int, std::size_t> forced;  ///< step → transition; what has been taken is erased
+  std::map<int, std::size_t> forced;  ///< step → transition; erased once taken
   int steps = 0;                      ///< transitions chosen so far; the first is step 1
 
-  /// `candidates` by alternative, then in file order. Nothing where there is none, or under `unique` more than one for
-  /// the same input. A transition that is forced at this step is taken if it is among them, for the input that makes it
-  /// heaviest; if not, it stays in `forced` and the policy decides.
+  /// `candidates` by alternative, then in file order. Nothing without a candidate, or under `unique` with more than one
+  /// for the same input. A transition that is forced at this step is taken if it is among them, for the input that
+  /// makes it heaviest; if not, it stays in `forced` and the policy decides.
   /// Under `explore` the heaviest is taken, since a single one is asked for.
   std::optional<Chosen> choose(const std::vector<Candidate>& candidates);
 };

@@ -1,5 +1,5 @@
-// What the automaton is in: state, stack, what it remembers of the states it came through, and its registers. An
-// immutable value that shares structure (semantics §1).
+// A configuration of the automaton: state, stack, the history that pop_until asks about, and the registers. An
+// immutable value that shares structure (SEMANTICS.md §1).
 #pragma once
 
 #include <memory>
@@ -13,13 +13,12 @@ namespace continua {
 /// Index of a state in Machine::states.
 using StateIndex = std::size_t;
 
-/// What pop_until can ask about the entries of states so far: for each landmark, a state that some pop_until names, the
-/// stack at its latest entry; for the state the machine is in, which was entered just now, that of the entry before.
-/// Nothing earlier can ever be asked for.
+/// The entries of states that pop_until can ask about: for each landmark (a state that some pop_until names) the stack
+/// at its latest entry; for the present state, which was entered just now, that of the entry before. Nothing earlier
+/// can ever be asked for.
 class History {
  public:
-  /// A state was entered. `landmark`: its number among the machine's landmarks, of which there are `count`; nullopt if
-  /// it is none.
+  /// A state was entered. `landmark`: its number among the machine's `count` landmarks; nullopt for any other state.
   History entered(std::optional<std::size_t> landmark, std::size_t count, const Stack& stack) const;
   /// The stack at the latest entry of the landmark; while the machine is in it (`present`) at the one before that.
   /// nullptr if there was none.
@@ -40,7 +39,7 @@ struct Configuration {
   std::shared_ptr<const std::vector<Cell>> memory;  ///< one for each register, in the machine's order; never null
   int next_symbol = 0;                              ///< id for the next symbol to be made
 
-  /// Everything that decides how things go on is the same; ids and what values came from do not count.
+  /// Whether both go on alike: everything but ids and origins of values is the same.
   bool same_as(const Configuration& other) const;
 };
 

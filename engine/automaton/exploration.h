@@ -1,4 +1,4 @@
-// The policy `explore`: all configurations that a machine may be in, as a set (semantics §1, Nondeterminism).
+// The policy `explore`: all configurations that a machine may be in, as a set (SEMANTICS.md §1, Nondeterminism).
 #pragma once
 
 #include <memory>
@@ -20,8 +20,8 @@ struct Branch {
   std::vector<std::size_t> by;  ///< transitions of this step that led to it, in order
 };
 
-/// A set of configurations, no two the same. The first leads: of those that are settled the heaviest, ties by the
-/// order in which they were reached; the others follow in the same order, then those that are not settled.
+/// A set of distinct configurations. The first leads: it is the heaviest of the settled ones, ties by the order in
+/// which they were reached. The others follow in the same order, then those that are not settled.
 struct Exploration {
   std::vector<Branch> branches;
   int next_branch = 0;

@@ -11,7 +11,7 @@
 namespace continua {
 namespace {
 
-// Both ascending. What was computed from a long past has many sources, mostly the same ones again.
+// Both ascending. A value computed from a long past has many sources, mostly the same ones again.
 void merge(const std::vector<int>& more, std::vector<int>& into) {
   if (more.empty() || more == into) return;
   const auto middle = static_cast<std::ptrdiff_t>(into.size());
@@ -130,7 +130,7 @@ Change Firing::change(const Operation& operation) {
   return change;
 }
 
-// What a term of type `term` turns out to be may be of another type than what it is for.
+// The value of a term of type `term` may be of another type than its slot.
 Cell Firing::of_type(const Type& type, const std::string& name, Cell cell) {
   if (cell.value.is_null() || consistent(type, cell.value.type())) return cell;
   note(Trouble{
@@ -138,7 +138,7 @@ Cell Firing::of_type(const Type& type, const std::string& name, Cell cell) {
   return {empty_value(type), std::move(cell.because)};
 }
 
-// Carries out an operation on the stack; what it made goes to the account first.
+// Carries out an operation on the stack; new symbols go to the account first.
 void Firing::apply(const Change& change) {
   if (change.operation->kind == Operation::Kind::none) return;
   auto result = apply_operation(*change.operation, change.contents, machine_, configuration_);
@@ -258,8 +258,8 @@ Evaluation Firing::evaluate() {
       rules_, [this](Name name) { return look_up(name); }, facts_);
 }
 
-// Notes which inputs a value came from: they are what the evaluated content is because of. The evaluation copies what
-// it is given before it asks for the next.
+// Notes the inputs that a value came from: the evaluated content is because of them. The evaluation copies each value
+// before it asks for the next.
 const Term* Firing::look_up(Name name) {
   using From = Binding::From;
   const auto found = machine_.bindings.find(name);

@@ -1,7 +1,7 @@
-// The parts of a step: which transitions apply, what one of them does to the topmost symbol, what it and the state it
-// enters do beside. Each part sees the head of the configuration alone, that is state, topmost symbol and registers,
-// and ends with at most one change of the stack; so it can be carried out on a real stack (automaton/stepper.h), on
-// many (automaton/exploration.h) or on an unknown one (analysis/acceptance.h).
+// The parts of a step: the applicable transitions, the effect of one of them on the topmost symbol, the other effects
+// of the transition and of the state that it enters. Each part sees the head of the configuration alone (state, topmost
+// symbol and registers) and ends with at most one change of the stack. So a part can be carried out on a real stack
+// (automaton/stepper.h), on many (automaton/exploration.h) or on an unknown one (analysis/acceptance.h).
 #pragma once
 
 #include <limits>
@@ -40,8 +40,8 @@ struct Entry {
 /// A configuration and the inputs under which things happen: one, or alternatives of which one is taken.
 class Firing {
  public:
-  /// `rules`: what names compute. `inputs`: none for ε; the first counts until one is taken. `account` takes what
-  /// happens; without one nothing is put into words. All must outlive the firing.
+  /// `rules`: the functions behind names. `inputs`: none for ε; the first counts until one is taken. `account` takes
+  /// the events; without one nothing is put into words. All must outlive the firing.
   Firing(const Machine& machine, const RuleTable& rules, Configuration configuration, std::span<const Input> inputs,
          const Facts& facts, std::vector<StepEvent>* account)
       : machine_(machine),
@@ -56,17 +56,17 @@ class Firing {
   const Configuration& configuration() const { return configuration_; }
   Configuration take() && { return std::move(configuration_); }
 
-  /// Those that take one of the inputs, or the ε-transitions where there is none. An input of confidence 0 is taken by
-  /// none.
+  /// The transitions that take one of the inputs, or without inputs the ε-transitions. No transition takes an input of
+  /// confidence 0.
   Applicable applicable();
   /// Fires a transition: its gates, its operation, its effects, the entry of the state. Returns whether ε-transitions
   /// are to be tried now; nothing if the gates refuse one another in a circle, and then nothing has changed.
   std::optional<bool> fire(const Chosen& chosen, Applicable found, int step);
-  /// The input is used up: what follows are ε-transitions.
+  /// The input is used up: only ε-transitions follow.
   void forget_input();
 
   Term value(const Term& term);
-  /// A value, with the inputs it came from: those of what was read, and the one under way.
+  /// A value, with the inputs it came from: those of all values read, and the one under way.
   Cell compute(const Term& term);
 
   // The parts of `fire`, for those who keep the stack elsewhere.
@@ -109,7 +109,7 @@ class Firing {
   std::optional<double> now_s_;
   Facts facts_;
   std::vector<StepEvent>* account_;
-  std::vector<int> because_;  ///< inputs that what is being computed came from, ascending
+  std::vector<int> because_;  ///< inputs behind the value being computed, ascending
   Change rewrite_;
   Term moment_;  ///< the latest name of the moment that was looked up
 };

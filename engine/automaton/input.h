@@ -1,4 +1,4 @@
-// What the automaton is offered: a symbol, and what comes with it.
+// An input of the automaton: a symbol, and its content.
 #pragma once
 
 #include <span>
@@ -23,24 +23,25 @@ struct Input {
   Term pointed;  ///< loc: where the human pointed last, if that was just now
 
   Term act;        ///< t: of the end of an act, its program
-  Term reason;     ///< text: of the end of an act, why it went so, in the words of the log; null without a reason
+  Term reason;     ///< text: of the end of an act, the reason for its status, in the words of the log; null without a
+                   ///< reason
   Term why;        ///< text: the code of that reason
   Term concerned;  ///< e*: the objects and participants that the reason is about, the most important first
 
   // Of another avatar that was observed after this input (Machine::implied).
-  Term observed_speech;    ///< text: what it said last
+  Term observed_speech;    ///< text: its last words
   Term observed_gestures;  ///< term*
   Term observed_acts;      ///< term*
 
-  // Of what was understood, by machines with a lexicon (automaton/FORMAT.md, Understanding).
-  Term move;       ///< text: what kind of move it is: 'V', 'N', 'δ', …
-  Term reading;    ///< what the words say, noun phrases included: put(the(\x. knife(x)), there)
-  Term meaning;    ///< what they mean here and now: \v: loc. put(knife, v)
+  // Content that was understood, for machines with a lexicon (automaton/FORMAT.md, Understanding).
+  Term move;       ///< text: the kind of move: 'V', 'N', 'δ', …
+  Term reading;    ///< the words as a term, noun phrases included: put(the(\x. knife(x)), there)
+  Term meaning;    ///< their meaning here and now: \v: loc. put(knife, v)
   Term choices;    ///< e**: for each argument that `meaning` lacks, the objects it may be
   Term wanted;     ///< text*: for each, the words that were to name it; '' where nothing was said
   Term referents;  ///< e*: what the noun phrase or the pointing can mean, the likeliest first
-  Term named;      ///< (e -> t)*: the nouns that say what is spoken of, each with its adjectives, then alone
-  Term next;       ///< text: what kind of move the same utterance makes after this one; null if it makes none
+  Term named;      ///< (e -> t)*: the nouns for the objects spoken of, each with its adjectives, then alone
+  Term next;       ///< text: the kind of the next move in the same utterance; null after the last
   Term unknown;    ///< text*: words near it that the lexicon does not have
 };
 

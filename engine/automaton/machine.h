@@ -1,4 +1,5 @@
-// A machine as it is run: checked, its names resolved. automaton/FORMAT.md describes the file and what each part means.
+// A machine as it is run: checked, its names resolved. automaton/FORMAT.md describes the file and the meaning of each
+// part.
 #pragma once
 
 #include <functional>
@@ -23,7 +24,7 @@ namespace continua {
 struct Parameter {
   std::string name;
   Term value;  ///< a truth value, a number or a text
-  /// What it was before the file's own value, by the times until which it was: 2018-02-05T15:00.
+  /// Earlier values, by the times until which they held: 2018-02-05T15:00.
   std::map<std::string, Term, std::less<>> until;
 };
 
@@ -33,7 +34,7 @@ struct Slot {
   bool persists = false;  ///< mirrors something physical: flush keeps it
 };
 
-/// What a slot or register of the type holds at first: the empty list, or null.
+/// The first value of a slot or register of the type: the empty list, or null.
 Term empty_value(const Type& type);
 
 struct Register {
@@ -48,7 +49,7 @@ struct Content {
   std::optional<Term> term;
 };
 
-/// What happens to the stack.
+/// An operation on the stack.
 struct Operation {
   enum class Kind { none, push, push_each, pop, rewrite, rewrite_each, flush, pop_until };
   Kind kind = Kind::none;
@@ -88,14 +89,14 @@ struct Act {
 struct Remember {
   std::vector<std::pair<std::size_t, Term>> registers;
 };
-/// What can be taught: what a gesture means, what acts a word stands for.
+/// The things that can be taught: the meaning of a gesture, the acts of a word.
 enum class Lesson { gesture, word };
 std::string name_of(Lesson lesson);
 
 struct Learn {
   Lesson of = Lesson::gesture;
   Term name;   ///< a text
-  Term value;  ///< the meaning; of a word the acts, a list
+  Term value;  ///< the meaning; for a word the list of its acts
 };
 struct Forget {
   std::optional<Lesson> of;  ///< nullopt: all that was learned
@@ -108,7 +109,7 @@ struct Group {
   std::vector<Effect> effects;
 };
 
-/// One step of what a state or transition does beside moving.
+/// One effect of a state or transition besides the change of state.
 struct Effect {
   std::optional<Term> when;
   std::variant<Say, Gesture, Act, Remember, Learn, Forget, Rewrite, Group> what;
@@ -190,7 +191,7 @@ struct Exits {
   }
 };
 
-/// What a name in a term of the machine stands for (FORMAT.md).
+/// The meaning of a name in a term of the machine (FORMAT.md).
 struct Binding {
   enum class From { slot, memory, definition, in_state, input, carried, confidence, now };
   From from = From::slot;
@@ -199,20 +200,20 @@ struct Binding {
   Term Input::*carried = nullptr;
 };
 
-/// What the human's moves are called: a name (a terminal of the paper's Table 1, such as δ) and the inputs it covers.
+/// A kind of the human's moves: its name (a terminal of the paper's Table 1, such as δ) and the inputs that it covers.
 struct MoveKind {
   std::string name;
   SymbolSet inputs;
 };
 
-/// What speech is understood against, besides the world: terms over slots and registers.
+/// The context of speech besides the world: terms over slots and registers.
 struct ContextTerms {
   std::optional<Term> focus;  ///< e*: objects being talked about, the most salient first
   std::optional<Term> among;  ///< e*: objects that were asked about
   std::optional<Term> topic;  ///< (e -> t)*: the nouns that "one" can stand for, the likeliest first
 };
 
-/// How far apart in time what belongs together may be, in seconds (perception/fusion.h).
+/// Longest times between two things that belong together, in seconds (perception/fusion.h).
 struct FusionTimes {
   double before_s = 2, after_s = 1, lateness_s = 0;
 };
@@ -245,9 +246,9 @@ struct Machine {
   BeliefTable beliefs;
   std::string lexicon;                ///< with which speech is read; empty: words are only symbols
   std::string gestures;               ///< the catalogue with which gestures are read; empty: they are only symbols
-  std::string phrases;                ///< the file of what it says beside what stands in its own; empty: none
+  std::string phrases;                ///< the file of phrases besides the machine's own; empty: none
   std::string phrase_document;        ///< that file, compact JSON
-  std::optional<FusionTimes> fusion;  ///< nullopt: nothing waits for what may go with it
+  std::optional<FusionTimes> fusion;  ///< nullopt: no percept waits for another
   ContextTerms context;
   std::vector<MoveKind> moves;
   SymbolSet ignored;  ///< inputs that no transition is offered
@@ -262,7 +263,7 @@ struct Machine {
   void index();
 };
 
-/// Calls `visit` with every operation there is: of transitions, of gates, of effects.
+/// Calls `visit` with every operation: of transitions, of gates, of effects.
 void visit_operations(const Machine& machine, const std::function<void(const Operation&)>& visit);
 
 }  // namespace continua

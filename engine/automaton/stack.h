@@ -18,7 +18,7 @@ struct Cell {
 /// A stack symbol: one cell for each slot, in the machine's order.
 using Symbol = std::vector<Cell>;
 
-/// Equal values slot by slot; what they came from does not count.
+/// Whether the values are equal slot by slot; their origins do not count.
 bool same_values(const Symbol& a, const Symbol& b);
 
 /// A value; copying shares. The empty stack is the default.

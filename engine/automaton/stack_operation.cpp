@@ -22,7 +22,7 @@ class Worker {
     result_.made.push_back(result_.stack);
   }
 
-  // The last symbol stays: what is below everything is the bottom symbol, never nothing.
+  // The last symbol stays: below everything else is the bottom symbol, never nothing.
   void pop() {
     if (result_.stack.depth() > 1) result_.stack = result_.stack.pop();
   }
@@ -52,7 +52,8 @@ class Worker {
       result_.stack = result_.stack.pop();
   }
 
-  // Completes `symbol` by the rule of the 2018 system: what came out null, unless it was cleared, shows what is below.
+  // Completes `symbol` by the rule of the 2018 system: a slot that came out null shows the value below, unless it was
+  // cleared.
   Symbol completed(Symbol symbol, const std::vector<bool>& cleared) const {
     if (!machine_.rewrite_below || result_.stack.empty()) return symbol;
     for (std::size_t i = 0; i < symbol.size(); ++i)

@@ -1,4 +1,4 @@
-// What the operations do to a stack: pure functions of values (semantics §1, Operations).
+// The operations on a stack: pure functions of values (SEMANTICS.md §1, Operations).
 #pragma once
 
 #include <optional>

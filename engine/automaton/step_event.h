@@ -1,4 +1,4 @@
-// What happened in a step of the automaton, for the log: values, in the order in which they happened.
+// The events of a step of the automaton, for the log: values, in the order in which they happened.
 #pragma once
 
 #include <optional>
@@ -78,13 +78,13 @@ struct Remembered {
 struct Taught {
   Lesson of = Lesson::gesture;
   std::string name;
-  Term value;  ///< the meaning; of a word the acts, a list
+  Term value;  ///< the meaning; for a word the list of its acts
   std::vector<int> because;
 };
 struct Forgotten {
   std::optional<Lesson> of;  ///< nullopt: all that was learned
   std::string name;
-  Term value;  ///< what was forgotten, as soon as that is known
+  Term value;  ///< the forgotten meaning, once it is known
   std::vector<int> because;
 };
 struct RefusedInput {

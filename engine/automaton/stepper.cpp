@@ -12,7 +12,7 @@ namespace continua {
 
 namespace {
 
-// What a machine adds to the language: its inputs, beliefs, wordings and tables.
+// A machine's additions to the language: its inputs, beliefs, wordings and tables.
 Rules own_rules(const std::shared_ptr<const Machine>& machine) {
   Rules rules;
   rules["is_input"] = {

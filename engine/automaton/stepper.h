@@ -1,6 +1,6 @@
 // One step of the automaton: an input is offered, the applicable transitions are found, one is chosen and fired, then
-// ε-transitions until none applies (semantics §1). Everything that happened comes back as a list of events; nothing is
-// written or drawn anywhere else.
+// ε-transitions until none applies (SEMANTICS.md §1). A step gives its events back as a list; it writes or draws
+// nothing anywhere else.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,8 @@ inline constexpr int most_epsilon_steps = 1000;
 
 struct Step {
   Configuration after;
-  std::vector<StepEvent> events;  ///< in the order in which they happened; a symbol before what puts it on the stack
+  std::vector<StepEvent>
+      events;  ///< in the order in which they happened; a symbol comes before the operation that puts it on the stack
 };
 
 /// A value: every copy does the same.
@@ -37,15 +38,15 @@ class Stepper {
   Step begin(const Facts& facts, Chooser& chooser) const;
 
   /// Offers inputs of which one is to be taken: alternatives, such as the n best guesses of a recogniser; REQUIRES one
-  /// at least. What takes any of them is a candidate, with the weight that the confidence of its input gives it. If
-  /// nothing does, the configuration stays and the events end with RefusedInput.
+  /// at least. A transition that takes any of them is a candidate, with the weight that the confidence of its input
+  /// gives it. Without a candidate the configuration stays and the events end with RefusedInput.
   Step step(const Configuration& before, std::span<const Input> inputs, const Facts& facts, Chooser& chooser) const;
   Step step(const Configuration& before, const Input& input, const Facts& facts, Chooser& chooser) const {
     return step(before, std::span(&input, 1), facts, chooser);
   }
 
-  /// The same without an account of what happened, which takes a fraction of the time: nothing is said or done, only
-  /// the configuration changes. Nothing if all inputs are refused.
+  /// The same without an account, which takes a fraction of the time: nothing is said or done, only the configuration
+  /// changes. Nothing if all inputs are refused.
   std::optional<Configuration> advance(const Configuration& before, std::span<const Input> inputs, const Facts& facts,
                                        Chooser& chooser) const;
   std::optional<Configuration> advance(const Configuration& before, const Input& input, const Facts& facts,
@@ -79,7 +80,7 @@ class Stepper {
   RuleTable rules_;  ///< of the language, of facts, and the machine's own: is_input, certainty, wording, tables
 };
 
-/// Inputs that were refused, and why: what no transition takes, what their conditions say, or too many that apply.
+/// Refused inputs, and the reasons: no transition takes them, conditions do not hold, or too many apply.
 RefusedInput refusal(const Machine& machine, StateIndex state, Applicable found, std::span<const Input> inputs);
 
 }  // namespace continua

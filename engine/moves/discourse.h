@@ -1,5 +1,5 @@
-// What a move is understood against: the context of language/reference.h, from what the machine says of itself, and
-// which inputs it came from.
+// The context in which a move is understood: that of language/reference.h, taken from the machine's own values, and the
+// inputs that these came from.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@ struct Discourse {
 Discourse discourse_of(const Stepper& stepper, const Configuration& configuration, const Input& input,
                        const Facts& facts);
 
-/// The inputs that a move draws on: its own, and those of what it took from the context.
+/// The inputs that a move draws on: its own, and those behind the parts that it took from the context.
 std::vector<int> sources(const Move& move, int serial, const Discourse& discourse);
 /// The same of one of its applications.
 std::vector<int> sources(const Applying& applying, int serial, const Discourse& discourse);

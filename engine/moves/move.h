@@ -9,9 +9,9 @@
 
 namespace continua {
 
-/// Table 1's name of a deictic gesture. What other inputs are called is for machines and lexicons to say.
+/// Table 1's name of a deictic gesture. Machines and lexicons name the other inputs.
 inline constexpr const char* deixis = "δ";
-/// And of a dynamic iconic one, which is what a gesture becomes whose action was taught.
+/// The kind of a dynamic iconic gesture. Taught gestures get this kind.
 inline constexpr const char* iconic = "α";
 
 struct Move {
@@ -20,7 +20,7 @@ struct Move {
   std::vector<Reading> readings;   ///< of speech: the likeliest first
   std::size_t chosen = 0;          ///< the reading that was interpreted
   Interpretation interpretation;   ///< of that reading
-  Term meaning;             ///< what it comes to, in terms that a machine can evaluate; null if nothing was understood
+  Term meaning;             ///< the content, in terms that a machine can evaluate; null if nothing was understood
   Reference reference;      ///< of its noun phrase, one that leaves something open if there is one; or of pointing
   std::vector<Term> nouns;  ///< e -> t: what is spoken of, "red block" before "block", in the order of the words
   std::vector<std::string> unknown;  ///< words near it that the lexicon does not have

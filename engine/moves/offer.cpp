@@ -95,7 +95,7 @@ Offer heard(const Ensemble& ensemble, std::size_t alternative, const Dialogue& n
   return offer;
 }
 
-// A gesture says what was taught, else what the catalogue has.
+// The meaning of a gesture: the one that was taught, else that of the catalogue.
 Term said_by(const InputEvent& gesture, const Dialogue& now) {
   if (gesture.modality != Modality::gesture || !now.gestures) return Term::null();
   const Learned& learned = *now.facts.learned;

@@ -1,4 +1,4 @@
-// An ensemble as moves that the automaton is offered: what was said or shown, with the pointings that go with it.
+// An ensemble as moves that the automaton is offered: words or a gesture, with the pointings that go with them.
 #pragma once
 
 #include <map>
@@ -35,7 +35,7 @@ struct Offer {
   std::vector<Applied> applied;  ///< by understanding
 };
 
-/// The first move of each alternative; of these the automaton takes one. REQUIRES readings of speech where there is
+/// The first move of each alternative; the automaton takes one of them. REQUIRES readings of speech where there is
 /// understanding.
 std::vector<Offer> offers_of(const Ensemble& ensemble, const Dialogue& now);
 

@@ -9,7 +9,7 @@
 
 namespace continua {
 
-/// One alternative of what was said.
+/// One alternative of an utterance.
 struct ReadSpeech {
   InputEvent event;
   Utterance utterance;

@@ -22,7 +22,8 @@ std::vector<std::string> words_at(const Utterance& utterance, const std::vector<
   return words;
 }
 
-// The words from the end of the fragment before to the beginning of the next: what was skipped around it counts to it.
+// The words from the end of the fragment before to the beginning of the next: the fragment owns the words skipped
+// around it.
 WordSpan surroundings(const Utterance& utterance, std::size_t fragment) {
   const auto& fragments = utterance.fragments;
   return {fragment == 0 ? 0 : fragments[fragment].words.begin,
@@ -41,7 +42,7 @@ const Resolution* noun_phrase(const Interpretation& interpretation) {
   return open ? open : last;
 }
 
-// Of "which block is red?" what is asked for: a condition that stands as a program's argument.
+// The thing asked for by "which block is red?": a condition that stands as a program's argument.
 std::optional<Term> asked_for(const Reading& reading) {
   const auto arguments = reading.term.spine().arguments;
   const bool is_condition = arguments.size() == 1 && arguments[0].closed() &&
@@ -49,7 +50,7 @@ std::optional<Term> asked_for(const Reading& reading) {
   return is_condition && reading.term.type() == Type::truth() ? std::optional(arguments[0]) : std::nullopt;
 }
 
-// A noun that only helps to say what another one is: "the block behind the cup".
+// Whether a noun only helps to describe another: "the block behind the cup".
 bool is_nested(const Phrase& noun, const Reading& reading) {
   const auto inside = [](const WordSpan& a, const WordSpan& b) {
     return a.begin >= b.begin && a.end <= b.end && a.size() < b.size();
@@ -62,8 +63,8 @@ bool is_nested(const Phrase& noun, const Reading& reading) {
   });
 }
 
-// What a condition says of the thing itself, in the order of its words: of "the leftmost red block behind the cup" that
-// it is red and a block.
+// The attributes that a condition gives to the thing itself, in the order of its words: for "the leftmost red block
+// behind the cup" red and block.
 void collect_attributes(const Term& condition, std::vector<Term>& attributes) {
   if (condition.kind() == Term::Kind::constant) attributes.push_back(condition);
   if (condition.kind() == Term::Kind::lambda) return collect_attributes(condition.body(), attributes);
@@ -92,7 +93,7 @@ Term attributes_in(const Term& condition) {
 
 }  // namespace
 
-// The noun of a phrase, without the adjectives before it and what follows; null if it has none ("the blue one").
+// The noun of a phrase, without its adjectives and the words behind it; null if it has none ("the blue one").
 Term Understanding::noun_in(const WordSpan& words, const Utterance& utterance) const {
   static const Type modifier = Type::function(property(), property());
   const auto has_type = [](const Type& type) {
@@ -117,7 +118,7 @@ bool Understanding::is_topic(const Term& term) const {
   return says(term, Proform::Source::topic, language_.lexicon->operators);
 }
 
-// What "one" can stand for by what was said before a word, for each noun: with its adjectives, then alone.
+// The nouns before a word that "one" can stand for, each with its adjectives, then alone.
 std::vector<std::vector<Term>> Understanding::nouns(const Reading& reading, const Utterance& utterance,
                                                     std::size_t before) const {
   std::map<std::size_t, std::vector<Term>> found;
@@ -134,7 +135,7 @@ std::vector<std::vector<Term>> Understanding::nouns(const Reading& reading, cons
   return nouns;
 }
 
-// "the white cup … the blue one": what "one" stands for has been said just before.
+// "the white cup … the blue one": the antecedent of "one" stands just before.
 Context Understanding::within(const Reading& reading, const Utterance& utterance, Context context) const {
   for (const auto& phrase : reading.phrases) {
     if (!is_topic(phrase.term)) continue;
@@ -144,8 +145,8 @@ Context Understanding::within(const Reading& reading, const Utterance& utterance
   return context;
 }
 
-// In terms that the machine knows: words for attributes are the lexicon's. What a question asks for by a condition is
-// told by its referents.
+// In terms that the machine knows: words for attributes are the lexicon's. A condition that a question asks about is
+// replaced by its referents.
 Term Understanding::in_machine_terms(const Term& meaning) const {
   const auto arguments = meaning.spine().arguments;
   if (!arguments.empty() && arguments[0].type() == property()) return meaning;

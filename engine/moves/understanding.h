@@ -1,5 +1,5 @@
-// From what was said or shown to moves: words are read once, then each of their moves is interpreted in the context
-// that those before it have left.
+// From words or gestures to moves: words are read once, then each of their moves is interpreted in the context that the
+// moves before it have left.
 #pragma once
 
 #include <memory>
@@ -18,17 +18,17 @@ namespace continua {
 
 class Catalogue;
 
-/// What the engine knows of words and gestures: data, loaded once.
+/// The engine's knowledge of words and gestures: data, loaded once.
 struct Language {
   std::shared_ptr<const Lexicon> lexicon;
   std::shared_ptr<const GestureCatalogue> gestures;
   RaisingRules raising;
-  std::shared_ptr<const Catalogue> voxemes;  ///< what words mean in space; null: nothing is known of that
+  std::shared_ptr<const Catalogue> voxemes;  ///< the spatial meanings of words; null: none are known
 };
 
 class Understanding {
  public:
-  /// `rules` are what conditions on objects compute. `language` and `rules` must outlive the understanding.
+  /// `rules` are the functions for conditions on objects. `language` and `rules` must outlive the understanding.
   Understanding(const Language& language, std::shared_ptr<const Vocabulary> words, const RuleTable& rules)
       : language_(language), rules_(rules), vocabulary_(std::move(words)) {}
 
@@ -43,9 +43,9 @@ class Understanding {
   Move understood(const Utterance& utterance, std::size_t fragment, const Context& context) const;
   /// The move of an utterance without fragments.
   Move not_understood(const Utterance& utterance) const;
-  /// The move that is made by showing what a term says: \x: e. grasp(x), \x: e. cup(x), grasp(the(\x. cup(x))).
+  /// The move that is made by showing the content of a term: \x: e. grasp(x), \x: e. cup(x), grasp(the(\x. cup(x))).
   Move shown(const Term& term, const std::string& kind, const Context& context) const;
-  /// What a gesture says; null if its words are not known here.
+  /// The meaning of a gesture's text; null if its words are not known here.
   Term meaning_of(const std::string& text) const;
 
  private:

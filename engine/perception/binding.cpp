@@ -18,7 +18,7 @@ Cost operator+(const Cost& a, const Cost& b) {
   return sum;
 }
 
-// Sums of these stay within what an integer holds.
+// Sums of these stay within the range of an integer.
 std::int64_t bounded(std::int64_t us) { return std::min<std::int64_t>(us, 1'000'000'000'000); }
 
 bool go_together(const Taker& taker, const Deixis& pointing, const FusionWindow& window) {

@@ -1,6 +1,6 @@
-// Where the human points, from samples that lie: trackers flicker between hands, drop out, and throw points kilometres
-// away when an arm is nearly level (semantics §3). What remains is a region of the table and a time. DEIXIS.md tells
-// the method and where its numbers come from.
+// The place where the human points, from samples that lie: trackers flicker between hands, drop out, and throw points
+// kilometres away when an arm is nearly level (SEMANTICS.md §3). The result is a region of the table and a time.
+// DEIXIS.md tells the method and the source of its numbers.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace continua {
 
 /// A hand that has stayed so long is pointing; shorter than that it may be on its way.
 inline constexpr double least_dwell_s = 0.3;
-/// Samples of one hand that are farther apart in time tell nothing of what was between them.
+/// The longest time between two samples of one hand that still belong together.
 inline constexpr double longest_dropout_s = 0.5;
 
 /// A steady pointing of one hand: a fixation found in samples, or the stroke of a gesture that named its target.
@@ -37,13 +37,13 @@ SimTime settled_at(const Deixis& deixis);
 struct PointingSample {
   SimTime t, until;
   std::string hand;
-  Vec3 place_W = Vec3::Zero();  ///< not finite if it points beside the table's plane
+  Vec3 place_W = Vec3::Zero();  ///< not finite if the hand points past the table's plane
   double confidence = 1;
   int serial = 0;
 };
 
-/// The samples of the last seconds, the latest 1024 at most: a value. What it answers depends on the samples' times
-/// alone, not on the order in which they were added.
+/// The samples of the last seconds, the latest 1024 at most: a value. Its answers depend on the samples' times alone,
+/// not on the order in which they were added.
 class PointingTrack {
  public:
   /// `area`: places beyond its x and y are not believed: nobody points there on purpose. `serial` names the input.

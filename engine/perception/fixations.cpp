@@ -17,7 +17,7 @@ constexpr double most_dispersion_m = 0.08;
 constexpr double same_place_m = 0.04;
 constexpr double alone_s = 0.15;
 constexpr double mad_to_sd = 1.4826;
-// More than trackers tell within these times; what time many samples of one instant take stays bounded.
+// More samples than trackers give within these times; the work for many samples of one instant stays bounded.
 constexpr std::size_t most_recent = 48, most_smoothed = 32;
 
 using Samples = std::vector<PointingSample>;

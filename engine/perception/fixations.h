@@ -7,7 +7,7 @@
 
 namespace continua {
 
-/// Samples of one place, as indices: where a hand was, but for jumps away and back.
+/// Samples of one place, as indices: the places of a hand without jumps away and back.
 using Tracklet = std::vector<std::size_t>;
 
 /// Whether the sample's place is in `area`, by x and y; a place that is not finite is not.

@@ -159,7 +159,7 @@ Fusion::Plan Fusion::plan() const {
   return plan;
 }
 
-// But for those that are what a gesture shows.
+// Without the fixations that belong to a gesture's own pointing.
 std::vector<Deixis> Fusion::fixations() const {
   constexpr auto ever = std::numeric_limits<std::int64_t>::max();
   auto fixations = track_.fixations({std::numeric_limits<std::int64_t>::min()}, {ever});
@@ -178,7 +178,7 @@ std::optional<SimTime> Fusion::next_complete() const {
   return next;
 }
 
-// The first that is complete, and what it releases.
+// The first complete percept, and those that it releases.
 bool Fusion::release_first(std::vector<Ensemble>& released) {
   const auto parts = plan().parts;
   const auto is_complete = [&](const Plan::Part& part) { return part.complete && *part.complete <= now_; };
@@ -216,7 +216,7 @@ void Fusion::take(const Deixis& pointing) {
   std::erase_if(waiting_, [&](const Percept& each) { return each.deixis && is_it(*each.deixis); });
 }
 
-// What no word can go with any more.
+// Drops pointings that no word can go with any more.
 void Fusion::forget() {
   SimTime first = now_;
   for (const auto& percept : waiting_) {

@@ -1,6 +1,6 @@
-// Which pointing goes with which word (semantics §3, Ensembles). What comes out depends on when things happened, not on
-// the order in which they were told: arrivals that are out of order within `lateness` are put in order first. What is
-// later than that still goes by its own time with whatever waits, but what was complete before it came stays as it was.
+// Which pointing goes with which word (SEMANTICS.md §3, Ensembles). The result depends on event times, not on the order
+// of arrival: arrivals that are out of order within `lateness` are put in order first. An event later than that still
+// goes by its own time with anything that waits, but an ensemble that was complete before it came stays as it was.
 #pragma once
 
 #include <algorithm>
@@ -27,28 +27,29 @@ struct Percept {
   std::shared_ptr<const Readings> readings = nullptr;  ///< of speech, where its words are understood
 };
 
-/// What is understood at once: a percept with the pointings that go with it.
+/// The unit of understanding: a percept with the pointings that go with it.
 struct Ensemble {
   Percept percept;
   std::vector<std::optional<Deixis>> bound;  ///< one for each taker
   SimTime at;                                ///< when it was complete, in the time of events
 };
 
-/// What waits for its counterpart: a value.
+/// The percepts that wait for their counterparts: a value.
 ///
-/// - Speech all of whose needing takers have a pointing is complete once the last of them was said
+/// - An utterance is complete when every taker that needs a pointing has one and the last such taker has been spoken
 ///   (perception/speech_times.h): until then a better pointing may come. A fixation counts once it is settled
 ///   (settled_at).
 /// - Other speech waits until no pointing can come any more (`after` past the end of its last needing taker), and is
 ///   then released without.
-/// - A gesture that points waits for speech that takes it until `after` past its end, and is released alone then. When
-///   speech takes it, it is not released at all; a pointing that was released alone can still be taken within `before`.
+/// - A gesture that points waits for speech that takes it until `after` past its end, and is released alone then. A
+///   gesture taken by speech is not released at all; a pointing that was released alone can still be taken within
+///   `before`.
 /// - Everything else is complete when it arrives.
-/// - What is complete releases what began before it and still waits, in order of time, as it is then: the human has
-///   gone on. But a pointing that waits is kept for speech that takes it, speech that waits is not released by
-///   pointing, and a percept that is a pointing sample releases nothing.
-/// - Released in the order in which they were complete; at one time in order of their beginnings, then gestures that
-///   point, speech, everything else, then serial.
+/// - A complete percept releases those that began before it and still wait, in order of time, as they are then: the
+///   human has gone on. But a pointing that waits is kept for speech that takes it, speech that waits is not released
+///   by pointing, and a percept that is a pointing sample releases nothing.
+/// - Percepts are released in the order of their completion; at one time in order of their beginnings, then gestures
+///   that point, speech, everything else, then serial.
 /// - Fixations of a hand while a gesture of that hand points are that pointing, not another one.
 class Fusion {
  public:
@@ -59,13 +60,13 @@ class Fusion {
   double latest_s() const { return std::max(window_.before_s, window_.lateness_s); }
 
   /// A percept arrived at `now`. False, and nothing changes, if that is more than latest_s() after its time. `now`
-  /// never decreases. Whatever arrives at one time is received before `release` of that time.
+  /// never decreases. All arrivals of one time are received before `release` of that time.
   bool receive(Percept percept, SimTime now);
 
-  /// A sample of where a hand points arrived at `now`. It never waits. False as of `receive`.
+  /// A sample of where a hand points arrived at `now`. It never waits. False under the condition of `receive`.
   bool sample(const InputEvent& event, int serial, SimTime now);
 
-  /// What is complete at `now`, in order.
+  /// The ensembles that are complete at `now`, in order.
   std::vector<Ensemble> release(SimTime now);
 
   /// All that waits, in order, as it is now.
@@ -77,7 +78,7 @@ class Fusion {
   /// From now on with this window.
   void use(FusionWindow window) { window_ = window; }
 
-  /// When something that waits will be complete at the latest if nothing more arrives; nothing waits if there is none.
+  /// The latest time at which a waiting percept will be complete if nothing more arrives; nullopt if none waits.
   std::optional<SimTime> due() const;
 
  private:
@@ -86,12 +87,12 @@ class Fusion {
     int serial;
   };
   using Arrival = std::variant<Sample, Percept>;
-  /// Of what waits: what belongs together and when each is complete, as things are.
+  /// The waiting percepts: their bindings and their times of completion, as things are.
   struct Plan {
     struct Part {
       std::vector<std::optional<Deixis>> bound;  ///< for each taker
       bool taken = false;                        ///< of a pointing: by speech
-      std::optional<SimTime> complete;           ///< none of what is taken
+      std::optional<SimTime> complete;           ///< none for a percept that is taken
     };
     std::vector<Part> parts;  ///< of each that waits
   };
@@ -114,7 +115,7 @@ class Fusion {
   std::vector<Arrival> arrived_;                           // their turn is yet to come; in order of time
   std::vector<Percept> waiting_;                           // not after now_, in order of time
   std::vector<Deixis> released_;                           // pointings of late that were released alone
-  std::vector<Deixis> gestures_;                           // of late, whatever became of them
+  std::vector<Deixis> gestures_;                           // recent ones, released, taken or waiting
   SimTime now_{std::numeric_limits<std::int64_t>::min()};  // up to here, in the time of events, everything was done
 };
 

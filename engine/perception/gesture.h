@@ -11,18 +11,18 @@
 
 namespace continua {
 
-/// One gesture, whatever hand makes it.
+/// One gesture, by either hand.
 struct GestureEntry {
   std::string name;   ///< as recognisers tell it: point, posack, grab
-  std::string about;  ///< for people: what it looks like and says
-  std::string kind;   ///< what kind of move it is: δ ω α y n, or another that machines know (engage, stop)
-  /// What it says, in the project's notation, by direction; "" is the key of the meaning without one. Iconic gestures
+  std::string about;  ///< for people: its look and meaning
+  std::string kind;   ///< the kind of move: δ ω α y n, or another that machines know (engage, stop)
+  /// Its meaning, in the project's notation, by direction; "" is the key of the meaning without one. Iconic gestures
   /// have one: grab → \x: e. grasp(x), push left → \x: e. slide(x, left(x)), a cupped hand → \x: e. cup(x).
   std::map<std::string, std::string, std::less<>> meanings;
   std::vector<std::string> acts_on;  ///< phases that make it a move: start and stroke, unless the file says otherwise
   std::string where;                 ///< of the file, "path:line:column"
 
-  /// What it says in this direction, else what it says without one; null if it says nothing then.
+  /// The meaning in this direction, else the one without direction; null if there is neither.
   const std::string* meaning(std::string_view direction) const;
   /// Whether this phase of it is a move; a gesture without phases was seen as a whole.
   bool acts(std::string_view phase) const;
@@ -37,15 +37,15 @@ struct GestureCatalogue {
   const GestureEntry* find(std::string_view gesture) const;
 };
 
-/// The symbol by which machines that know gestures by what they say know the event: "gesture δ", "gesture α",
-/// "gesture unknown" where there is no entry; of a phase that is no move, with the phase: "gesture δ stop".
+/// The symbol of the event for machines that know gestures by their meanings: "gesture δ", "gesture α", "gesture
+/// unknown" where there is no entry; of a phase that is no move, with the phase: "gesture δ stop".
 std::string gesture_symbol(const InputEvent& event, const GestureEntry* entry);
 
 /// The error is the first of check_gestures.
 Result<GestureCatalogue> read_gestures(std::string_view text, const std::string& path);
 
-/// All that is wrong with a file: line, what was found, what was expected, the nearest name; examples that are not true
-/// included. That meanings are terms is for who knows the words that they are made of
+/// All problems of a file, each with line, found, expected and the nearest name; false examples are among them. The
+/// caller checks meanings as terms, since it knows the words that they are made of
 /// (knowledge_files/language_loading.h).
 std::vector<Error> check_gestures(std::string_view text, const std::string& path);
 

@@ -103,7 +103,7 @@ void check_example(const Item& item, const GestureCatalogue& catalogue) {
     item.problem("there is none of \"kind\", \"means\" and \"symbol\"; expected one of them");
 }
 
-// What the document says; `reader` holds the problems.
+// The catalogue in the document; `reader` holds the problems.
 GestureCatalogue read(const LocatedJson& document, DocumentReader& reader) {
   const auto root = reader.root(document);
   GestureCatalogue catalogue;

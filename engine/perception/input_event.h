@@ -21,7 +21,7 @@ struct Ray {
 
 /// Another reading of the same signal, from an n-best list.
 struct Alternative {
-  std::string text;  ///< what was said, or the gesture's name
+  std::string text;  ///< the words, or the gesture's name
   double confidence = 1;
 };
 

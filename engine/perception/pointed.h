@@ -13,7 +13,7 @@ struct Pointed {
   std::string object;  ///< the likeliest one there, or empty
 };
 
-/// Whether what happens at `t` belongs to that pointing: it follows the latest sample by no more than a pointing may
+/// Whether an event at `t` belongs to that pointing: it follows the latest sample by no more than a pointing may
 /// precede its words.
 inline bool goes_on(const Pointed& pointed, SimTime t, const FusionWindow& window) {
   return (t - pointed.t).seconds() <= window.before_s;
