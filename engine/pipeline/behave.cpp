@@ -10,7 +10,7 @@
 namespace continua {
 namespace {
 
-// The first that is not what was said last; where there is none, the first.
+// The first variant other than the last words; where there is no other, the first.
 const std::string& fresh(const std::vector<std::string>& variants, const std::string& last) {
   const auto found = std::find_if(variants.begin(), variants.end(), [&](const auto& one) { return one != last; });
   return found == variants.end() ? variants.front() : *found;

@@ -1,4 +1,4 @@
-// What the engine remembers between ticks, and what it tells of each: values.
+// The engine's memory between ticks, and its account of each tick: values.
 #pragma once
 
 #include <deque>
@@ -27,12 +27,12 @@ struct EngineState {
   Exploration exploration;      ///< all branches; empty under the other policies
   Beliefs beliefs;
   Chooser chooser;
-  Fusion fusion;                  ///< what waits for its counterpart
-  std::deque<Ensemble> complete;  ///< what is to be attended to, in order
+  Fusion fusion;                  ///< the percepts that wait for their counterparts
+  std::deque<Ensemble> complete;  ///< the ensembles to be attended to, in order
   std::string last_utterance;
   std::optional<Pointed> pointed;
-  Learned learned;   ///< what the human taught
-  Lessons lessons;   ///< what was learned in this run
+  Learned learned;   ///< all lessons of the human
+  Lessons lessons;   ///< the lessons of this run
   KnownWords words;  ///< by which speech is read
   int inputs = 0;    ///< so far; the running number of the latest is its serial
   Performance performance;
@@ -55,15 +55,15 @@ struct Bound {
   Deixis deixis;
 };
 
-/// An input is attended to, with the pointings that go with it: what follows comes of it.
+/// An input is attended to, with the pointings that go with it. The events after it are its consequences.
 struct Attended {
   int serial = 0;
   SimTime arrived, at;
   std::vector<Bound> bound;
 };
 
-/// What an input was taken to mean; for each move of an utterance one. What it applied follows, then what the
-/// automaton did with it.
+/// The meaning given to an input; one for each move of an utterance. Its applications follow, then the automaton's
+/// steps.
 struct Understood {
   Move move;
   std::vector<int> because;  ///< serials of the inputs that it draws on
@@ -78,14 +78,14 @@ struct Unplanned {
   std::string reason;
 };
 
-/// Under `explore`: what the automaton may be in beside what led to the events before it.
+/// Under `explore`: the other configurations that the automaton may be in.
 struct Explored {
   std::vector<Branch> branches;
   std::vector<int> dropped;
   int merged = 0, pruned = 0;
 };
 
-/// What another avatar was observed to do after an input.
+/// Another avatar's observed moves after an input.
 struct ObservedMoves {
   std::vector<std::string> said;
   std::vector<Term> gestures, acts;
@@ -106,7 +106,7 @@ struct Tick {
   EngineState after;
   std::vector<EngineEvent> events;  ///< in the order in which they happened
 
-  /// Goes on with what happened next.
+  /// Goes on with the next tick.
   void then(Tick next);
 };
 

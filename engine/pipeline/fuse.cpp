@@ -8,7 +8,7 @@
 namespace continua {
 namespace {
 
-// Pointings farther beside the table are not believed.
+// Pointings farther from the table than this are not believed.
 constexpr double believed_beside_m = 0.25;
 
 EngineState with_complete(EngineState state, std::vector<Ensemble> ensembles) {

@@ -6,7 +6,7 @@
 
 namespace continua {
 
-/// What waits before the first event. Pointings far beside the table are not believed.
+/// The fusion before the first event. Pointings far from the table are not believed.
 Fusion first_fusion(const Engine& engine, const WorldSnapshot& world);
 
 /// The state once a percept has arrived at `now`. The error is the sentence of a refusal: the percept came too late.

@@ -7,7 +7,7 @@
 namespace continua {
 
 /// `Understood` if the sample points at another object than the latest one, or after a pause. Nothing for other events,
-/// beside the table, and for a machine without a lexicon.
+/// for samples off the table, and for a machine without a lexicon.
 Tick follow_hand(const Engine& engine, EngineState state, const InputEvent& sample, int serial,
                  const WorldSnapshot& world);
 

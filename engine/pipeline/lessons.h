@@ -1,4 +1,4 @@
-// What the automaton said is to be learned, forgotten or done, with what was learned until then.
+// Carries out the automaton's deeds of learning and forgetting, and replaces taught programs by their acts.
 #pragma once
 
 #include <string>

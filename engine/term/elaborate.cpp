@@ -35,8 +35,8 @@ class Elaborator {
     return built(syntax);
   }
 
-  // The type of a term that stands where `wanted` is expected. What is wanted only helps to find the type: that it is
-  // met is for the caller to see.
+  // The type of a term in a place that expects `wanted`. The wanted type only helps to find the type; the caller checks
+  // that it is met.
   Result<Type> infer(Syntax& syntax, const Type& wanted) {
     switch (syntax.kind) {
       case Syntax::Kind::literal:

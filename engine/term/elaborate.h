@@ -1,4 +1,4 @@
-// From what a text says to a term: names are found, types inferred.
+// From the syntax of a text to a term: names are found, types inferred.
 #pragma once
 
 #include "continua/core/result.h"

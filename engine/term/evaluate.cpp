@@ -147,7 +147,7 @@ Term Evaluation::reduced(Redex redex) {
       case Term::Kind::bound:
         keep(redex);
         return std::move(redex.head);
-      default:  // applied, what is no function gives null
+      default:  // applied to anything, a term that is no function gives null
         return redex.arguments.empty() ? evaluated(redex.head) : Term::null();
     }
   }
@@ -176,7 +176,7 @@ Evaluation::Step Evaluation::reduce_constant(Redex& redex) {
   return Step::again;
 }
 
-// `if`, `and` and `or` evaluate only what they need, but everything while they wait for a bound variable.
+// `if`, `and` and `or` evaluate only the operands that they need, but all of them while they wait for a bound variable.
 Evaluation::Step Evaluation::reduce_choice(Redex& redex) {
   auto& arguments = redex.arguments;
   const bool is_if = redex.head.name() == "if", is_and = redex.head.name() == "and";

@@ -20,8 +20,8 @@
 
 namespace continua {
 
-/// One application of a continuation, as the log keeps it (semantics §2: every application is a record). What types
-/// they have is known from the terms.
+/// One application of a continuation, as the log keeps it (SEMANTICS.md §2: every application is a record). The types
+/// follow from the terms.
 struct Application {
   Term function;
   Term argument;  ///< as it was given, not raised
@@ -31,9 +31,9 @@ struct Application {
 
 class Evaluation;
 
-/// What a name computes. Arguments are values, `arity` many. A rule that cannot say (an argument still contains
-/// bound variables) is not called. Null in gives null out unless `takes_null`. What it gives must be a value.
-/// Since `term` goes with every type, arguments may be of another kind than the name's type says; see rules.h.
+/// The function behind a name. Arguments are values, `arity` many. A rule is not called while an argument still
+/// contains bound variables. Null in gives null out unless `takes_null`. The result must be a value. Since `term` goes
+/// with every type, arguments may be of another kind than the name's type says; see rules.h.
 struct Rule {
   std::size_t arity = 0;
   std::function<Term(std::span<const Term> arguments, Evaluation& evaluation)> compute;
@@ -45,8 +45,8 @@ using Rules = std::map<std::string, Rule, std::less<>>;
 struct RaisingRule;  // term/raising.h
 using RaisingRules = std::vector<RaisingRule>;
 
-/// Rules of several sources by name: a value. Of two rules with the same name the first counts. `raising` tells how
-/// `fill` raises an argument of the wrong type, if it does, and must outlive the table.
+/// Rules of several sources by name: a value. The first of two rules with one name counts. `raising` are the rules by
+/// which `fill` raises an argument of the wrong type; nullptr: it raises none. They must outlive the table.
 class RuleTable {
  public:
   explicit RuleTable(std::initializer_list<const Rules*> sources, const RaisingRules* raising = nullptr);
@@ -67,7 +67,7 @@ const Rules& term_rules();
 /// Their types, core_signature() included.
 const Signature& term_signature();
 
-/// One evaluation: where names get their values from, and what it did.
+/// One evaluation: the source of its names' values, and a record of its work.
 class Evaluation {
  public:
   /// Value of a name that is no function of ours: a slot, a register, a definition. nullptr: it has none. A function is
@@ -77,13 +77,13 @@ class Evaluation {
   Evaluation(const RuleTable& rules, Lookup lookup, Facts known = {})
       : rules_(rules), lookup_(std::move(lookup)), facts_(known) {}
 
-  /// The value of a closed term. Values found by lookup are evaluated where they are not values yet.
-  /// Ends after a bounded number of steps, whatever the term; then the value is null and `exhausted` is set.
+  /// The value of a closed term. A value found by lookup is evaluated further if it is none yet. Ends after a bounded
+  /// number of steps, whatever the term; then the value is null and `exhausted` is set.
   Term value(const Term& term);
   /// Applies a function value to a value.
   Term apply(const Term& function, const Term& argument);
 
-  /// For rules: what they read besides their arguments.
+  /// The facts that rules read besides their arguments.
   const Facts& facts() const { return facts_; }
   /// For rules: how arguments are raised; nullptr: they are not.
   const RaisingRules* raising() const { return rules_.raising(); }

@@ -9,8 +9,8 @@ struct Learned;
 class Beliefs;
 class Random;
 
-/// What holds while something is evaluated. A rule gives null where the facts lack what the rule reads. Everything must
-/// outlive the evaluation.
+/// The facts during an evaluation. A rule gives null where a fact that it reads is missing. Everything must outlive the
+/// evaluation.
 struct Facts {
   const WorldSnapshot* world = nullptr;  ///< world/world_snapshot.h
   Random* random = nullptr;              ///< the generator of the run, which moves on with each draw

@@ -9,7 +9,7 @@
 namespace continua {
 namespace {
 
-// How tightly the operators bind; what stands between them is an operand.
+// The strengths with which operators bind; the text between two operators is an operand.
 enum Binding : int { loosest = 1, disjunction = 1, conjunction, negation, comparison, sum, product, operand };
 
 int binding_of(const Token& token) {

@@ -11,7 +11,7 @@
 namespace continua {
 namespace {
 
-// How tightly an operator binds its operands, and what may stand in their places without parentheses.
+// An operator with the strength of its binding, and the weakest terms that may be its operands without parentheses.
 struct Infix {
   std::string_view sign;
   int binding, left, right;
@@ -125,7 +125,7 @@ class Printer {
       quoted(name, '`');
   }
 
-  // A variable that reaches out of the term that is printed has no name; what prints it is for debugging only.
+  // A variable that reaches out of the printed term has no name; the output is for debugging only.
   void bound(int index) {
     const auto depth = static_cast<int>(scope_.size());
     out_ += index < depth ? scope_[depth - 1 - index] : fmt::format("`free {}`", index - depth);

@@ -1,6 +1,6 @@
-// Raising: an argument of the wrong type is lifted to the one that is required, where a rule allows it (semantics §2):
-// an object to the place on, in or at it, a point to a region, an object to what is true of its properties, an event
-// to its theme. The rules are data (term/raising_file.h).
+// Raising: an argument of the wrong type is lifted to the wanted one, where a rule allows it (SEMANTICS.md §2): an
+// object to the place on, in or at it, a point to a region, an object to the true statements about its properties, an
+// event to its theme. The rules are data (term/raising_file.h).
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace continua {
 struct RaisingRule {
   std::string name;
   Type from = Type::term(), to = Type::term();
-  std::optional<Term> when;  ///< of type from -> t: what may be raised; without it all may
+  std::optional<Term> when;  ///< of type from -> t: true of the arguments that may be raised; without it all may
   Term by;                   ///< of type from -> to
 };
 
@@ -26,8 +26,8 @@ struct Raised {
   std::string rule;
 };
 
-/// By the first rule, in their order, that goes from the argument's type to the wanted one, whose condition is true of
-/// the argument, and that gives something that fits. `argument` is a value; so is what is given.
+/// Raises the argument by the first rule, in their order, that goes from its type to the wanted one, whose condition is
+/// true of it, and whose result fits. The argument and the result are values.
 std::optional<Raised> raised(const Term& argument, const Type& wanted, const RaisingRules& rules,
                              Evaluation& evaluation);
 

@@ -5,8 +5,8 @@
 //     "rules": [ { "name": "object_to_place_in", "from": "e", "to": "loc",
 //                  "when": "\\x. affords(x, 'in')", "by": "in" } ] }
 //
-// `programs` are names that compute nothing, with their types; `when` may be missing; "about" may stand beside
-// "raising" and in each rule, for people.
+// `programs` are names without a rule behind them, with their types; `when` may be missing; "about", for people, may
+// stand next to "raising" and in each rule.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@
 
 namespace continua {
 
-/// `names` are those that the terms may use beside the file's own: the language's, facts of the world. The error is
-/// the first problem of the file: "file:line:column: what was found, what was expected".
+/// `names` are the names that terms may use besides the file's own: the language's, facts of the world. The error is
+/// the first problem of the file: "file:line:column: found, expected".
 Result<RaisingRules> load_raising(const std::string& path, const Signature& names);
 
 /// The same from text; `name` stands for the file in errors.

@@ -8,7 +8,7 @@
 
 namespace continua {
 
-/// One function: its name, its type as text, and what it computes.
+/// One function: its name, its type as text, and its computation.
 struct Function {
   const char* name;
   const char* type;

@@ -1,5 +1,5 @@
-// Terms put into terms and taken out of them, without capture. What is looked for is found by equality, in which types
-// take no part: it should have the same type wherever it occurs, as names of objects have, and [] has not.
+// Terms put into terms and taken out of them, without capture. Terms are found by equality, which ignores types: a term
+// to be found should have the same type wherever it occurs. Names of objects do; [] does not.
 #pragma once
 
 #include <functional>
@@ -31,8 +31,8 @@ bool mentions(const Term& term, int variable);
 /// term begins with are looked at.
 Term eta_contracted(const Term& term);
 
-/// `term` with what `change` gives for its parts, outer parts first; parts of what it gives are not visited. Bound
-/// variables are parts too.
+/// `term` with the results of `change` in place of its parts, outer parts first; parts of a result are not visited.
+/// Bound variables are parts too.
 Term rewritten(const Term& term, const std::function<std::optional<Term>(const Term&)>& change);
 
 }  // namespace continua

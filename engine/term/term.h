@@ -1,10 +1,10 @@
-// Terms: what conditions, stack contents, commands and the log are written in. Immutable values that share
-// structure, with numbered binders (de Bruijn indices), so that alpha-equivalent terms are equal. Semantics §2.
+// Terms: the form of conditions, stack contents, commands and the log. Immutable values that share structure, with
+// numbered binders (de Bruijn indices), so that alpha-equivalent terms are equal. SEMANTICS.md §2.
 //
-// Every node carries a digest of all that counts for equality, made from those of its parts when it is built. So
-// terms are compared and hashed in constant time, which is what hash-consing is for. A table of all nodes would be
-// shared and locked, and its addresses would differ from run to run; content addressing needs none, and equal terms
-// have equal keys in every thread and process.
+// Every node carries a digest of all that counts for equality, made from those of its parts when it is built. So terms
+// are compared and hashed in constant time, as by hash-consing. A table of all nodes would be shared and locked, and
+// its addresses would differ from run to run; content addressing needs none, and equal terms have equal keys in every
+// thread and process.
 #pragma once
 
 #include <array>
@@ -64,8 +64,8 @@ class Term {
   static Term bound(int index, Type type);
   /// `hint` is the name to print for the variable; it does not take part in equality.
   static Term lambda(std::string hint, Type variable, Term body);
-  /// Null where the types do not go together (result_type() in unify.h): what is no function is applied, or a function
-  /// to an argument of another type than it takes. Null itself and what is of type `term` may be applied to anything.
+  /// Null where the types do not go together (result_type() in unify.h): the first term is no function, or takes
+  /// another type than the argument's. Null itself and a term of type `term` may be applied to anything.
   static Term apply(Term function, Term argument);
   static Term list(std::vector<Term> elements, Type element);
 
@@ -108,8 +108,8 @@ class Term {
   bool closed() const { return reach() == 0; }
   /// Number of enclosing lambdas its bound variables need: 0 when closed.
   int reach() const;
-  /// Height and (saturating) number of nodes of the written-out tree, a text counting by its length. What builds
-  /// terms in a loop must bound both: shared structure makes it easy to build a small thing that prints endlessly.
+  /// Height and (saturating) number of nodes of the written-out tree, a text counting by its length. A loop that builds
+  /// terms must bound both: shared structure makes it easy to build a small thing that prints endlessly.
   std::size_t depth() const;
   std::size_t size() const;
 

@@ -1,4 +1,4 @@
-// The content of a term as 128 bits: what terms are compared, hashed and kept in tables by.
+// The content of a term as 128 bits: the key by which terms are compared, hashed and kept in tables.
 #pragma once
 
 #include <bit>
@@ -19,7 +19,7 @@ struct TermDigest {
 /// (Appleby, public domain); on words instead of bytes, so that the order of bytes of the machine does not matter.
 class TermDigester {
  public:
-  /// `kind` sets apart what holds the same parts.
+  /// `kind` sets apart nodes of different kinds with the same parts.
   explicit TermDigester(std::uint64_t kind) { add(kind, 0); }
 
   void add(const TermDigest& part) { add(part.high, part.low); }

@@ -14,7 +14,7 @@ namespace {
 
 using Arguments = std::span<const Term>;
 
-// What stands below a term's lambdas.
+// The body below all of a term's lambdas.
 const Term& below_lambdas(const Term& term) {
   const Term* at = &term;
   while (at->kind() == Term::Kind::lambda) at = &at->body();
@@ -55,7 +55,7 @@ Term argument(Arguments a, Evaluation&) {
   return Term::null();
 }
 
-// The continuation of a part: what the term does with it.
+// The continuation of a part: the rest of the term as a function of the part.
 Term lacking(Arguments a, Evaluation&) {
   if (a[1].is_null() || !a[0].closed() || !a[1].closed()) return Term::null();
   const char* hint = a[1].type() == Type::location() ? "v" : "x";

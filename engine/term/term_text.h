@@ -28,12 +28,12 @@ namespace continua {
 /// The types of the names a term may use; type variables in them make the name polymorphic.
 using Signature = std::map<std::string, Type, std::less<>>;
 
-/// Names that the notation itself needs: and or not = != < <= > >= + - * / negate if xyz box.
-/// They are known to every term that is read, whatever `names` it is read with.
+/// Names that the notation itself needs: and or not = != < <= > >= + - * / negate if xyz box. They are known to every
+/// term, whatever the `names`.
 const Signature& core_signature();
 
-/// Reads a term and infers its type (unification; `term` is consistent with every type), which must be consistent
-/// with `expected`. Errors name the column (where = "column N"), what was found, the nearest valid name.
+/// Reads a term and infers its type (unification; `term` is consistent with every type), which must be consistent with
+/// `expected`. Errors name the column (where = "column N"), the text found there and the nearest valid name.
 Result<Term> parse_term(std::string_view text, const Signature& names, const Type& expected);
 /// The same for a term of any type.
 Result<Term> parse_term(std::string_view text, const Signature& names);

@@ -15,7 +15,7 @@ struct Type::Node {
   Kind kind;
   std::string name;
   int index = 0;
-  std::vector<Type> parts;  // of a list its element; of a function what it goes from and to
+  std::vector<Type> parts;  // of a list its element; of a function the argument and the result
   bool polymorphic = false;
 };
 

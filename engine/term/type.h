@@ -1,6 +1,6 @@
-// Types of terms: e (object), loc (place or region), t (truth value, event description), num, text, lists a*,
-// functions a -> b, and `term`, the dynamic type: a term of any type, about which nothing is checked at load
-// (a stack slot that holds commands of various shapes). Semantics §2.
+// Types of terms: e (object), loc (place or region), t (truth value, event description), num, text, lists a*, functions
+// a -> b, and `term`, the dynamic type: a term of any type, about which nothing is checked at load (a stack slot that
+// holds commands of various shapes). SEMANTICS.md §2.
 #pragma once
 
 #include <cstddef>
@@ -46,7 +46,7 @@ class Type {
 
   /// "e -> (loc -> t)*"; arrows associate to the right, `*` binds tightest; variables print as 'a, 'b, ….
   std::string text() const;
-  /// Reads what text() writes. `entity` and `location` are other names of e and loc. An unknown name is an
+  /// Reads the notation that text() writes. `entity` and `location` are other names of e and loc. An unknown name is an
   /// error; `extra` are base types beyond the built-in ones. Errors name the column, the first being `first_column`.
   static Result<Type> parse(std::string_view text, const std::vector<std::string>& extra = {},
                             std::size_t first_column = 1);
