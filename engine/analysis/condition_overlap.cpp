@@ -102,10 +102,10 @@ class Expansion {
   const Machine& machine_;
 };
 
-/// What a clause says about one term.
+/// The demands of a clause on one term.
 class Facts {
  public:
-  /// Returns whether it goes with what was said before.
+  /// Whether the literal is consistent with those before it.
   bool add(const Literal& literal) {
     const auto& [left, relation, right] = literal;
     if (!is_value(right)) {

@@ -12,7 +12,7 @@
 namespace continua {
 namespace {
 
-// Terms that decide states, stack and registers, not what is said or done beside.
+// The terms that decide states, stack and registers; terms of utterances and acts are left out.
 class Reading {
  public:
   explicit Reading(const Machine& machine) : machine_(machine) {}

@@ -221,11 +221,11 @@ PushdownRule PushdownSystem::moved(const Change& change, const Configuration& be
     completing.then = then;
     return {add(std::move(completing)), {}, {}};
   }
-  // What lies below does not matter here: any symbol may stand for it.
+  // The symbol below does not matter here: any symbol may stand for it.
   return operated(change, single.push(at(symbol).symbol, 0), false, 1, then);
 }
 
-// The operation on a real stack; its lowest `below` symbols only stand for what is not seen.
+// The operation on a real stack, whose lowest `below` symbols only stand for unseen ones.
 PushdownRule PushdownSystem::operated(const Change& change, const Stack& stack, bool bottom, std::size_t below,
                                       int then) {
   Configuration before;

@@ -65,7 +65,7 @@ class PushdownSystem {
     Motion motion = Motion::none;
     std::size_t transition = 0;
     StateIndex to = 0;
-    int letter = epsilon;  ///< what `input` is in effects
+    int letter = epsilon;  ///< the value of `input` in effects
     bool settles = true;   ///< ε-transitions are tried now: always, or after a rewrite
     std::size_t count = 0;
     Symbol symbol;

@@ -1,11 +1,11 @@
-// A conversation: the human's events go to the engine and time to the body's world; both answer with what happened.
+// A conversation: the human's events go to the engine and time goes to the body's world. Both answer with happenings.
 //
 //   Conversation conversation(parts, body);
 //   conversation.begin();
 //   for (const auto& happening : conversation.hear(event)) …
 //   for (const auto& happening : conversation.advance(t)) …
 //
-// How time is cut into calls makes no difference.
+// The result does not depend on how time is cut into calls.
 #pragma once
 
 #include <functional>

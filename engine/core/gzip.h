@@ -9,7 +9,7 @@ namespace continua {
 /// In the gzip format; `level` from 1, fast, to 9, small. Empty where there is no memory for it.
 std::string gzipped(std::string_view text, int level = 1);
 
-/// What was packed; as far as it can be read.
+/// The unpacked bytes, as far as they can be read.
 std::string gunzipped(std::string_view gzip);
 
 }  // namespace continua

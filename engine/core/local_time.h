@@ -9,7 +9,7 @@ namespace continua {
 /// there may be. As texts they are in order of time.
 bool is_local_time(std::string_view text);
 
-/// What is expected of such a text.
+/// The form of such a text, for sentences.
 inline constexpr const char* local_time_wanted = "a time like 2018-02-05T13:53:17";
 
 }  // namespace continua

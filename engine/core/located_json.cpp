@@ -97,7 +97,7 @@ class PlaceFinder {
 };
 
 // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'; expected …"
-// without its first two parts, and without what was read last where that is long.
+// without its first two parts, and without a long text last read.
 std::string plain_sentence(std::string what) {
   constexpr std::size_t longest = 60;
   if (const auto from = what.find("; last read: "); from != std::string::npos) {

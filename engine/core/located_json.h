@@ -14,7 +14,7 @@
 
 namespace continua {
 
-/// Keys keep the order in which they were written: what is printed is the same on every machine.
+/// Keys keep the order in which they were written, so printed JSON is the same on every machine.
 using Json = nlohmann::ordered_json;
 
 }  // namespace continua
@@ -45,8 +45,8 @@ Result<Json> parse_json_line(std::string_view text, const std::string& name, std
 /// A JSON document with the line and column of each of its values.
 class LocatedJson {
  public:
-  /// `name` stands for the document in errors. An error names line, column, what was found and expected.
-  /// A byte order mark at the beginning is skipped.
+  /// `name` stands for the document in errors. An error names line, column, the text found and the text expected. A
+  /// byte order mark at the beginning is skipped.
   static Result<LocatedJson> parse(std::string_view text, std::string name);
 
   /// Reads the whole file; missing, unreadable and empty files are errors too.
@@ -57,9 +57,9 @@ class LocatedJson {
 
   /// Of the value at `pointer` ("/transitions/3/when", RFC 6901), or of its nearest enclosing value that has a place.
   TextPlace place(std::string_view pointer) const;
-  /// Of the key of the member at `pointer`; of an element, the element's own.
+  /// Place of the key of the member at `pointer`; of an element, its own place.
   TextPlace key_place(std::string_view pointer) const;
-  /// Of the byte number `byte` of the text at `pointer`, whatever escapes stand before it in the document.
+  /// Place of byte `byte` of the text at `pointer`, whatever escapes stand before it in the document.
   TextPlace place_in_text(std::string_view pointer, std::size_t byte) const;
 
   /// Error at "name:line:column".

@@ -12,7 +12,7 @@ namespace continua {
 /// Why something could not be done, for a person to read.
 struct Error {
   std::string where;     ///< "file", "file:line" or "file:line:column"; empty when there is no place.
-  std::string sentence;  ///< What was found and what was expected.
+  std::string sentence;  ///< names the thing found and the thing expected
 
   /// "where: sentence", one line.
   std::string text() const { return where.empty() ? sentence : where + ": " + sentence; }
@@ -59,7 +59,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> held_;
 };
 
-/// The outcome of something that has no value: nothing, or what went wrong.
+/// The outcome of an operation without a value: nothing, or an error.
 using Outcome = std::optional<Error>;
 
 }  // namespace continua

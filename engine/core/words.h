@@ -14,9 +14,9 @@ struct SpokenWord {
 };
 
 /// The words of `text`. Recognisers write no punctuation at all; where there is some, it helps.
-///   letters, marks, digits  belong to words, and so do symbols beyond ASCII ("δ", "90°")
-///   apostrophes             belong to a word that goes on with a letter: "don't" is one word
-///   everything else         separates words; of punctuation, commas and ends of sentences are reported
+/// - Letters, marks and digits belong to words, and so do symbols beyond ASCII ("δ", "90°").
+/// - An apostrophe belongs to a word that goes on with a letter: "don't" is one word.
+/// - Everything else separates words; commas and ends of sentences are reported.
 /// Invisible characters and bytes that are not UTF-8 are left out. At most `most` words are read, all if it is 0; `cut`
 /// reports whether there were more.
 std::vector<SpokenWord> words_of(std::string_view text, std::size_t most = 0, bool* cut = nullptr);

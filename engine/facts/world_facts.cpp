@@ -71,7 +71,7 @@ struct Where {
   std::vector<Landmark> landmarks;
 };
 
-// The world of one evaluation: what each fact is there.
+// The world of one evaluation: the value of each fact there.
 class View {
  public:
   View(Perspective perspective, const Catalogue* voxemes, Evaluation& evaluation)
@@ -199,7 +199,7 @@ Term View::located(const Term& entity, const Term& place, Sides sides) const {
   return Term::truth(by > 0);
 }
 
-// They face each other: what is left of a thing for one is right of it for the other.
+// They face each other: left of a thing for one is right of it for the other.
 Term View::as_seen_by(const Term& who, const Term& place) const {
   const auto at = where(place);
   const auto viewer = who.kind() == Term::Kind::constant ? participant_named(who.name()) : std::nullopt;

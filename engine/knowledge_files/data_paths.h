@@ -14,7 +14,7 @@ struct DataPaths {
   std::filesystem::path mjcf;       ///< the folder with scenes/, objects/, avatar/
 };
 
-/// Also where the path cannot be looked at: then it is none.
+/// False also where the path cannot be looked at.
 bool is_folder(const std::filesystem::path& path);
 
 /// The names that a folder offers, in order: its files with that extension, without it.

@@ -1,5 +1,5 @@
-// Loads machines with what belongs to them: the facts of the world, what they say, and what they understand speech and
-// gestures by: a lexicon, a catalogue of gestures, the raising rules, and the voxemes.
+// Loads machines with their knowledge: the facts of the world, the phrases, and the lexicon, gestures, raising rules
+// and voxemes by which speech and gestures are understood.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace continua {
 
-/// What the terms of lexicons and raising rules may use: the language's names and facts of the world.
+/// The names that terms of lexicons and raising rules may use: the language's and facts of the world.
 Signature names_of_terms();
 
 /// A machine with this data's phrases, in `language` instead of its own unless that is empty. `path` and errors as
@@ -21,12 +21,13 @@ Signature names_of_terms();
 Result<Machine> load_machine(const std::string& path, const DataPaths& data, const std::string& language = "",
                              const std::string& where = "");
 
-/// Lexicon and gestures are null for a machine that names none; the voxemes are none without a folder of them. The
-/// error is the first problem of a file, or that there is no such lexicon or such gestures.
+/// Lexicon and gestures are null for a machine that names none; without a folder of voxemes there are none. The error
+/// is the first problem of a file, or the absence of such a lexicon or such gestures.
 Result<Language> load_language(const DataPaths& data, const Machine& machine);
 
-/// What load_language reads for this machine, as a run's header has it: {"lexicon/NAME/FILE": digest of its bytes, …},
-/// the machine's gestures, the raising rules and all voxemes likewise. Files that cannot be read are left out.
+/// The files that load_language reads for this machine, as a run's header has them: {"lexicon/NAME/FILE": digest of its
+/// bytes, …}, the machine's gestures, the raising rules and all voxemes likewise. Files that cannot be read are left
+/// out.
 Json knowledge_digests(const DataPaths& data, const Machine& machine);
 
 /// A lexicon by its name in knowledge/lexicon, or by its path. `where` is the error's place.

@@ -1,5 +1,5 @@
-// What the human taught: what a gesture means, what actions a word stands for (semantics §5, examples 8 and 9; paper
-// §4). An overlay of values beside the knowledge folder, whose files no teaching changes.
+// The human's lessons: the meaning of a gesture, the actions of a word (SEMANTICS.md §5, examples 8 and 9; paper §4).
+// An overlay of values on the knowledge folder, whose files no lesson changes.
 #pragma once
 
 #include <map>
@@ -24,25 +24,25 @@ struct Program {
 inline constexpr std::size_t most_things = 3, most_points = 2;  ///< parameters of a program
 inline constexpr std::size_t most_acts = 1000;                  ///< that one act may come to
 
-/// What is acted on, that is the first object among each act's arguments, becomes a parameter wherever it stands, in
-/// order of first appearance; after them each literal point. Other landmarks stay: [grasp(cup), put(cup, on(plate)),
-/// slide(cup, <0.1, 0, 0>)] gives \x: e. \v: loc. [grasp(x), put(x, on(plate)), slide(x, v)].
+/// Makes a program of acts. The things acted on (the first object among each act's arguments) become parameters
+/// wherever they stand, in order of first appearance; after them each literal point. Other landmarks stay: [grasp(cup),
+/// put(cup, on(plate)), slide(cup, <0.1, 0, 0>)] gives \x: e. \v: loc. [grasp(x), put(x, on(plate)), slide(x, v)].
 /// Errors: no act, one that is null or lacks an argument, too many things or points.
 Result<Program> composed(const std::vector<Term>& acts);
 
-/// What the program does with these things and places. Errors: another number of them, or other types.
+/// The acts of the program with these things and places. Errors: another number of them, or other types.
 Result<std::vector<Term>> applied(const Program& program, const std::vector<Term>& arguments);
 
 /// All that was taught: a value.
 struct Learned {
-  std::map<std::string, Term, std::less<>> gestures;     ///< name, as recognisers tell it → what it means
-  std::map<std::string, Program, std::less<>> programs;  ///< word → what it does
+  std::map<std::string, Term, std::less<>> gestures;     ///< name, as recognisers tell it → meaning
+  std::map<std::string, Program, std::less<>> programs;  ///< word → program
 
   bool knows(std::string_view name) const { return gestures.contains(name) || programs.contains(name); }
-  /// What was taught last counts. Errors: those of composed(), and a program that would lead back to itself.
+  /// The latest lesson counts. Errors: those of composed(), and a program that would lead back to itself.
   Outcome learn_program(const std::string& name, Program program);
-  /// The acts that an act comes to: of one that is not learned itself, of a learned one what its program does, and so
-  /// on. Errors: those of applied(), more than most_acts.
+  /// The acts behind an act, step by step: an act that was not learned is itself, a learned one the acts of its
+  /// program. Errors: those of applied(), more than most_acts.
   Result<std::vector<Term>> acts_of(const Term& act) const;
 
   bool operator==(const Learned&) const = default;

@@ -1,4 +1,4 @@
-// What was taught, as a file that the next run begins with:
+// Lessons as a file with which the next run begins:
 //
 //   { "learned": 1,
 //     "gestures": { "claw": { "means": "grasp(cup)" } },
@@ -13,8 +13,8 @@
 
 namespace continua {
 
-/// `names` are those that terms may use besides learned ones; any other is an object, which may be of another scene.
-/// The error is the first problem of the file: "file:line:column: what was found, what was expected".
+/// `names` are the names that terms may use besides learned ones; any other is an object, which may be of another
+/// scene. The error is the first problem of the file: "file:line:column: found, expected".
 Result<Learned> parse_learned(std::string_view text, const std::string& name, const Signature& names);
 
 /// Lines in a fixed order; parse_learned gives the same again.

@@ -18,7 +18,7 @@ namespace {
 
 using Symbols = std::vector<std::string>;
 
-// What a transition does before it pushes: at most one symbol each.
+// A transition before it pushes: it reads and pops at most one symbol each.
 struct Edge {
   std::optional<std::string> read, pop;
   auto operator<=>(const Edge&) const = default;
@@ -139,8 +139,8 @@ class Translator {
     }
   }
 
-  // Groups `rests` by their next edge. What all of them do is done first, and what only some of those alike in that do
-  // is left for later: two of them that can never apply together part before one of them goes ahead alone.
+  // Groups `rests` by their next edge. The part common to all of them comes first, and parts of only some come later:
+  // two rests that can never apply together part before one of them goes ahead alone.
   static std::map<Edge, std::vector<Rest>> branches(const std::vector<Rest>& rests) {
     const bool all_read = std::all_of(rests.begin(), rests.end(), [](const Rest& rest) { return rest.reads(); });
     const bool all_pop = std::all_of(rests.begin(), rests.end(), [](const Rest& rest) { return rest.pops(); });

@@ -1,4 +1,4 @@
-// Reads what a machine file declares for its terms: programs, slots, registers. Each name becomes known to the terms.
+// Reads a machine file's declarations for its terms: programs, slots, registers. Each name becomes known to the terms.
 #pragma once
 
 #include <vector>

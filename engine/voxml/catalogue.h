@@ -20,8 +20,9 @@ struct ReadVoxeme {
   std::vector<Error> notes;
 };
 
-/// In US-ASCII, UTF-8, UTF-16 or ISO 8859-1, by its marks and its XML declaration, before which comments may stand.
-/// Prefixes of namespaces are passed over. The error, at "path:line", tells what is not XML, or not VoxML.
+/// Text in US-ASCII, UTF-8, UTF-16 or ISO 8859-1, by its marks and its XML declaration, before which comments may
+/// stand. Prefixes of namespaces are passed over. The error, at "path:line", names the text that is no XML, or no
+/// VoxML.
 Result<ReadVoxeme> read_voxeme(std::string_view text, const std::string& path);
 
 /// Is it XML with a root VoxML, as far as its beginning tells?
@@ -29,7 +30,7 @@ bool looks_like_voxeme(std::string_view text);
 
 struct ReadCatalogue;
 
-/// Voxemes by what they are called.
+/// Voxemes by name.
 class Catalogue {
  public:
   /// Replaces the voxeme of the same entity and predicate.

@@ -104,7 +104,7 @@ class DocumentReader {
     return false;
   }
 
-  // Is what declares a namespace, or tells a schema of it?
+  // Whether the attribute declares a namespace, or names a schema of it.
   static bool is_of_xml(std::string_view attribute) {
     return attribute == "xmlns" || attribute.starts_with("xmlns:") || attribute.starts_with("xsi:") ||
            attribute.starts_with("xml:");
@@ -116,7 +116,7 @@ class DocumentReader {
     keep(path + (path.empty() ? "" : "/") + attribute.name(), trimmed(attribute.value()));
   }
 
-  // What an element says: in the attribute that its kind has for it, else as its text.
+  // The value of an element: in the attribute that its kind has for it, else its text.
   std::string value_of(const pugi::xml_node& node, std::string_view attribute_name) const {
     for (const auto attribute : node.attributes())
       if (same_letters(without_prefix(attribute.name()), attribute_name) && !is_of_xml(attribute.name()))
@@ -154,7 +154,7 @@ class DocumentReader {
   }
 
   struct Kind {
-    const char* attribute;  ///< that holds what an element of this kind says
+    const char* attribute;  ///< holds the value of an element of this kind
     Take take;              ///< nullptr: it is kept as text
   };
 

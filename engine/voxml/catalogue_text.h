@@ -1,4 +1,4 @@
-// The text of an XML document in UTF-8, whatever it was written in.
+// The text of an XML document in UTF-8, from any encoding that is read.
 #pragma once
 
 #include <string>

@@ -20,7 +20,7 @@ std::string joined(const std::vector<Expression>& expressions, std::string_view 
   return text;
 }
 
-// As an operand of ^ or !; what binds less tightly stands in brackets.
+// An operand of ^ or !: an expression that binds less tightly stands in brackets.
 std::string operand(const Expression& expression) {
   const bool loose = expression.kind == Kind::both || expression.kind == Kind::either;
   return loose ? "(" + print(expression) + ")" : print(expression);
@@ -61,7 +61,7 @@ std::optional<std::string> habitat_number(const Expression& expression) {
   return std::string(rest);
 }
 
-// What stands after "while(" or "if(".
+// The rest of a step after "while(" or "if(".
 Result<Subevent> guarded(ExpressionReader& reader, When when) {
   Subevent subevent{when, {}, {}};
   auto inside = list(reader);

@@ -30,12 +30,12 @@ struct Expression {
 /// `either`, one of `negation`.
 std::string print(const Expression& expression);
 
-/// Also written: && and ∧ for ^, || and ∨ for |, ¬ and ~ for !, → for ->, "…" for '…', `;` for the comma of lists.
-/// What ^ or | joins is one list, however it was bracketed. Errors say what was found and expected, and at which
-/// character of `text`; brackets more than 100 deep are one.
+/// Also written: && and ∧ for ^, || and ∨ for |, ¬ and ~ for !, → for ->, "…" for '…', `;` for the comma of lists. A
+/// chain of ^ or of | is one list, however it was bracketed. Errors name the text found, the text expected and the
+/// character of `text`; brackets more than 100 deep are an error.
 Result<Expression> parse_expression(std::string_view text);
 
-/// One step of a program (semantics §4).
+/// One step of a program (SEMANTICS.md §4).
 struct Subevent {
   enum class When {
     always,  ///< event
@@ -57,12 +57,12 @@ Result<Subevent> parse_subevent(std::string_view text);
 /// Steps in one text, with semicolons between them; there is at least one.
 Result<std::vector<Subevent>> parse_subevents(std::string_view text);
 
-/// What can be done with an object: habitat -> [event] result (VoxML §5; H[4],hold(x,[1])->[stir([1])]).
+/// An affordance of an object: habitat -> [event] result (VoxML §5; H[4],hold(x,[1])->[stir([1])]).
 struct Affordance {
   std::string habitat;                 ///< number of the habitat that must hold; empty: any (a bare H)
-  std::vector<Expression> conditions;  ///< that must hold beside it
+  std::vector<Expression> conditions;  ///< that must hold besides it
   Expression event;                    ///< several as `both` of them
-  std::vector<Expression> results;     ///< what holds afterwards; may be empty
+  std::vector<Expression> results;     ///< conditions that hold afterwards; may be empty
 
   friend bool operator==(const Affordance&, const Affordance&) = default;
 };

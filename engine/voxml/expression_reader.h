@@ -23,7 +23,7 @@ class ExpressionReader {
   bool take_opening(std::string_view word);
   /// Reads this closing bracket.
   Outcome close(std::string_view bracket);
-  /// Reads what closing brackets there are.
+  /// Skips any closing brackets.
   void skip_closing();
   bool at_end() const { return rest().empty(); }
 

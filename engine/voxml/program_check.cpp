@@ -75,7 +75,7 @@ class ProgramCheck {
     const bool right = arguments.size() == 2 && arguments[1].kind == Kind::text;
     const auto steps = right ? parse_subevents(arguments[1].name) : Error{};
     if (!steps) return problem(call, "expected repeat(2,'swap(y,z)')");
-    // A step within a step within a step is none that documents have.
+    // Documents nest steps two deep at most.
     for (const auto& step : *steps)
       if (step.event.name == "repeat")
         problem(step.event, "repeats within what is repeated");

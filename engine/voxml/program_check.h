@@ -1,4 +1,4 @@
-// Whether the steps of programs name what exists.
+// Whether the steps of programs name things that exist.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace continua {
 
-/// What is wrong with the programs' steps, each at its document: an event that names no program, a condition or place
-/// that names no relation, or one of them with another number of arguments. An agent may be left out, and the thing of
-/// a place is: at(y,z), near(z). Beside what the catalogue has there are
-/// def(loc(y),as('l1')) and repeat(2,'swap(y,z)').
+/// The problems of the programs' steps, each at its document: an event that names no program, a condition or place that
+/// names no relation, or one of them with another number of arguments. An agent may be left out, and so may the thing
+/// of a place: at(y,z), near(z). Besides the names of the catalogue there are def(loc(y),as('l1')) and
+/// repeat(2,'swap(y,z)').
 std::vector<Error> check_programs(const Catalogue& catalogue);
 
 }  // namespace continua

@@ -1,5 +1,5 @@
-// A voxeme: what a word for an object, program, attribute, relation or function means in space (VoxML; Pustejovsky and
-// Krishnaswamy 2016). A value, as its document has it.
+// A voxeme: the spatial meaning of a word for an object, program, attribute, relation or function (VoxML; Pustejovsky
+// and Krishnaswamy 2016). A value, as its document has it.
 #pragma once
 
 #include <map>
