@@ -67,7 +67,8 @@ class EventAligner {
     pair_part(from, {a_.size(), b_.size()}, key);
   }
 
-  // What is left of equal content has changed its place among the others: in order of time, by content.
+  // The remaining events of equal content have changed their places among the others: paired in order of time, by
+  // content.
   void pair_moved() {
     std::map<std::uint64_t, std::vector<std::size_t>> left;
     for (std::size_t j = b_.size(); j-- > 0;)

@@ -1,5 +1,5 @@
-// What became of the events of one trace in another: which are the same, which came earlier or later, were changed,
-// left out or added.
+// The events of one trace against those of another: the same ones, those that came earlier or later, and those that
+// were changed, left out or added.
 #pragma once
 
 #include <cstddef>

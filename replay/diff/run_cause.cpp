@@ -15,14 +15,14 @@
 namespace continua {
 namespace {
 
-// What is looked at to tell the cause: the first difference, and the transitions that it belongs to.
+// The evidence for the cause: the first difference, and the transitions that it belongs to.
 struct Pivot {
   RunDifference::Kind kind = RunDifference::Kind::happened;
   Json a, b;                        ///< its first records; null: none
   Json transition_a, transition_b;  ///< the first in it or after it; null: none
   Json reading_a, reading_b;
   std::vector<Json> senses_a, senses_b;  ///< of the words of the input behind it
-  bool by_gesture = false;               ///< the input behind it is none that was said
+  bool by_gesture = false;               ///< the input behind it is no speech
   std::string text_a, text_b;            ///< of all that it is about, to look names up in
 };
 
@@ -34,7 +34,7 @@ constexpr int forced_here = 99;         // only one run was made to take the tra
 constexpr int sense_of_words = 97;      // a word of the input has another sense
 constexpr int other_draw = 96;          // the same candidates, another random number
 constexpr int names_it = 95;            // the transition that fired, or the phrase that was said
-constexpr int makes_its_kind = 90;      // phrases of what was said, gestures of what was shown, the choice made
+constexpr int makes_its_kind = 90;      // phrases of the utterance, gestures of the avatar, the choice made
 constexpr int state_reached = 85;       // the state that the transition leads to; also a raising rule of an application
 constexpr int transition_weighed = 80;  // a transition that was a candidate or refused
 constexpr int named_in_text = 72;       // any other part of the machine that the records name
@@ -106,7 +106,7 @@ class Inquiry {
     return look_at(b_, first.b, pivot_.b, pivot_.transition_b, pivot_.reading_b, pivot_.senses_b, pivot_.text_b);
   }
 
-  // A symbol is written before the transition that makes it; what an entry of a state does, after.
+  // A symbol is written before the transition that makes it; a rewrite by a state's entry, after.
   Outcome look_at(const RunIndex& run, const std::vector<std::size_t>& records, Json& one, Json& transition,
                   Json& reading, std::vector<Json>& senses, std::string& text) {
     if (records.empty()) return std::nullopt;

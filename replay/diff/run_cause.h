@@ -1,4 +1,4 @@
-// Why two runs part: of all that they do not have in common, what the first difference speaks for.
+// Why two runs part: of all that they do not have in common, the part that the first difference speaks for.
 #pragma once
 
 #include "continua/core/result.h"

@@ -17,15 +17,16 @@ namespace {
 using Numbers = std::vector<std::uint32_t>;
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-// A run as its events, and what followed from each. Number 0 stands for the run's beginning, i + 1 for event i.
+// A run as its events, and the records that followed from each. Number 0 stands for the run's beginning, i + 1 for
+// event i.
 struct Shape {
   Numbers events;               ///< records
-  Numbers followed;             ///< records, ordered by what they followed from, then as they came
+  Numbers followed;             ///< records, ordered by the event that they followed from, then as they came
   std::vector<std::size_t> at;  ///< where in `followed` those of a number begin; one more than numbers
 };
 
-// Between which records an act goes on is measured, and poses are held against each other by themselves: of acts it
-// counts that they were asked for.
+// The records between which an act goes on are measured, and poses are compared by themselves; of an act only its being
+// asked for counts.
 Shape shape_of(const RunIndex& run) {
   std::vector<bool> left_out;
   for (const auto& kind : run.kinds())
@@ -189,7 +190,7 @@ class Comparison {
     note(std::move(difference));
   }
 
-  // What followed from one event in a and from its counterpart in b.
+  // The records that followed from one event in a, against those of its counterpart in b.
   void followed(std::pair<std::size_t, std::size_t> numbers) {
     const auto in_a = group(shape_a_, numbers.first), in_b = group(shape_b_, numbers.second);
     shift_ = SimTime{};
@@ -318,7 +319,8 @@ class PoseComparison {
                                          : SimTime{std::numeric_limits<std::int64_t>::max()};
   }
 
-  // What both say alike from the beginning on makes no difference; if it is all that one says, it need not be read.
+  // Records that both have alike from the beginning on make no difference; if one run has no others, it need not be
+  // read.
   Outcome skip_common() {
     auto& [one, other] = sides_;
     const auto meaning = [](const Side& side, std::size_t i) { return side.run->entry(side.poses[i]).meaning.what; };
@@ -401,7 +403,7 @@ std::vector<std::size_t> led_to(const RunIndex& run, const std::vector<std::size
   return chain;
 }
 
-// What is only told, or checked, brings nothing about: it is the first where nothing else differs.
+// Records that only tell or check bring nothing about: one of them is the first only where nothing else differs.
 std::size_t first_that_counts(const RunIndex& a, const RunIndex& b, const std::vector<RunDifference>& differences) {
   const auto counts = [](const RunIndex& run, const std::vector<std::size_t>& records) {
     return !records.empty() && !log::is<log::Expect>(run.kind(records.front())) &&
@@ -413,7 +415,7 @@ std::size_t first_that_counts(const RunIndex& a, const RunIndex& b, const std::v
   return found == differences.end() ? 0 : static_cast<std::size_t>(found - differences.begin());
 }
 
-// So few inputs in common say nothing of what became of what.
+// So few inputs in common allow no comparison.
 bool unrelated(const RunDiff& diff) {
   constexpr std::size_t few = 3, part = 10;
   const auto fewer = std::min(diff.inputs_a, diff.inputs_b);

@@ -1,8 +1,8 @@
-// Where two runs part, why, what follows and where they meet again. Reads run logs alone: of different traces,
+// Where two runs part, why, the consequences, and where they meet again. Reads run logs alone: of different traces,
 // machines, lexicons, worlds and programs alike.
 //
-// Inputs are aligned first (event_changes.h); what followed from an input in one run is then held against what followed
-// from its counterpart, by what the records say (run_meaning.h). Running numbers, ids and times do not count for that.
+// Inputs are aligned first (event_changes.h). The records that followed from an input in one run are then compared with
+// those of its counterpart by their content (run_meaning.h), without running numbers, ids and times.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ namespace continua {
 struct RunDifference {
   enum class Kind {
     input,     ///< an event of the trace was dropped, added, moved, changed or swapped with another
-    happened,  ///< what followed from the same input is something else
+    happened,  ///< something else followed from the same input
     decided,   ///< the same happened, decided by other numbers, parses or candidates
     timing,    ///< the same at another time
     outcome,   ///< an act came to something else
@@ -44,7 +44,7 @@ struct RootCause {
   /// "choice", "world", "perspective", "program", "timing only", "physics only", "cut short" (a log), "none"
   std::string kind = "none";
   std::string what;      ///< the part of it: "transition 'ask': when", "the plate", "seed"; empty where kind says all
-  Json a, b;             ///< what it is in each run; null: not there
+  Json a, b;             ///< the thing in each run; null: not there
   std::string sentence;  ///< without its kind, beginning with a small letter, no full stop
 };
 
@@ -53,10 +53,10 @@ struct RunDiff {
     same,
     without_effect,  ///< made of different parts, and all the same
     different,
-    unrelated,  ///< too little in common to tell what became of what
+    unrelated,  ///< too little in common for a comparison
   };
   Sameness sameness = Sameness::same;
-  std::string sentence;  ///< all of it in one: where they part, on what, and why
+  std::string sentence;  ///< all of it in one: where they part, on what grounds, and why
   RootCause cause;
   std::vector<std::string> evidence;  ///< the values that speak for the cause, a sentence each
   std::vector<GivenDifference> givens;
@@ -66,8 +66,8 @@ struct RunDiff {
   std::vector<std::size_t> led_a, led_b;   ///< causes of its first record in each run, the earliest first
   /// Records of both in which they are in the same state with the same stack again, after the first difference.
   std::optional<std::pair<std::size_t, std::size_t>> meet;
-  /// Records of both that say the same, or are what became of the same input: growing in both. Of very many some, at
-  /// even distances, at most about twice `most_pairs`.
+  /// Records of both with the same content, or with the same input as their cause: growing in both. Of very many some,
+  /// at even distances, at most about twice `most_pairs`.
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   std::size_t inputs_a = 0, inputs_b = 0, inputs_common = 0;
   std::string farthest;           ///< the body that is farthest from where it is in the other run

@@ -10,10 +10,11 @@ namespace continua {
 
 struct DiffTextOptions {
   bool colour = false;
-  std::size_t most = 10;  ///< differences that are shown beside the first
+  std::size_t most = 10;  ///< differences shown besides the first
 };
 
-/// The sentence first; then what led there, the first difference, the values, what follows, where the runs meet again.
+/// The sentence first; then the way there, the first difference, the values, the consequences, and where the runs meet
+/// again.
 std::string diff_text(const RunIndex& a, const RunIndex& b, const RunDiff& diff, const DiffTextOptions& options = {});
 
 /// The same with the details folded.

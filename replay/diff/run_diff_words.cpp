@@ -33,7 +33,7 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-// " (plate → cup)" of texts that have words in common around what differs.
+// " (plate → cup)" of texts that share words around their difference.
 std::string changed_words(const std::string& a, const std::string& b) {
   auto one = words_of(a), other = words_of(b);
   const auto before =

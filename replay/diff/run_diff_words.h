@@ -10,14 +10,14 @@ namespace continua {
 /// Of an event of a trace, as a record of a run or a line of the trace has it: “The plate.”, right point stroke.
 std::string event_words(const Json& record);
 
-/// What became of an event of one trace in the other. The records (lines) are those of the change; null where it has
+/// The change of an event from one trace to the other. The records (lines) are those of the change; null where it has
 /// none, `other_a` the second one under `swapped`.
 RootCause change_in_words(EventChange::Kind kind, const Json& a, const Json& b, const Json& other_a);
 
 /// The cause of a difference that begins with an input. REQUIRES difference.input
 RootCause input_cause(const RunIndex& a, const RunIndex& b, const RunDifference& difference);
 
-/// Where the runs part, why, and what comes of it. The transitions are those at the first difference; null: none.
+/// Where the runs part, why, and the consequences. The transitions are those at the first difference; null: none.
 std::string sentence_of(const RunIndex& a, const RunIndex& b, const RunDiff& diff, const Json& transition_a,
                         const Json& transition_b);
 

@@ -109,7 +109,7 @@ class DocumentComparison {
   std::vector<GivenDifference> found_;
 };
 
-// What counted in the end: where something was changed in mid-run, that.
+// The values that counted in the end: after a change in mid-run, the new ones.
 Json as_it_went_on(const Json& header) {
   Json all = header;
   if (const auto& changed = member_of(header, "what_if"); changed.is_object())
@@ -126,7 +126,7 @@ void add_document(std::vector<GivenDifference>& all, const char* part, const Jso
   const auto &one = member_of(a, part), &other = member_of(b, part);
   if (text_of(one, "digest") == text_of(other, "digest") && one.is_null() == other.is_null()) return;
   auto differences = document_differences(part, member_of(one, "document"), member_of(other, "document"));
-  // What is told about the parts, and their examples, is for people.
+  // Texts about the parts, and their examples, are for people.
   std::erase_if(differences, [](const GivenDifference& part_of) {
     return part_of.what.ends_with("about") || part_of.what.starts_with("example") || part_of.what == "name";
   });
@@ -162,7 +162,7 @@ void add_knowledge(std::vector<GivenDifference>& all, const Json& a, const Json&
   }
 }
 
-// Where the bodies of the scene start, that of free ones; then whatever else of it differs.
+// The starting poses of the scene's free bodies; then any other difference of the scenes.
 void add_scene(std::vector<GivenDifference>& all, const Json& a, const Json& b) {
   const auto &one = member_of(a, "scene"), &other = member_of(b, "scene");
   const auto before = all.size();

@@ -1,4 +1,4 @@
-// What two runs were made of, as far as it differs: their headers (RECORDS.md, `run`) held against each other.
+// The ingredients of two runs, as far as they differ: their headers (RECORDS.md, `run`) compared.
 #pragma once
 
 #include <string>
@@ -18,13 +18,13 @@ struct GivenDifference {
   std::string name;  ///< the transition, state, definition, object or file that it belongs to
 };
 
-/// What differs between two documents, part by part: members by their names, elements of arrays by their `id` or
+/// The differences between two documents, part by part: members by their names, elements of arrays by their `id` or
 /// `name`, else by their places. At most `most` parts.
 std::vector<GivenDifference> document_differences(const std::string& kind, const Json& a, const Json& b,
                                                   std::size_t most = 100);
 
-/// Headers are `run` records; of a run in which something was changed in mid-run what it was changed to counts. In the
-/// order in which they are best named as a cause.
+/// Headers are `run` records; after a change in mid-run the new values count. In the order in which they are best named
+/// as a cause.
 std::vector<GivenDifference> given_differences(const Json& a, const Json& b);
 
 /// "transition 'ask': when: x = 1 in A, x = 2 in B"; without its kind.

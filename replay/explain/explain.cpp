@@ -70,7 +70,7 @@ Result<std::size_t> first_of_act(const RunIndex& run, std::int64_t wanted) {
   return numbers.missing(run, "act", wanted);
 }
 
-// Of what one cause brought about, this is what a reader asks for.
+// The consequences of a cause that a reader asks for.
 constexpr std::array<std::string_view, 4> deeds = {"act", "utterance", "gesture", "refusal"};
 
 std::size_t rank(const RunIndex& run, std::size_t n) {
@@ -101,7 +101,7 @@ Result<std::size_t> last_deed(const RunIndex& run, double until_s) {
                                        time_text(until_s), time_text(run.entry(*first).t.seconds()))};
 }
 
-// What an expectation was held against last: the deed that it speaks of, else the decision before it.
+// The record that an expectation was last held against: the deed that it speaks of, else the decision before it.
 std::size_t held_against(const RunIndex& run, std::size_t expect) {
   const auto record = run.record(expect);
   const auto expected = record ? member_of(*record, "expected") : Json();

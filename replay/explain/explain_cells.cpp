@@ -120,7 +120,7 @@ class Cells {
            operation.begin().value().contains(slot);
   }
 
-  // Back through the symbols that had the slot: where the value is from, and what it was before.
+  // Back through the symbols that had the slot: the source of the value, and its earlier values.
   void follow(Cell& cell) {
     bool settled = false;
     auto value = cell.value;
@@ -128,7 +128,7 @@ class Cells {
     for (std::size_t hops = 0; hops < most_hops; ++hops) {
       const auto made = made_by(id);
       auto older = before(id);
-      // A pushed symbol takes over what the operation does not set.
+      // A pushed symbol takes over the slots that the operation does not set.
       if (older < 0 && !names(made, cell.slot)) older = run_.symbol(id)->below;
       const auto& was = older < 0 ? Json() : member_of(slots_of(older), cell.slot.c_str());
       if (was != value || names(made, cell.slot)) {
@@ -145,7 +145,7 @@ class Cells {
     if (!settled) cell.set = made_by(id);
   }
 
-  // What the record looked at, as text.
+  // The texts that the record read.
   std::string looked_at(std::size_t n) {
     const auto& record = scope_.record(n);
     std::string text = conditions_[text_of(record, "id")] + entries_[text_of(record, "state")];
@@ -185,7 +185,7 @@ bool tells_nothing(const Json& origin, const ExplainScope& turn) {
   return kind == "machine" || (here && (kind == "slot" || kind == "memory"));
 }
 
-// The origin of what the machine itself came up with: the input that it answered, or null.
+// The origin of a value that the machine itself made: the input that it answered, or null.
 Json made_of_input(ExplainScope& turn) {
   const auto input = turn.input_of(turn.n());
   if (!input) return nullptr;

@@ -78,7 +78,7 @@ class Derivation {
     return origin;
   }
 
-  // One of several is it by what was said or shown since.
+  // A choice among several is settled by the words or gestures since.
   Json settled(Json origin, std::size_t at) {
     const auto input = scope_.input_of(at);
     if (text_of(origin, "kind") != "choice" || !input || origin["input"] == *input) return origin;
@@ -118,14 +118,14 @@ class Derivation {
   int nodes_ = 0, deep_ = 0;
 };
 
-// The name of what was taught, where a program is one step of it.
+// Whether `name` was taught before, so that a program can be one step of it.
 bool was_taught(ExplainScope& scope, const std::string& name, std::size_t before) {
   for (const auto n : scope.run().of_kind(log::Learned::kind.name))
     if (n < before && text_of(scope.record(n), "name") == name) return true;
   return false;
 }
 
-// What of the stack at n the log has an application for.
+// A term of the stack at n that the log has an application for.
 std::string composed_on_stack(ExplainScope& scope, Derivation& derivation, std::size_t n) {
   const auto mark = scope.run().mark_at(n);
   if (!mark) return {};

@@ -7,14 +7,14 @@
 
 namespace continua {
 
-/// The term that the scope's record is about (an act's program, what the turn composed last, what is on the stack) as a
+/// The term that the scope's record is about (an act's program, the turn's last composition, a term of the stack) as a
 /// tree, or null where there is none. A node is {"term", "type": text or null, and
 ///  "how": `application` (then "n", "rule" and two "children": function, argument),
-///         `abstraction` (a lambda over its one child: what it lacks was left open),
-///         `parts` (no application is in the log: the machine put the children together; "origin" tells since when it
-///         had the whole, and is left out where nothing tells),
-///         `taught` (one step of what the child was taught to mean) or
-///         `leaf` (then "origin", see origin_of; of a choice with "settled_by", the input since which it is this one)}.
+///         `abstraction` (a lambda over its one child, with an open part),
+///         `parts` (no application is in the log: the machine put the children together; "origin" says since when it
+///         had the whole, and is left out where nothing says so),
+///         `taught` (one step of the child's taught meaning) or
+///         `leaf` (then "origin", see origin_of; of a choice with "settled_by", the input that settled it)}.
 Json derivation_of(ExplainScope& scope);
 
 /// The same of this term as the scope's record has it. REQUIRES not empty.

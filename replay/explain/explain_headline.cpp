@@ -14,7 +14,7 @@
 namespace continua {
 namespace {
 
-constexpr std::size_t most_named = 3;  // inputs that contributed, beside the one that is answered
+constexpr std::size_t most_named = 3;  // inputs that contributed, besides the one that is answered
 
 std::string kind_of_input(ExplainScope& scope, std::size_t input) {
   return text_of(member_of(scope.record(input), "event"), "kind");
@@ -45,7 +45,7 @@ std::string listed(ExplainScope& scope, const std::vector<std::size_t>& inputs) 
   return fmt::format("{} and {}", fmt::join(told, ", "), last);
 }
 
-// What the turn's input was and what it drew on: "the human said “Yes.” (7.0 s) after “Take the block.” (1.0 s)".
+// The turn's input and the inputs that it drew on: "the human said “Yes.” (7.0 s) after “Take the block.” (1.0 s)".
 std::string due_to(ExplainScope& scope, std::size_t input) {
   const auto kind = kind_of_input(scope, input);
   const auto told = told_input(scope, input);
@@ -65,7 +65,7 @@ std::string due_to(ExplainScope& scope, std::size_t input) {
   return text;
 }
 
-// Why the turn's words did not do: what they leave open, or that they mean nothing.
+// Why the turn's words were not enough: the parts that they leave open, or that they mean nothing.
 std::string left_open(ExplainScope& scope, std::size_t input) {
   const auto readings = scope.of_turn(input, log::Reading::kind.name);
   if (readings.empty()) return {};
@@ -149,13 +149,13 @@ struct Happened {
   }
 };
 
-// Where the log is none of ours, its record may have members of other types than declared.
+// In a foreign log, a record may have members of other types than declared.
 std::string happened(const Json& record) {
   const auto read = log::read_record(record);
   return std::visit(Happened{record}, read ? *read : log::Record(log::Unknown()));
 }
 
-// What an input led to, in the order of its turn.
+// The consequences of an input, in the order of its turn.
 std::string led_to(ExplainScope& scope, std::size_t input) {
   std::vector<std::string> told;
   const auto& run = scope.run();
@@ -175,7 +175,7 @@ std::string led_to(ExplainScope& scope, std::size_t input) {
     if (log::is<log::Reading>(kind) && !text_of(record, "meaning").empty() && member_of(record, "taken") != false)
       told.push_back("it is taken to mean " + text_of(record, "meaning"));
   }
-  // What only came along with another input is bound to that one's words.
+  // A pointing that only came along with another input is bound to that one's words.
   const auto percepts = run.of_kind(log::Percept::kind.name);
   for (auto n = std::upper_bound(percepts.begin(), percepts.end(), input); n != percepts.end() && told.empty(); ++n) {
     const auto drawn_on = record_numbers(scope.record(*n), "because", *n);

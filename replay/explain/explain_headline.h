@@ -1,4 +1,4 @@
-// A record and what it is due to, in a sentence.
+// A record and its reason, in a sentence.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace continua {
 
 /// "At 5.05 s the avatar does put(plate, <-0.1, -0.15, 0>), because the human said “Put it there.” (4.0 s) with
-/// pointing right [-0.1,-0.15] (3.8 s), after “The plate.” (1.0 s)." `act` is what explained_act gives, or null.
+/// pointing right [-0.1,-0.15] (3.8 s), after “The plate.” (1.0 s)." `act` is the result of explained_act, or null.
 std::string headline(ExplainScope& scope, const Json& act);
 
 /// How an act went: {"act": its number, "program", "asked": n, "records": [{"n", "t", "status", "step": or null,

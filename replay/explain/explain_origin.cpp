@@ -40,7 +40,7 @@ Json origin(ExplainScope& scope, const char* kind, std::string text, std::size_t
 
 Found found_in_turn(ExplainScope& scope, const std::string& value, std::size_t input, std::size_t at, int depth);
 
-// How the log names ways to resolve a phrase, and what a reader may call them.
+// A way to resolve a phrase, by its name in the log and its name for readers.
 struct Way {
   const char* by;
   const char* text;
@@ -78,7 +78,7 @@ Found found_pointing(ExplainScope& scope, const std::string& words, std::size_t 
   return std::nullopt;
 }
 
-// Whether a lesson is what the value, or the gesture of this turn, goes back to.
+// Whether the value, or the gesture of this turn, goes back to a lesson.
 Found found_taught(ExplainScope& scope, const std::string& name, std::size_t at) {
   const auto lessons = scope.run().of_kind(log::Learned::kind.name);
   for (auto n = std::lower_bound(lessons.begin(), lessons.end(), at); n != lessons.begin();) {
@@ -127,7 +127,7 @@ Json resolved_origin(ExplainScope& scope, const Json& resolved, const std::strin
   return found;
 }
 
-// Why the lambda that binds `name` in what was understood is there.
+// Why the reading has the lambda that binds `name`.
 Found found_open(ExplainScope& scope, const Json& reading, const std::string& name, std::size_t n, std::size_t input) {
   const auto binders = term_parts(text_of(reading, "meaning")).binders;
   const auto place = std::find(binders.begin(), binders.end(), name);

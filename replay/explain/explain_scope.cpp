@@ -23,7 +23,7 @@ ExplainScope::ExplainScope(const RunIndex& run, std::size_t n) : run_(run) {
     if (log::is<log::Input>(run.kind(at))) inputs_.push_back(at);
     add_inputs_of(at);
   }
-  // What was applied on the way drew on more than the record itself may name.
+  // Applications on the way drew on more inputs than the record itself may name.
   for (const auto at : run.of_kind(log::Application::kind.name)) {
     if (at > n) break;
     if (const auto cause = run.cause(at); cause && std::binary_search(near.rbegin(), near.rend(), *cause))
@@ -32,7 +32,7 @@ ExplainScope::ExplainScope(const RunIndex& run, std::size_t n) : run_(run) {
   std::sort(inputs_.begin(), inputs_.end());
   inputs_.erase(std::unique(inputs_.begin(), inputs_.end()), inputs_.end());
 
-  // Which turn each record belongs to, in one pass: a cause comes before what it brings about.
+  // The turn of each record, in one pass: a cause comes before its consequences.
   std::vector<std::int64_t> turn(n + 1, -1);
   for (std::size_t at = 0; at <= n; ++at) {
     if (log::is<log::Input>(run.kind(at)))

@@ -1,4 +1,4 @@
-// The records of a run that bear on one of them, for what explains it. Each is read at most once, and only when asked
+// The records of a run that bear on one of them, for its explanation. Each is read at most once, and only when asked
 // for.
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace continua {
 
-/// A chain of causes, and the turns of the inputs that contributed. A turn is what one input brought about, up to the
-/// next input on the way.
+/// A chain of causes, and the turns of the inputs that contributed. A turn is all that one input brought about, up to
+/// the next input on the way.
 class ExplainScope {
  public:
   /// REQUIRES n < run.size(); `run` must outlive the scope.

@@ -10,8 +10,7 @@
 namespace continua {
 namespace {
 
-// The record up to which nothing of the change has happened: of a step the one before it; else the input; else the
-// run's first.
+// The record before the change: of a step the one before it; else the input; else the run's first.
 std::size_t begin_of_change(ExplainScope& scope) {
   const auto n = scope.n();
   const auto& kind = scope.run().kind(n);
@@ -30,7 +29,7 @@ const Json& top_slots(ExplainScope& scope, std::size_t mark) {
   return symbol ? member_of(scope.record(symbol->n), "slots") : none;
 }
 
-// What the operation of a record has for a slot.
+// The expression of a record's operation for a slot.
 const Json& expression_for(ExplainScope& scope, std::size_t n, const char* slot) {
   const auto& operation = member_of(scope.record(n), "operation");
   static const Json nothing;

@@ -1,4 +1,4 @@
-// What led from an input to a record: what was heard and seen, and which transitions fired and which did not.
+// The way from an input to a record: the words and gestures, the transitions that fired and those that did not.
 #pragma once
 
 #include "continua/replay/explain/explain_scope.h"
@@ -12,14 +12,14 @@ Json explained_inputs(ExplainScope& scope);
 
 /// The transitions in the chain, from the first: [{"n", "t", "step", "id", "from", "to", "input", "condition": of the
 /// machine or null, "operation", "weight", "probability", "draw", "forced", "candidates", "gates" (as in RUNLOG.md),
-/// "refused": [{"reason", "ids"}], those first that leave from fewest states, so the state's own}].
-/// `graph` is the header's.
+/// "refused": [{"reason", "ids"}], those first that leave from fewest states, so the state's own}]. `graph` is the
+/// header's.
 Json explained_steps(ExplainScope& scope, const Json& graph);
 
-/// [{"reason", "ids"}] of what a transition or refusal lists as `refused`, in the order of explained_steps.
+/// [{"reason", "ids"}] for the `refused` of a transition or refusal, in the order of explained_steps.
 Json explained_refusals(const Json& record, const Json& graph);
 
-/// What records brought about at once: [{"n", "kind", "brief"}] of those whose cause is n, in order.
+/// The immediate consequences of record n: [{"n", "kind", "brief"}] of the records whose cause is n, in order.
 Json brought_about(ExplainScope& scope, std::size_t n);
 
 /// An operation of the log in words: "push command ← meaning, candidates ← choices", "pop 1", "nothing".

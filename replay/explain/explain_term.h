@@ -1,4 +1,4 @@
-// Terms as logs write them, and their parts as texts: what a derivation looks up in the log.
+// Terms as logs write them, and their parts as texts, by which a derivation searches the log.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace continua {
 
-/// `text` in its parts. All empty but `whole` for a name, a number, a place, and what is none of the notation.
+/// `text` in its parts. All are empty but `whole` for a name, a number, a place, and text outside the notation.
 struct TermParts {
   std::string whole;
   std::vector<std::string> binders;   ///< of \x v. body: x, v

@@ -1,4 +1,4 @@
-// What explain() tells, for people.
+// An explanation as text for people.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ struct ExplainTextOptions {
   bool colour = false;      ///< headings in bold, numbers of records dimmed (ANSI escapes)
 };
 
-/// The sentence; then what came in, what was decided, the stack, the derivation and how the act went; each record named
-/// #n. `explained` is what explain() gives.
+/// The sentence; then the inputs, the decisions, the stack, the derivation and the course of the act; each record named
+/// #n. `explained` is the result of explain().
 std::string explain_text(const Json& explained, const ExplainTextOptions& options);
 
 /// The derivation alone as a tree in box-drawing lines, each node with its type, each leaf with its origin.

@@ -59,7 +59,7 @@ std::vector<std::string> split(std::string_view text, char at) {
 ApiResponse answer(const Json& body) { return {200, json_type, compact(body)}; }
 ApiResponse answer(const Result<Json>& body) { return body ? answer(*body) : api_error(500, body.error().text()); }
 
-// A number of the query, `otherwise` when it is not given, or the sentence that it is none.
+// A number of the query, `otherwise` when it is not given, or a sentence about a value that is no number.
 template <class Number>
 Result<Number> number(const Query& query, const char* name, Number otherwise) {
   const auto found = query.find(name);
@@ -231,7 +231,7 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
   return kept(*opened, id, view);
 }
 
-// What depends on the log alone: worked out once.
+// Answers that depend on the log alone: worked out once.
 ApiResponse InspectorApi::kept(const std::shared_ptr<const RunIndex>& run, const std::string& id,
                                const std::string& view) {
   const std::string type = view == "columns" ? bytes_type : json_type;

@@ -76,12 +76,12 @@ class InspectorApi {
   /// "/api/runs/ID/notes": keeps the notes beside the run, if nobody else has written them since `version`, else 409.
   ApiResponse put(std::string_view target, std::string_view content_type, std::string_view body);
 
-  /// "/api/what-if": replays a run otherwise (what_if_request) and serves the new run as long as this lives. Gives
+  /// "/api/what-if": replays a run with changes (what_if_request) and serves the new run as long as this lives. Gives
   /// {"run": its id, "same": whether nothing that happened differs, "sentence": where they part and why, "warning"
-  /// where they may differ for other reasons}. 400 for what cannot be, 503 while two are being replayed.
+  /// where they may differ for other reasons}. 400 for an impossible change, 503 while two are being replayed.
   ApiResponse post(std::string_view target, std::string_view content_type, std::string_view body);
 
-  /// Gives up what is being replayed.
+  /// Gives up replays under way.
   void stop() { stopped_ = true; }
 
  private:
@@ -98,12 +98,12 @@ class InspectorApi {
   RunLibrary library_;
   std::shared_ptr<RunFrames> frames_;
   std::shared_ptr<RunWhatIf> what_if_;
-  RunTemporary temporary_;  // what the replays write
+  RunTemporary temporary_;  // the files that replays write
   std::atomic<int> replays_ = 0, what_ifs_ = 0;
   std::atomic<bool> stopped_ = false;
   std::mutex notes_mutex_;
   std::mutex mutex_;
-  // What was worked out from an index stays true as long as that index lives.
+  // Answers worked out from an index stay true as long as that index lives.
   struct Kept {
     std::pair<std::string, std::string> key;  // id, view
     std::weak_ptr<const RunIndex> run;

@@ -1,4 +1,4 @@
-// What of the inspector's addresses changes something: notes, and runs that go otherwise.
+// The inspector's addresses that change something: notes, and runs with changes.
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ constexpr int most_what_ifs = 1000;  // served at a time
 
 ApiResponse answer(const Json& body) { return {200, "application/json", compact(body)}; }
 
-// ID of "/api/runs/ID/notes"; empty where the path is none.
+// ID of "/api/runs/ID/notes"; empty for any other path.
 std::string run_of_notes(const std::string& path) {
   constexpr std::string_view before = "/api/runs/", after = "/notes";
   if (!path.starts_with(before) || !path.ends_with(after) || path.size() <= before.size() + after.size()) return {};

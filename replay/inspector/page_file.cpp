@@ -66,7 +66,7 @@ std::string style_sheets() {
 
 std::string_view unquoted(std::string_view quoted) { return quoted.substr(1, quoted.size() - 2); }
 
-// What is asked of the inspector, a line each: the question, a tab, the answer.
+// The inspector's answers for the page, a line each: the question, a tab, the answer.
 class Answers {
  public:
   explicit Answers(const std::string& path) : api_({path}) {}
@@ -82,7 +82,7 @@ class Answers {
     return std::nullopt;
   }
 
-  /// Adds what the run's `view` answers; what the log has nothing for is left out.
+  /// Adds the answer of the run's `view`; a view for which the log has nothing is left out.
   void view(const std::string& key, const std::string& view) {
     const auto answer = ask(view);
     if (answer.status == 200) add(key, answer.body);

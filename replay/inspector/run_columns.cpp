@@ -75,7 +75,7 @@ struct Lane {
 
 double seconds_in(std::string_view value, double otherwise) { return number_in<double>(value).value_or(otherwise); }
 
-// What the lines say, line by line, then what follows from the index alone.
+// The content of the lines, line by line, then the columns that follow from the index alone.
 class ColumnBuilder {
  public:
   explicit ColumnBuilder(const RunIndex& run) : run_(run), names_(run.names()) {

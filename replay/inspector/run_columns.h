@@ -1,5 +1,5 @@
-// The whole run in columns of numbers: what the timeline, the dialogue and the list of records draw, so that a page of
-// a million records need neither fetch nor parse each of them.
+// The whole run in columns of numbers, for the timeline, the dialogue and the list of records. So a page of a million
+// records need neither fetch nor parse each of them.
 #pragma once
 
 #include <string>

@@ -44,7 +44,7 @@ bool shows_as_written(std::string_view value, std::string_view type) {
   return whole && (any || type.starts_with("integer"));
 }
 
-// Finds words in records of a kind. A label is made only where what it is made from holds the words.
+// Finds words in records of a kind. A label is made only where its sources hold the words.
 class Finder {
  public:
   Finder(std::string kind, const std::vector<std::string>& words)
@@ -54,7 +54,7 @@ class Finder {
     for (const auto& word : words_) {
       if (told.find(word) != std::string::npos) continue;
       told_by_kind_ = false;
-      // What brief() adds may hold it, or a part of it.
+      // The additions of brief() may hold it, or a part of it.
       const bool added = adds.find(word) != std::string::npos || std::any_of(word.begin(), word.end(), [&](char c) {
                            return !is_small_letter(c) && adds.find(c) != std::string::npos;
                          });
@@ -90,7 +90,7 @@ class Finder {
   }
 
  private:
-  // False only if the label cannot. Letters stay what they are even where a value is shown otherwise than written.
+  // False only if the label cannot. Letters stay the same even where a value is shown otherwise than written.
   bool may_tell_of_words(bool as_written) const {
     if (plain_.empty()) return true;
     if (!as_written && (letters_.empty() || shown_.find("\\u") != std::string::npos)) return true;
@@ -101,9 +101,9 @@ class Finder {
   const log::KindSchema* schema_;
   std::vector<std::string> words_;
   bool told_by_kind_ = true;
-  std::string shown_;                           // of the record at hand, what its label is made from
+  std::string shown_;                           // of the record at hand, the sources of its label
   std::unordered_map<std::string, bool> told_;  // by that
-  std::vector<std::string> plain_;              // words that stand in what is shown as written, if in the label at all
+  std::vector<std::string> plain_;              // words that stand as written in the sources of any label that has them
   std::vector<std::string> letters_;            // of these, those of small letters alone
 };
 

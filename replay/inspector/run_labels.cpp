@@ -38,7 +38,7 @@ std::string label_of(const std::string& kind, std::string_view line) {
     const auto record = Json::parse(line, nullptr, false);
     return record.is_object() ? brief(record) : std::string();
   }
-  // Only what is read is made a tree.
+  // Only the members that are read become a tree.
   thread_local std::string part;
   part = "{\"kind\":" + compact(kind);
   scan_members(line, [&](std::string_view key, std::string_view value) {

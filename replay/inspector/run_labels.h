@@ -12,11 +12,11 @@
 
 namespace continua {
 
-/// What brief() says of the record in this line, whose kind is known; empty for poses and for what is no JSON.
+/// brief() of the record in this line, whose kind is known; empty for poses and for a line that is no JSON.
 std::string label_of(const std::string& kind, std::string_view line);
 
-/// {"labels": {"N": [LABEL, TEXT], …}} of these records: the label, and what a lane or a bubble of the dialogue shows:
-/// the words, the gesture's name and direction, the act's program, what was observed; else "".
+/// {"labels": {"N": [LABEL, TEXT], …}} of these records: the label, and the text for a lane or a bubble of the
+/// dialogue: the words, the gesture's name and direction, the act's program, the observed content; else "".
 /// REQUIRES that the numbers are in order and below run.size().
 Result<Json> run_labels(const RunIndex& run, const std::vector<std::size_t>& numbers);
 

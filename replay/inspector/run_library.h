@@ -53,11 +53,11 @@ class RunLibrary {
   /// Whether a log that has no end yet is being written: by this program, or by another, in the last seconds.
   bool is_being_written(const std::string& path, const FileState& log) const;
 
-  /// The index of a run, read again when the file has changed; of a log that has grown, only what was added. Null
+  /// The index of a run, read again when the file has changed; of a log that has grown, only the new part is read. Null
   /// index: no run has this id. The indexes used last stay in memory.
   Result<std::shared_ptr<const RunIndex>> open(const std::string& id);
 
-  /// The same for one look: what is not in memory does not stay there.
+  /// The same for one look: an index that is not in memory does not stay there.
   Result<std::shared_ptr<const RunIndex>> look_into(const RunFile& file);
 
  private:
@@ -65,7 +65,7 @@ class RunLibrary {
     explicit Held(std::string of) : path(std::move(of)) {}
     const std::string path;
     std::atomic<std::size_t> records = 0;
-    std::mutex reading;  // guards what follows
+    std::mutex reading;  // guards the members below
     FileState state;
     std::shared_ptr<const RunIndex> run;
   };
@@ -75,7 +75,7 @@ class RunLibrary {
 
   std::vector<std::string> paths_;
   IsOpen is_open_;
-  std::mutex mutex_;                          // guards what follows; never held while a file is read
+  std::mutex mutex_;                          // guards the members below; never held while a file is read
   std::map<std::string, std::string> known_;  // id -> path, as found last
   std::vector<RunFile> added_;
   std::list<std::shared_ptr<Held>> held_;  // the last used first

@@ -11,7 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t prepared_runs = 2;
-constexpr auto patience = 100ms;  // that the start page has for what is nearly read
+constexpr auto patience = 100ms;  // the start page waits so long for runs that are nearly read
 
 double seconds_since_1970(std::filesystem::file_time_type time) {
   return std::chrono::duration<double>(std::chrono::file_clock::to_sys(time).time_since_epoch()).count();
@@ -75,7 +75,7 @@ void RunListings::work() {
         const std::lock_guard lock(mutex_);
         if (stopping_) return;
       }
-      // First, so that its index is there for what follows.
+      // First, so that its index is there for the listing.
       if (prepared++ < prepared_runs) prepare_(one.file.id);
       bool known = false;
       {

@@ -1,4 +1,4 @@
-// The start page's lines: what is in each run of a library, worked out once for each state of its file.
+// The start page's lines: the content of each run of a library in brief, worked out once for each state of its file.
 #pragma once
 
 #include <condition_variable>
@@ -20,14 +20,14 @@ class RunListings {
   explicit RunListings(RunLibrary& library) : library_(library) {}
   ~RunListings() { stop(); }
 
-  /// From now on a thread reads what is not yet known, the newest runs first, and calls `prepare` for the newest two.
+  /// From now on a thread reads the unread runs, the newest first, and calls `prepare` for the newest two.
   void start(std::function<void(const std::string& id)> prepare);
   /// Waits for the run that is being read.
   void stop();
 
-  /// All runs, the newest first: {id, name, changed (seconds since 1970), live, bytes} and what run_listing() tells, or
-  /// `error`. `live`: without its end, and being written. While the thread has yet to read a run it is
-  /// `pending`, with what was known of it before; without a thread all are read at once.
+  /// All runs, the newest first: {id, name, changed (seconds since 1970), live, bytes} and the members of
+  /// run_listing(), or `error`. `live`: without its end, and being written. While the thread has yet to read a run it
+  /// is `pending`, with the listing known before; without a thread all are read at once.
   Json all();
 
  private:
@@ -47,7 +47,7 @@ class RunListings {
   RunLibrary& library_;
   std::function<void(const std::string& id)> prepare_;
   std::thread thread_;
-  std::mutex mutex_;  // guards what follows
+  std::mutex mutex_;  // guards the members below
   std::condition_variable wanted_changed_, known_changed_;
   bool wanted_ = false, stopping_ = false;
   std::map<std::string, Known> known_;  // by path

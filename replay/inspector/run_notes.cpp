@@ -26,7 +26,7 @@ std::size_t letters(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-// Of a note, or the sentence that it is none.
+// A note, or a sentence about JSON that is no note.
 Result<RunNote> note_in(const Json& json, std::optional<std::size_t> records) {
   const auto& id = member_of(json, "id");
   const auto& text = member_of(json, "text");
@@ -49,7 +49,7 @@ Result<RunNote> note_in(const Json& json, std::optional<std::size_t> records) {
   return note;
 }
 
-// Calls `wrong` with the place of a note, from 1, and what is wrong with it; 0 for all of them.
+// Calls `wrong` with the place of a note, from 1, and its fault; 0 for all of them.
 template <class Wrong>
 std::vector<RunNote> read_all(const Json& json, std::optional<std::size_t> records, Wrong wrong) {
   std::vector<RunNote> notes;
@@ -90,7 +90,7 @@ std::string file_text(const std::vector<RunNote>& notes) {
   return text + "\n]}\n";
 }
 
-// Writes a new file beside it and puts it in its place. Gives errno, or 0.
+// Writes a new file in the same folder and puts it in its place. Gives errno, or 0.
 int replace(const std::string& path, const std::string& text) {
   std::string fresh = path + ".local.XXXXXX";
   const int file = ::mkstemp(fresh.data());

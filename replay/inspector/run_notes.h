@@ -1,4 +1,4 @@
-// What people note on records of a run: NAME.notes.json beside NAME.run.jsonl (RUNLOG.md, Notes).
+// People's notes on records of a run: NAME.notes.json next to NAME.run.jsonl (RUNLOG.md, Notes).
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct RunNote {
 
 struct RunNotes {
   std::vector<RunNote> notes;
-  std::string version;  ///< equal as long as nobody has written; of notes that nobody has written empty
+  std::string version;  ///< equal as long as nobody has written; empty before the first writing
 };
 
 inline constexpr std::size_t most_notes = 10000;
@@ -29,7 +29,7 @@ inline constexpr std::size_t most_notes = 10000;
 /// The notes' file of a run's log.
 std::string notes_path(const std::string& run_path);
 
-/// The notes among what `json` has as `notes`. With `records`, all must be on records of a run with so many. An error
+/// The notes in the member `notes` of `json`. With `records`, all must be on records of a run with so many. An error
 /// names the note.
 Result<std::vector<RunNote>> notes_in(const Json& json, std::optional<std::size_t> records);
 
@@ -39,10 +39,10 @@ std::vector<Error> notes_problems(std::string_view text, const std::string& name
 /// {"notes": [{"id", "n", "to", "text"}], "version"}
 Json notes_json(const RunNotes& notes);
 
-/// Of the file at `path`; none where there is no file. Errors: it cannot be read, or is none of notes.
+/// The notes in the file at `path`; none where there is no file. Errors: the file cannot be read, or has other content.
 Result<RunNotes> read_notes(const std::string& path);
 
-/// What became of notes that were to be kept.
+/// The outcome of keeping notes.
 struct NotesKept {
   enum class How { kept, changed_meanwhile, broken, not_writable };
   How how = How::kept;

@@ -1,4 +1,4 @@
-// A run as it would have gone otherwise: what is asked for, and the trace of it, made of the run's log alone.
+// A run with changes: the request, and the changed trace, made of the run's log alone.
 #pragma once
 
 #include <atomic>
@@ -23,7 +23,7 @@ struct InputEdit {
 
 struct WhatIfRequest {
   std::string run;             ///< its id
-  std::optional<double> from;  ///< seconds; what is asked for counts from then on
+  std::optional<double> from;  ///< seconds; the request counts from then on
   std::vector<InputEdit> edits;
   std::map<int, std::string> forced;  ///< step → transition
   std::optional<std::uint64_t> seed;
@@ -34,7 +34,7 @@ struct WhatIfRequest {
 /// optional. The error is a sentence.
 Result<WhatIfRequest> what_if_request(const Json& json);
 
-/// The lines of a trace after its first: inputs as edited, what others did, what was expected, and the end of the run.
+/// The lines of a trace after its first: inputs as edited, other agents' deeds, expectations, and the end of the run.
 /// They stand on the lines where they stood in the run's own trace, as far as the log tells. The error is a sentence:
 /// an edit is of no input of the trace, or of one before `from`; there are two of one input.
 Result<std::string> trace_lines(const RunIndex& run, const WhatIfRequest& request);
@@ -48,8 +48,8 @@ class RunWhatIf {
     std::string log;                    ///< path of the new run log, in the folder given
     std::vector<std::string> warnings;  ///< why it may differ from the run for other reasons
   };
-  /// Writes all it needs, and the log, into `folder`, which is there and empty. May be called from several threads.
-  /// Gives up when `stop` becomes true. The error is what is wrong with what was asked for, or with the log.
+  /// Writes its files, and the log, into `folder`, which exists and is empty. May be called from several threads. Gives
+  /// up when `stop` becomes true. The error names the fault of the request, or of the log.
   virtual Result<Replayed> replay(const RunIndex& run, const WhatIfRequest& request, const std::string& folder,
                                   const std::atomic<bool>& stop) = 0;
 };
