@@ -1,4 +1,4 @@
-// What a check found, where GitHub shows it: beside the line of the file that it is about.
+// Findings of a check in the form that GitHub shows at the line of the file in question.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace continua {
 std::string github_message(std::string_view text);
 std::string github_property(std::string_view text);
 
-/// A place as errors have it, "file", "file:line" or "file:line:column"; numbers are 0 where there are none.
+/// A place in the form of errors, "file", "file:line" or "file:line:column"; a missing number is 0.
 struct FilePlace {
   std::string file;
   std::size_t line = 0, column = 0;

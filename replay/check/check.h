@@ -1,4 +1,4 @@
-// Whether a trace still goes as it was approved: its replay, its expectations and the run beside it.
+// Whether a trace still goes as it was approved: its replay, its expectations and its approved run.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ bool is_failure(Verdict verdict);
 /// Whether approving would put it right.
 bool can_be_approved(Verdict verdict);
 
-/// Two whole logs and what is different.
+/// Two whole logs and their differences.
 struct ComparedRuns {
   RunIndex approved, run;
   RunDiff diff;
@@ -42,7 +42,7 @@ struct TraceCheck {
   std::optional<ComparedRuns> compared;  ///< where both are whole logs, and not the same
 };
 
-/// Replays a trace and holds it against what is approved.
+/// Replays a trace and compares it with its approved run.
 TraceCheck check_trace(const std::string& trace_path, const ReplayOptions& options);
 
 /// Fills in `compared` and `line`, where there are two logs to compare and it has not been done. The error is of one

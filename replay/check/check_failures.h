@@ -1,4 +1,4 @@
-// What shows why a trace fails, in a folder of its own: its run, the approved one, their diff, and a page of both.
+// The evidence of a failing trace, in a folder of its own: its run, the approved one, their diff, and a page of both.
 #pragma once
 
 #include <string>
@@ -16,11 +16,10 @@ struct FailureReport {
 };
 
 /// Writes NAME.run.jsonl, the approved run as NAME.approved.run.jsonl (or .json), diff.json, diff.md and report.html;
-/// what of these an earlier failure left and there is not now is removed. Gives the path of report.html. REQUIRES a
-/// run.
+/// files of an earlier failure that this one does not write are removed. Gives the path of report.html. REQUIRES a run.
 Result<std::string> write_failure(const FailureReport& report, const TraceCheck& check);
 
-/// What is different, as Markdown; empty where nothing can be compared.
+/// The differences, as Markdown; empty where nothing can be compared.
 std::string details_of(const TraceCheck& check);
 
 }  // namespace continua

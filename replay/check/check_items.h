@@ -1,4 +1,4 @@
-// What continua check finds in folders: the files that say something of themselves, and traces.
+// The subjects of continua check in folders: traces, and files with examples of their own.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ enum class ItemKind {
   machine,
   lexicon,  ///< a folder
   voxemes,  ///< a folder
-  data,     ///< phrases, gestures: what can be wrong with them is what validate tells
+  data,     ///< phrases, gestures: their possible faults are those that validate tells
 };
 
 struct CheckItem {
@@ -25,7 +25,7 @@ struct CheckItem {
   std::string name;
 };
 
-/// What of the files and folders can be checked; folders in the order of the names. Approved runs go with their traces.
+/// The files and folders that can be checked; folders in the order of the names. Approved runs go with their traces.
 /// The error names a path that does not exist.
 Result<std::vector<CheckItem>> items_of(const std::vector<std::string>& paths);
 

@@ -19,7 +19,7 @@ std::string total_of(const CheckReport& report, bool traces, const std::string& 
   return count == 0 ? "" : counted(count, noun) + ": " + text + "; ";
 }
 
-// A member of the wanted type, or what stands for a missing one.
+// A member of the wanted type, or the replacement for a missing one.
 template <class T>
 T member(const Json& object, const char* key, T otherwise, bool (Json::*is)() const noexcept) {
   const auto found = object.find(key);

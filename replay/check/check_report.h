@@ -1,4 +1,4 @@
-// What came out of a check, file by file: as lines for people, as JSON, and several shards as one.
+// The results of a check, file by file: as lines for people, as JSON, and several shards as one.
 #pragma once
 
 #include <cstddef>
@@ -18,10 +18,10 @@ struct Shard {
   std::size_t index = 1, count = 1;  ///< index from 1
 };
 
-/// "2/4". Nothing if it is none.
+/// "2/4". Nothing for any other text.
 std::optional<Shard> parse_shard(const std::string& text);
 
-/// What came out for one file.
+/// The result for one file.
 struct CheckCase {
   std::string path;
   bool is_trace = false;
@@ -30,8 +30,8 @@ struct CheckCase {
   int status = exit_done;       ///< an ExitStatus
   std::size_t line = 0;         ///< of a trace, where the sentence belongs; 0: to the whole
   std::vector<Error> problems;  ///< each is told on a line of its own
-  std::string details;          ///< Markdown: what is different; may be empty
-  std::string page;             ///< path of an HTML report; empty: there is none
+  std::string details;          ///< Markdown: the differences; may be empty
+  std::string page;             ///< path of an HTML report; empty: no report
 };
 
 struct CheckReport {
@@ -57,7 +57,7 @@ std::string total_of(const CheckReport& report);
 /// "line", "problems" [{"where", "sentence"}], "details", "page"}]}; fields that are empty are left out.
 Json json_of(const CheckReport& report);
 
-/// Reads what json_of wrote. `name` stands for the file in errors.
+/// Reads the output of json_of. `name` stands for the file in errors.
 Result<CheckReport> read_report(std::string_view text, const std::string& name);
 
 struct MergedReports {

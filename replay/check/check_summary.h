@@ -1,4 +1,4 @@
-// What came out of a check, as Markdown: for GitHub's page of a workflow's run, or a pull request.
+// The results of a check, as Markdown: for GitHub's page of a workflow's run, or a pull request.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace continua {
 
-/// A heading with the total, a table of the verdicts with their numbers, and what fails, each with its details folded.
+/// A heading with the total, a table of the verdicts with their numbers, and the failures, each with its details
+/// folded.
 std::string markdown_of(const CheckReport& report);
 
 }  // namespace continua

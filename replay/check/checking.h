@@ -18,14 +18,14 @@ namespace continua {
 
 struct CheckOptions {
   std::vector<std::string> paths;  ///< machines, lexicons, traces, or folders of them; empty: the knowledge folder
-  std::string learned;             ///< file of what was taught, for traces; empty: none
+  std::string learned;             ///< file of lessons, for traces; empty: none
   std::string knowledge;           ///< folder; empty: the program's own
   std::string language;            ///< for traces; empty: their own
-  std::optional<bool> physics;     ///< false: the kinematic world; nullopt: that one if runs are to be approved
+  std::optional<bool> physics;  ///< false: the kinematic world; nullopt: the kinematic one if runs are to be approved
   int jobs = 1;
   Shard shard;
   std::string junit, report, summary;  ///< files to write; empty: none
-  std::string failures;                ///< folder for what shows why a trace fails; empty: none
+  std::string failures;                ///< folder for the evidence of failing traces; empty: none
   std::vector<std::string> merge;      ///< reports to be told as one; empty: check
   bool strict = false;                 ///< the same decisions are not enough
   bool github = false;                 ///< tell failures as GitHub's annotations too
@@ -41,8 +41,7 @@ class Checking {
 
   void run();
 
-  /// Once it has run: what came out, and of traces that can be approved, or whose run fails, the check. One for each
-  /// item.
+  /// After the run: the results, one for each item, with the checks of traces that can be approved or whose run fails.
   std::vector<CheckCase> cases() const;
   const TraceCheck* trace(std::size_t index) const;
 
@@ -55,7 +54,7 @@ class Checking {
   Finding check(std::size_t index);
   Finding trace_finding(std::size_t index);
   void finish(std::size_t index, Finding finding);
-  /// What to see why it fails by, in a folder of its own. Gives the path of the page.
+  /// Writes the evidence of a failure into a folder of its own. Gives the path of the page.
   Result<std::string> keep_failure(std::size_t index, const TraceCheck& check) const;
 
   const CheckOptions& options_;
@@ -69,7 +68,7 @@ class Checking {
   std::atomic<std::size_t> next_ = 0;
 };
 
-/// A case's line, what is wrong on standard error, and where to see it.
+/// Prints a case's line, its faults on standard error, and the place of the evidence.
 void tell(const CheckCase& one, bool github);
 
 }  // namespace continua

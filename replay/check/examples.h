@@ -1,4 +1,4 @@
-// Machines and lexicons carry examples of what they do; these are run here.
+// Runs the examples that machines and lexicons carry.
 #pragma once
 
 #include <memory>

@@ -30,7 +30,7 @@ namespace {
 
 constexpr std::string_view notes_ending = ".notes.json";
 
-// The first line that is not blank, as JSON; null if it is none.
+// The first line that is not blank, as JSON; null if it is no JSON.
 Json first_line(std::string_view text) {
   text = without_byte_order_mark(text);
   const auto from = text.find_first_not_of(" \t\r\n");
@@ -64,7 +64,7 @@ FileCheck check_run(std::string_view text, const std::string& path) {
 
 bool is_notes_file(std::string_view, const std::string& path) { return path.ends_with(notes_ending); }
 
-// On records of the run beside it, if there is one.
+// Notes on records of the run in the same folder, if there is one.
 FileCheck check_notes(std::string_view text, const std::string& path) {
   const auto log = path.substr(0, path.size() - notes_ending.size()) + ".run.jsonl";
   std::error_code unknown;
@@ -102,7 +102,7 @@ bool is_lexicon_file(std::string_view, const std::string& path) {
   return path.ends_with(".json") && folder.parent_path().filename() == "lexicon";
 }
 
-// The files of a lexicon belong together: all are read, and what is wrong with this one is told.
+// The files of a lexicon belong together: all are read, and the problems of this one are told.
 FileCheck check_lexicon_file(std::string_view, const std::string& path) {
   const auto name = std::filesystem::path(path).filename().string();
   FileCheck check{{}, {}, "file of a lexicon"};
@@ -272,7 +272,7 @@ constexpr std::array file_kinds = {
 FileCheck check_file(std::string_view text, const std::string& path) {
   for (const auto& kind : file_kinds)
     if (kind.recognises(text, path)) return kind.check(text, path);
-  // Most of the project's files are traces or logs: what their reader says is the best there is to say.
+  // Most of the project's files are traces or logs: their reader's sentence is the best answer.
   auto check = check_trace(text, path);
   check.problems.resize(1);
   check.problems.front().sentence = "none of the project's files: " + check.problems.front().sentence;

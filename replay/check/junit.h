@@ -1,4 +1,4 @@
-// What was checked, as JUnit's XML, which continuous integration reads.
+// The results of a check as JUnit's XML, which continuous integration reads.
 #pragma once
 
 #include <string>

@@ -29,7 +29,7 @@ Json part(const Json& record, const char* pointer) {
   return record.contains(at) ? record[at] : Json();
 }
 
-// A run log as text, with what its first and last line say. Of poses there may be very many: they are never parsed.
+// A run log as text, with its first and last line. There may be very many poses: they are never parsed.
 struct Log {
   std::vector<std::string_view> lines;
   Json header, end;

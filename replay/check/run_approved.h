@@ -1,4 +1,4 @@
-// Approved runs: what the replay of a trace is held against (traces/FORMAT.md, Approved runs). Reads and writes run
+// Approved runs, with which the replays of traces are compared (traces/FORMAT.md, Approved runs). Reads and writes run
 // logs as text; knows nothing of replays.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace continua {
 /// Runs with longer logs are approved by their digests alone.
 inline constexpr std::size_t longest_approved_log = 256 * 1024;
 
-/// The file beside a trace that says how its run is to go.
+/// The file next to a trace that holds its approved run.
 struct ApprovedRun {
   std::string path;  ///< NAME.run.jsonl: a whole log; NAME.run.json: its digests
   std::string content;
@@ -22,20 +22,20 @@ struct ApprovedRun {
 /// Else only its digests.
 bool is_whole_log(const ApprovedRun& approved);
 
-/// That of a trace, NAME.trace.jsonl, in a world, "physics" or "kinematic": where what the body does there leads
-/// elsewhere, NAME.WORLD.run.jsonl or .json, else NAME.run.jsonl or .json; nullopt if there is none. An error if it
-/// cannot be read or there are both.
+/// The approved run of a trace, NAME.trace.jsonl, in a world, "physics" or "kinematic": NAME.WORLD.run.jsonl or .json
+/// where the body's deeds lead elsewhere in that world, else NAME.run.jsonl or .json; nullopt if there is none. An
+/// error if it cannot be read or there are both.
 Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_path, const std::string& world);
 
-/// What to write to approve a run: its log, or its digests if the log is long or `before` has no more. If `before` is
-/// of another world it stays; another path in the same world takes its place (takes_place_of).
+/// The file to write to approve a run: its log, or its digests if the log is long or `before` has no more. If `before`
+/// is of another world it stays; another path in the same world takes its place (takes_place_of).
 ApprovedRun approval_of(const std::string& trace_path, std::string_view run, const std::optional<ApprovedRun>& before);
 
 /// Whether `before` is to be removed once `approval` is written.
 bool takes_place_of(const ApprovedRun& approval, const ApprovedRun& before);
 
 enum class Sameness {
-  same,            ///< every byte, but for what the run was made with
+  same,            ///< every byte, apart from the ingredients of the run
   same_decisions,  ///< of another world, another machine file, …
   changed,
   stale,  ///< the approved run was made from another trace
@@ -46,7 +46,7 @@ struct RunComparison {
   std::string difference;  ///< of digests, which; one line
 };
 
-/// `run`: the log of a replay. An error if the approved run is none, or is cut short.
+/// `run`: the log of a replay. An error if the approved file is no run, or is cut short.
 Result<RunComparison> compare_to_approved(std::string_view run, const ApprovedRun& approved);
 
 }  // namespace continua

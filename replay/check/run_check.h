@@ -5,11 +5,10 @@
 
 namespace continua {
 
-/// Runs the examples of machines and lexicons, and replays traces: their expectations, and the runs that are approved
-/// (traces/FORMAT.md). A line for each file on standard output, what is not true on standard error, a total, and the
-/// reports that are asked for. Or, of reports of shards, the same without checking. exit_done if all is true, exit_no
-/// if not, exit_impossible if a file cannot be used, a shard is missing, or runs are to be approved and nobody can be
-/// asked.
+/// Runs the examples of machines and lexicons, and replays traces: their expectations, and their approved runs
+/// (traces/FORMAT.md). Prints a line for each file on standard output, faults on standard error, a total, and the
+/// requested reports. Or, given reports of shards, the same without checking. exit_done if all holds, exit_no if not,
+/// exit_impossible if a file cannot be used, a shard is missing, or runs are to be approved and nobody can be asked.
 int run_check(const CheckOptions& options);
 
 }  // namespace continua

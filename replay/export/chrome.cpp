@@ -69,7 +69,7 @@ class TraceEvents {
     return value.is_number_integer() ? value.get<std::int64_t>() : 0;
   }
 
-  // What a viewer shows beside an event.
+  // The members that a viewer shows next to an event.
   static Json shown(const Json& record) {
     Json args = record;
     for (const char* known : {"kind", "t"}) args.erase(known);

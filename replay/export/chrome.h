@@ -9,10 +9,10 @@
 namespace continua {
 
 /// Writes {"traceEvents": [{"ph", "ts", "pid", "tid", "name", …}, …]}, times in microseconds of the run's clock. A lane
-/// (thread) for what the human did, for the states the machine was in, from one transition to another state to the next
-/// (X), for its transitions, and for what the avatar said and showed; acts and their steps as nested spans (b, e); the
+/// (thread) for the human's events, for the states of the machine, from one transition to another state to the next
+/// (X), for its transitions, and for the avatar's words and gestures; acts and their steps as nested spans (b, e); the
 /// number of stack symbols as a counter (C). `args` has the record's number and members. Samples of pointing, poses and
-/// what the log keeps for itself are left out. An act that the log does not see end goes on to its last record.
+/// the log's own records are left out. An act whose end is not in the log goes on to its last record.
 /// Source of the format: Google, Trace Event Format.
 Outcome export_chrome(const RunIndex& run, std::ostream& out);
 

@@ -8,10 +8,9 @@
 
 namespace continua {
 
-/// Comma-separated values as RFC 4180 has them, but for lines that end with '\n'. The first row names the columns: `n`,
-/// `t`, `kind`, `cause`, then every other member that some record has, in the order in which they come up. Texts stand
-/// as they are, lists and objects as JSON, what a record does not have is empty. The header (`run`), which tells of no
-/// event, is left out.
+/// Comma-separated values by RFC 4180, except that lines end with '\n'. The first row names the columns: `n`, `t`,
+/// `kind`, `cause`, then every other member of any record, in order of first appearance. Texts stand as they are, lists
+/// and objects as JSON, a missing member is empty. The header (`run`), which tells of no event, is left out.
 Outcome export_csv(const RunIndex& run, std::ostream& out);
 
 }  // namespace continua

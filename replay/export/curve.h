@@ -1,4 +1,4 @@
-// Bézier curves as a layout gives them: cut where they leave a state, and what of them an arrow's head needs.
+// Bézier curves from a layout: cut where they leave a state, with the data for an arrow's head.
 #pragma once
 
 #include <vector>
@@ -19,10 +19,10 @@ struct Pill {
 /// 1 + 3 k points.
 using Curve = std::vector<PagePoint>;
 
-/// What of the curve comes after it is first further than `distance` from the pill; empty if it never is.
+/// The part of the curve after it is first farther than `distance` from the pill; empty if it never is.
 Curve after_leaving(const Curve& curve, const Pill& pill, double distance);
 
-/// What comes before it is last further than `distance` from the pill; empty if it never is.
+/// The part before it is last farther than `distance` from the pill; empty if it never is.
 Curve before_entering(const Curve& curve, const Pill& pill, double distance);
 
 }  // namespace continua

@@ -26,8 +26,8 @@ extern "C" int keep_message(char* message) {
   return 0;
 }
 
-// Which edges are laid the other way round, so that no cycle is left: those that lead back to what is nearer to
-// `first`, and all that lead to it. Where Graphviz has to turn edges itself, it loses memory.
+// The edges to be laid the other way round, so that no cycle is left: those that lead back to a node nearer to `first`,
+// and all that lead to `first`. Where Graphviz has to turn edges itself, it loses memory.
 std::vector<bool> turned_edges(std::size_t node_count, const std::vector<LayoutEdge>& edges, std::size_t first) {
   std::vector<std::vector<std::size_t>> followers(node_count);
   for (const auto& edge : edges) followers[edge.from].push_back(edge.to);
@@ -51,7 +51,7 @@ std::vector<bool> turned_edges(std::size_t node_count, const std::vector<LayoutE
   return turned;
 }
 
-// A label is a cell without text, since Graphviz would measure text with whatever fonts there are.
+// A label is a cell without text, since Graphviz would measure text with any fonts there are.
 std::string document_of(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& edges,
                         const char* effort) {
   std::string text =
@@ -73,7 +73,7 @@ std::string document_of(const std::vector<LayoutNode>& nodes, const std::vector<
   return text + "}\n";
 }
 
-// Takes what Graphviz worked out, whose y goes up.
+// Takes over the results of Graphviz, whose y goes up.
 Layout layout_of(Agraph_t* graph, std::size_t node_count, const std::vector<LayoutEdge>& edges) {
   const auto point = [](const pointf& p) { return PagePoint{p.x, -p.y}; };
   Layout layout;

@@ -1,5 +1,5 @@
-// Where the parts of a graph are drawn: Graphviz's layout `dot`, from left to right. The only place where Graphviz is
-// used; of it only the layout, so that neither its configuration nor the fonts of a machine have a say in it.
+// Places for the parts of a graph: Graphviz's layout `dot`, from left to right. Graphviz is used only here, and only
+// its layout, so that neither its configuration nor the fonts of a machine have a say in it.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,8 @@ struct Layout {
   std::vector<PlacedEdge> edges;
 };
 
-/// All arrows of `first` are laid to its right. Large graphs get straight lines; what would take minutes is an error.
-/// The same input gives the same layout. Not to be called from two threads at once: Graphviz keeps its state in
+/// All arrows of `first` are laid to its right. Large graphs get straight lines; a graph that would take minutes is an
+/// error. The same input gives the same layout. Not to be called from two threads at once: Graphviz keeps its state in
 /// variables of its own.
 Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& edges, std::size_t first);
 

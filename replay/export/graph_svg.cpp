@@ -29,7 +29,7 @@ double width_of(const Arrow& arrow) {
 
 double height_of(const Arrow& arrow) { return label_line * static_cast<double>(arrow.lines.size()); }
 
-// A state, or what stands for every state, with its loops nested from the inside out.
+// A state, or the box that stands for every state, with its loops nested from the inside out.
 struct Box {
   std::string name;
   std::vector<const Arrow*> above, below;
@@ -104,7 +104,7 @@ class Drawing {
 
   std::size_t index_of(std::optional<std::size_t> from) const { return from.value_or(graph_.states.size()); }
 
-  // `what`: an arrow's line or its label.
+  // `what`: the class of the element, an arrow's line or its label.
   void begin(const char* what, const Arrow& arrow) {
     auto title = fmt::format("{} → {}", boxes_[index_of(arrow.from)].name, boxes_[arrow.to].name);
     for (const auto& one : arrow.full) title += "\n" + one;

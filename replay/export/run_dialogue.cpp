@@ -32,7 +32,7 @@ std::optional<Told> of_act(const Json& record) {
   return Told{"avatar", "did not", fmt::format("{}: {}{}{}", program, status, reason.empty() ? "" : ", ", reason)};
 }
 
-// Of what the human did; pointing samples are refused by the hundred.
+// Refusals of the human's events; pointing samples are refused by the hundred, and left out.
 std::optional<Told> of_refusal(const RunIndex& run, std::size_t n, const Json& record) {
   const auto cause = run.cause(n);
   if (cause && log::is<log::Input>(run.kind(*cause))) {

@@ -1,4 +1,4 @@
-// What human and avatar said, showed and did in a run, as lines of a dialogue.
+// The words, gestures and deeds of human and avatar in a run, as lines of a dialogue.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@
 namespace continua {
 namespace {
 
-// Longest list of records that differ, and longest record, in bytes; all are in the diff beside the page.
+// Longest list of records that differ, and longest record, in bytes; all are in the diff in the same folder.
 constexpr std::size_t most_rows = 400, longest_record = 4000;
 
 std::string seconds(SimTime t) { return fmt::format("{:.2f} s", t.seconds()); }
@@ -46,7 +46,7 @@ std::string same_row(const std::string& time, const std::string& html) {
   return fmt::format("<tr><td>{0}</td><td class=\"both\">{1}</td><td class=\"both again\">{1}</td></tr>\n", time, html);
 }
 
-// What there is in the approved run and in this one; empty: nothing.
+// A row with the cells of the approved run and of this one; empty text: an empty cell.
 std::string differing_row(const std::string& time, const std::string& approved, const std::string& now) {
   const auto cell = [](const char* kind, const char* of, const char* mark, const std::string& html) {
     return html.empty() ? std::string("<td></td>")
@@ -70,7 +70,7 @@ std::string one_dialogue(const RunIndex& run) {
   return html + end_of_table;
 }
 
-// Lines that say the same, whenever they do, side by side; between them what differs, side by side where it happened at
+// Equal lines, whatever their times, side by side; between them the differing ones, side by side where they happened at
 // the same time.
 std::string both_dialogues(const RunIndex& approved, const RunIndex& now) {
   const auto a = dialogue_of(approved), b = dialogue_of(now);
@@ -116,7 +116,7 @@ std::string of_record(const RunIndex& run, std::size_t n) {
                      in_html(run.kind(n)), in_html(brief(*record)), n, in_html(text));
 }
 
-// Each difference under what it is; of its records first against first.
+// Each difference under its kind; its records side by side, first against first.
 std::string differing_records(const RunIndex& approved, const RunIndex& now, const RunDiff& diff) {
   if (diff.differences.empty()) return "<p>None.</p>\n";
   std::string html = two_columns;

@@ -19,7 +19,7 @@ namespace continua::log {
 
 /// The part that a member plays when runs are compared.
 enum class Says : std::uint8_t {
-  what,   ///< tells what happened; counts as a decision and when two runs are compared
+  what,   ///< tells the event; counts as a decision and when two runs are compared
   how,    ///< tells how that was decided; counts as a decision, and makes two records of one event differ
   where,  ///< a place in this log or a time: ids, running numbers; counts as a decision only
   aside,  ///< measured, or an explanation; counts nowhere
@@ -89,12 +89,12 @@ enum class Decision : std::uint8_t {
   outcome,  ///< only what it came to counts: the progress of an act between other records is measured
 };
 
-/// Whether the arrow keys of the page stop at records of a kind. Pointing samples and what they bring about come by the
+/// Whether the arrow keys of the page stop at records of a kind. Pointing samples and their consequences come by the
 /// hundred.
 enum class Stop : std::uint8_t {
   never,
-  unless_of_sample,         ///< not at samples and what they bring about
-  if_sample_changed_stack,  ///< at what a sample brought about only where the stack changed
+  unless_of_sample,         ///< not at samples and their consequences
+  if_sample_changed_stack,  ///< at a sample's consequences only where the stack changed
   always,
 };
 

@@ -31,7 +31,7 @@ struct LineWalk {
     if (next_is('"')) return skip_string();
     int depth = 0;
     for (;;) {
-      // Within an object or array only what nests counts.
+      // Within an object or array only brackets count.
       const auto& stops = depth == 0 ? ends_values : nests;
       while (at < text.size() && !stops[static_cast<unsigned char>(text[at])]) ++at;
       if (at >= text.size()) return false;
@@ -49,7 +49,7 @@ struct LineWalk {
       }
     }
   }
-  /// The value that is next, as written; empty where there is none.
+  /// The next value as written; empty at the end.
   std::string_view value() {
     skip_space();
     const auto from = at;
@@ -105,7 +105,8 @@ bool scan_members(std::string_view line, Member member) {
   return walk.done();
 }
 
-/// The value of a member of the object in `text` as written, the last one of that name; empty where there is none.
+/// The value of a member of the object in `text` as written, the last one of that name; empty where there is no such
+/// member.
 inline std::string_view member_in(std::string_view text, std::string_view name) {
   std::string_view found;
   scan_members(text, [&](std::string_view key, std::string_view value) {

@@ -1,5 +1,5 @@
-// JSON of whatever declares its members by fields(), both ways. For the sources of `log`, for parts of records and for
-// tests; whole records go through the functions of records.h, which are compiled once.
+// JSON of any struct that declares its members by fields(), both ways. For the sources of `log`, for parts of records
+// and for tests; whole records go through the functions of records.h, which are compiled once.
 #pragma once
 
 #include <cmath>

@@ -66,7 +66,8 @@ Result<Record> read_record(const Json& line, const std::string& where = {});
 /// where text is declared.
 Record readable_part(const Json& line);
 
-/// The members of `line` that records of every kind have; what is missing or of another type keeps its default.
+/// The members of `line` that records of every kind have; a member that is missing or of another type keeps its
+/// default.
 Stamp stamp_of(const Json& line);
 
 /// The members of the record, in their order, without those of its stamp.
@@ -78,7 +79,7 @@ Json line_of(const Stamp& stamp, const Record& record);
 /// The name of its kind.
 std::string_view kind_of(const Record& record);
 
-/// What the record says, in a few words, without its kind, number and time.
+/// The record in a few words, without its kind, number and time.
 std::string brief(const Record& record);
 
 /// The smallest margin in the record, infinity where it has none.

@@ -1,4 +1,4 @@
-// Records of a run log about the avatar: what it says and shows, its acts, and where bodies are.
+// Records of a run log about the avatar: its words and gestures, its acts, and the places of bodies.
 #pragma once
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ struct AvatarGesture {
   std::string brief() const { return gesture; }
 };
 
-/// What an act, or a step of one, came to.
+/// The result of an act, or of a step of one.
 struct ActResult {
   std::optional<double> position_error_m, yaw_error;
   std::optional<std::string> reason, code;

@@ -106,7 +106,7 @@ struct RuledOut {
   }
 };
 
-/// What a noun phrase or pro-form was taken to mean.
+/// The meaning given to a noun phrase or pro-form.
 struct Resolution {
   std::string phrase, words, value, by;
   std::optional<std::vector<std::string>> referents;

@@ -22,19 +22,20 @@ namespace {
 
 using log::name_of;
 
-// A log that tells of more kinds is none of ours: what comes after is taken for the last one.
+// We write about 25 kinds. A foreign log may name more; kinds beyond this many share the last number.
 constexpr std::size_t most_kinds = 1000;
 constexpr std::size_t most_records = std::numeric_limits<std::int32_t>::max();
 constexpr std::size_t block_bytes = std::size_t{1} << 20;  // read at once
 
-// The value of a member as written; empty where there is none.
+// The value of a member as written; empty where it is missing.
 std::string_view value_in(const std::vector<RecordMember>& members, std::string_view name) {
   const auto found =
       std::find_if(members.begin(), members.end(), [&](const RecordMember& one) { return one.key == name; });
   return found == members.end() ? std::string_view() : found->value;
 }
 
-// What the trace tells: the inputs by their own kinds, of which the last are all others, and what else a line may be.
+// The events of a trace: inputs by their own kinds, the last of which stands for all others, then the other kinds of a
+// line.
 constexpr std::array<std::string_view, 6> event_kinds{
     "speech", "gesture", "pointing", "", log::Observed::kind.name, log::Expect::kind.name};
 constexpr std::uint8_t pointing_event = 3;  // a place in these, from 1
@@ -116,7 +117,7 @@ Result<RunIndex> RunIndex::open(const std::string& path) {
       return *std::move(known);
     }
   auto index = scan(file, path);
-  // Only of what did not change meanwhile.
+  // Kept only if the file did not change meanwhile.
   if (index && print && print == print_of(path)) index->keep(*print);
   return index;
 }
@@ -144,7 +145,7 @@ Result<RunIndex> RunIndex::grown(const RunIndex& old) {
   return index;
 }
 
-// Whether what this index ended with is still there as a whole line.
+// Whether the last line of this index is still there as a whole line.
 bool RunIndex::goes_on_in(const Source& source) const {
   const auto& last = entries_.back();
   std::string line(last.length + std::size_t{1}, '\0');
@@ -157,7 +158,7 @@ Outcome RunIndex::read_on(std::uint64_t offset) {
   for (auto number = record_kinds_.size(); number < kinds_.size(); ++number)
     record_kinds_.push_back(record_kind(kinds_[number]));
   for (std::uint32_t number = 0; number < names_.size(); ++number) name_numbers_.emplace(names_[number], number);
-  std::string held;                // what has been read and not yet used
+  std::string held;                // bytes that have been read and not yet used
   std::uint64_t held_at = offset;  // where it begins in the file
   std::size_t searched = 0;        // no line's end before this place
   for (;;) {
@@ -179,7 +180,7 @@ Outcome RunIndex::read_on(std::uint64_t offset) {
   }
   bytes_ = held_at + held.size();
   if (bytes_ == 0) return Error{path_, "the file is empty; expected a run log"};
-  // What is left has no line's end: the writer was stopped in the middle of it, unless it is whole all the same.
+  // The rest has no line's end: the writer was stopped in the middle of it. It may be a whole record all the same.
   if (!held.empty() && (!Json::accept(held) || add_line(held, held_at))) {
     if (entries_.empty())
       return Error{path_ + ":1", "not a run log: the first line is not a whole record of kind 'run'"};
@@ -270,11 +271,11 @@ Outcome RunIndex::problem_of(const std::vector<RecordMember>& members, bool whol
   return std::nullopt;
 }
 
-// Whatever of the last record other parts of a log are found by.
+// Notes the values of the last record by which other parts of a log are found.
 void RunIndex::add_marks(const std::vector<RecordMember>& members, std::string_view kind) {
   const auto n = static_cast<std::uint32_t>(entries_.size() - 1);
   const auto value = [&](auto member) { return value_in(members, name_of(member)); };
-  // A symbol lies above an older one: a chain can only lead down, whatever the file says.
+  // A symbol lies above an older one: a chain can only lead down, even in a broken file.
   if (log::is<log::Symbol>(kind)) {
     const auto id = number_in<std::int64_t>(value(&log::Symbol::id));
     const auto below = number_in<std::int64_t>(value(&log::Symbol::below));

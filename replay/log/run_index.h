@@ -44,14 +44,14 @@ struct SymbolPlace {
   std::uint32_t n = 0;
   std::uint32_t depth = 1;  ///< number of symbols from this one down
   std::int64_t below = -1;
-  std::uint64_t stack = 0;  ///< equal for stacks of equal symbols, in whatever run
+  std::uint64_t stack = 0;  ///< equal for stacks of equal symbols, in any run
 };
 
 /// A record that tells of an act.
 struct ActMark {
   std::uint64_t n = 0;
   std::int64_t act = 0;
-  std::uint32_t step = 0;   ///< of the act's steps; 0: of the act as a whole
+  std::uint32_t step = 0;   ///< of the act's steps; 0: the act as a whole
   std::uint32_t asked = 0;  ///< 1: it was asked for here
 };
 
@@ -72,15 +72,15 @@ class RunIndex {
     bool operator==(const Print&) const = default;
   };
 
-  /// Scans the whole file. A last line cut short is left out (see `trouble`); a file that is missing, empty or not
-  /// a run log is an error, as is a broken line before the last. Of a long log the index is kept beside it, as
+  /// Scans the whole file. A last line cut short is left out (see `trouble`); a file that is missing, empty or not a
+  /// run log is an error, as is a broken line before the last. The index of a long log is kept next to it, as
   /// PATH.index, and read again as long as the log is the same file; without leave to write there it is not kept.
   static Result<RunIndex> open(const std::string& path);
   /// Of a log held in memory; `name` stands for the file.
   static Result<RunIndex> of_text(std::string text, const std::string& name);
 
-  /// The index of the log that `old` is of, which has grown: only what was added is read, if what `old` ended with is
-  /// still in its place; else as open().
+  /// The index of `old`'s log, which has grown: only the new part is read, if the last line of `old` is still in its
+  /// place; else as open().
   static Result<RunIndex> grown(const RunIndex& old);
 
   const std::string& path() const { return path_; }
@@ -109,7 +109,7 @@ class RunIndex {
   /// Whether the log ends with its `end` record.
   bool complete() const;
 
-  /// What is wrong with the end of the log, as a sentence; empty when nothing is.
+  /// The fault of the log's end, as a sentence; empty when there is none.
   const std::string& trouble() const { return trouble_; }
 
   const std::vector<StackMark>& stack_marks() const { return marks_; }

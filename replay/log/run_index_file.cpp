@@ -1,4 +1,4 @@
-// The index of a long log, kept beside it: a file that may be deleted at any time.
+// The index of a long log, kept next to it: a file that may be deleted at any time.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -19,7 +19,8 @@ namespace {
 // Shorter logs are read faster than anybody notices.
 constexpr std::uint64_t shortest_kept = std::uint64_t{8} << 20;
 
-// What a file of another version, or of a machine that lays numbers out otherwise, does not begin with.
+// The beginning of an index file. A file of another version, or of a machine that lays numbers out otherwise, begins
+// otherwise.
 struct Begin {
   std::array<char, 24> name{"continua run index 3"};
   std::uint64_t order = 0x0102030405060708ULL;
@@ -168,7 +169,7 @@ bool RunIndex::consistent() const {
   });
 }
 
-// Under a name of its own until it is whole. That it cannot be written is no trouble.
+// Written under a name of its own until it is whole. A file that cannot be written is no trouble.
 void RunIndex::keep(const Print& print) const {
   std::vector<Symbol> symbols;
   for (const auto& [id, place] : symbols_) symbols.push_back({id, place});

@@ -17,7 +17,7 @@ std::string_view unquoted(std::string_view value) {
   return value.size() >= 2 && value.front() == '"' ? value.substr(1, value.size() - 2) : std::string_view();
 }
 
-// What the chain needs of a line.
+// The parts of a line that the chain needs.
 struct Line {
   std::string_view text, kind, digest;
   explicit Line(std::string_view line) : text(line) {

@@ -1,5 +1,5 @@
-// Whether a run log is what was written: its chain of digests and what its last line states (RECORDS.md, `block`,
-// `end`).
+// Whether a run log is as it was written: its chain of digests and the statements of its last line (RECORDS.md,
+// `block`, `end`).
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace continua {
 
-/// All that is not as it was written, at "path:line": the first damaged block and how many more there are; otherwise
-/// what the last line states and its records do not. A log cut short is whole as far as its last block tells.
-/// `text` is the whole file.
+/// All differences from the log as written, at "path:line": the first damaged block and the number of others; otherwise
+/// the statements of the last line that its records contradict. A log cut short is whole as far as its last block
+/// tells. `text` is the whole file.
 std::vector<Error> integrity_problems(std::string_view text, const std::string& path);
 
 }  // namespace continua

@@ -1,4 +1,4 @@
-// What a run is, in a few numbers: a line of the start page, and what its own page begins with.
+// A run in a few numbers: a line of the start page, and the beginning of the run's own page.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@ namespace continua {
 
 /// A line of the start page: {duration, records, utterances, acts, refusals, machine, scene, complete, first, …}.
 /// `refused_samples` are the refusals of pointing samples, which come by the hundred while nobody waits for them;
-/// `first` is the record of interest, at `first_t` (seconds); `drawable`: the log has what pictures are drawn from.
+/// `first` is the record of interest, at `first_t` (seconds); `drawable`: the log has the geometry for pictures.
 Result<Json> run_listing(const RunIndex& run);
 
-/// The record that a reader wants to see first: an expectation that was not met, else where the avatar first had to
-/// ask, else the act that was asked for last, else what was said, refused or decided first.
+/// The record that a reader wants to see first: an expectation that was not met, else the place where the avatar first
+/// had to ask, else the act that was asked for last, else the first utterance, refusal or decision.
 std::size_t record_of_interest(const RunIndex& run);
 
 /// The header without its long texts, and the listing's numbers.

@@ -26,7 +26,7 @@ void erase_asides(Json& value, const std::vector<MemberSchema>& members) {
   }
 }
 
-// Between which other records an act goes on and ends is measured: what it came to counts by the act's number.
+// The records between which an act goes on and ends are measured: its outcome counts by the act's number.
 std::optional<std::int64_t> ended_act(const Json& fields) {
   const auto act = fields.find(name_of(&Act::act)), status = fields.find(name_of(&Act::status));
   const bool asked = status != fields.end() && *status == log::asked;

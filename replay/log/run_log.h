@@ -19,13 +19,13 @@ namespace continua {
 /// Whether records of this kind are decisions (RUNLOG.md, `decisions`).
 bool is_decision(std::string_view kind);
 
-/// Takes the records of a run one after another and gives what of them must be equal on every machine and in every
-/// world, {"kind", "fields", "t"}, in the order in which it counts.
+/// Takes the records of a run one after another and gives the parts of them that must be equal on every machine and in
+/// every world, {"kind", "fields", "t"}, in the order in which they count.
 class DecisionOrder {
  public:
   /// Nothing, if the record is no decision, or tells how an act goes on.
   std::optional<Json> next(const Json& record);
-  /// After the last record: what each act came to, by the acts' numbers.
+  /// After the last record: the outcome of each act, by the acts' numbers.
   std::vector<Json> outcomes() const;
 
  private:

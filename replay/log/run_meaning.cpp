@@ -15,8 +15,8 @@
 namespace continua {
 namespace {
 
-// What is to be done with members of these names. Of a log's million records each is looked up: by a table of their
-// lengths and first bytes.
+// The use of members by their names. Each record of a log of a million is looked up: by a table of name lengths and
+// first bytes.
 template <class Use>
 class Members {
  public:
@@ -85,7 +85,7 @@ struct RecordKind {
 
 namespace {
 
-// Kinds that say what happened.
+// Kinds of records that tell events.
 const std::vector<RecordKind>& kinds() {
   static const auto all = [] {
     std::vector<RecordKind> counted;

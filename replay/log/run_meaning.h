@@ -1,5 +1,5 @@
-// What a record of a run log says, as numbers that are equal where records of any two runs say the same: without
-// running numbers, ids and times, which shift when something is added before.
+// Hashes of a record's content. Equal hashes mean equal content in any two runs; record numbers, ids and times are left
+// out, since they shift when something is added before.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace continua {
 
 struct RecordMeaning {
-  std::uint64_t what = 0;   ///< what happened: the transition from here to there, the slots of a symbol, what was said
+  std::uint64_t what = 0;   ///< the event: the transition from here to there, the slots of a symbol, the words
   std::uint64_t whole = 0;  ///< with all that it was decided by: candidates, weights, parses, operations
 };
 
@@ -18,7 +18,7 @@ struct RecordMember {
   std::string_view key, value;
 };
 
-/// What counts in records of a kind.
+/// The members that count in records of a kind.
 struct RecordKind;
 
 /// nullptr for kinds whose records say nothing that counts.
@@ -26,7 +26,7 @@ const RecordKind* record_kind(std::string_view name);
 
 RecordMeaning meaning_of(const RecordKind* kind, std::span<const RecordMember> members);
 
-/// Of an event of a trace: what it says, whenever it does. `event` is an object as written.
+/// Of an event of a trace: its content, without its time. `event` is an object as written.
 std::uint64_t meaning_of_event(std::string_view event);
 
 }  // namespace continua

@@ -8,8 +8,8 @@
 
 namespace continua {
 
-/// In order: neither the stream of pointing samples nor its refusals, nor what it moves without changing the stack; nor
-/// poses, symbols and other records that only keep the log's account.
+/// The records at which the arrow keys stop, in order: neither the stream of pointing samples nor its refusals, nor its
+/// consequences without a change of the stack; nor poses, symbols and other records that only keep the log's account.
 std::vector<std::uint32_t> records_worth_stopping_at(const RunIndex& run);
 
 }  // namespace continua

@@ -6,8 +6,8 @@
 
 namespace continua {
 
-/// What a value says, as it is written in a line: a string without its quotes and escapes, null nothing, all else as
-/// compact JSON. What is no JSON is given as it stands.
+/// A value in the form in which it stands in a line: a string without its quotes and escapes, null as nothing, all else
+/// as compact JSON. A value that is no JSON is given as it stands.
 std::string text_in(std::string_view value);
 
 /// Whether that is the value as it stands between its quotes.

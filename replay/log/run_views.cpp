@@ -59,7 +59,7 @@ Result<Json> run_graph(const RunIndex& run) {
     auto found = taken.extract({text_of(edge, "id"), text_of(edge, "from"), text_of(edge, "to")});
     edge["visits"] = found ? found.mapped() : std::size_t{0};
   }
-  // What is left ended elsewhere than its transition leads: a gate turned it away.
+  // The remaining edges ended elsewhere than their transitions lead: a gate turned them away.
   for (const auto& [key, visits] : taken) {
     const auto& [id, from, to] = key;
     Json diverted{{"id", id},         {"from", from},         {"to", to},
@@ -101,7 +101,7 @@ Result<Json> stack_change(const RunIndex& run, std::int64_t was, std::int64_t to
   auto before = run.snapshot(was);
   if (!before) return before.error();
 
-  // Stacks share their tails, so what is equal is equal from the bottom up.
+  // Stacks share their tails, so they are equal from the bottom up.
   std::size_t same = 0;
   while (same < now->size() && same < before->size() &&
          (*now)[now->size() - 1 - same]["id"] == (*before)[before->size() - 1 - same]["id"])
@@ -116,7 +116,7 @@ Result<Json> stack_change(const RunIndex& run, std::int64_t was, std::int64_t to
       symbol["change"] = "changed";
       symbol["slots_changed"] = slots_changed((*before)[removed - 1 - height]["slots"], symbol["slots"]);
     } else {
-      // A pushed symbol inherits from the one it is laid on: what differs from that is what the push set.
+      // A pushed symbol inherits from the one below: the push set the slots that differ.
       symbol["change"] = "added";
       symbol["slots_changed"] =
           slots_changed(i + 1 < now->size() ? (*now)[i + 1]["slots"] : Json::object(), symbol["slots"]);

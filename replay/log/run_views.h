@@ -1,4 +1,4 @@
-// What the inspector's panels show, worked out from a run's index. Pure: a log in, JSON out.
+// The data behind the inspector's panels, worked out from a run's index. Pure: a log in, JSON out.
 #pragma once
 
 #include <cstddef>
@@ -27,14 +27,14 @@ Result<Json> run_records(const RunIndex& run, const RecordFilter& filter);
 /// that says `diverted`.
 Result<Json> run_graph(const RunIndex& run);
 
-/// The stack as it stood at record n, top first, and what its last change did. `change` of a symbol is `added`,
-/// `changed` (it took a removed one's place on the same tail) or `same`; `slots_changed` gives {slot: {was, now}};
-/// `depth` and `depth_before` count symbols.
+/// The stack as it stood at record n, top first, and its last change. `change` of a symbol is `added`, `changed` (it
+/// took a removed one's place on the same tail) or `same`; `slots_changed` gives {slot: {was, now}}; `depth` and
+/// `depth_before` count symbols.
 Result<Json> run_stack(const RunIndex& run, std::size_t n);
 
 /// Under `explore`: the stack of one of the configurations that the automaton may be in at record n, as the last
-/// `branches` record tells, and how it differs from that of the branch it comes from; with `branch`, what that record
-/// says of it. The error says which branches there are. REQUIRES n < run.size().
+/// `branches` record tells, and its difference from that of the branch it comes from; with `branch`, that record's
+/// entry for it. The error names the branches. REQUIRES n < run.size().
 Result<Json> run_branch_stack(const RunIndex& run, std::size_t n, std::int64_t branch);
 
 /// The same between the stacks as they stood at two records, without `n` and `at`. REQUIRES before, n < run.size().

@@ -10,7 +10,7 @@
 
 namespace continua {
 
-/// What an expectation is held against.
+/// The circumstances that an expectation is checked against.
 struct Situation {
   const Machine& machine;
   const Configuration& configuration;
@@ -22,7 +22,7 @@ struct Situation {
 
 struct Checked {
   bool met = true;
-  Json found;  ///< for each field that was expected, what there was
+  Json found;  ///< for each expected field, the value found
 };
 
 Checked check(const Expectation& expectation, const Situation& situation);

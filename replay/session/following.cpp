@@ -31,7 +31,7 @@ Following::Following(Variant variant, bool at_once, const WorldSnapshot& world, 
   for (const auto& object : world.objects) names_.emplace(object.name, Type::entity());
 }
 
-// What is no term, as raw text that a system logged for an act, is taken as text.
+// Content that is no term, such as raw text that a system logged for an act, becomes a text.
 Term Following::term_of(const std::string& content) const {
   const auto term = parse_term(content, names_);
   return term ? *term : Term::text(content);

@@ -1,5 +1,5 @@
-// How a run follows what the trace has observed of another avatar (Variant): its acts move the world, and where it did
-// something else than the engine, the dialogue goes on from what it did.
+// How a run follows another avatar's observed moves (Variant): its acts move the world, and where it did something else
+// than the engine, the dialogue goes on from there.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@
 
 namespace continua {
 
-/// Whether all that the trace has observed comes at the instants of inputs, as from a system that answers at once. What
-/// comes after an input is then all there at its instant; else it may come until the next input that is no sample.
+/// Whether all observations of the trace come at the instants of inputs, as from a system that answers at once. If so,
+/// all consequences of an input are there at its instant; else they may come until the next input that is no sample.
 bool answers_at_once(const Trace& trace);
 
 class Following {
@@ -35,7 +35,8 @@ class Following {
   bool end(const Episode& episode, SimTime t);
   const KinematicBody& world() const { return world_.body(); }
 
-  /// What came of the input last ended is not what was observed of it, and the engine is to go on from the latter.
+  /// The engine's answer to the input last ended differs from the observed one, and the engine is to go on from the
+  /// latter.
   bool is_corrected() const { return corrected_; }
   /// REQUIRES is_corrected().
   Tick correct(const Pipeline& pipeline, const EngineState& after, const WorldSnapshot& world) const;

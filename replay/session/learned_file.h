@@ -1,4 +1,4 @@
-// Where what was taught is kept from run to run (learning/learning_file.h).
+// The file that keeps lessons from run to run (learning/learning_file.h).
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace continua {
 
-/// What the file holds; nothing if there is none. Errors: its first problem, or a word that the machine has another
-/// meaning for.
+/// The lessons in the file; nothing if there is no file. Errors: the first problem of the file, or a word for which the
+/// machine has another meaning.
 Result<Learned> read_learned(const std::string& path, const Machine& machine, const Language& language);
 
-/// The new file takes the place of the old one at once: whoever reads it sees one of them, whole.
+/// The new file takes the place of the old one at once: a reader sees one of them, whole.
 Outcome write_learned(const std::string& path, const Learned& learned);
 
 }  // namespace continua

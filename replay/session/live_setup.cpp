@@ -37,7 +37,7 @@ class SetupCheck {
                                                         did_you_mean(key, known), fmt::join(known, ", "))));
   }
 
-  // A text that is not empty; empty where it is none, which is a problem.
+  // A text that is not empty; an empty or missing one is a problem, and gives an empty text.
   std::string text(const std::string& pointer, const Json& object, const std::string& key) {
     const auto found = object.find(key);
     if (found != object.end() && found->is_string() && !found->get<std::string>().empty()) return *found;

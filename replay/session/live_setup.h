@@ -1,4 +1,4 @@
-// What a live session can be set up with, and what a page offers the human to do: from data.
+// The choices for a live session, and the human's buttons on the page: from data.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@
 
 namespace continua {
 
-/// {"scenes": [names], "machines": [names], "scene", "machine": those that are meant where none is named, "buttons":
-/// [{"label", "key", "event"}]}, the last three from knowledge/live.json. Errors: that cannot be read.
+/// {"scenes": [names], "machines": [names], "scene", "machine": the ones taken where none is named, "buttons":
+/// [{"label", "key", "event"}]}, the last three from knowledge/live.json. Errors: the file cannot be read.
 Result<Json> live_setup(const DataPaths& data);
 
 /// All that is wrong with the text of a live.json of this data, in the order of the file: unknown keys, a scene or
@@ -22,7 +22,7 @@ Result<Json> live_setup(const DataPaths& data);
 std::vector<Error> check_live_setup(std::string_view text, const std::string& path, const DataPaths& data);
 
 /// The gestures that a human may make, [{"label", "about", "event": of a trace, without `t`}]: those of the catalogue,
-/// in each direction that says something; of a machine without (null) those that its transitions know by name.
+/// in each direction with a meaning; for a machine without catalogue (null) those that its transitions know by name.
 Json gesture_palette(const Machine& machine, const GestureCatalogue* gestures);
 
 }  // namespace continua

@@ -92,7 +92,7 @@ Outcome set_parameters_of(const Trace& trace, const ReplayOptions& options, Mach
   return set_parameters(machine, values, header_line(trace));
 }
 
-// What answers the human in a trace; of the options those that change it count.
+// The engine that answers the human of a trace, with the options' changes.
 Result<EngineParts> load_parts(const Trace& trace, const ReplayOptions& options) {
   const auto data = find_data_paths(options.knowledge);
   if (!data) return data.error();
@@ -160,7 +160,7 @@ void splice(Trace& trace, Trace edited, WhatIf& what_if) {
   what_if.trace = {fs::path(edited.name).filename().string(), edited.digest};
 }
 
-// What the options change from their instant on, if they name one. The trace gets its events of then.
+// The options' changes from their instant on, if they name one. The trace gets its events from then on.
 Result<std::optional<WhatIf>> load_what_if(Trace& trace, const ReplayOptions& options, const DataPaths& data) {
   if (!options.from) {
     if (options.with.empty()) return std::optional<WhatIf>();
@@ -181,7 +181,7 @@ Result<std::optional<WhatIf>> load_what_if(Trace& trace, const ReplayOptions& op
   return std::optional(std::move(what_if));
 }
 
-// Those of the options that say what the run was before anything was changed.
+// The options of the run before any change.
 ReplayOptions before_change(const ReplayOptions& options) {
   if (!options.from) return options;
   if (options.before) return *options.before;

@@ -17,15 +17,15 @@
 
 namespace continua {
 
-/// How far a replay follows what the trace has observed of another avatar.
+/// How far a replay follows another avatar's moves that the trace has observed.
 enum class Variant {
   free,     ///< not at all: the run is the engine's own
   world,    ///< the observed acts move the world, and the engine's own do not
-  teacher,  ///< also, where the engine did otherwise, it goes on as if it had done what was observed
+  teacher,  ///< as well, where the engine did otherwise, it goes on as if it had done the observed moves
 };
 
 std::string name_of(Variant variant);
-/// Nothing, if there is none of that name.
+/// Nothing for another name.
 std::optional<Variant> parse_variant(std::string_view name);
 
 struct ReplayOptions {
@@ -34,11 +34,11 @@ struct ReplayOptions {
   std::string scene, machine;         ///< names or paths; empty: the trace's
   std::string language;               ///< of speech and phrases, a name; empty: the trace's, else the machine's
   std::string knowledge;              ///< folder; empty: the program's own
-  std::string learned;                ///< file of what was taught in earlier runs; empty: none
+  std::string learned;                ///< file of the lessons of earlier runs; empty: none
   /// What if: seed, choice, machine, language, knowledge, forced and `with` count from this instant of the run on,
   /// seconds; until then it is the trace's own run. The configuration goes over by names.
   std::optional<double> from;
-  /// With `from`: what counts until then, instead of what makes the trace's own run.
+  /// With `from`: the options until then, in place of those of the trace's own run.
   std::shared_ptr<const ReplayOptions> before;
   std::string with;                           ///< with `from`: the trace whose events count from then on; else empty
   std::map<int, std::string> forced;          ///< step → id of the transition to take there
@@ -49,7 +49,7 @@ struct ReplayOptions {
   std::function<void(double done)> progress;  ///< called now and then with the part of the trace that is done
 };
 
-/// What a person wants to know of a run at a glance.
+/// A run at a glance, for a person.
 struct ReplaySummary {
   SimTime end;
   int inputs = 0, refusals = 0, utterances = 0, acts = 0, acts_done = 0;
@@ -59,8 +59,9 @@ struct ReplaySummary {
   int pruned = 0;                         ///< configurations given up under `explore`
   std::map<int, std::string> not_forced;  ///< of ReplayOptions::forced, those that did not apply at their step
   bool changed = false;                   ///< ReplayOptions::from was reached
-  std::vector<Episode> episodes;          ///< what the human did, what was observed to come of it, and what did
-  std::optional<Error> stopped = {};      ///< why what is changed then cannot go on with the run; the log ends there
+  std::vector<Episode> episodes;          ///< the human's inputs, each with the observed answer and the engine's own
+  std::optional<Error> stopped =
+      {};  ///< the reason why the changed parts cannot go on with the run; the log ends there
 };
 
 struct GestureCatalogue;
@@ -68,36 +69,36 @@ struct LoadedSession;
 struct Situation;
 class SessionLoop;
 
-/// Looks on: called after all that the engine did at an instant, with what it left. Where it returns true the replay
-/// ends, and its log with it.
+/// Watches the run: called after all that the engine did at an instant, with the situation then. Where it returns true
+/// the replay ends, and its log with it.
 using Watch = std::function<bool(const Situation&)>;
 
 /// A trace with its machine and its scene, ready to be replayed.
 class Session {
  public:
-  /// Errors: the trace, its scene or its machine cannot be used; a forced transition is none of the machine's.
+  /// Errors: the trace, its scene or its machine cannot be used; a forced transition is not the machine's.
   static Result<Session> load(const std::string& trace_path, ReplayOptions options);
   ~Session();
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
 
-  /// What of the scene is not known; it can be used all the same.
+  /// The unknown things of the scene; it can be used all the same.
   const std::optional<Error>& warning() const;
 
   /// The trace; where ReplayOptions::with is given, with its events from then on.
   const Trace& trace() const;
   const Machine& machine() const;
-  /// What the names of its scene's objects and attributes are.
+  /// The names of the scene's objects and attributes.
   Blanks blanks() const;
-  /// Those that the machine knows by what they say; null: it knows gestures by their names.
+  /// The gestures whose meanings the machine knows; null: it knows gestures by their names.
   const GestureCatalogue* gestures() const;
   const ReplayOptions& options() const;
 
   /// Replays the trace and writes its run log. Every run begins anew.
   ReplaySummary run(std::ostream& log);
 
-  /// The same of another trace, over what is loaded: its events and notes count, and the `objects` of its header; of
-  /// what else its header says nothing does. Errors: the scene cannot be set out like that.
+  /// The same for another trace, with the loaded parts: only its events, its notes and the header's `objects` are used;
+  /// the rest of its header is ignored. Errors: the scene cannot be set out like that.
   Result<ReplaySummary> run(const Trace& trace, const Watch& watch, std::ostream& log);
 
   /// A run whose events are not known beforehand: see session_loop.h. All must outlive it. Errors: the scene's avatar
@@ -107,8 +108,8 @@ class Session {
   /// Nothing more happens in that run.
   ReplaySummary end(SessionLoop& loop);
 
-  /// Writes ReplayOptions::learned, if the run taught or forgot something; what if does not count. REQUIRES that it has
-  /// run.
+  /// Writes ReplayOptions::learned, if the run taught or forgot something. A run with changes writes nothing. REQUIRES
+  /// that it has run.
   Outcome keep_learned() const;
 
  private:

@@ -57,7 +57,7 @@ Replayed SessionLoop::finish() {
   return {summary_, conversation_.state().learned};
 }
 
-// Whether the engine is ready for what happens now. From the instant of a what-if on, its parts count.
+// Whether the engine is ready for the present instant. From the instant of a what-if on, its parts count.
 bool SessionLoop::ready() {
   if (!loaded_.what_if || summary_.changed || now() < loaded_.what_if->from) return true;
   const auto& parts = loaded_.what_if->parts;
@@ -127,7 +127,7 @@ void SessionLoop::follow_observed() {
   }));
 }
 
-// What is expected is checked once all that happened before has been attended to.
+// An expectation is checked once everything before it has been attended to.
 void SessionLoop::take(const TraceEvent& event, const Expectation&) {
   expected_.push_back({event, conversation_.state().inputs});
   check_expectations();

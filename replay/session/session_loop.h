@@ -26,9 +26,10 @@ class SessionLoop {
   /// All but the body must outlive the loop.
   SessionLoop(const LoadedSession& loaded, std::unique_ptr<Body> body, const Watch& watch, std::ostream& log);
 
-  /// What is before the first event; `notes` are on the trace as far as it is known.
+  /// The records before the first event; `notes` are those on the trace, as far as it is known.
   void begin(const std::vector<Note>& notes);
-  /// Lets time go on; what has waited long enough on the way is attended to. What is in the past does nothing.
+  /// Lets time go on; percepts that have waited long enough on the way are attended to. A time in the past does
+  /// nothing.
   void wait_until(SimTime t);
   /// REQUIRES wait_until(event.t). In order of time.
   void take(const TraceEvent& event);
@@ -70,7 +71,7 @@ class SessionLoop {
   RunLog log_;
   Episodes episodes_;
   bool open_ = false;                     // something may still be observed of the last input
-  std::unique_ptr<Following> following_;  // of what was observed, unless the run is free
+  std::unique_ptr<Following> following_;  // null in a free run
   Recorder recorder_;
   std::unique_ptr<Body> body_;
   Conversation conversation_;

@@ -1,4 +1,4 @@
-// What a replay is made of: loaded once, shared by every replay of a session.
+// The ingredients of a replay: loaded once, shared by every replay of a session.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@
 
 namespace continua {
 
-/// What counts from an instant of the run on.
+/// The parts that count from an instant of the run on.
 struct WhatIf {
   SimTime from;
   EngineParts parts;                                         ///< scene, world and lessons from before the run stay

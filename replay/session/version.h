@@ -1,4 +1,4 @@
-// What `--version` and a run's fingerprint say about the program.
+// The program's version, for `--version` and a run's fingerprint.
 #pragma once
 
 #include <string>
@@ -13,7 +13,8 @@ std::string version_text();
 /// The program's own version.
 std::string program_version();
 
-/// What physics may depend on: a run's poses are comparable byte for byte only under the same fingerprint (RUNLOG.md).
+/// The things that physics may depend on: a run's poses are comparable byte for byte only under the same fingerprint
+/// (RUNLOG.md).
 log::Fingerprint fingerprint();
 
 }  // namespace continua
