@@ -22,7 +22,7 @@ const Json& part(const Json& object, const char* key) {
   return found == object.end() ? nothing : *found;
 }
 
-// The elements of what should be a list; none of anything else.
+// The elements of a list; none of any other value.
 const Json& list(const Json& object, const char* key) {
   static const Json none = Json::array();
   const auto& found = part(object, key);
@@ -36,7 +36,7 @@ std::size_t count_of(const Counts& counts, const std::string& name) {
   return found == counts.end() ? 0 : found->second;
 }
 
-// Reads the records of a run and counts by names; then lists what the header's graph has, with the counts.
+// Reads the records of a run and counts by names; then lists the parts of the header's graph, with the counts.
 class Counting {
  public:
   explicit Counting(const Json& header) : header_(header), phrases_(part(header, "machine"), part(header, "phrases")) {}
@@ -138,7 +138,7 @@ class Counting {
       if (rule.is_string()) ++lexicon_rules_[rule.get<std::string>()];
   }
 
-  // What was said belongs to the transition that brought it about and to the state that it led to.
+  // An utterance belongs to the transition that brought it about and to the state that this led to.
   void utterance(const RunIndex& run, std::size_t n, const Json& record) {
     const auto cause = run.cause(n);
     if (!cause || !log::is<log::Transition>(run.kind(*cause))) return;

@@ -1,6 +1,6 @@
-// What a set of runs reached of their machines, counted from run logs alone: states, transitions, both outcomes of
-// conditions and gates, operations, phrases, and what of the knowledge they used. What can be reached of a machine is
-// in each log's header; what can be reached of the knowledge has to be added (add_reachable).
+// The parts of their machines that a set of runs reached, counted from run logs alone: states, transitions, both
+// outcomes of conditions and gates, operations, phrases, and the knowledge that they used. The reachable parts of a
+// machine are in each log's header; those of the knowledge have to be added (add_reachable).
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,7 @@ inline constexpr const char* lexicon_entries = "lexicon entries";
 /// A sense of words, not yet counted; without a category: that the words may be passed over.
 CoverageItem lexicon_entry(const std::string& words, const std::string& category, const std::string& term);
 
-/// What runs of one machine reached.
+/// The parts that runs of one machine reached.
 struct MachineCoverage {
   std::string name, digest;
   std::string lexicon, lexicon_digest;  ///< empty: the machine has none
@@ -47,23 +47,23 @@ struct MachineCoverage {
   std::vector<CoverageKind> kinds;
 
   CoverageKind& kind(const std::string& name);
-  /// Of what is the machine's own: knowledge is there for all machines.
+  /// Counts the machine's own parts only: knowledge is there for all machines.
   std::size_t reached() const;
   std::size_t reachable() const;
 };
 
-/// Of one run. An error if its log has no graph. What the graph does not name is not counted.
+/// Coverage of one run. An error if its log has no graph. Parts that the graph does not name are not counted.
 Result<MachineCoverage> coverage_of(const RunIndex& run);
 
-/// Adds the counts of runs of the same machine. What only `more` has comes last.
+/// Adds the counts of runs of the same machine. Parts that only `more` has come last.
 void add(MachineCoverage& sum, const MachineCoverage& more);
 
 /// Coverages of the same machines as one, the machines in the order in which they first come. Runs of a machine whose
 /// file or lexicon was another are apart.
 std::vector<MachineCoverage> by_machine(const std::vector<MachineCoverage>& runs);
 
-/// What can be reached of a kind: those that no run reached are added with a count of 0, and all are in this order;
-/// what is not among them comes last.
+/// The reachable parts of a kind: those that no run reached are added with a count of 0, and all are in this order;
+/// parts that are not among them come last.
 void add_reachable(CoverageKind& kind, const std::vector<CoverageItem>& all);
 
 }  // namespace continua

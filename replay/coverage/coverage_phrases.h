@@ -1,5 +1,5 @@
-// Which cases of a machine's phrases were said, as far as a run log tells: an utterance belongs to the phrases that its
-// transition, or the state that this led to, can say; of their cases, to the one whose text it fits best.
+// The cases of a machine's phrases that were said, as far as a run log tells. An utterance belongs to the phrases that
+// its transition, or the state that this led to, can say; among their cases, to the one whose text it fits best.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,17 @@ namespace continua {
 
 struct CoverageKind;
 
-/// How much of `text` a template's own text makes up, in bytes: what stands in braces can be anything. Nothing if the
-/// text cannot have been said by it.
+/// How much of `text` a template's own text makes up, in bytes: the parts in braces can be anything. Nothing if the
+/// template cannot have given the text.
 std::optional<std::size_t> fit_of(std::string_view pattern, std::string_view text);
 
 class PhraseCounts {
  public:
-  /// `machine` and `phrases` as the header of a log has them (RUNLOG.md), with their documents. Of the phrases, those
-  /// that the machine uses.
+  /// `machine` and `phrases` in the form of a log's header (RUNLOG.md), with their documents. Only phrases that the
+  /// machine uses count.
   PhraseCounts(const Json& machine, const Json& phrases);
 
-  /// Said by a transition and the state it led to. Of cases that it fits equally well, all are counted.
+  /// Said by a transition and the state it led to. Cases that it fits equally well are all counted.
   void said(const std::string& text, const std::string& transition, const std::string& state);
 
   CoverageKind reached() const;

@@ -9,10 +9,10 @@
 
 namespace continua {
 
-/// 0 … 100, rounded down: 100 is all. Of nothing, 100.
+/// 0 … 100, rounded down: 100 is all. With nothing to reach, 100.
 std::size_t percent(std::size_t reached, std::size_t of);
 
-/// For each machine a table of its kinds, with counts, per cent and bars, and what was never reached: of each kind the
+/// For each machine a table of its kinds, with counts, per cent and bars, and the parts never reached: of each kind the
 /// first dozen, or all. "in all" is the machine's own.
 std::string coverage_text(const std::vector<MachineCoverage>& machines, bool all_never_reached);
 

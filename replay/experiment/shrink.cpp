@@ -29,7 +29,7 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-// What a run did, for people.
+// A run's deeds, for people.
 struct Account {
   std::string state;
   std::vector<std::string> said;
@@ -78,7 +78,7 @@ class Shrinker {
     if (shrunk.done) {
       // Nothing that comes later made it so.
       if (found_at_) keep_if_still_holds([&](const TraceEvent& event) { return event.t <= *found_at_; });
-      // What others did is never an input, and a kind that nobody knows makes at most a problem.
+      // Observed deeds are never inputs, and an unknown kind makes at most a problem.
       keep_if_still_holds([&](const TraceEvent& event) {
         return std::holds_alternative<InputEvent>(event.what) || std::holds_alternative<End>(event.what);
       });
@@ -111,7 +111,7 @@ class Shrinker {
                                         goal_.kind == "expect" ? "expectation" : "event")};
   }
 
-  // Replays the whole trace and notes what of its run is looked for; false if it is not there.
+  // Replays the whole trace and notes the target in its run; false if it is not there.
   Result<bool> pin() {
     ++probes_;
     bool met = false;
@@ -274,12 +274,12 @@ class Shrinker {
   const ShrinkGoal& goal_;
   const ShrinkProgress& progress_;
   const std::string& against_path_;
-  std::optional<ShrinkAgainst> against_;  // what it is to differ from
+  std::optional<ShrinkAgainst> against_;  // null without a run to differ from
   TraceHeader header_;
   std::vector<TraceEvent> events_;        // that are left; no expectations
   std::vector<TraceEvent> expectations_;  // but the one that is to stay unmet
   std::optional<TraceEvent> unmet_;
-  Json pinned_;                      // Finding::what of the record that is looked for, or the cause of the difference
+  Json pinned_;                      // Finding::what of the target record, or the cause of the difference
   std::optional<SimTime> found_at_;  // in the run of the whole trace
   Account account_;
   std::size_t probes_ = 0;

@@ -59,7 +59,7 @@ Result<ShrinkAgainst> ShrinkAgainst::load(const std::string& path, const std::st
   const auto present_header = present->record(0);
   if (!present_header || !machine.is_object() || !machine.contains("document")) return against;
   if (machine["document"] == (*present_header)["machine"]["document"]) return against;
-  // Only if that is what made the difference.
+  // Only if the machine made the difference.
   auto then = with_machine(machine["document"], trace_path, options);
   if (!then) return against;
   std::ostringstream log;

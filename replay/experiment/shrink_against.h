@@ -11,9 +11,9 @@
 
 namespace continua {
 
-/// A run of the same trace, as it once was. Where that is because the machine was another one, which the run's header
-/// holds, smaller traces are replayed with that machine too, and the two runs of each are held against each other; else
-/// the run stays what it is, and what of the trace comes before the difference must stay.
+/// An earlier run of the same trace. If the run differs because the machine was another one, which the run's header
+/// holds, smaller traces are replayed with that machine too, and the two runs of each are compared. Else the run stays
+/// as it is, and the part of the trace before the difference must stay.
 class ShrinkAgainst {
  public:
   /// `path`: a run log, or a trace, which is replayed. `now`: the run of the whole trace, as it is now.
@@ -21,7 +21,8 @@ class ShrinkAgainst {
   static Result<ShrinkAgainst> load(const std::string& path, const std::string& trace_path,
                                     const ReplayOptions& options, const std::string& now);
 
-  /// Why the run of `trace`, with this log, differs: {"kind", "what"} of the diff's cause; nothing where it does not.
+  /// The reason for which the run of `trace`, with this log, differs: {"kind", "what"} of the diff's cause; nothing
+  /// where it does not.
   std::optional<Json> cause(const Trace& trace, const std::string& log);
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* where = "--until";
 
-// What is found in a run, as a person calls it, and the kind of its records.
+// Things to find in a run, by a person's word, and the kind of their records.
 constexpr std::array<std::pair<std::string_view, const char*>, 4> found_kinds = {
     {{"unmet", "expect"}, {"refusal", "refusal"}, {"problem", "problem"}, {"changed", "changed"}}};
 
@@ -32,7 +32,7 @@ Error unknown(const std::string& found) {
                              in_quotes(found), did_you_mean(found, known), fmt::join(expectable(), ", "))};
 }
 
-// What a field of that name holds when a person writes it without quotation marks.
+// The value of such a field that a person writes without quotation marks.
 Json value_of(const std::string& field, const std::string& text) {
   if (text == "null") return nullptr;
   if (field == "stack_depth") {

@@ -1,4 +1,4 @@
-// What a trace that is made smaller must still do.
+// The goal that a trace must still meet while it is made smaller.
 #pragma once
 
 #include <optional>
@@ -28,17 +28,17 @@ struct ShrinkGoal {
   std::string text;                 ///< as it was asked for
 };
 
-/// From what a person wrote: `state=Ask` and the like, of which several make one situation, the same as a JSON object,
-/// or `unmet`, `refusal`, `problem`, each alone or with `:LINE`, or `changed`.
+/// From a person's text: `state=Ask` and the like, several of which make one situation, the same as a JSON object, or
+/// `unmet`, `refusal`, `problem`, each alone or with `:LINE`, or `changed`.
 Result<ShrinkGoal> parse_goal(const std::vector<std::string>& texts);
 
-/// Whether an `expect` event would be met; `says` also by what was said before the last utterance since the input.
+/// Whether an `expect` event would be met; for `says` words before the last utterance since the input count too.
 bool meets(const Expectation& expectation, const Situation& situation);
 
 /// A record of a run that a goal can be pinned to.
 struct Finding {
   std::optional<std::size_t> line;  ///< of the input that it came of, or its own
-  Json what;                        ///< what must be the same
+  Json what;                        ///< the content that must be the same
   SimTime t;
 };
 

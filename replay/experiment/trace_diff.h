@@ -1,4 +1,4 @@
-// What two traces do not have in common: their headers' parts, and what became of the events of one in the other.
+// The differences of two traces: their headers' parts, and the changes of events from one to the other.
 #pragma once
 
 #include <string>

@@ -55,7 +55,7 @@ bool near(const PoseNumbers& a, const PoseNumbers& b, std::size_t from, std::siz
   return true;
 }
 
-// Makes the trace of a run, and files of what it is answered by, from the run's log.
+// Makes the trace of a run, and the files of the engine that answered it, from the run's log.
 class WhatIfFiles {
  public:
   WhatIfFiles(const RunIndex& run, const WhatIfRequest& request, fs::path folder)
@@ -89,7 +89,7 @@ class WhatIfFiles {
     return text.is_string() ? text.get<std::string>() : compact(text);
   }
 
-  // Where the program has the very scene of the log, with what belongs to it, that; else the log's.
+  // The program's scene if it is the very one of the log, with its files; else the log's.
   Outcome make_scene() {
     const auto mjcf = named("scene", "mjcf");
     if (!mjcf) return mjcf.error();
@@ -103,7 +103,7 @@ class WhatIfFiles {
     return lay_out() ? std::nullopt : Outcome(Error{run_.where(0), "the log's scene cannot be used: " + problem_});
   }
 
-  // Puts into objects_ what of the scene stood elsewhere, or was not there, when the run began.
+  // Puts into objects_ the objects that stood elsewhere, or were not there, when the run began.
   bool lay_out() {
     objects_ = Json::object();
     const auto& bodies = member_of(header_["scene"], "bodies");
@@ -183,7 +183,7 @@ class WhatIfFiles {
     return write_file(trace_, compact(first) + '\n' + *lines);
   }
 
-  // Those of the run, and with them what is asked for; from an instant on if it says so and it makes a difference.
+  // The run's options with the request's changes; from an instant on if the request says so and it makes a difference.
   Outcome make_options() {
     options_.physics = text_of(header_, "world") == "physics";
     const auto end = run_.entry(run_.size() - 1).t.seconds();

@@ -1,5 +1,5 @@
-// Replays runs as they would have gone otherwise, from their logs: scene, machine, phrases and what was taught are the
-// log's; words, gestures and voxemes are the program's own.
+// Replays runs with changes, from their logs: scene, machine, phrases and lessons are the log's; words, gestures and
+// voxemes are the program's own.
 #pragma once
 
 #include <memory>

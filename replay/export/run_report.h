@@ -1,5 +1,5 @@
-// A page that shows why a run is not as it was approved: the verdict in a sentence, the dialogue of both side by side,
-// the records that differ, the machine's graph with what the run visited, and how to reproduce it.
+// A page that shows how a run differs from the approved one: the verdict in a sentence, the dialogue of both side by
+// side, the records that differ, the machine's graph with the run's visits, and the way to reproduce it.
 #pragma once
 
 #include <string>

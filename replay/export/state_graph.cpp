@@ -14,7 +14,7 @@ namespace {
 
 // A transition from all states is drawn once where there are more states than this.
 constexpr std::size_t few_states = 4;
-// Lengths of a label and its parts, in columns; what is longer is cut.
+// Lengths of a label and its parts, in columns; longer text is cut.
 constexpr std::size_t longest_label = 40, longest_input = 18, longest_operation = 18, shortest_condition = 14;
 
 constexpr const char* epsilon = "ε";
@@ -252,7 +252,7 @@ std::size_t columns(std::string_view text) {
   std::size_t count = 0;
   for (const char c : text) {
     if (begins_character(c)) ++count;
-    // What takes three bytes from U+3000 on, or four, is mostly as wide as two letters.
+    // A character of three bytes from U+3000 on, or of four, is mostly as wide as two letters.
     if (static_cast<unsigned char>(c) >= 0xE3 && static_cast<unsigned char>(c) != 0xEF) ++count;
   }
   return count;

@@ -1,4 +1,4 @@
-// A state graph to be drawn: what the pictures of a machine and of a run have in common.
+// A state graph to be drawn: the common form of a machine's picture and a run's.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ struct StateGraph {
     std::string id;         ///< of the transition; empty for a gate's rejection
     std::string input;      ///< empty for a gate's rejection
     bool epsilon = false;   ///< consumes no input
-    bool rejected = false;  ///< where the gate of `from` sends what it does not let in
+    bool rejected = false;  ///< leads to the state for inputs that the gate of `from` does not let in
     std::string condition;  ///< empty: always
     std::string operation;  ///< with its content; empty: none
     double weight = 1;
@@ -43,11 +43,11 @@ struct StateGraph {
 /// transition from all states of more than a few becomes one edge.
 Result<StateGraph> state_graph_of(const Json& graph, const std::string& name);
 
-/// The machine of a run, with what the run visited.
+/// The machine of a run, with the run's visits.
 Result<StateGraph> state_graph_of(const RunIndex& run);
 
-/// What is drawn as one arrow: all edges that lead from one state to another. Loops that consume an input, loops that
-/// do not, and rejections are arrows of their own.
+/// One arrow of the drawing: all edges that lead from one state to another. Loops that consume an input, loops that do
+/// not, and rejections are arrows of their own.
 struct Arrow {
   std::optional<std::size_t> from;  ///< nullopt: every state
   std::size_t to = 0;

@@ -1,5 +1,5 @@
-// What a picture is drawn on: SVG text that grows, and how far it reaches. Colours are those of the style's classes,
-// for light and dark pages.
+// The canvas of a picture: SVG text that grows, and its extent. Colours are those of the style's classes, for light and
+// dark pages.
 #pragma once
 
 #include <string>

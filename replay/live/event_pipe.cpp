@@ -72,7 +72,7 @@ void print_moves(std::shared_ptr<const LiveSession> session) {
   }
 }
 
-// What a trace's header asks for; nothing in particular of another line.
+// The request in a trace's header; an empty one for any other line.
 Json asked_by(const Json& line) {
   Json asked = Json::object();
   for (const char* field : {"scene", "machine", "seed", "perspective", "objects"})
@@ -82,7 +82,7 @@ Json asked_by(const Json& line) {
 
 bool is_header(const Json& line) { return line.is_object() && line.contains("kind") && line["kind"] == "trace"; }
 
-// The session that lines go to, and those who print what comes of them.
+// The session that lines go to, and the threads that print its output.
 class Piped {
  public:
   explicit Piped(LiveSessions& sessions) : sessions_(sessions) {}
@@ -95,7 +95,7 @@ class Piped {
   bool begun() const { return listed_.session != nullptr; }
 
   Outcome begin(Json asked) {
-    // What the command line says counts.
+    // The command line counts.
     const auto& defaults = sessions_.defaults();
     if (!defaults.scene.empty()) asked.erase("scene");
     if (!defaults.machine.empty()) asked.erase("machine");

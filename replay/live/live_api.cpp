@@ -14,7 +14,7 @@ constexpr std::string_view below = "/api/sessions";
 
 ApiResponse answer(const Json& body, int status = 200) { return {status, "application/json", compact(body)}; }
 
-// ID and what follows it in "/api/sessions/ID/WHAT".
+// ID and the rest of "/api/sessions/ID/WHAT".
 std::pair<std::string, std::string> parts_of(std::string_view path) {
   path.remove_prefix(std::min(path.size(), below.size() + 1));
   const auto slash = std::min(path.find('/'), path.size());

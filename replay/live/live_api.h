@@ -13,8 +13,8 @@
 
 namespace continua {
 
-/// What is told of a session: {"id", "run", "trace", "t", "clock", "speed", "paused", "live", "scene", "machine",
-/// "state", "viewers", "gestures", "buttons"}.
+/// A session for clients: {"id", "run", "trace", "t", "clock", "speed", "paused", "live", "scene", "machine", "state",
+/// "viewers", "gestures", "buttons"}.
 Json session_json(const ListedSession& listed, const LiveSessions& sessions);
 
 /// Safe to use from several threads.
@@ -40,7 +40,7 @@ class LiveApi {
   bool admits(const std::string& id, std::size_t events);
 
   std::shared_ptr<LiveSessions> sessions_;
-  std::mutex mutex_;  // guards what follows
+  std::mutex mutex_;  // guards the members below
   // How many events may come at once, of each session: refilled as time goes on.
   struct Allowance {
     double events = 0;

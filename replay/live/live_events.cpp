@@ -10,10 +10,11 @@
 namespace continua {
 namespace {
 
-// An event may be so far ahead of the clock, seconds: of the wall's what clocks may differ by, else a long silence.
+// An event may be so far ahead of the clock, seconds: of the wall's clock by the difference of two clocks, else by a
+// long silence.
 constexpr double most_ahead_s = 1, most_silence_s = 86400;
 
-// Time goes on to its `t`; of live sessions alone.
+// Time goes on to its `t`; an event of live sessions alone.
 bool is_clock(const Json& event) {
   const auto kind = event.find("kind");
   return kind != event.end() && *kind == "clock";
@@ -34,7 +35,7 @@ Error ahead(const std::string& where, SimTime t, SimTime now, LiveTiming timing)
                              wall ? ", or a session whose clock goes by events" : "")};
 }
 
-// As it will be read from line `line` of the trace. What the client wrote stays as it is, but for the time.
+// The event as it will be read from line `line` of the trace. The client's text stays as it is, apart from the time.
 Result<LiveEvent> read_event_at(const Json& json, SimTime t, std::optional<SimTime> own, std::size_t line,
                                 const std::string& where) {
   Json timed;
@@ -44,7 +45,7 @@ Result<LiveEvent> read_event_at(const Json& json, SimTime t, std::optional<SimTi
     for (const auto& [key, value] : json.items())
       if (key != "t" && key != "happened") timed[key] = value;
   } else {
-    timed = json;  // the reader says what is wrong with it
+    timed = json;  // the reader tells its fault
   }
   LiveEvent event{t, {}, compact(timed)};
   std::vector<Error> problems;

@@ -1,4 +1,4 @@
-// What a client sends to a live session: events as the trace will have them, checked before any of them counts.
+// A client's events for a live session: in the form of the trace, checked before any of them counts.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace continua {
 
-/// What drives the time of a live session.
+/// The source of time in a live session.
 enum class LiveTiming {
   wall,    ///< the wall's clock
   events,  ///< the times that events tell, for sources that have a clock of their own

@@ -12,7 +12,7 @@
 
 namespace continua {
 
-/// Whether a record of this kind tells what the avatar does: what it says, shows and sets about.
+/// Whether a record of this kind tells a deed of the avatar: its words, its gestures, its acts.
 bool is_avatars_move(std::string_view kind);
 
 class LiveLog : private std::streambuf {

@@ -29,7 +29,7 @@ Result<Trace> read_so_far(const std::string& path) {
   return read_trace_text(*text, path);
 }
 
-// Approves what the trace does in this world, unless that is what is approved already.
+// Approves the trace's run in this world, unless that run is approved already.
 Outcome approve(const std::string& trace_path, bool physics, const std::string& knowledge,
                 std::vector<std::string>& runs) {
   ReplayOptions options;

@@ -15,7 +15,7 @@ struct SavedTest {
 };
 
 /// Copies the trace, which may still be written to, into `folder` as `name`, replays it in both worlds, and approves
-/// what it does. Errors: it cannot be read, written or replayed, or does not do what it expects; then nothing is left.
+/// the runs. Errors: it cannot be read, written or replayed, or an expectation is not met; then nothing is left behind.
 Result<SavedTest> save_as_test(const std::string& trace_path, const std::string& folder, const std::string& name,
                                const std::string& knowledge);
 

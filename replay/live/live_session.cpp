@@ -65,7 +65,7 @@ Outcome LiveSession::open() {
 
 LiveSession::~LiveSession() { end(); }
 
-// What the clock shows, but never less than the engine has seen already.
+// The clock's time, but never less than the time that the engine has seen already.
 SimTime LiveSession::now() const { return std::max(loop_->now(), clock_.at(std::chrono::steady_clock::now())); }
 
 void LiveSession::work() {
@@ -77,7 +77,7 @@ void LiveSession::work() {
       tell();
       if (!can_go_on()) return;
       if (loop_->now() < goal) {
-        // The world takes longer to work out than it takes: whoever sends events goes first.
+        // The world may take longer to work out than its time lasts: clients that send events go first.
         lock.unlock();
         while (waiting_ > 0) std::this_thread::sleep_for(50us);
         lock.lock();
@@ -126,7 +126,7 @@ void LiveSession::take(const std::vector<LiveEvent>& events) {
   for (const auto& [t, event, line] : events) {
     if (event && std::holds_alternative<End>(event->what)) return close(t);
     if (event) {
-      // First, so that whatever happens the trace has all that the engine saw.
+      // First, so that the trace has all inputs of the engine in any case.
       trace_ << line << '\n' << std::flush;
       ++next_line_;
       if (!can_go_on()) return;

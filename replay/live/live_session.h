@@ -1,5 +1,5 @@
-// A session that happens now: events come in as they happen, and a trace and a run log are written along. What was live
-// replays to the same decisions, since the trace says when the engine learned of each event.
+// A session that happens now: events come in as they happen, and a trace and a run log are written along. A live
+// session replays to the same decisions, since the trace says when the engine learned of each event.
 #pragma once
 
 #include <atomic>
@@ -26,22 +26,22 @@ struct LiveOptions {
   std::string recorder;              ///< whoever sends events has to name it; empty: nobody has to
 };
 
-/// What is known of a session at a moment.
+/// The state of a session at a moment.
 struct LiveState {
   bool live = true;
   std::optional<LiveTiming> timing;
   LiveClock clock;
   SimTime t;                  ///< as far as the engine has come
-  std::string machine_state;  ///< what the machine is in
+  std::string machine_state;  ///< the state of the machine
   std::uint64_t log_bytes = 0;
-  int changes = 0;             ///< counts what a viewer is told of beside the log: pauses, viewers, the end
+  int changes = 0;             ///< counts changes that a viewer is told of besides the log: pauses, viewers, the end
   std::optional<Error> broke;  ///< why it ended, if not because it was told to
 };
 
 /// Safe to use from several threads. Time goes on by a thread of its own.
 class LiveSession {
  public:
-  /// Errors: of what is loaded; a file that cannot be written.
+  /// Errors: of the loaded parts; a file that cannot be written.
   static Result<std::shared_ptr<LiveSession>> start(LiveOptions options);
   /// Ends it.
   ~LiveSession();
@@ -51,11 +51,11 @@ class LiveSession {
   struct Reply {
     std::size_t accepted = 0;
     SimTime t;                       ///< the engine's time
-    std::vector<std::string> moves;  ///< what the avatar set about since the last reply: records of the log
+    std::vector<std::string> moves;  ///< the avatar's deeds since the last reply: records of the log
   };
-  /// All of them or, if one cannot be used, none. Errors: why not, or that the session has ended. `batch` names them,
-  /// or is empty: what comes again under the name of what was taken last, since the answer to that was lost, is
-  /// answered again and not taken again.
+  /// Takes all of the events or, if one cannot be used, none. Errors: the reason, or that the session has ended.
+  /// `batch` names the events, or is empty: events that come again under the name of the last batch, since its answer
+  /// was lost, are answered again and not taken again.
   Result<Reply> receive(const std::vector<Json>& events, const std::string& batch = "");
 
   /// Engine time stands still, or goes on. Error: the session has ended, or its time goes by events.
@@ -65,7 +65,7 @@ class LiveSession {
   void end();
 
   LiveState state() const;
-  /// What of the scene is not known; it can be used all the same.
+  /// The unknown things of the scene; it can be used all the same.
   const std::optional<Error>& warning() const { return warning_; }
   /// After the end.
   const ReplaySummary& summary() const { return summary_; }
@@ -80,7 +80,7 @@ class LiveSession {
   LiveState wait(const LiveState& known, std::chrono::milliseconds patience) const;
   /// Whoever records it, or somebody else, listens from now on (`more` 1) or has gone (-1).
   void attend(bool is_recorder, int more);
-  /// Those that listen, but for whoever records it.
+  /// The listeners, without the one that records the session.
   int viewers() const;
 
  private:
@@ -101,7 +101,7 @@ class LiveSession {
   const std::optional<Error> warning_;
 
   std::atomic<int> waiting_ = 0;  // for the next
-  mutable std::mutex mutex_;      // guards what follows
+  mutable std::mutex mutex_;      // guards the members below
   std::condition_variable heard_;
   std::optional<Session> session_;
   std::ofstream trace_;
@@ -116,7 +116,7 @@ class LiveSession {
   std::optional<Error> broke_;
   ReplaySummary summary_;
 
-  mutable std::mutex told_mutex_;  // guards what follows; the engine need not be waited for
+  mutable std::mutex told_mutex_;  // guards the members below; needs no wait for the engine
   mutable std::condition_variable told_changed_;
   LiveState told_;
   int viewers_ = 0, recorders_ = 0;  // that listen

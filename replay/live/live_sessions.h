@@ -1,4 +1,4 @@
-// The live sessions of a program: what is asked for becomes one, by its id.
+// The live sessions of a program: a request becomes one, by its id.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace continua {
 
-/// What sessions have in common.
+/// The common settings of sessions.
 struct LiveDefaults {
   std::string folder = ".";             ///< of their traces and logs
   std::string name = "session";         ///< of each; where it is taken a number goes after it
@@ -36,7 +36,7 @@ struct LiveRefusal {
 /// Whether the name is fit for a file of any folder: 1 to 64 letters, digits, _ or -.
 bool is_file_name(const std::string& name);
 
-/// A session with what is told of it.
+/// A session with its state for a list.
 struct ListedSession {
   std::string id;
   std::string run;  ///< by which its log is known to others; empty if it is to none
@@ -80,7 +80,7 @@ class LiveSessions {
   const LiveDefaults defaults_;
   const Json setup_;
   Publish publish_;
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards the members below
   std::vector<ListedSession> sessions_;
   std::set<std::string> taken_;  // ids, some of which have yet to be begun
 };

@@ -15,7 +15,7 @@ LiveTail::LiveTail(std::shared_ptr<const LiveSession> session, std::uint64_t fro
 std::vector<std::string> LiveTail::next(std::chrono::milliseconds patience) {
   state_ = read_ < state_.log_bytes ? session_->state() : session_->wait(state_, patience);
   std::vector<std::string> lines;
-  // What has been told of is whole lines.
+  // The announced bytes are whole lines.
   for (const auto most = read_ + most_at_once; read_ < std::min(state_.log_bytes, most);) {
     std::string line;
     if (!std::getline(log_, line)) {

@@ -17,12 +17,12 @@ class LiveTail {
   /// From record number `from` on.
   LiveTail(std::shared_ptr<const LiveSession> session, std::uint64_t from);
 
-  /// What has been written since, as lines without their newline, after waiting for it at most so long; a part of it
-  /// where there is much.
+  /// The lines written since, without their newline, after waiting for them at most so long; a part of them where there
+  /// are many.
   std::vector<std::string> next(std::chrono::milliseconds patience);
   /// Number of the record that is next.
   std::uint64_t next_record() const { return next_; }
-  /// As of `next`.
+  /// The state at the last call of `next`.
   const LiveState& state() const { return state_; }
   /// The session has ended and all of its log has been read.
   bool is_done() const { return !state_.live && read_ >= state_.log_bytes; }

@@ -1,4 +1,4 @@
-// Several pictures in one, each with its time and what happened below it.
+// Several pictures in one, each with its time and its caption below.
 #pragma once
 
 #include <vector>

@@ -7,7 +7,7 @@ namespace {
 
 constexpr SimTime longest_wait{1'500'000};          // a longer one is shortened
 constexpr SimTime shortened_wait{800'000};          // to this
-constexpr SimTime before{300'000}, after{500'000};  // shown around what happens
+constexpr SimTime before{300'000}, after{500'000};  // shown around each happening
 
 }  // namespace
 

@@ -1,4 +1,5 @@
-// When in a film which instant of the run is shown: what happens runs at its own speed, long waits are shortened.
+// The instant of the run that a film shows at each of its times: happenings run at their own speed, long waits are
+// shortened.
 #pragma once
 
 #include <utility>

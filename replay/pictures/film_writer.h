@@ -28,7 +28,7 @@ class FilmWriter {
 
  private:
   FilmWriter() = default;
-  /// What ffmpeg had to say.
+  /// ffmpeg's complaint.
   Error complaint() const;
 
   std::string path_, part_;

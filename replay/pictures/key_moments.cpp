@@ -7,7 +7,7 @@
 namespace continua {
 namespace {
 
-constexpr SimTime together{600'000};  // what is no farther apart is one moment
+constexpr SimTime together{600'000};  // happenings no farther apart are one moment
 
 constexpr auto who_human = "Human", who_avatar = "Avatar", who_acts = "Act";
 
@@ -44,7 +44,7 @@ std::vector<KeyMoment> all_moments(const RunStory& story) {
   return all;
 }
 
-// What somebody says and shows at a time is told in one line.
+// Words and gestures of one speaker at one time are told in one line.
 void add(Happening one, std::vector<Happening>& happenings) {
   const auto same =
       std::find_if(happenings.begin(), happenings.end(), [&](const auto& other) { return other.who == one.who; });

@@ -9,7 +9,7 @@
 
 namespace continua {
 
-/// What happened, for a caption.
+/// A happening, for a caption.
 struct Happening {
   std::string who;  ///< "Human", "Avatar", "Act"
   std::string text;
@@ -23,10 +23,10 @@ struct KeyMoment {
   int weight = 0;  ///< the more, the rather it is shown
 };
 
-/// By rule: what the human said or showed and something came of, when it was over; what the avatar said; where acts,
-/// and the steps that the body did, ended, and how. What is close together is one moment, in which nothing is told of
-/// steps if there is anything else. Of more than `most` the least important are left out, of these those nearest to
-/// another. In order of time; never empty.
+/// The moments to show, by rule: the human's words and gestures with consequences, when they were over; the avatar's
+/// words; the ends of acts and of the body's steps, with their outcomes. Happenings close together are one moment, in
+/// which steps are told only if there is nothing else. Of more than `most` the least important are left out, of these
+/// those nearest to another. In order of time; never empty.
 std::vector<KeyMoment> key_moments(const RunStory& story, std::size_t most = 12);
 
 }  // namespace continua

@@ -8,7 +8,7 @@
 
 namespace continua {
 
-/// "640x360": width by height in pixels. The error says what was expected.
+/// "640x360": width by height in pixels. The error names the expected form.
 Result<ImageSize> picture_size(std::string_view text);
 
 }  // namespace continua

@@ -14,7 +14,7 @@ namespace continua {
 
 class RunMotion {
  public:
-  /// Errors, with the line: the log has no scene with its bodies; a pose that is none.
+  /// Errors, with the line: the log has no scene with its bodies; a pose is malformed.
   static Result<RunMotion> read(const RunIndex& run);
 
   /// The scene's complete MJCF.

@@ -51,7 +51,8 @@ Result<RunPictures> RunPictures::open(const RunIndex& run, const PictureOptions&
   if (!motion) return motion.error();
   auto story = read_story(run);
   if (!story) return story.error();
-  // A log carries its scene's text but not the files that it may name, such as meshes; those are sought beside the log.
+  // A log carries its scene's text but not the files that it may name, such as meshes; those are sought in the log's
+  // folder.
   const auto folder = std::filesystem::absolute(run.path()).parent_path().string();
   auto renderer = Renderer::open({motion->mjcf(), folder, motion->at_start(), run.where(0)}, options.size,
                                  {options.camera, options.text ? subtitle_part : 0});

@@ -1,5 +1,4 @@
-// Pictures of a run as its log tells it: the scene at an instant, with where people point, what is said and what time
-// it is.
+// Pictures of a run from its log: the scene at an instant, with the pointing, the words and the time.
 #pragma once
 
 #include <memory>
@@ -23,8 +22,8 @@ struct PictureOptions {
 
 class RunPictures {
  public:
-  /// Errors: the log has no scene or one that cannot be drawn without what it names, there is no such camera (all with
-  /// a place); pictures cannot be drawn on this machine (without a place).
+  /// Errors: the log has no scene or one that cannot be drawn without its files, there is no such camera (all with a
+  /// place); pictures cannot be drawn on this machine (without a place).
   static Result<RunPictures> open(const RunIndex& run, const PictureOptions& options);
 
   const RunStory& story() const { return story_; }

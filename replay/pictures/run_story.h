@@ -1,4 +1,5 @@
-// What a run log (RUNLOG.md) tells that a picture can show: who said what and when, who pointed where, what was done.
+// The parts of a run log (RUNLOG.md) that a picture can show: words and gestures with their speakers and times,
+// pointing, acts.
 #pragma once
 
 #include <optional>

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t most_of_a_speaker = 2;
 
-// A second to notice it, and 17 characters a second: what makers of subtitles reckon with.
+// A second to notice it, and 17 characters a second: the rule of makers of subtitles.
 SimTime reading_time(const StoryLine& line) {
   const auto letters = static_cast<std::int64_t>(line.text.size());
   return line.gesture ? SimTime{1'500'000} : SimTime{1'000'000 + letters * 1'000'000 / 17};
@@ -19,7 +19,7 @@ std::vector<Subtitle> subtitles_of(const RunStory& story) {
   std::vector<Subtitle> subtitles;
   for (const auto& line : story.lines) {
     if (line.text.empty()) continue;
-    // Only the last of this speaker can still be there: each ends the one before, but for what began with it.
+    // Only the last of this speaker can still be there: each ends the one before, unless both began together.
     for (auto& other : subtitles) {
       if (other.speaker == line.speaker && other.from < line.from && other.until > line.from &&
           (!line.gesture || other.text.starts_with('[')))
@@ -36,7 +36,7 @@ std::vector<Subtitle> shown_at(const std::vector<Subtitle>& subtitles, SimTime t
     std::vector<Subtitle> of_speaker;
     for (const auto& one : subtitles)
       if (one.speaker == speaker && one.from <= t && t < one.until) of_speaker.push_back(one);
-    // What is said matters more than what is shown beside it.
+    // Words matter more than a gesture at the same time.
     std::stable_sort(of_speaker.begin(), of_speaker.end(), [](const Subtitle& a, const Subtitle& b) {
       return !a.text.starts_with('[') && b.text.starts_with('[');
     });

@@ -1,4 +1,4 @@
-// What is written into a picture of a run at an instant: who says what, each long enough to be read.
+// The subtitles in a picture of a run at an instant: speaker and words, each long enough to be read.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ struct Subtitle {
 /// says another; gestures give way to speech and are short.
 std::vector<Subtitle> subtitles_of(const RunStory& story);
 
-/// What is shown at `t`: at most one for each speaker, the human's first; what he says and his gesture are put
+/// The subtitles at `t`: at most one for each speaker, the human's first; the human's words and gesture are put
 /// together.
 std::vector<Subtitle> shown_at(const std::vector<Subtitle>& subtitles, SimTime t);
 

@@ -25,7 +25,7 @@ bool is_plain(const WrittenTerm& term) {
   return std::all_of(term.parts.begin(), term.parts.end(), is_plain);
 }
 
-// The term that an act's content is; nothing where it is none.
+// The term of an act's content; nothing where the content is no term.
 std::optional<WrittenTerm> plain_term(const std::string& content) {
   auto term = read_written_term(content);
   if (!term || !is_plain(*term)) return std::nullopt;
@@ -79,7 +79,7 @@ std::string blanked(const WrittenTerm& term, const Blanks& blanks) {
   const bool list = term.kind == Kind::list;
   if (term.parts.empty() && !list)
     return blanks.names.contains(lower(term.written)) ? "_" : blanked_words(term.written, blanks);
-  // What describes a place is blanked like the place; on(block1) describes none by coordinates.
+  // The description of a place is blanked like the place; on(block1) describes none by coordinates.
   std::string parts;
   for (const auto& part : term.parts)
     parts += (parts.empty() ? "" : ", ") + (holds_place(part) ? "_" : blanked(part, blanks));

@@ -1,4 +1,4 @@
-// How far what an avatar did agrees with what another one was observed to do: words with words, terms with terms.
+// How far an avatar's deeds agree with those observed of another: words with words, terms with terms.
 #pragma once
 
 #include <optional>
@@ -21,14 +21,14 @@ struct AvatarMove {
 /// How far two lists of moves agree; each level includes those before it.
 enum class AgreementLevel {
   none,
-  same_template,  ///< what is said and done, in order; gestures, names, attributes and places left out
+  same_template,  ///< words and acts, in order; gestures, names, attributes and places left out
   lax,            ///< the same moves in order; a place that is described, as a part of the table is, may be any place
   exact,          ///< the same moves in order, coordinates within the tolerance
 };
 
 std::string name_of(AgreementLevel level);
 
-/// What two avatars may differ in and still follow the same template.
+/// Things in which two avatars may differ and still follow the same template.
 struct Blanks {
   std::set<std::string, std::less<>> names;  ///< of objects, and values of their attributes, lower case
 };
@@ -43,7 +43,8 @@ inline constexpr double place_tolerance_m = 0.002;
 AgreementLevel agreement(const std::vector<AvatarMove>& observed, const std::vector<AvatarMove>& produced,
                          const Blanks& blanks);
 
-/// A move with what the template leaves out blanked: "The _ block?", "put(_, on(_))". REQUIRES that it is no gesture.
+/// A move with the parts blanked that the template leaves out: "The _ block?", "put(_, on(_))". REQUIRES that it is no
+/// gesture.
 std::string template_of(const AvatarMove& move, const Blanks& blanks);
 
 /// The moves' templates, told apart by "say " before words. Gestures are left out.

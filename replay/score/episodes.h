@@ -1,5 +1,5 @@
-// A run cut into what the human did and what came of it: what was observed to come of it when the trace was made, and
-// what came of it now.
+// A run cut into the human's inputs and the answers to them: the answer observed when the trace was made, and the
+// present one.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace continua {
 
-/// An input of the human, and what was done after it.
+/// An input of the human, and the deeds after it.
 struct Episode {
   SimTime t;
   int n = 0;             ///< record of the input
@@ -22,9 +22,9 @@ struct Episode {
   AgreementLevel level = AgreementLevel::exact;
 };
 
-/// Gathers the episodes of a run, in order. A move belongs to the input that came last. Samples come all the time: to
-/// one belongs only what is of its instant, and only of those who answer at once. Of others that is chance, or the
-/// sample ended what the words before it waited for. Before any other input, moves belong to the sample that came last.
+/// Gathers the episodes of a run, in order. A move belongs to the latest input. Samples come all the time: only a move
+/// of its very instant belongs to a sample, and only from an avatar that answers at once. Otherwise that is chance, or
+/// the sample ended the wait of the words before it. Before any other input, moves belong to the latest sample.
 class Episodes {
  public:
   /// `at_once`: whether whoever was observed answers inputs at their instants.
@@ -42,7 +42,7 @@ class Episodes {
   const Episode* open() const { return all_.empty() ? nullptr : latest_ ? &all_[*latest_] : &all_.back(); }
   /// The one that began last; nullptr before the first.
   const Episode* last() const { return all_.empty() ? nullptr : &all_.back(); }
-  /// All, held against what was observed; what was done before anything was put in is no episode.
+  /// All episodes, compared with the observed answers; deeds before any input are no episode.
   std::vector<Episode> take(const Blanks& blanks) {
     for (auto& episode : all_) episode.level = agreement(episode.observed, episode.produced, blanks);
     return std::move(all_);

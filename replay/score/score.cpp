@@ -39,7 +39,8 @@ void Score::add(const Score& other) {
 }
 
 double Score::f1() const {
-  // With TP = lax, FN = speaking - lax and FP = answered - lax, 2TP + FN + FP is what was observed and what came out.
+  // With TP = lax, FN = speaking - lax and FP = answered - lax, 2TP + FN + FP is the number of observed answers and
+  // given ones.
   const int both = speaking + answered;
   return both == 0 ? 1 : 2.0 * lax / both;
 }

@@ -1,4 +1,4 @@
-// How well an engine does what another avatar was observed to do: episodes counted. SCORE.md says what the counts mean.
+// How well an engine does another avatar's observed deeds: episodes counted. SCORE.md explains the counts.
 #pragma once
 
 #include <map>
@@ -15,8 +15,8 @@ struct Score {
   int inputs = 0;          ///< episodes that are no samples
   int speaking = 0;        ///< something was observed
   int exact = 0;           ///< of `speaking`, those that agree exactly,
-  int lax = 0;             ///< those, and those that agree but for where a described place is,
-  int same_template = 0;   ///< those, and those that agree but for names, attributes, places and gestures
+  int lax = 0;             ///< those, and those that agree except for the described places,
+  int same_template = 0;   ///< those, and those that agree except for names, attributes, places and gestures
   int answered = 0;        ///< something came out; samples count that are `speaking`
   int spurious = 0;        ///< of `inputs`, something came out where nothing was observed
   int right = 0;           ///< of `inputs`, those that agree at least lax; silence with silence too
@@ -25,24 +25,24 @@ struct Score {
 
   void add(const Episode& episode);
   void add(const Score& other);
-  /// The balance of what is missing and what is too much, of what is said and done: 0 … 1. What agrees at least lax is
-  /// right; what came out and does not agree is too much. 1 if nothing was observed and nothing came out.
+  /// The balance of missing and surplus words and acts: 0 … 1. An answer that agrees at least lax is right; an answer
+  /// that does not agree is surplus. 1 if nothing was observed and nothing came out.
   double f1() const;
 };
 
-/// Whether there is something to look at: what was observed did not come out, or something else did.
+/// Whether there is something to look at: an observed answer did not come out, or another one did.
 bool is_miss(const Episode& episode);
 
-/// What kind of move was observed: the template of the first action, which tells more than the "OK." before it; without
+/// The kind of the observed move: the template of the first action, which tells more than the "OK." before it; without
 /// actions of the first words; with gestures alone the first one's head. Empty if nothing was observed.
 std::string kind_of(const Episode& episode, const Blanks& blanks);
 
-/// By kind_of; of episodes in which something was observed.
+/// By kind_of; of episodes with an observed answer.
 using ScoreOfKinds = std::map<std::string, Score>;
 
 /// A trace's.
 struct TraceScore {
-  std::string name;   ///< what it is called in tables
+  std::string name;   ///< its name in tables
   std::string trace;  ///< its path
   std::string run;    ///< the path of its run log; empty: it was not kept
   Score score;

@@ -17,7 +17,7 @@ struct ScoreReport {
   ScoreOfKinds kinds() const;  ///< of all traces
 };
 
-/// Tables of the traces and of the kinds of moves, and what to look at: of each trace the first few misses, or all.
+/// Tables of the traces and of the kinds of moves, and the misses: of each trace the first few, or all.
 std::string score_text(const ScoreReport& report, bool all_misses);
 
 /// {"variant", "traces": [{"trace", "run" or null, the counts, "kinds": [{"kind", "speaking", "exact", "lax",

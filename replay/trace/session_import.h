@@ -1,5 +1,5 @@
 // Imports the session logs of VoxSim's studies: tab-separated rows of running index, channel, content and seconds.
-// traces/FORMAT.md, "Import of VoxSim session logs", says what becomes of each channel.
+// traces/FORMAT.md, "Import of VoxSim session logs", names the events that each channel becomes.
 //
 // A row that cannot be used is left out with a note; only a file without a single usable row is an error.
 #pragma once

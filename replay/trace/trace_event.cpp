@@ -154,7 +154,7 @@ const std::vector<std::string>& event_kinds() {
   return names;
 }
 
-// Appends what `read` holds beside the fields of `known`.
+// Appends the members of `read` that are not in `known`.
 void put_unknown_fields(Json& json, const Json& read, const std::vector<std::string>& known) {
   if (!read.is_object()) return;
   for (const auto& [key, value] : read.items())

@@ -1,4 +1,4 @@
-// One event of a trace from and to its JSON; what trace_file.h offers is made of these.
+// One event of a trace from and to its JSON; the functions of trace_file.h are made of these.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace continua {
 
-/// The largest time, seconds: what SimTime's microseconds hold with room to add.
+/// The largest time, seconds: SimTime's microseconds hold it with room to add.
 inline constexpr double trace_time_limit_s = 1e9;
 
 /// A coordinate that a recogniser may report, metres. Real logs hold pointing samples 13 km away; they mean "not on
@@ -21,8 +21,8 @@ const std::vector<std::string>& fields_of_kind(const std::string& kind);
 /// The kinds of events.
 const std::vector<std::string>& event_kinds();
 
-/// The event on line `line` of `name`. What is wrong with it is added to `problems`, what is merely odd to `notes`;
-/// with a problem the event is not to be used.
+/// The event on line `line` of `name`. Errors are added to `problems`, mere oddities to `notes`; with a problem the
+/// event is not to be used.
 TraceEvent event_from_json(Json json, const std::string& name, std::size_t line, std::vector<Error>& problems,
                            std::vector<Note>& notes);
 

@@ -6,7 +6,7 @@
 namespace continua {
 namespace {
 
-// A value for a sentence: what it is if it is large, else itself.
+// A value for a sentence: its type if it is large, else itself.
 std::string shown(const Json& value) {
   if (value.is_array() && value.size() > 3) return fmt::format("an array of {}", value.size());
   if (value.is_object()) return "an object";

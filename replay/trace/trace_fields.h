@@ -1,4 +1,4 @@
-// Reads the fields of one JSON object of a trace and collects what is wrong with them.
+// Reads the fields of one JSON object of a trace and collects their faults.
 #pragma once
 
 #include <initializer_list>

@@ -132,7 +132,7 @@ bool read_first_line(const std::optional<Line>& line, Trace& trace, std::vector<
   return true;
 }
 
-// What makes an event wrong after those before it.
+// Finds errors of an event's place among those before it.
 void check_order(const Trace& trace, const TraceEvent& event, std::vector<Error>& problems) {
   if (trace.events.empty()) return;
   const auto& last = trace.events.back();
@@ -157,7 +157,7 @@ TraceReading read_whole_trace(std::string_view text, const std::string& name) {
   while (const auto line = lines.next()) {
     auto json = parse_json_line(line->text, name, line->number);
     if (!json) {
-      // A replay of part of a file would look like one of the whole: what was lost is for a person to judge.
+      // A replay of part of a file would look like one of the whole: a person must judge the loss.
       if (lines.at_end() && !line->ends)
         problems.push_back({fmt::format("{}:{}", name, line->number),
                             fmt::format("the file is cut short: found {}; expected a whole line, as the {} before it",

@@ -1,6 +1,6 @@
-// A trace: what happened between the human and the avatar, as recorded. traces/FORMAT.md describes the file.
+// A trace: the recorded events between the human and the avatar. traces/FORMAT.md describes the file.
 //
-// Reading is strict where a guess could change what a replay means (types, order, ranges) and tolerant where the
+// Reading is strict where a guess could change the meaning of a replay (types, order, ranges) and tolerant where the
 // world is: unknown fields and kinds are kept, a byte order mark and \r\n are accepted.
 #pragma once
 
@@ -20,7 +20,7 @@
 
 namespace continua {
 
-/// Where a body starts, in W, instead of where the scene puts it. What is absent is the scene's.
+/// The start of a body, in W, in place of the scene's. An absent part is the scene's.
 struct ObjectStart {
   bool removed = false;  ///< taken off the table
   std::optional<Vec3> position_W;
@@ -40,15 +40,15 @@ struct TraceHeader {
   Json json;                                                 ///< the line as read
 };
 
-/// What another agent did at this point; never an input.
+/// A deed of another agent at this point; never an input.
 struct Observed {
   static constexpr const char* kind = "observed";
   std::string channel;  ///< "speech", "gesture" or "action"
   std::string content;
 };
 
-/// What must hold at this point of a replay; absent fields are not checked. Where the file has JSON's null, the
-/// text is "null": nothing is indicated, said, held or done.
+/// The state of things that must hold at this point of a replay; absent fields are not checked. Where the file has
+/// JSON's null, the text is "null": nothing is indicated, said, held or done.
 struct Expectation {
   static constexpr const char* kind = "expect";
   std::optional<std::string> state, says, indicated, act, holding;
@@ -98,18 +98,19 @@ struct TraceReading {
   std::vector<Error> problems;
 };
 
-/// Reads the text of a trace called `name` to its end, whatever is wrong with it.
+/// Reads the text of a trace called `name` to its end, whatever its faults.
 TraceReading read_whole_trace(std::string_view text, const std::string& name);
 
 /// The trace, or the first thing that is wrong with it, placed at "file:line".
 Result<Trace> read_trace_text(std::string_view text, const std::string& name);
 Result<Trace> read_trace(const std::string& path);
 
-/// One event that stands on its own, as on line `line` of `name`. It has the checks of a trace but for its order.
+/// One event that stands on its own, as on line `line` of `name`. It has the checks of a trace, without that of its
+/// order.
 Result<TraceEvent> read_event(const Json& json, const std::string& name, std::size_t line);
 
 /// The lines of a trace file, without their newline. Fields that a kind does not have are taken from `json`, so that
-/// what was read is written again. Keys have a fixed order.
+/// unknown fields are written again. Keys have a fixed order.
 std::string write_header(const TraceHeader& header);
 std::string write_event(const TraceEvent& event);
 std::string write_trace(const Trace& trace);

@@ -1,4 +1,4 @@
-// What the files that come of a trace are called.
+// The names of the files that come of a trace.
 #pragma once
 
 #include <filesystem>
