@@ -80,7 +80,7 @@ std::vector<std::string> options_of(const CLI::App& command) {
   return names;
 }
 
-// What is wrong with the arguments, in one sentence.
+// The fault of the arguments, in one sentence.
 std::string sentence_of(const CLI::App& program, const CLI::ParseError& problem) {
   const auto chosen = program.get_subcommands();
   const CLI::App& command = chosen.empty() ? program : *chosen.front();

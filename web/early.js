@@ -1,4 +1,5 @@
-// Asks for what the address names while the page's modules are still on their way; run_client.js takes the answers.
+// Sends the requests that the address calls for while the page's modules are still on their way; run_client.js takes
+// the answers.
 const asked = (globalThis.continua_early = new Map());
 const ask = (path) => asked.set(path, fetch(path));
 const of_run = (id) => {

@@ -1,5 +1,5 @@
-// Starts the page in an exported file: unpacks its modules and what was recorded of the run, and runs them. Not a module
-// itself: it stands in the file as it is.
+// Starts the page in an exported file: unpacks its modules and the recorded answers about the run, and runs them. Not a
+// module itself: it stands in the file as it is.
 (async () => {
   const unpacked = (node) => {
     const bytes = Uint8Array.from(atob(node.textContent.trim()), (letter) => letter.charCodeAt(0));
@@ -25,7 +25,7 @@
   };
 
   try {
-    // One answer a line: what was asked, a tab, the answer as JSON.
+    // One answer a line: the question, a tab, the answer as JSON.
     const answers = new Map();
     for (const line of (await unpacked(document.getElementById('answers')).text()).split('\n')) {
       const tab = line.indexOf('\t');

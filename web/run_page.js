@@ -10,7 +10,7 @@ import {fetchDiff, fetchRun, listenTo, RecordClient, served} from './run/run_cli
 import {RunData} from './run/run_data.js';
 
 const grow_ms = 700; // between readings of a run that grows
-const first_window_s = 40; // what the timeline shows at first of a run longer than that
+const first_window_s = 40; // the timeline's first window of a longer run
 
 const dataOf = (fetched, labels) => new RunData({...fetched, columns: readColumns(fetched.columns), labels});
 
@@ -57,7 +57,7 @@ export class RunPage {
     return {id, client, labels, data: dataOf(fetched, labels)};
   }
 
-  // Fills in what the address left open, and builds the page.
+  // Fills in the parts that the address left open, and builds the page.
   #begin() {
     const {data, model, comparison} = this;
     const {n, zoom, hunk} = model.selection;

@@ -60,7 +60,7 @@ function mountAll(page, before) {
   return comparison ? withOtherSide(parts, page) : parts;
 }
 
-// The panels of B beside those of A, each with its differences from the other marked.
+// The panels of B next to those of A, each with its differences from the other marked.
 function withOtherSide(parts, {comparison, model, cursor}) {
   const both = {...parts, ...otherSide({comparison, model, jump: cursor.jump})};
   for (const [name, selector] of [

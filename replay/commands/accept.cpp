@@ -107,7 +107,7 @@ void describe_accept(CLI::App& command, AcceptOptions& options) {
   command.add_option("--words", options.words_file, "a file with a word a line; '-' is standard input");
 
   // A word that begins with '-' looks like an option. So that all words stay in order, WORD takes none of them: they
-  // are what remains. It counts as still missing, without which '--' would end the command.
+  // are the remaining arguments. WORD counts as still missing; without that '--' would end the command.
   command
       .add_option("WORD", options.words, "input symbols between spaces, or each character one; '' is the empty word")
       ->check([](const std::string&) { return std::string("remains"); });

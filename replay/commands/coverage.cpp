@@ -29,7 +29,7 @@ namespace {
 
 constexpr std::string_view trace_ending = ".trace.jsonl", run_ending = ".run.jsonl";
 
-// NAME.run.jsonl or NAME.WORLD.run.jsonl beside NAME.trace.jsonl.
+// NAME.run.jsonl or NAME.WORLD.run.jsonl next to NAME.trace.jsonl.
 bool goes_with_a_trace(const fs::path& log) {
   auto stem = log.string();
   stem.resize(stem.size() - run_ending.size());
@@ -38,7 +38,7 @@ bool goes_with_a_trace(const fs::path& log) {
          fs::exists(fs::path(stem).replace_extension().string() + std::string(trace_ending), problem);
 }
 
-// What of a folder is meant, in the order of the names.
+// The files that a folder stands for, in the order of the names.
 std::vector<std::string> files_of(const fs::path& path) {
   if (!is_folder(path)) return {path.string()};
   std::vector<std::string> files;
@@ -74,7 +74,7 @@ class Counting {
     progress_.clear();
   }
 
-  /// What was found in the files that can be used; reports the others.
+  /// The coverage of the files that can be used; reports the others.
   std::vector<MachineCoverage> usable(bool& all) const {
     std::vector<MachineCoverage> coverages;
     for (const auto& one : found_) {
@@ -150,7 +150,7 @@ std::vector<CoverageItem> named(const auto& rules) {
   return items;
 }
 
-// What can be reached of the knowledge. A log does not hold it: the lexicon must be the one that the log names.
+// Adds the reachable parts of the knowledge. A log does not hold it: the lexicon must be the one that the log names.
 void add_knowledge(MachineCoverage& machine, const DataPaths& data) {
   const auto raising_path = (data.knowledge / "raising.json").lexically_normal().string();
   auto& raising = machine.kind(raising_rules);

@@ -1,4 +1,4 @@
-// continua coverage: what of their machines and of the knowledge do these runs reach?
+// continua coverage: the parts of their machines and of the knowledge that runs reach.
 #pragma once
 
 #include <string>
@@ -14,12 +14,12 @@ struct CoverageOptions {
   int jobs = 1;
   bool json = false;
   bool never = false;  ///< tell all that was never reached, not the first few
-  int at_least = 0;    ///< per cent that must be reached of what is a machine's own
+  int at_least = 0;    ///< per cent of a machine's own parts that must be reached
 };
 
-/// Writes what was reached to standard output. Traces are replayed in the kinematic world, in memory. Of a folder, the
-/// logs that go with a trace beside them are left out: it is replayed. exit_no below `at_least`, exit_impossible if a
-/// file cannot be used; the others are told all the same.
+/// Writes the coverage to standard output. Traces are replayed in the kinematic world, in memory. In a folder, a log
+/// next to its trace is left out: the trace is replayed. exit_no below `at_least`, exit_impossible if a file cannot be
+/// used; the others are told all the same.
 int run_coverage(const CoverageOptions& options);
 
 void describe_coverage(CLI::App& command, CoverageOptions& options);

@@ -57,7 +57,7 @@ constexpr std::array exporters = {
     Exporter{"html", "the inspector's page with this run in it, one file that opens offline", export_html},
 };
 
-// What is there already is replaced only by a whole one.
+// An existing file is replaced only by a whole one.
 Outcome written(const Exporter& exporter, const RunIndex& run, const std::string& path) {
   std::error_code unknown;
   const bool aside = !fs::exists(path, unknown) || fs::is_regular_file(path, unknown);

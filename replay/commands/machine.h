@@ -1,4 +1,4 @@
-// continua machine: what a machine is, and its picture.
+// continua machine: a machine in numbers, and its picture.
 #pragma once
 
 #include <string>

@@ -79,7 +79,7 @@ int run_record(const RecordOptions& given) {
   std::thread serving([&] {
     if (port) server.run();
   });
-  // Nobody piped anything where a server was asked for: whoever started it just has no terminal.
+  // Where a server was asked for nobody piped anything: the command was only started without a terminal.
   const auto told = pipe_events(**sessions, !options.port, stopped);
   if (!told || told->summary || !options.port) server.stop();
   serving.join();

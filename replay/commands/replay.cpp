@@ -21,12 +21,12 @@ namespace continua {
 namespace fs = std::filesystem;
 namespace {
 
-// What a run is called unless it is said; what if is not to take the place of the run itself.
+// The name of a run that was given none; a run with changes must not take the place of the run itself.
 std::string run_name(const std::string& trace, const ReplayOptions& options) {
   return trace_name(trace) + (options.from ? ".what_if" : "") + ".run.jsonl";
 }
 
-// The run of the trace as it was, where a file of that name stands beside the trace or beside the output.
+// The trace's run without changes, where a file of its name stands in the folder of the trace or of the output.
 std::optional<std::string> original_run(const std::string& trace, const std::string& output, bool physics) {
   const auto name = trace_name(trace);
   for (const auto& folder : {fs::path(trace).parent_path(), fs::path(output).parent_path()})
@@ -38,7 +38,7 @@ std::optional<std::string> original_run(const std::string& trace, const std::str
   return std::nullopt;
 }
 
-// What to type next to see what the change has changed.
+// The command to type next to see the effect of the change.
 std::string comparison(const std::string& trace, const std::string& output, const ReplayOptions& options) {
   if (output == "-" || (!options.from && options.forced.empty())) return "";
   const auto original = original_run(trace, output, options.physics);
@@ -81,7 +81,7 @@ std::string line_of(const std::string& trace, const ReplaySummary& summary, cons
       optional(summary.problems, "problem"), output);
 }
 
-// Several replays at once, and what they tell of themselves; lines come out in the order of the traces.
+// Several replays at once, and their lines, which come out in the order of the traces.
 class Batch {
  public:
   Batch(const ReplayCommandOptions& options, std::vector<std::string> outputs)

@@ -36,7 +36,7 @@ class Counter {
   bool shown_ = false;
 };
 
-// What the header means by a path relative to the trace, as it is to be called in another folder.
+// A path of the header, relative to the trace, as it reads from another folder.
 template <class Resolve>
 void move_path(std::string& name, const fs::path& from, const fs::path& to, Resolve resolve) {
   if (name.empty() || fs::path(name).is_absolute()) return;

@@ -5,7 +5,7 @@
 namespace continua {
 namespace {
 
-// For gates and edges: an operation's name, and its content in the machine file unless it is none.
+// For gates and edges: an operation's name, and its content in the machine file if it has one.
 template <class T>
 void add_operation(T& told, const Operation& operation) {
   const auto source = Json::parse(operation.source);

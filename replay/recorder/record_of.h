@@ -53,7 +53,7 @@ log::Problem record_of(const Trouble& trouble);
 log::Utterance record_of(const Said& said, const InputRecords& inputs);
 log::AvatarGesture record_of(const Gestured& gestured, const InputRecords& inputs);
 log::Problem record_of(const Unplanned& unplanned);
-/// What a step of an act came to, and the act.
+/// The outcome of an act or of a step of one.
 log::ActResult result_of(const ActReport& report);
 log::ActResult result_of(const ActEnd& end);
 /// A step that needed no doing.

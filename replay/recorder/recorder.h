@@ -1,4 +1,4 @@
-// Turns what the engine and the world did into lines of the run log, with the number of what caused each.
+// Turns the events of engine and world into lines of the run log, each with the number of its cause.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ class Recorder {
   /// Both must outlive the recorder.
   Recorder(RunLog& log, const Machine& machine) : log_(log), machine_(&machine) {}
 
-  /// What comes is of this machine, which must outlive the recorder.
+  /// Later events are of this machine, which must outlive the recorder.
   void go_on_with(const Machine& machine) { machine_ = &machine; }
 
   /// These return the number of their record.
@@ -28,7 +28,7 @@ class Recorder {
   void engine(const std::vector<EngineEvent>& events, SimTime t);
   /// Acts, poses and rests in order of their times. A rest is one record, however many reports it lasts for.
   void world(const WorldReport& report);
-  /// Writes what is still held back: a rest that lasts.
+  /// Writes the record that is still held back: a rest that lasts.
   void finish();
   void expectation(const TraceEvent& event, bool met, const Json& found);
   void problem(std::size_t line, const std::string& message, SimTime t);
@@ -43,16 +43,16 @@ class Recorder {
   /// By number.
   const std::map<int, Act>& acts() const { return acts_; }
   const std::string& last_act() const { return last_act_; }
-  /// What the avatar did since this was asked last.
+  /// The avatar's moves since the last call.
   std::vector<AvatarMove> take_moves() { return std::exchange(moves_, {}); }
-  /// What the last noun phrase or pointing can mean, the likeliest first.
+  /// The candidates of the last noun phrase or pointing, the likeliest first.
   const std::vector<std::string>& last_referents() const { return last_referents_; }
 
  private:
   // Events that only become a record.
   template <class Event>
   void one(const Event& event);
-  // Events that the recorder also remembers, or that cause what follows.
+  // Events that the recorder also remembers, or that cause later ones.
   void one(const Perceived& perceived);
   void one(const Attended& attended);
   void one(const Understood& understood);
@@ -79,7 +79,7 @@ class Recorder {
   InputRecords input_record_;
   std::vector<AvatarMove> moves_;
   int latest_input_ = 0;
-  bool measured_ = false;  ///< the time of what is written depends on how long an act took
+  bool measured_ = false;  ///< the time of the next records depends on the length of an act
   std::map<int, Act> acts_;
   std::map<int, ActStep> steps_;  ///< by command
   std::optional<RestSpan> lasting_rest_;

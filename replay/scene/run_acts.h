@@ -1,4 +1,4 @@
-// What the avatar does in a run, from when to when, with what and whither, as the log (RUNLOG.md) tells it.
+// The avatar's acts in a run, with their times, objects and goals, from the log (RUNLOG.md).
 #pragma once
 
 #include <cstddef>

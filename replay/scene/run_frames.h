@@ -17,9 +17,9 @@ class RunFrames {
 
   /// Why no picture can be drawn on this machine; nothing if they can.
   virtual Outcome unavailable() = 0;
-  /// What is wrong with `size`, "WxH" in pixels or empty; nothing if it can be drawn.
+  /// The fault of `size`, "WxH" in pixels or empty; nothing if it can be drawn.
   virtual Outcome wrong_size(const std::string& size) = 0;
-  /// The run's scene at `t` as PNG. REQUIRES neither of the above, and 0 ≤ t ≤ the run's end. Errors: what this log has
+  /// The run's scene at `t` as PNG. REQUIRES neither of the above, and 0 ≤ t ≤ the run's end. Errors: this log's scene
   /// cannot be drawn.
   virtual Result<std::string> png(const std::shared_ptr<const RunIndex>& run, SimTime t, const std::string& size) = 0;
 };

@@ -22,14 +22,14 @@ std::string first_body(const WrittenTerm& term, const std::set<std::string>& bod
   return "";
 }
 
-// A string as written, without its quotes; nothing where it is none or has escapes.
+// A string as written, without its quotes; nothing for any other value or for a string with escapes.
 std::optional<std::string> plain_text(std::string_view value) {
   if (value.size() < 2 || value.front() != '"' || value.find('\\') != std::string_view::npos) return std::nullopt;
   return std::string(value.substr(1, value.size() - 2));
 }
 
-// What a pointing sample says, read without building a tree: samples come by the hundred thousand. Nothing where the
-// event is something else, or has more than a hand and a target.
+// A pointing sample, read without building a tree: samples come by the hundred thousand. Nothing where the event is of
+// another kind, or has more than a hand and a target.
 struct Sample {
   std::string hand;
   PointedAt at;
@@ -85,7 +85,7 @@ void PointingReader::input(std::size_t n, SimTime t, std::string_view event) {
     input(n, t, Json::parse(event, nullptr, false));
 }
 
-/// The place in pointings_ of what the event begins or goes on with, if it points anywhere.
+/// The place in pointings_ of the pointing that the event begins or goes on with, if it points anywhere.
 std::size_t PointingReader::point(std::size_t n, SimTime t, SimTime until, const std::string& hand,
                                   const PointedAt& at) {
   const auto burst = bursts_.find(hand);

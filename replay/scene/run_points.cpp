@@ -31,7 +31,7 @@ std::optional<PoseNumbers> pose_in(const Json& list) {
   if (!list.is_array() || list.size() != pose.size() || !read_numbers(list, pose)) return std::nullopt;
   const double length = std::hypot(std::hypot(pose[3], pose[4]), std::hypot(pose[5], pose[6]));
   if (!(length > 0.5) || !std::isfinite(length)) return std::nullopt;
-  // Rounded as they are logged, they are as good as of length 1.
+  // Logged components are rounded, so the length may differ from 1 by as much.
   if (std::abs(length - 1) > 1e-3)
     for (std::size_t i = 3; i < pose.size(); ++i) pose[i] /= length;
   return pose;

@@ -1,5 +1,5 @@
-// Where bodies were at any instant of a run, however long it is: a log is read as far as it is asked for, and of what
-// was read it is kept, every so many poses, which record told last of each body.
+// Body poses at any instant of a run. The log is read lazily; every so many poses a keyframe remembers the last record
+// for each body.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace continua {
 
 using BodyPoses = std::map<std::string, PoseNumbers>;
 
-/// Safe to use from several threads. Poses that are none are passed over, as are bodies beyond the first 10,000.
+/// Safe to use from several threads. Malformed poses are passed over, as are bodies beyond the first 10,000.
 class RunPoses {
  public:
   explicit RunPoses(std::shared_ptr<const RunIndex> run);

@@ -1,5 +1,5 @@
-// The world of a run for a viewer: the scene, where bodies were, who pointed where, what was being done. From the log
-// alone; metres and seconds, frame W.
+// The world of a run for a viewer: the scene, the poses of bodies, pointing and acts over time. From the log alone;
+// metres and seconds, frame W.
 #pragma once
 
 #include <memory>
@@ -30,9 +30,9 @@ class RunWorld {
   ///  "pointing":[{"who":"human|avatar","hand","from","to","n","origin":[x,y,z]|null,"samples":[[t,x,y,z],…]}],
   ///  "acts":[{"n","act","program","status","from","to","object":NAME|null,"target":[x,y,z]|null}]}
   /// Pointing and acts are those that overlap the window; of a pointing's samples the last before the window and those
-  /// in it. A window with more than 5000 changes, samples or acts is told of up to an instant, `to`, which is then also
-  /// `next`. The target of an act is the place it names or its steps measured; else where it put the object; else that
-  /// of the body that it names as the place to go to.
+  /// in it. A window with more than 5000 changes, samples or acts ends early, at `to`, which is then also `next`. The
+  /// target of an act is the place it names or its steps measured; else the place where it put the object; else that of
+  /// the body that it names as its goal.
   Json window(SimTime from, SimTime to);
 
  private:

@@ -14,7 +14,7 @@ struct Response;
 namespace continua {
 
 bool takes_gzip(const httplib::Request& request);
-/// The body as it is, whatever the library would make of it.
+/// Sends the body as it is, past the processing of the library.
 void send(httplib::Response& response, std::shared_ptr<const std::string> body, const std::string& type);
 /// Packed, if that is worth it and the browser takes it. Not to be kept.
 void send_answer(const httplib::Request& request, httplib::Response& response, ApiResponse answer);

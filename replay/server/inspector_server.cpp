@@ -27,7 +27,7 @@ constexpr std::size_t largest_body = std::size_t{1} << 20;
 constexpr int other_threads = 16;
 constexpr std::chrono::milliseconds look_every{200};  // at a run that is being written
 
-// Nothing but what this server gives out may be loaded, run, framed or sent to.
+// Only this server's own answers may be loaded, run, framed or sent to.
 constexpr auto policy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
@@ -88,7 +88,7 @@ class InspectorServer::Impl {
                                  {"Cross-Origin-Resource-Policy", "same-origin"}});
     server_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
       using enum httplib::Server::HandlerResponse;
-      // What is answered before its body is read leaves that to be taken for the next request.
+      // A request answered before its body is read leaves the body to be taken for the next request.
       if (has_body(request)) return Unhandled;
       if (refuses(request, response)) return Handled;
       return live_ && answer_without_body(request, response, *live_) ? Handled : Unhandled;
@@ -161,7 +161,7 @@ class InspectorServer::Impl {
     api_.stop();
     stopping_ = true;
     if (sessions_) sessions_->end();
-    // The library does not stop what is only about to listen.
+    // The library does not stop a server that is only about to listen.
     for (; running_; std::this_thread::sleep_for(std::chrono::milliseconds(1))) server_.stop();
   }
 
@@ -217,7 +217,7 @@ class InspectorServer::Impl {
   }
 
   InspectorApi api_;
-  const std::shared_ptr<LiveSessions> sessions_;  // null: there are none
+  const std::shared_ptr<LiveSessions> sessions_;  // null: no live sessions
   std::unique_ptr<LiveApi> live_;                 // of these
   httplib::Server server_;
   std::string address_;

@@ -34,7 +34,7 @@ class RecordStream {
 
   bool is_done() const { return done_; }
 
-  // What is to be sent next; a comment if nothing happened.
+  // The next text to send; a comment if nothing happened.
   std::string next() {
     const int known = tail_.state().changes;
     const auto lines = tail_.next(look_every);
@@ -47,7 +47,7 @@ class RecordStream {
       done_ = true;
       text += event_text("ended", compact(session_json(listed_, sessions_)));
     }
-    // Now and then, so that what stands between does not think that nobody is there any more.
+    // Now and then, so that proxies on the way do not take the connection for dead.
     silent_ = text.empty() ? silent_ + 1 : 0;
     return silent_ % most_silent == most_silent - 1 ? ": nothing new\n\n" : text;
   }

@@ -33,7 +33,7 @@ using Guard = std::function<std::function<void(const httplib::Request&, httplib:
 /// Everything below /api/sessions. `api` must outlive the server.
 void add_live_routes(httplib::Server& server, LiveApi& api, const Guard& guard);
 
-/// Answers one of these requests that has no body, for which the library would wait. False: it is none.
+/// Answers one of these requests that has no body, for which the library would wait. False for any other request.
 bool answer_without_body(const httplib::Request& request, httplib::Response& response, LiveApi& api);
 
 /// "/api/live?session=ID&after=N": every record of the session's log as it is written, with N < `n` or after that in

@@ -1,4 +1,4 @@
-// A bar on standard error, where that is a terminal, for what takes long.
+// A bar on standard error, where that is a terminal, for long work.
 #pragma once
 
 #include <cstddef>

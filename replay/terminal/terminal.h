@@ -17,14 +17,14 @@ enum ExitStatus : int {
 /// "continua: where: sentence" on standard error, on one line.
 void report(const Error& error);
 
-/// "continua: warning: where: sentence" likewise: what was found is used all the same.
+/// "continua: warning: where: sentence" likewise; work goes on.
 void report_warning(const Error& warning);
 
 /// "1 event", "2 events".
 std::string counted(std::size_t count, const std::string& noun);
 
-/// How many traces are replayed at a time: with a file of what was taught (`learned`, or empty) one, since each begins
-/// with what the ones before it taught; that another number was asked for is told.
+/// The number of traces replayed at a time: with a file of lessons (`learned`, or empty) one, since each begins with
+/// the lessons of the ones before it; a request for another number is told.
 int jobs_at_a_time(int jobs, const std::string& learned);
 
 /// Writes a whole file. "-" is standard output.

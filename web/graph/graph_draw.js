@@ -2,7 +2,7 @@
 import {pressable, s, shown, brief, counted} from '../dom.js';
 import {along, arrowHead, bent, loopPath, path} from './graph_paths.js';
 
-const most_letters = 26; // of a value beside an arrow
+const most_letters = 26; // of a value next to an arrow
 
 /** A transition in words. */
 export const rowText = (row) =>
@@ -10,7 +10,7 @@ export const rowText = (row) =>
   (row.diverted ? ', turned away by a gate' : '') +
   (row.visits ? `, ${counted(row.visits, 'time')}` : ', never taken');
 
-// In a comparison, the class of what only one of the two runs took.
+// In a comparison, the class of a part that only one of the two runs took.
 function whose({visits, visits_b}, compared) {
   if (!compared || Boolean(visits) === Boolean(visits_b)) return '';
   return visits ? ' only-a' : ' only-b';

@@ -5,7 +5,7 @@ import {Printer, shorter} from '../terms/term.js';
 export class Steps {
   bar = h('div', {class: 'step-bar', 'data-testid': 'steps', hidden: true});
   expression = h('code', {class: 'expression', 'data-testid': 'expression', hidden: true});
-  #states = []; // as of stepsAt()
+  #states = []; // by stepsAt()
   #place = 0;
 
   show(states) {

@@ -41,7 +41,7 @@ class Dialogue {
   #rows = new Map();
   #current = null;
   #selected = -1;
-  #together = new Map(); // as of ensembles()
+  #together = new Map(); // by ensembles()
   #asked_at = -1;
 
   constructor({data, client, jump}) {

@@ -20,7 +20,7 @@ class Graph {
   #card = h('div', {class: 'edge-card', role: 'status', hidden: true, 'data-testid': 'edge-card'});
   #count = h('span', {class: 'muted', 'data-testid': 'graph-count'});
   #only_taken = h('input', {type: 'checkbox', checked: true, 'data-testid': 'taken-only'});
-  #placed = null; // as of layOut()
+  #placed = null; // by layOut()
   #nodes = new Map(); // state -> element
   #edges = new Map(); // keyOf() -> element
   #lit = []; // elements that tell where the automaton stands

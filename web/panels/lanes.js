@@ -1,4 +1,4 @@
-// The run over time: who did what when, the automaton's states, the stack's depth. On canvases, because there is much of it.
+// The run over time: the deeds of both, the automaton's states, the stack's depth. On canvases, because there are many.
 import {h, panel, counted} from '../dom.js';
 import {calmly} from '../calmly.js';
 import {laneRows} from '../timeline/lane_rows.js';
@@ -100,7 +100,7 @@ class Lanes {
   #open({row, n}) {
     this.#cursor.jump(row.side === 'b' ? this.#comparison.toOwn(n) : n);
   }
-  // Words about an item beside the pointer.
+  // Words about an item next to the pointer.
   #tell(item, place) {
     this.#tip.hidden = !item;
     if (!item) return;

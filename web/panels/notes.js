@@ -1,4 +1,4 @@
-// Notes on instants and stretches of the run, kept in a file beside it.
+// Notes on instants and stretches of the run, kept in a file in the run's folder.
 import {h, panel, clock} from '../dom.js';
 import {served} from '../run/run_client.js';
 
@@ -120,7 +120,7 @@ class Notes {
     this.#from = null;
     this.#showPlace();
   }
-  // First and last record of what the next note is on.
+  // First and last record of the stretch that the next note is on.
   #stretch() {
     const from = this.#from ?? this.#at;
     return [Math.min(from, this.#at), Math.max(from, this.#at)];

@@ -22,7 +22,7 @@ export function ofKind(data, kind) {
 class Rows {
   #data;
   #cursor;
-  #found = []; // as of ofKind()
+  #found = []; // by ofKind()
   #current = -1;
   #rows = h('div', {class: 'rows', role: 'presentation'});
 

@@ -21,9 +21,9 @@ const cameras = {
 class ScenePanel {
   #client;
   #cursor;
-  #bodies = {objects: [], grip: null}; // as of readMjcf()
+  #bodies = {objects: [], grip: null}; // by readMjcf()
   #world = null; // {poses, pointing, acts} at the cursor
-  #drawn = ''; // what was drawn last, as text
+  #drawn = ''; // the last drawn state, as text
   #selected = null; // body
   #show = {labels: false, follow: false};
   #timer = 0;

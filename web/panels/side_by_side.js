@@ -1,4 +1,4 @@
-// The panels of run B beside those of A, and the marks on what differs between them.
+// The panels of run B next to those of A, and the marks on their differences.
 import {mountStack} from './stack.js';
 import {mountDerivation} from './derivation.js';
 

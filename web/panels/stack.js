@@ -49,7 +49,7 @@ class StackPanel {
   #ago(t) {
     return age(this.#data.t[this.#shown.n] - t);
   }
-  // As of stackRow().
+  // By stackRow().
   #view = {
     known: (symbol, slot) => this.#shown.cells.find((one) => one.symbol === symbol.id && one.slot === slot),
     jump: (n, words, props) => this.#link(n, words, props),

@@ -110,7 +110,7 @@ function cell(view, symbol, {slot, was, now, marks}) {
   return h('li', {class: `cell ${change}`}, content, known && now !== undefined && origin(view, known, slot));
 }
 
-// When and from what the cell got its value.
+// The time and the source of the cell's value.
 const origin = (view, known, slot) =>
   h(
     'p',

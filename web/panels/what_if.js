@@ -3,7 +3,7 @@ import {dialog, h, shown} from '../dom.js';
 import {askWhatIf, served} from '../run/run_client.js';
 
 // A question of the dialog: {field: its element, read()}, where read() gives the part of the request that the reader
-// changed, {} if there is none, and throws a sentence if that cannot be used.
+// changed, {} if there is none, and throws a sentence about a part that cannot be used.
 
 /** Another transition at a step; null if the step had no choice. */
 function choiceField(step) {

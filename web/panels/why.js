@@ -1,4 +1,4 @@
-// The record at the cursor: why it came about, from one sentence to the record field by field, and what came of it.
+// The record at the cursor and its reasons, from one sentence to the record field by field, and its consequences.
 import {h, panel, shown, seconds} from '../dom.js';
 import {Latest} from '../terms/latest.js';
 import {allFields, recordView} from '../terms/record_views.js';

@@ -1,4 +1,4 @@
-// Two runs, A and B, held against each other: what of one is what of the other, and what differs. Pure; knows no page.
+// Two runs, A and B, compared: the counterpart of each record, and the differences. Pure; knows no page.
 import {laneRows, reachOf} from '../timeline/lane_rows.js';
 import {lastAtMost} from '../search.js';
 
@@ -52,7 +52,7 @@ export class Comparison {
   }
 }
 
-// The one of a difference's records that says most: what happened rather than the symbols it was made of.
+// The most telling of a difference's records: the event rather than the symbols that it made.
 const leading = (records) => (records.find(({kind}) => kind !== 'symbol') ?? records[0]).n;
 
 function marksOf(hunks, side) {
@@ -78,7 +78,7 @@ function anchorsOf(own, other, pairs) {
   return {a, b, times_a, times_b};
 }
 
-// As far behind the common input before, if that is the same kind of record there; else what was then.
+// The record as far behind the common input before, if that is of the same kind; else the record at that time.
 function counterpart(from, to, from_anchors, to_anchors, n) {
   const i = lastAtMost(from_anchors, n);
   const guess = to_anchors[i] + n - from_anchors[i];

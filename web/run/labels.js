@@ -44,7 +44,7 @@ export class Labels {
 
   async #fetch() {
     this.#timer = 0;
-    // The latest wishes first: what was scrubbed past matters less.
+    // The latest wishes first: records that were scrubbed past matter less.
     const wanted = [...this.#wanted].filter((n) => !this.#known.has(n)).slice(-most_asked);
     this.#wanted.clear();
     if (!wanted.length) return;

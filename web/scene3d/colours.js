@@ -1,4 +1,4 @@
-// The page's colours for what is drawn on a canvas.
+// The page's colours for drawing on a canvas.
 
 /** The colours of the page as numbers, whatever way the style sheet writes them. */
 export function coloursOf(element) {

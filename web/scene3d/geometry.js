@@ -1,6 +1,6 @@
 // MuJoCo's geoms as three's meshes. Half sizes, metres; MuJoCo's capsules and cylinders lie along z, three's along y.
 
-const detail = 28; // sides of what is round
+const detail = 28; // sides of a round body
 const endless_m = 20; // of a plane without end
 const most_vertices = 2e5; // of a mesh
 

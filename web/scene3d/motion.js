@@ -176,7 +176,7 @@ export class Motion {
         const answer = await this.#fetch(Math.max(0, from - lead_s), to + lead_s);
         this.problem = '';
         const told = Number.isFinite(answer?.next) ? answer.next : to;
-        // Good for an instant at least, so that what is asked for next lies further on.
+        // Good for an instant at least, so that the next request lies farther on.
         this.#keep(new Window(answer, from, Math.max(from + 1e-3, Math.min(to, told, end))));
       } catch (problem) {
         this.problem = problem?.message ?? String(problem);

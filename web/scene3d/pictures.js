@@ -1,5 +1,5 @@
 // The scene as the server draws it, one picture after another: where the browser cannot draw it. At most one request at
-// a time and one every 300 ms; what was asked for last wins.
+// a time and one every 300 ms; the latest request wins.
 
 const pause_ms = 300;
 const largest_px = 1280;

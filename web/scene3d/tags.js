@@ -1,4 +1,4 @@
-// Names and numbers beside what the scene shows.
+// Names and numbers next to the bodies of the scene.
 import {h} from '../dom.js';
 
 /** Shows [text, place in pixels or null] above each place: `up`, as CSS writes it. */

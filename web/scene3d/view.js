@@ -1,4 +1,4 @@
-// The scene drawn with three.js. Draws only when told to; knows no run, only poses and what to lay over them.
+// The scene drawn with three.js. Draws only when told to; knows no run, only poses and overlays.
 import {buildBodies, place} from './geometry.js';
 import {axes, eyeOf, fit, flight, sides, viewFrom} from './framing.js';
 import {Ghost} from './ghost.js';
@@ -9,7 +9,7 @@ const degree = Math.PI / 180;
 const most_pixels_ratio = 2;
 const low_picture = 1.8; // width to height
 const room_above_m = 0.12; // the objects, in a low picture
-// As MuJoCo lights a scene: three divides what is diffuse by π.
+// As MuJoCo lights a scene: three divides diffuse light by π.
 const ambient = 0.45 * Math.PI;
 const headlight = 0.35 * Math.PI;
 const lamp = 0.5 * Math.PI;
@@ -142,7 +142,7 @@ export class SceneView {
     const all = this.corners();
     const aspect = this.camera.aspect;
     const there = this.corners(objects);
-    // The avatar looks from just before what reaches highest.
+    // The avatar looks from just before its highest part.
     const top = all.reduce((best, corner) => Math.max(best, corner[2]), 0.3);
     const head = all.filter((corner) => corner[2] > top - 0.03);
     const eye = head.length

@@ -68,7 +68,7 @@ export function mountConversation(run) {
     list,
   );
   const inputs = new Map();
-  const acts = new Map(); // record -> its input's event; act -> what tells its status
+  const acts = new Map(); // record -> its input's event; act -> the line with its status
 
   const link = (n, ...parts) =>
     h(

@@ -2,7 +2,7 @@
 // not to its own time. Pure.
 
 const word_s = 0.25; // how long a spoken word takes
-const longest_s = 1.2; // of the whole: well within what the engine takes together
+const longest_s = 1.2; // of the whole: well within the time in which the engine joins words and pointing
 const hundredths = (x) => Math.round(x * 100) / 100;
 const thousandths = (x) => Math.round(x * 1000) / 1000;
 

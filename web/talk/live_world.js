@@ -10,7 +10,7 @@ export class LiveWorld {
   poses = new Map();
   pointer = null; // [x, y]
   trail = [];
-  clicks = []; // {target}: kept for what is being typed
+  clicks = []; // {target}: clicks for the words being typed
   cross = null; // [x, y]: of the keyboard
   understood = []; // [x, y]
   #times = []; // of the trail

@@ -8,7 +8,7 @@ import {showTags} from '../scene3d/tags.js';
 import {targetOf} from './table.js';
 
 const cameras = {table: {text: 'Table'}, default: {text: 'All'}, above: {text: 'Above'}};
-const room_above_m = 0.22; // the table, for what the hand carries
+const room_above_m = 0.22; // above the table, for a carried object
 const tag_above_m = 0.02;
 
 // A mark of the human's pointing, as the overlays want it.

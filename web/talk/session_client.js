@@ -53,7 +53,7 @@ export async function startSession(options) {
 }
 
 export class SessionClient {
-  #waiting = []; // what is to be sent: {batch, make}: make() gives the events when they go
+  #waiting = []; // requests to be sent: {batch, make}: make() gives the events when they go
   #batch = 0;
   #sending = null; // a sample on its way
   #flushing = false;
@@ -130,7 +130,7 @@ export class SessionClient {
         const {batch, make} = this.#waiting[0];
         await this.#post(make(), `&batch=${batch}`);
       } catch (problem) {
-        // The server would refuse again what it has refused.
+        // The server would refuse the same request again.
         if (problem.status === undefined) {
           this.#timer = setTimeout(() => this.flush(), again_ms);
           break;

@@ -33,7 +33,7 @@ const mouse_help =
 class SessionPage {
   #client;
   #opened_t; // engine's time when this page was opened
-  #now; // as of the status line
+  #now; // by the status line
   #clock = new EngineClock();
   #voice = new Voice();
   #world = new LiveWorld(() => this.place?.render());

@@ -1,4 +1,4 @@
-// Before there is a conversation: what to talk about and to whom, and the conversations of others.
+// The form before a conversation: scene and machine, and the conversations of others.
 import {h, clock, icon} from '../dom.js';
 
 const speeds = [0.25, 0.5, 1, 2, 4];

@@ -1,4 +1,4 @@
-// Where the human talks: a line of text, what was clicked while it was typed, and a microphone where the browser listens.
+// The human's input: a line of text, the clicks while it was typed, and a microphone where the browser listens.
 import {h} from '../dom.js';
 import {Draft, placed} from './draft.js';
 import {mountMicrophone} from './microphone.js';
@@ -6,7 +6,7 @@ import {mountMicrophone} from './microphone.js';
 class TalkBox {
   #draft = new Draft();
   #earlier = [];
-  #place = 0; // in what was said earlier
+  #place = 0; // in the earlier lines
   #send;
   #clicked;
   #input;

@@ -1,4 +1,4 @@
-// Says aloud what the avatar says, where the reader wants it and the browser can.
+// Speaks the avatar's words, where the reader wants it and the browser can.
 const key = 'speaks';
 
 export class Voice {

@@ -14,7 +14,7 @@ export const lambda = (variable, body, type = null) => ({kind: 'lambda', name: v
 export const apply = (head, ...args) =>
   head.kind === 'apply' ? {kind: 'apply', head: head.head, args: [...head.args, ...args]} : {kind: 'apply', head, args};
 
-// sign → [how tightly it binds, what may stand to its left, to its right]
+// sign → [strength of its binding, weakest term to its left, to its right]
 const infixes = new Map([
   ['or', [1, 1, 2]],
   ['and', [2, 2, 3]],

@@ -1,4 +1,4 @@
-// The lanes of a run: what is in them, and how those in sight are found.
+// The lanes of a run: their items, and the search for those in sight.
 import {brief} from '../dom.js';
 import {lastAtMost} from '../search.js';
 

@@ -30,7 +30,7 @@ export class LanesPicture {
   #base = h('canvas', {'aria-hidden': 'true'});
   #over = h('canvas', {'aria-hidden': 'true', class: 'over'});
   #colours = new Map(); // name -> colour
-  #drawn = ''; // what the lanes were drawn for
+  #drawn = ''; // the state that the lanes were drawn for
   #theme = '';
   #bins = {key: '', counts: null};
   #notes = [];
