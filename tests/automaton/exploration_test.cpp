@@ -1,4 +1,5 @@
-// The policy explore: which configurations are carried along, which leads, what is merged, dropped and pruned.
+// The policy explore: the configurations that are carried along, the leading one, and those that are merged, dropped
+// and pruned.
 #include "continua/automaton/exploration.h"
 
 #include <algorithm>

@@ -37,7 +37,8 @@ std::set<std::string> seen_after(const naive::Configurations& configurations) {
   return all;
 }
 
-// Every word in order of length. What ε-transitions blow up without end is slow to copy: such a machine is left there.
+// Every word in order of length. A machine whose ε-transitions grow its stack without end is slow to copy, and left
+// there.
 void compare_words(const naive::Machine& machine, Agreement& agreed) {
   const std::string text = naive::json(machine);
   CAPTURE(text);

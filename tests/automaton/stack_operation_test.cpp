@@ -1,4 +1,4 @@
-// Corner cases of the operations and of gates: one machine, an operation at the input x, and what it leaves.
+// Corner cases of the operations and of gates: one machine, an operation at the input x, and the stack afterwards.
 #include "continua/automaton/stack_operation.h"
 
 #include "support/machines.h"
@@ -9,14 +9,14 @@ namespace {
 
 struct Row {
   const char* what;
-  const char* members;    ///< of the machine, beside those it always has
+  const char* members;    ///< of the machine, besides those it always has
   const char* operation;  ///< of the transition that takes x, from any state to X
   const char* word;
   const char* after;
 };
 
-// a, b, c and d push 1 to 4, and d enters A as a does; A and S enter these states as the stack is; keep pushes what
-// persists; set rewrites.
+// a, b, c and d push 1 to 4, and d enters A as a does; A and S enter these states with the stack unchanged; keep pushes
+// a persistent value; set rewrites.
 std::string machine_text(const Row& row) {
   return std::string(
              R"({"machine":1,"name":"m","start":"S","slots":{"n":"num","held":{"type":"num","persists":true}},)") +
@@ -39,7 +39,7 @@ std::string symbol_text(const Symbol& symbol) {
   return (n == "null" ? "-" : n) + (held == "null" ? "" : "/" + held);
 }
 
-// "X: - 1 2/7": the state, and the stack from the bottom; a symbol as its number / what it holds.
+// "X: - 1 2/7": the state, and the stack from the bottom; a symbol as its number / its persistent value.
 std::string seen(const Player& player) {
   std::string symbols;
   for (Stack stack = player.configuration().stack; !stack.empty(); stack = stack.pop())

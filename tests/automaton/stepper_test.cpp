@@ -6,7 +6,7 @@ using namespace continua;
 
 namespace {
 
-// The disambiguation loop of the paper's figure: one state, whatever the number of options.
+// The disambiguation loop of the paper's figure: one state for any number of options.
 const std::string disambiguation = R"json({
   "machine": 1, "name": "disambiguation", "start": "InterpDeixis", "accept": ["Confirmed"],
   "slots": { "options": "num*", "held": { "type": "num", "persists": true } },
@@ -302,7 +302,7 @@ TEST_CASE("of several inputs one is taken, by its confidence and the weight of w
   CHECK(fired.probability == Approx(2 / 3.5));
   CHECK(fired.refused.at(0).alternative == 2);
   CHECK(fired.input == "y");
-  CHECK(player.slot("at") == "<2, 0, 0>");  // what came with the input that was taken
+  CHECK(player.slot("at") == "<2, 0, 0>");  // the content of the input that was taken
 
   Player none(text);
   CHECK(none.offer("w 0.5, z 0.5, x 0").all<RefusedInput>().at(0).reason ==

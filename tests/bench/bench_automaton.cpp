@@ -21,7 +21,7 @@ std::string folder() {
   return path ? path : ".";
 }
 
-// The value, or the end of the program with what is wrong.
+// The value, or the end of the program with the error.
 template <class T>
 T required(Result<T> result) {
   if (result) return *std::move(result);

@@ -46,7 +46,7 @@ for (const run of runs) {
     opened: performance.getEntriesByName('built')[0].startTime,
     settled: performance.getEntriesByName('settled')[0].startTime,
   }));
-  // The cursor is moved on every frame over the whole run, then the view is zoomed: what each frame costs the page.
+  // The cursor is moved on every frame over the whole run, then the view is zoomed: the page's cost of each frame.
   const frames = await page.evaluate(
     () =>
       new Promise((done) => {

@@ -1,4 +1,4 @@
-// Random puts over scenes, seed by seed: bench_puts SEEDS PUTS SCENE.xml… writes a table, and what went wrong.
+// Random puts over scenes, seed by seed: bench_puts SEEDS PUTS SCENE.xml… writes a table, and the failures.
 #include <chrono>
 #include <cstdlib>
 

@@ -1,5 +1,5 @@
-// How step size, solver, contacts and the rest rule change what acts cost and how well they go: bench_settings [PUTS]
-// writes two tables; README.md describes them.
+// The effect of step size, solver, contacts and the rest rule on the cost and the quality of acts: bench_settings
+// [PUTS] writes two tables; README.md describes them.
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
@@ -19,7 +19,7 @@ namespace {
 
 const std::string scenes = CONTINUA_SOURCE_DIR "/mjcf/scenes/";
 
-/// Processor time of this program, whatever else the machine does.
+/// Processor time of this program alone.
 double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Writes the scene with other options.
@@ -103,7 +103,7 @@ double slip_m(const std::string& path) {
   return world.physics->held() < 0 ? 1 : (world.in_hand("block1") - before).norm();
 }
 
-/// Processor time per simulated second: of an act, and of nothing.
+/// Processor time per simulated second: during an act, and without one.
 std::pair<double, double> cost_s(const std::string& path) {
   World world(load_scene(path).value());
   double before = processor_s();
@@ -161,7 +161,7 @@ struct RestRule {
   int rests = 0;
 };
 
-/// Each rule watches the same world after each put; what moves after it calls rest is its error.
+/// Each rule watches the same world after each put; motion after its word of rest is its error.
 void rest_table() {
   constexpr double watched_s = 5;
   std::vector<RestRule> rules;

@@ -163,7 +163,7 @@ TEST_CASE("a put is a grasp, a move and an ungrasp") {
   act(at_once, move(Capability::put, "b", Relation::on, "a"));
   for (const char* name : {"a", "b", "c"}) CHECK(place(body, name) == place(at_once, name));
 
-  // A grasp for what cannot be done then is not begun.
+  // A grasp is not begun for a goal that then cannot be reached.
   grasp.next = move(Capability::move, "b", Relation::on, "b").goal;
   CHECK(act(body, grasp).status == Status::blocked);
   grasp.next = move(Capability::move, "b", Relation::on, "d").goal;

@@ -114,7 +114,7 @@ TEST_CASE("where things are put") {
       {"slide cup right cup", "0.22 0.03 0.05"},
       {"slide cup in_front cup", "0.12 -0.035 0.05"},
       {"slide cup behind cup", "0.12 0.13 0.05"},
-      // points, whatever stands there
+      // points, occupied or not
       {"put cup to 0 -0.2", "0 -0.2 0.05"},
       {"put cup to 0.499 0.1", "0.499 0.1 0.05"},
       {"put cup to -0.2 0", "-0.2 0 0.05"},

@@ -1,4 +1,4 @@
-// A conversation without replay/: laws of time, and of what a guest sees.
+// A conversation without replay/: laws of time, and a guest's view.
 #include "continua/continua.h"
 
 #include <map>

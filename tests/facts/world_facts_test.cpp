@@ -207,7 +207,7 @@ TEST_CASE("a box fits where it meets nothing; touching is not meeting") {
   CHECK(seen.is("fits(block1, <0.2, 0, 0>, [])"));
   CHECK(seen.is("fits(block1, <0.2011, 0, 0>, [])"));
   CHECK_FALSE(seen.is("fits(block1, <0.2013, 0, 0>, [])"));
-  CHECK(seen.is("fits(block1, <-0.3, 0, 9>, [])"));  // below what is high up
+  CHECK(seen.is("fits(block1, <-0.3, 0, 9>, [])"));  // below a thing that is high up
   CHECK(seen.is("fits(block1, <0, 0.17, 0>, [])"));
   CHECK_FALSE(seen.is("fits(turned, <0.118, 0, 0>, [])"));  // its corners reach further than its sides
   CHECK(seen.is("fits(turned, <0.12, 0, 0>, [])"));

@@ -35,7 +35,7 @@ TEST_CASE("it, inside of a noun phrase, is the noun phrase before it") {
        "the(\\x. block(x) and located(x, behind(the(\\y. cup(y)))))]))"},
       {"is the cup left of the block behind it",
        "whether(located_roughly(the(\\x. cup(x)), left(the(\\x. block(x) and located(x, behind(the(\\y. cup(y))))))))"},
-      // what goes by the focus
+      // left to the focus
       {"take the cup behind it", "grasp(the(\\x. cup(x) and located(x, behind(it))))"},
       {"put the knife in front of it", "put(the(\\x. knife(x)), in_front(it))"},
       {"put it left of the plate", "put(it, left(the(\\x. plate(x))))"},
@@ -52,7 +52,7 @@ TEST_CASE("other, after a thing of the same kind in the same sentence, is not th
       {"put the red block on the left on the other one",
        "put(the(\\x. red(x) and leftmost(\\y. block(y), x)), "
        "on(the(\\x. x != the(\\y. red(y) and leftmost(\\z. block(z), y)) and one(x))))"},
-      // what goes by the focus
+      // left to the focus
       {"put the knife in the other cup", "put(the(\\x. knife(x)), in(the(\\x. other(x) and cup(x))))"},
       {"put the other cup next to the white cup",
        "put(the(\\x. other(x) and cup(x)), beside(the(\\x. white(x) and cup(x))))"},

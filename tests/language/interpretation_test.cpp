@@ -76,7 +76,7 @@ Operators words_with_context() {
   return words;
 }
 
-// A small world, and what an utterance is understood by in it.
+// A small world, and the language for utterances in it.
 struct Scene {
   WorldSnapshot world = table_with_things();
   Signature names = names_of_readings();
@@ -156,7 +156,7 @@ std::string meaning_of(const Interpretation& interpretation) {
   return text;
 }
 
-// "on @ plate = on(plate)", with the rule, and what it draws on.
+// "on @ plate = on(plate)", with the rule, and the inputs that it draws on.
 std::vector<std::string> applied(const Interpretation& interpretation) {
   std::vector<std::string> texts;
   for (const auto& [application, by] : interpretation.applied) {
@@ -191,7 +191,7 @@ TEST_CASE("noun phrases give what they mean to the rest of the sentence") {
       {"put(plate, at(plate))", "put(plate, at(plate))"},
       {"grasp(the(\\x. block(x) and near(x, beside(the(\\y. block(y) and green(y))))))", "grasp(block1)"},
       {"put(you, beside(me))", "put(avatar, beside(human))"},
-      // open ones: the reading's own, whatever their names
+      // open ones: the reading's own, under any names
       {"\\v. put(the(\\x. knife_(x)), v)", "\\v. put(knife, v) | unsaid loc"},
       {"\\b v. put(b, v)", "\\b v. put(b, v) | unsaid e | unsaid loc"},
       {"put", "\\x v. put(x, v) | unsaid e | unsaid loc"},
@@ -202,7 +202,7 @@ TEST_CASE("noun phrases give what they mean to the rest of the sentence") {
       {"grasp(the(\\x. cup(x)))", "\\x. grasp(x) | several e [cup1, cup2]"},
       {"grasp(a(\\x. cup(x)))", "grasp(cup1)"},
       {"grasp(a(\\x. cup(x) and green(x)))", "\\x. grasp(x) | none e"},
-      // the destination is found before the theme, and both before what the reading lacks
+      // the destination is found before the theme, and both before the gaps of the reading
       {"put(the(\\x. cup(x)), on(the(\\x. block(x) and red(x))))",
        "\\x' x. put(x', on(x)) | several e [cup1, cup2] | several e [block1, block2]"},
       {"\\v. put(the(\\x. cup(x)), v)", "\\x v. put(x, v) | several e [cup1, cup2] | unsaid loc"},

@@ -104,7 +104,7 @@ TEST_CASE("laws of reference") {
     if (pick(0, 1) == 0) talk.context.pointed_W = Vec3(pick(-400, 400) / 1e3, pick(-300, 300) / 1e3, 0);
     const std::string text = deictic + phrase(any_conjuncts("x", 1)).substr(3);
     const auto before = talk.refer(text);
-    // A length changes by twice what its ends move, and rounding to the grid moves each by up to half a step.
+    // A length changes by twice the motion of its ends, and rounding to the grid moves each by up to half a step.
     const double reach = std::min(before.margin, 0.1) / 2 - position_grid_m;
     RC_PRE(reach > position_grid_m);
     const auto moved = [reach](Vec3 p_W) {

@@ -51,7 +51,7 @@ TEST_CASE("a noun phrase means the objects of which its condition is true") {
       {"the(plate)", "plate"},
       {"the(\\x. cup(x))", "cup"},
       {"the(\\x. green(x) and plate(x))", ""},
-      {"the(\\x. red(x) and block(x))", "red2 red1"},  // what is in focus first
+      {"the(\\x. red(x) and block(x))", "red2 red1"},  // the one in focus first
       {"a(\\x. block(x) and blue(x))", "blue1"},
       {"the(\\x. blue(x) and one(x))", "blue1"},
       {"the(\\x. other(x) and red(x) and block(x))", "red1"},
@@ -75,7 +75,7 @@ TEST_CASE("a noun phrase means the objects of which its condition is true") {
       {"the(\\x. leftmost(\\y. block(y) and located(y, right(the(\\z. red(z)))))(x))", "red2"},
       {"the(\\x. not red(x) and (cup(x) or knife(x)))", "cup knife"},
       {"that(\\x. block(x))", "green1"},
-      {"that(\\x. red(x))", "red2 red1"},  // far from what is pointed at: words decide
+      {"that(\\x. red(x))", "red2 red1"},  // far from the place pointed at: words decide
       {"the(\\x. block(x) and located(x, behind(me)))", ""},
       {"the(\\x. attribute(x, 'color') = attribute(a(\\y. blue(y)), 'color'))", ""},  // none but itself
       {"the(\\x. block(x) and x = the(\\y. blue(y)))", "blue1"},

@@ -16,7 +16,7 @@ std::string transition(const std::string& inside) {
   return "<transition><from>0</from><to>1</to>" + inside + "</transition>\n";
 }
 
-// The machine, a transition a line: "id | condition | operation". What the loader refuses fails the test.
+// The machine, a transition a line: "id | condition | operation". A text that the loader refuses fails the test.
 std::string outline(const std::string& text) {
   const auto machine = machine_of_jflap(text, "m.jff");
   if (!machine) return machine.error().text();

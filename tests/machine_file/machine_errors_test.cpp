@@ -75,7 +75,7 @@ std::size_t pick(Random& random, std::size_t count) {
   return std::min(count - 1, static_cast<std::size_t>(random.uniform() * static_cast<double>(count)));
 }
 
-// One random edit of the text: of bytes, of lines, of a value.
+// One random edit of the text: in bytes, in lines, in a value.
 std::string mutated(std::string text, Random& random) {
   static const std::vector<std::string> values = {
       "null", "true", "-1", "1e999",         "0.5",   "\"\"",        "\"Wait\"",   "\"*\"", "\"\\\\x. x(x)\"",

@@ -229,7 +229,7 @@ TEST_CASE("the assignment is the best there is", "[law]") {
       std::get<2>(cost) += std::max({(takers[i].from - p.until).us, (p.from - takers[i].until).us, std::int64_t{0}});
     }
     RC_ASSERT(cost == best.least);
-    // In whatever order the pointings are given.
+    // The pointings may be given in any order.
     auto shuffled = pointings;
     std::reverse(shuffled.begin(), shuffled.end());
     const auto again = assign(takers, shuffled, in_order);

@@ -68,7 +68,7 @@ TEST_CASE("the place of an event is its target, else where its ray meets the tab
 TEST_CASE("a ray that does not reach the table has no place") {
   CHECK_FALSE(place_of(pointing({0, 0, 0.4}, {1, 0, 0})));                     // level
   CHECK_FALSE(place_of(pointing({0, 0, 0.4}, {0, 0.1, 0.2})));                 // upwards
-  CHECK_FALSE(place_of(pointing({0, 0, 0.4}, {1e300, 0, -1e-9})));             // beyond what a number holds
+  CHECK_FALSE(place_of(pointing({0, 0, 0.4}, {1e300, 0, -1e-9})));             // beyond the range of a number
   CHECK(*place_of(pointing({0.1, 0.2, 0}, {0, 1, -1})) == Vec3(0.1, 0.2, 0));  // from the table itself
 }
 

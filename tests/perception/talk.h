@@ -46,7 +46,7 @@ inline Percept gesture(int serial, double t_s, const std::string& name, double u
   return percept;
 }
 
-/// "1.80 put it there [4]": when, what, and the serials of what is bound to each taker; of fixations their times.
+/// "1.80 put it there [4]": time, words, and the serials of each taker's pointings; of fixations their times.
 inline std::string brief(const Ensemble& ensemble) {
   const auto& event = ensemble.percept.event;
   std::string text = fmt::format("{:.2f} {}", ensemble.at.seconds(), event.text.empty() ? event.name : event.text);

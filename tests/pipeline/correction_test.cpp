@@ -1,4 +1,4 @@
-// The engine goes on from what another avatar was observed to do.
+// The engine goes on from another avatar's observed deeds.
 #include "continua/facts/world_facts.h"
 #include "continua/machine_file/machine_loader.h"
 #include "continua/pipeline/pipeline.h"

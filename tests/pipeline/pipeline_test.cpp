@@ -40,7 +40,7 @@ WorldSnapshot world() {
   return snapshot;
 }
 
-// Plays events and gives what happened as words.
+// Plays events and gives the consequences as words.
 struct Play {
   Play() {
     auto loaded = parse_machine(machine_text, "m.json", WorldFacts::signature());

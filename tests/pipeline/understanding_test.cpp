@@ -25,7 +25,7 @@ InputEvent said(const std::string& words) {
   return event;
 }
 
-// What was understood, "; " between moves: their kinds and readings.
+// The understood moves, "; " between them: their kinds and readings.
 std::string understood(const Tick& tick) {
   std::string all;
   for (const auto& event : tick.events)

@@ -94,8 +94,7 @@ class Decision {
     }
   }
 
-  // Every place and topmost symbol that can be reached: those of each part of what is pushed, once what lies above is
-  // gone.
+  // Every place and topmost symbol that can be reached: those of each part of a push, once the symbols above are gone.
   void find_heads() {
     reach({0, pda_.start}, pda_.stack + floor_symbol);
     for (bool added = true; added;) {

@@ -1,5 +1,5 @@
-// The pushdown automaton of the textbooks and of JFLAP, decided in the plainest way there is: what our translation of
-// JFLAP files and our acceptance are held against. It knows neither; symbols are bytes.
+// The pushdown automaton of the textbooks and of JFLAP, decided in the plainest way there is: the reference for our
+// translation of JFLAP files and for our acceptance. It knows neither; symbols are bytes.
 #pragma once
 
 #include <set>

@@ -1,7 +1,7 @@
-// Acceptance by what happens above a symbol of the stack. A head is a place in the word, a state and the topmost
-// symbol. While something lies on the symbol below, that one plays no part: so it is enough to know, of each head, how
-// the run can go on until its symbol is gone (its exits), whatever is below. A least fixed point over all heads that
-// occur: computed anew, round by round, until a round adds nothing.
+// Acceptance by the runs above a symbol of the stack. A head is a place in the word, a state and the topmost symbol.
+// While something lies on the symbol below, that one plays no part. So it is enough to know the exits of each head: how
+// the run can go on until its symbol is gone, whatever is below. A least fixed point over all heads that occur:
+// computed anew, round by round, until a round adds nothing.
 #include <map>
 #include <tuple>
 
@@ -100,7 +100,7 @@ class Tabulation {
     return symbols;
   }
 
-  // `symbol` is where `head`'s was, with `pile` on it: what comes of it once the pile is gone.
+  // `symbol` is where `head`'s was, with `pile` on it: the heads and exits once the pile is gone.
   void lay(const Head& head, bool lowest, const Place& to, const Symbol& symbol, const Stack& pile) {
     for (const auto& exit : exits_of(pile, {to, 0})) pop(head, lowest, exit.place, symbol, exit.pops);
   }

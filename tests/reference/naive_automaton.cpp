@@ -59,7 +59,7 @@ Stack operated(const Configuration& before, const Operation& operation) {
   return stack;
 }
 
-// As much of the history as decides what pop_until does, now and later.
+// The part of the history that decides pop_until, now and later.
 std::vector<std::optional<Symbol>> seen_by_pop_until(const Machine& machine, const Configuration& configuration) {
   std::vector<std::optional<Symbol>> seen;
   const auto look = [&](const Operation& operation) {
@@ -101,7 +101,7 @@ bool is_rewrite(const Operation& operation) {
   return operation.kind == Kind::rewrite || operation.kind == Kind::rewrite_each;
 }
 
-// Fires ε-transitions until none applies. `after_rewrite` tells of what led here.
+// Fires ε-transitions until none applies. `after_rewrite` says whether a rewrite led here.
 Step settled(const Machine& machine, Configuration now, bool after_rewrite) {
   std::vector<Configuration> passed = {now};
   if (!machine.epsilon_always && !after_rewrite) return {now, false, Trouble::none};

@@ -1,11 +1,11 @@
 // A second automaton, written from its definition alone and slowly: whole stacks and whole histories are copied, sets
-// are searched from end to end. The engine is held against it on small machines.
+// are searched from end to end. It is the reference for the engine on small machines.
 //
 // A stack symbol has a character for each slot: '-' is null. The slots are `symbol` and `held`, which persists; a
 // machine with one slot leaves the second null. A pattern over the slots has a character for each, too:
 //
 //   condition   '.' anything   '-' 'A' 'B' this value
-//   content     '.' as before  '-' 'A' 'B' this value   '0' '1' what the slot of this number holds
+//   content     '.' unchanged  '-' 'A' 'B' this value   '0' '1' the value of the slot of this number
 #pragma once
 
 #include <array>
@@ -104,7 +104,7 @@ struct Way {
 std::optional<Way> way_through_gates(const Machine& machine, const Symbol& top, const Transition& transition);
 
 bool fits(const Symbol& symbol, const Pattern& condition);
-/// Where '.' keeps what `before` has and '0' '1' copy from `top`, the topmost symbol before the operation.
+/// '.' keeps the value of `before`; '0' '1' copy from `top`, the topmost symbol before the operation.
 Symbol filled(const Pattern& content, const Symbol& before, const Symbol& top);
 Symbol flushed(const Pattern& content, const Symbol& top);
 inline const Symbol bottom = {'-', '-'};

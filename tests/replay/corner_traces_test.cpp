@@ -1,4 +1,4 @@
-// The traces of the repository are valid, whatever is odd about them.
+// The repository's odd traces are valid.
 #include <filesystem>
 
 #include "continua/replay/trace/trace_file.h"

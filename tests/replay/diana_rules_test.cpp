@@ -1,4 +1,4 @@
-// The rules of the recorded system that changed during the study: what each parameter of its machine does.
+// The rules of the recorded system that changed during the study: the effect of each parameter of its machine.
 #include <filesystem>
 #include <fstream>
 #include <sstream>

@@ -69,8 +69,7 @@ TEST_CASE("one state asks about any number of objects, three states about three"
 
 namespace {
 
-// What the human said and showed that an act came of, by following `because` and `cause` from its record back to
-// inputs.
+// The human's words and gestures behind an act, by following `because` and `cause` from its record back to inputs.
 std::string contributions(const Played& played, const Json& act) {
   std::set<int> inputs;
   for (auto record = act;;) {

@@ -1,4 +1,4 @@
-// A staircase of six blocks, built by what a human says and shows.
+// A staircase of six blocks, built by a human's words and gestures.
 #include <filesystem>
 #include <map>
 #include <sstream>

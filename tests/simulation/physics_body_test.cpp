@@ -243,7 +243,7 @@ TEST_CASE("the weld holds only while both pads touch") {
   }
   REQUIRE(held_steps > 100);
 
-  // One finger is enough to lose it, whatever the hand wants.
+  // One finger is enough to lose it.
   AvatarTarget open = avatar.update();
   open.opening_m = 0.05;
   for (int i = 0; i < 100; ++i) {

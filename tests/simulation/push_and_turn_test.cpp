@@ -1,4 +1,5 @@
-// Pushing by contact, turning, drawing the hand back; and whatever comes of an act, the hand holds what it says.
+// Pushing by contact, turning, drawing the hand back; and after any act, the hand holds the thing that it says it
+// holds.
 #include <algorithm>
 #include <cmath>
 #include <map>

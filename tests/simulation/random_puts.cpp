@@ -18,7 +18,7 @@ namespace {
 using Status = ActReport::Status;
 
 constexpr int puts_per_setting = 6;
-constexpr double at_goal_m = 0.02;  // what the body calls done
+constexpr double at_goal_m = 0.02;  // the body's own bound for a successful put
 constexpr double tipped_m = 0.005;  // an object's height has changed by more: it does not stand as it stood
 constexpr double longest_act_s = 120;
 
@@ -26,8 +26,8 @@ double between(Random& random, double low, double high) { return low + (high - l
 int below(Random& random, std::size_t count) { return static_cast<int>(random.next() % count); }
 Vec3 half_of(const Box& box) { return (box.max - box.min) / 2; }
 
-/// What the arm reaches, told from its bones as the scene shows them: a shoulder, two equal limbs, and a hand that
-/// comes from above. Between surely and surely not lies what depends on the grip.
+/// The reach of the arm, told from its bones as the scene shows them: a shoulder, two equal limbs, and a hand that
+/// comes from above. Between surely and surely not lie the cases that depend on the grip.
 class Bones {
  public:
   explicit Bones(const Scene& scene) {
@@ -185,7 +185,7 @@ class Table {
   }
 
   /// A person would do it without a second thought: one thing on another that is no smaller and free, or into a hollow
-  /// that is free, or beside what stands on the table.
+  /// that is free, or next to a thing on the table.
   static bool is_sensible(const ObjectState& object, Relation relation, const ObjectState& landmark,
                           const WorldSnapshot& world) {
     if (bears_something(object, world)) return false;
@@ -264,7 +264,7 @@ class Table {
     }
     const std::vector<Landmark> landmarks{*Landmark::named(put.goal.landmarks.front(), world)};
     const double margin_m = holds_by(*put.goal.relation, object, landmarks, world.table, put.goal.perspective);
-    constexpr double settling_m = 5e-4;  // what an object still gives way by when the hand has left it
+    constexpr double settling_m = 5e-4;  // an object still gives way by this much when the hand has left it
     trial.at_goal = margin_m > -settling_m;
     if (!trial.at_goal) {
       trial.measured = fmt::format("the relation fails by {:.1f} mm, it was turned by {:.2f} rad", -1000 * margin_m,

@@ -1,6 +1,6 @@
-// Random objects put at random places, and what came of it, judged by others than the body itself: whether a place can
-// be reached by the measures of the arm, where things are by the world's snapshot, how deep they are in one another by
-// contacts computed anew from the poses that were told.
+// Random objects put at random places, and the outcomes, judged by others than the body itself: the reach of a place by
+// the measures of the arm, the places of things by the world's snapshot, their depth in one another by contacts
+// computed anew from the reported poses.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace continua {
 
-/// One put and what came of it. Lengths in metres.
+/// One put and its outcome. Lengths in metres.
 struct PutTrial {
   std::string what;       ///< "put(block4, <0.1, -0.02, 0>)"
   ActReport end;          ///< of a put in steps, that of the first step that was not done
@@ -25,15 +25,15 @@ struct PutTrial {
   /// Distance of the object's centre from a goal that is a point, seen from above.
   std::optional<double> error_m;
   std::string measured;  ///< why it is not at its goal, or how far off
-  double deepest_m = 0;  ///< of what is in the table or in another object, at any pose that was told
+  double deepest_m = 0;  ///< depth of an object in the table or in another object, at any reported pose
   std::string deepest;   ///< which two
   double seconds = 0;    ///< that it took, of the world's time
 };
 
 /// The scene at `path` set out anew every few puts, at random; then puts of random objects: three of five at points of
-/// the table that are drawn uniformly, whatever is there, else by a relation to another object. Every third is told in
-/// steps, as programs tell it. Of those that do not count, three in ten are done. It ends when `counted` puts count, or
-/// hardly any do.
+/// the table that are drawn uniformly, free or not, else by a relation to another object. Every third is told in steps,
+/// as programs tell it. Of puts that do not count, three in ten are done. It ends when `counted` puts count, or hardly
+/// any do.
 /// REQUIRES a scene that loads.
 std::vector<PutTrial> random_puts(const std::string& path, std::uint64_t seed, int counted);
 

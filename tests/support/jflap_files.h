@@ -21,7 +21,7 @@ inline std::string escaped(std::string_view symbols) {
   return text;
 }
 
-/// A pda; or an fa, of which only what is read counts.
+/// A pda; or an fa, for which only the letters read count.
 inline std::string jff_of(const classical::Pda& pda, bool pushdown = true) {
   std::string elements;
   for (int state = 0; state < pda.states; ++state)

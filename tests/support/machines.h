@@ -1,4 +1,4 @@
-// A small vocabulary for tests of the automaton: machines as text, inputs as words, and what happened as text.
+// A small vocabulary for tests of the automaton: machines as text, inputs as words, and events as text.
 #pragma once
 
 #include <memory>
@@ -92,7 +92,7 @@ class Player {
     for (const auto& one : all<Fired>()) ids += (ids.empty() ? "" : " ") + machine_->transitions[one.transition].id;
     return ids;
   }
-  /// Which of the inputs offered the latest step took; of the first of several transitions.
+  /// The number of the input that the latest step took; of several transitions, the first one's.
   std::size_t taken() const { return all<Fired>().at(0).alternative; }
 
  private:

@@ -1,4 +1,4 @@
-// The tables of a Markdown page, so that tests can run what it says.
+// The tables of a Markdown page, so that tests can run their rows.
 #pragma once
 
 #include <algorithm>

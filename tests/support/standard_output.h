@@ -10,7 +10,7 @@
 
 namespace continua {
 
-/// Takes standard output while it exists. What a test says of itself goes there too: check afterwards.
+/// Takes standard output while it exists. A test's own messages go there too: check afterwards.
 
 class StandardOutput {
  public:

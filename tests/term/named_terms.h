@@ -1,5 +1,4 @@
-// Terms with named variables, substituted and reduced by the book: what numbered binders and evaluation are held
-// against.
+// Terms with named variables, substituted and reduced by the book: the reference for numbered binders and evaluation.
 #pragma once
 
 #include <algorithm>

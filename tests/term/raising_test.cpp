@@ -25,7 +25,7 @@ const Signature& names() {
   return all;
 }
 
-// A cup holds things, a plate carries them; of other things nothing is known.
+// A cup holds things, a plate carries them; other things have no known affordances.
 const Rules& facts() {
   static const Rules rules = {{"affords", {2, [](auto a, Evaluation&) {
                                              const auto &object = a[0].name(), &what = a[1].text_value();

@@ -32,7 +32,7 @@ inline Term read(std::string_view text, const Signature& names = test_names()) {
   return *term;
 }
 
-/// The error of a text, or what it was read as.
+/// The error of a text, or its term.
 inline std::string error_of(std::string_view text) {
   auto term = parse_term(text, test_names());
   return term ? "read as " + print(*term) : term.error().text();

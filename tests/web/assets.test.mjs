@@ -1,4 +1,4 @@
-// What a page consists of: no more than it may weigh, and no address of elsewhere in it.
+// The parts of a page: their weight is bounded, and no address of elsewhere is in them.
 import assert from 'node:assert/strict';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';

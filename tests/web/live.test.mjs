@@ -1,4 +1,4 @@
-// The live page in a real browser: what a person types, shows and points at, and what the avatar answers.
+// The live page in a real browser: a person types, shows gestures and points, and the avatar answers.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {dirname} from 'node:path';

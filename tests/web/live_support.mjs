@@ -1,4 +1,4 @@
-// A person at the live page: what the tests of it do there, and where they look.
+// A person at the live page: the actions and looks that its tests share.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {serve, temporaryFolder, Visitor} from './support.mjs';

@@ -1,4 +1,5 @@
-// What the live page works out without a page: times of words and clicks, the engine's time, lines of the conversation.
+// The calculations of the live page, without a page: times of words and clicks, the engine's time, lines of the
+// conversation.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {lineOf} from '../../web/talk/conversation.js';

@@ -1,4 +1,4 @@
-// Terms, their steps and what the derivation, stack and why panels make of the server's answers: no browser needed.
+// Terms, their steps, and the views of the derivation, stack and why panels on the server's answers: no browser needed.
 import assert from 'node:assert/strict';
 import {readdirSync, readFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';

@@ -1,4 +1,4 @@
-// What came out of a check: its lines and totals, GitHub's annotations and summary, and shards put together again.
+// The report of a check: its lines and totals, GitHub's annotations and summary, and shards put together again.
 #include "continua/replay/check/check_report.h"
 
 #include <algorithm>

@@ -17,7 +17,7 @@ namespace {
 // The answer that diff must give for an edit.
 struct Named {
   std::string kind;         ///< of the cause
-  std::string what;         ///< part of what the cause is about, or of its sentence
+  std::string what;         ///< part of the subject of the cause, or of its sentence
   std::string change = {};  ///< of an input
   bool may_be_without_effect = false;
 };

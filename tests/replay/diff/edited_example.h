@@ -31,7 +31,7 @@ class EditedExample {
 
   Json& header() { return lines.front(); }
 
-  /// Places in `lines` of what the human does.
+  /// Places in `lines` of the human's events.
   std::vector<std::size_t> inputs() const {
     std::vector<std::size_t> found;
     for (std::size_t i = 1; i < lines.size(); ++i)
@@ -64,7 +64,7 @@ class EditedExample {
 
   std::vector<Json> lines;  ///< of the trace
   Json machine;
-  /// A file of the lexicon and what is in it instead.
+  /// A file of the lexicon and its new content.
   struct LexiconFile {
     std::string name;
     Json content;
@@ -72,7 +72,7 @@ class EditedExample {
   std::optional<LexiconFile> lexicon;
 
  private:
-  // The program's knowledge but for one file.
+  // The program's knowledge with another content of one file.
   static std::string knowledge_with(const LexiconFile& file, const TemporaryFolder& folder) {
     namespace fs = std::filesystem;
     const auto from = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge", to = fs::path(folder.at("knowledge"));

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Hears letters, one after the other: `abc` leads to Done. Says what it takes, refuses what it cannot take.
+// Hears letters, one after the other: `abc` leads to Done. Names each letter that it takes, refuses the others.
 const char* letters = R"json({"machine":1,"name":"letters","start":"A",
   "states":{"A":{},"B":{},"C":{},"Done":{"enter":[{"say":"Done."},{"say":"What next?"}]}},
   "transitions":[
@@ -194,7 +194,7 @@ TEST_CASE("what remains of a changed run still differs from the approved one for
   lab.folder.file("letters.json", edited);
   CHECK(remains() == "a b ");
 
-  // Another trace: what comes before the difference stays.
+  // Another trace: its part before the difference stays.
   lab.folder.file("letters.json", letters);
   options.against =
       lab.folder.file("other.trace.jsonl", header + "\n" + speech(1, "x") + speech(2, "a") + speech(4, "b"));

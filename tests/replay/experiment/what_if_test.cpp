@@ -43,7 +43,7 @@ struct Run {
   ReplaySummary summary;
   std::vector<Json> records;
 
-  // The header and what digests it aside, the records are as these up to the first at or after the instant.
+  // The records, without the header and its digests, are the same up to the first at or after the instant.
   void check_same_until(double t, const Run& other) const {
     for (std::size_t i = 1; i < records.size() && records[i]["t"] < t && records[i]["kind"] != "end"; ++i) {
       REQUIRE(i < other.records.size());
@@ -270,7 +270,7 @@ TEST_CASE("an edited trace takes over at the instant") {
   CHECK(header["what_if"]["trace"]["name"] == "edited.trace.jsonl");
   CHECK(header["what_if"].size() == 2);
 
-  // Its machine and seed count, and what is odd in its lines is told when they come.
+  // Its machine and seed count, and oddities in its lines are told when they come.
   lab.edited("Last was", "It was");
   auto other = edited;
   other.replace(other.find("counter.json"), 12, "edited.json").replace(other.find("\"version\""), 0, "\"seed\":3,");

@@ -18,7 +18,7 @@ std::string table_of(const std::string& log) {
 const std::string header = R"({"kind":"run","n":0,"t":0,"version":1})"
                            "\n";
 
-// A reader of RFC 4180, for what is written to be read again.
+// A reader of RFC 4180, to read the output again.
 std::vector<std::vector<std::string>> cells_of(const std::string& table) {
   std::vector<std::vector<std::string>> rows = {{""}};
   bool quoted = false;

@@ -1,4 +1,4 @@
-// A small run log for tests of what reads them: two states, a stack of two symbols, a question, an act.
+// A small run log for tests of its readers: two states, a stack of two symbols, a question, an act.
 #pragma once
 
 #include <unistd.h>

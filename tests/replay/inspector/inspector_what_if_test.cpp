@@ -232,7 +232,7 @@ TEST_CASE("objects begin where the log has them") {
 
 TEST_CASE("logs that are broken, cut or of something else are told of") {
   const EditedLog original("correction");
-  // Whatever the header has, or has not, in any place.
+  // Any member of the header may be missing or wrong.
   for (const auto& [key, ignored] : original.records[0].items())
     for (const Json& value :
          {Json(), Json(-1), Json("x"), Json::array({1, "y"}), Json{{"document", 3}, {"mjcf", ""}}}) {

@@ -15,7 +15,7 @@ using namespace continua;
 
 namespace {
 
-// A run of 22 records, and what is noted on it.
+// A run of 22 records, and notes on it.
 struct Noted {
   Json get(int status = 200) {
     const auto answer = api.get(address);

@@ -76,7 +76,7 @@ TEST_CASE("a session is begun, told events, ended and saved as a test that passe
   CHECK(asked.get("/api/sessions/session")["clock"] == "events");
   CHECK(asked.get("/api/sessions")["sessions"].size() == 1);
 
-  // While it is live, what has happened so far is saved.
+  // While it is live, the events so far are saved.
   const auto first = asked.post("/api/sessions/session/save", R"({"name":"first"})", 201);
   asked.post("/api/sessions/session/events",
              R"([{"t":2,"kind":"speech","text":"Put it in front of you."},{"t":9,"kind":"clock"}])");

@@ -10,7 +10,7 @@ namespace {
 
 constexpr auto wall = LiveTiming::wall, by_events = LiveTiming::events;
 
-// The lines that a trace gets of a body that comes at 10 s, or what is wrong with it.
+// The lines that a body that comes at 10 s adds to a trace, or its fault.
 std::string lines_of(std::string_view body, LiveTiming timing = wall) {
   const auto events = events_in(body);
   if (!events) return events.error().text();

@@ -1,4 +1,4 @@
-// The tables of RECORDS.md are printed from what records declare. To print them anew:
+// The tables of RECORDS.md are printed from the declarations of records. To print them anew:
 //   CONTINUA_RENEW_PAGES=1 build/tests/test_replay "RECORDS.md*"
 #include <cstdlib>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// A log's chain of digests: whatever byte is another, the block that it is in is named.
+// A log's chain of digests: the block of any changed byte is named.
 #include "continua/replay/log/run_integrity.h"
 
 #include <filesystem>
@@ -66,7 +66,7 @@ TEST_CASE("the block in which a byte is another is named") {
     const auto told = integrity_problems(damaged, "x");
     INFO(at);
     REQUIRE(!told.empty());
-    // The first line of the block, or of what follows the last one.
+    // The first line of the block, or of the lines after the last one.
     const auto line = line_at(log, at);
     const auto named = std::stoul(told.front().where.substr(2)) - 1;
     const auto block = static_cast<std::size_t>(records_per_block);

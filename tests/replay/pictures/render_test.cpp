@@ -114,7 +114,7 @@ TEST_CASE("render draws an instant, a sheet and a folder") {
   auto sheet = options(log, folder.at("sheet.png"));
   sheet.size = "160x90";
   CHECK(run_render(sheet) == exit_done);
-  // Two moments side by side, with what happened below them.
+  // Two moments side by side, with their captions.
   const auto size = png_size(read_file(folder.at("sheet.png")).value());
   CHECK(size.width > 320);
   CHECK(size.width < 360);

@@ -1,4 +1,4 @@
-// To which input what was done belongs.
+// The input to which each deed belongs.
 #include "continua/replay/score/episodes.h"
 
 #include "support/catch.h"

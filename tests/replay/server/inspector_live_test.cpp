@@ -59,7 +59,7 @@ class Stream {
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
 
-  // Reads on until all that came contains `what`; false if it ends before.
+  // Reads on until the received text contains `what`; false if it ends before.
   bool reads(const std::string& what) {
     char block[4096];
     while (came_.find(what) == std::string::npos) {

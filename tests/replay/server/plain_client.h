@@ -1,4 +1,4 @@
-// A client of a server on this machine, so plain that it may send what a browser would not.
+// A client of a server on this machine, so plain that it may send requests that a browser would not.
 #pragma once
 
 #include <arpa/inet.h>

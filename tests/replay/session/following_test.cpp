@@ -1,4 +1,4 @@
-// Replays that follow what was observed of another avatar.
+// Replays that follow another avatar's observed moves.
 #include "continua/replay/session/following.h"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Whatever a trace holds, reading what was written gives it back.
+// Reading a written trace gives it back, for any trace.
 #include <rapidcheck.h>
 
 #include <algorithm>
