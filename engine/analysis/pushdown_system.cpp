@@ -5,6 +5,8 @@
 #include "continua/term/term_text.h"
 
 namespace continua {
+
+using Motion = PushdownControl::Motion;
 namespace {
 
 // Equal values have equal keys, other values others: each text stands behind its length.
@@ -35,7 +37,7 @@ std::vector<Symbol> above(Stack stack, std::size_t below) {
 
 }  // namespace
 
-std::size_t PushdownSystem::HashHead::operator()(const Head& head) const {
+std::size_t PushdownSystem::Head::Hash::operator()(const Head& head) const {
   auto hash = static_cast<std::uint64_t>(head.control);
   for (const int part : {head.symbol, head.letter})
     hash = (hash ^ static_cast<std::uint32_t>(part)) * 0x9E3779B97F4A7C15u;
@@ -45,11 +47,11 @@ std::size_t PushdownSystem::HashHead::operator()(const Head& head) const {
 PushdownSystem::PushdownSystem(std::shared_ptr<const Machine> machine)
     : machine_(std::move(machine)), beliefs_(machine_->beliefs), stepper_(machine_, Rules()) {
   auto initial = stepper_.initial();
-  bare_bottom_ = add(StackSymbol{bottom_symbol(*machine_), true});
-  for (auto& symbol : above(initial.stack, 1)) initial_stack_.push_back(add(StackSymbol{std::move(symbol), false}));
+  bare_bottom_ = add(PushdownSymbol{bottom_symbol(*machine_), true});
+  for (auto& symbol : above(initial.stack, 1)) initial_stack_.push_back(add(PushdownSymbol{std::move(symbol), false}));
   initial_stack_.push_back(bare_bottom_);
   initial.stack = Stack();
-  Control control;
+  PushdownControl control;
   control.configuration = std::move(initial);
   control.settles = machine_->epsilon_always;
   initial_control_ = add(std::move(control));
@@ -64,7 +66,7 @@ int PushdownSystem::letter(const std::string& symbol) {
   return known->second;
 }
 
-int PushdownSystem::add(StackSymbol symbol) {
+int PushdownSystem::add(PushdownSymbol symbol) {
   std::string key = symbol.bottom ? "bottom\n" : "\n";
   append_key(key, symbol.symbol);
   const auto [known, fresh] = symbol_ids_.emplace(std::move(key), static_cast<int>(symbols_.size()));
@@ -73,7 +75,7 @@ int PushdownSystem::add(StackSymbol symbol) {
   return known->second;
 }
 
-int PushdownSystem::add(Control control) {
+int PushdownSystem::add(PushdownControl control) {
   auto key = key_of(control.configuration, machine_->landmarks);
   key += std::to_string(static_cast<int>(control.motion)) + (control.settles ? "ε\n" : "\n");
   if (control.motion != Motion::none) {
@@ -104,20 +106,20 @@ const std::vector<PushdownRule>& PushdownSystem::rules(int control, int symbol, 
 }
 
 std::vector<PushdownRule> PushdownSystem::find_rules(int id, int symbol, int letter) {
-  const Control control = controls_[static_cast<std::size_t>(id)];
+  const PushdownControl control = controls_[static_cast<std::size_t>(id)];
   if (control.motion == Motion::none) return fire(control, symbol, letter);
   if (letter != epsilon) return {};
   return {carry_on(control, symbol)};
 }
 
-Firing PushdownSystem::firing(const Control& control, int symbol, int letter) const {
+Firing PushdownSystem::firing(const PushdownControl& control, int symbol, int letter) const {
   auto configuration = control.configuration;
   configuration.stack = Stack().push(at(symbol).symbol, 0);
   const Input* input = letter == epsilon ? nullptr : &letters_[static_cast<std::size_t>(letter)];
   return stepper_.firing(std::move(configuration), input, Facts{.beliefs = &beliefs_}, nullptr);
 }
 
-std::vector<PushdownRule> PushdownSystem::fire(const Control& control, int symbol, int letter) {
+std::vector<PushdownRule> PushdownSystem::fire(const PushdownControl& control, int symbol, int letter) {
   std::vector<PushdownRule> rules;
   if (letter == epsilon && !control.settles) return rules;
   auto firing = this->firing(control, symbol, letter);
@@ -133,16 +135,17 @@ std::vector<PushdownRule> PushdownSystem::fire(const Control& control, int symbo
 }
 
 // The control once the operation is done. Parts that would do nothing are left out.
-int PushdownSystem::after_operation(const Control& control, std::size_t transition, const Entry& entry, int letter) {
+int PushdownSystem::after_operation(const PushdownControl& control, std::size_t transition, const Entry& entry,
+                                    int letter) {
   const bool settles = machine_->epsilon_always || entry.operation->is_rewrite();
   if (entry.rejected || machine_->transitions[transition].effects.empty())
     return entering(control.configuration, entry.state, letter, settles);
-  Control next{control.configuration, Motion::effects, transition, entry.state, letter, settles, 0, {}, {}, 0};
+  PushdownControl next{control.configuration, Motion::effects, transition, entry.state, letter, settles, 0, {}, {}, 0};
   return add(std::move(next));
 }
 
 int PushdownSystem::entering(const Configuration& configuration, StateIndex to, int letter, bool settles) {
-  Control next;
+  PushdownControl next;
   next.settles = settles;
   next.configuration = configuration;
   if (machine_->states[to].enter.empty() && !machine_->landmark[to]) {
@@ -156,7 +159,7 @@ int PushdownSystem::entering(const Configuration& configuration, StateIndex to, 
   return add(std::move(next));
 }
 
-PushdownRule PushdownSystem::carry_on(const Control& control, int symbol) {
+PushdownRule PushdownSystem::carry_on(const PushdownControl& control, int symbol) {
   switch (control.motion) {
     case Motion::none:
       break;
@@ -172,7 +175,7 @@ PushdownRule PushdownSystem::carry_on(const Control& control, int symbol) {
       auto firing = this->firing(control, symbol, control.letter);
       firing.enter(control.to);
       const auto rewrite = firing.perform(machine_->states[control.to].enter);
-      Control next;
+      PushdownControl next;
       next.settles = control.settles || rewrite;
       next.configuration = firing.configuration();
       next.configuration.stack = Stack();
@@ -213,7 +216,7 @@ PushdownRule PushdownSystem::moved(const Change& change, const Configuration& be
   }
   if (bottom) return operated(change, single, true, 0, then);
   if (operation.is_rewrite() && machine_->rewrite_below && !operation.keeps_stack) {
-    Control completing;
+    PushdownControl completing;
     completing.configuration = before;
     completing.motion = Motion::completing;
     completing.symbol = at(symbol).symbol;
@@ -234,13 +237,13 @@ PushdownRule PushdownSystem::operated(const Change& change, const Stack& stack, 
   PushdownRule rule{then, {}, {}};
   auto symbols = above(after, below);
   for (std::size_t i = 0; i < symbols.size(); ++i)
-    rule.word.push_back(add(StackSymbol{std::move(symbols[i]), bottom && i + 1 == symbols.size()}));
+    rule.word.push_back(add(PushdownSymbol{std::move(symbols[i]), bottom && i + 1 == symbols.size()}));
   return rule;
 }
 
 // The topmost symbol goes, and the motion is not over.
 PushdownRule PushdownSystem::still(Motion motion, std::size_t count, Symbol symbol, int then) {
-  Control rest;
+  PushdownControl rest;
   rest.configuration.memory = controls_[static_cast<std::size_t>(then)].configuration.memory;
   rest.motion = motion;
   rest.count = count;
@@ -256,7 +259,7 @@ PushdownRule PushdownSystem::popped(std::size_t count, int symbol, int then) {
 }
 
 PushdownRule PushdownSystem::flushed(Symbol kept, int symbol, int then) {
-  if (at(symbol).bottom) return {then, {add(StackSymbol{std::move(kept), true})}, {}};
+  if (at(symbol).bottom) return {then, {add(PushdownSymbol{std::move(kept), true})}, {}};
   return still(Motion::flushing, 0, std::move(kept), then);
 }
 

@@ -99,11 +99,11 @@ void Firing::enter(StateIndex state) {
 
 void Firing::take_input(std::size_t alternative) {
   input_ = &inputs_[alternative];
-  sources_ = input_->because;
-  if (input_->serial > 0) sources_.push_back(input_->serial);
-  std::sort(sources_.begin(), sources_.end());
-  sources_.erase(std::unique(sources_.begin(), sources_.end()), sources_.end());
-  now_s_ = input_->now_s;
+  origin_.sources = input_->because;
+  if (input_->serial > 0) origin_.sources.push_back(input_->serial);
+  std::sort(origin_.sources.begin(), origin_.sources.end());
+  origin_.sources.erase(std::unique(origin_.sources.begin(), origin_.sources.end()), origin_.sources.end());
+  origin_.now_s = input_->now_s;
 }
 
 void Firing::forget_input() {
@@ -173,7 +173,7 @@ bool Firing::perform_all(const std::vector<Effect>& effects) {
 
 bool Firing::perform_one(const Say& say) {
   if (!account_) return false;
-  because_ = sources_;
+  because_ = origin_.sources;
   for (const auto& one : say.cases) {
     auto condition = evaluate();
     if (one.when && !condition.value(*one.when).is_true()) continue;
@@ -240,7 +240,7 @@ bool Firing::perform_one(const Rewrite& rewrite) {
 bool Firing::perform_one(const Group& group) { return perform_all(group.effects); }
 
 Cell Firing::compute(const Term& term) {
-  because_ = sources_;
+  because_ = origin_.sources;
   auto evaluation = evaluate();
   Cell cell{evaluation.value(term), {}};
   cell.because = because_;
@@ -281,7 +281,7 @@ const Term* Firing::look_up(Name name) {
     case From::confidence:
       return &(moment_ = input_ ? Term::number(input_->confidence) : Term::null());
     case From::now:
-      return &(moment_ = now_s_ ? Term::number(*now_s_) : Term::null());
+      return &(moment_ = origin_.now_s ? Term::number(*origin_.now_s) : Term::null());
   }
   return nullptr;
 }

@@ -38,6 +38,12 @@ struct Entry {
 };
 
 /// A configuration and the inputs under which things happen: one, or alternatives of which one is taken.
+/// The input that brought a step about, also once it is used up; empty and nullopt: there was none.
+struct InputOrigin {
+  std::vector<int> sources;  ///< serials, ascending
+  std::optional<double> now_s;
+};
+
 class Firing {
  public:
   /// `rules`: the functions behind names. `inputs`: none for ε; the first counts until one is taken. `account` takes
@@ -103,10 +109,8 @@ class Firing {
   const RuleTable& rules_;
   Configuration configuration_;
   std::span<const Input> inputs_;
-  const Input* input_ = nullptr;
-  // Of the input that brought all this about, also once it is used up; 0 and nullopt: there was none.
-  std::vector<int> sources_;  // ascending
-  std::optional<double> now_s_;
+  const Input* input_ = nullptr;  ///< null once it is used up
+  InputOrigin origin_;
   Facts facts_;
   std::vector<StepEvent>* account_;
   std::vector<int> because_;  ///< inputs behind the value being computed, ascending

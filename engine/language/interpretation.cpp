@@ -334,9 +334,9 @@ class Interpreter {
   Facts facts_;
   const Meanings& meanings_;
   const RaisingRules& raising_;
-  std::unordered_map<Term, std::shared_ptr<Found>, Term::Hash> found_;
-  std::unordered_map<Term, std::size_t, Term::Hash> occurrences_;
-  std::unordered_map<Term, std::shared_ptr<std::optional<Value>>, Term::Hash> each_now_;  // as Found::now, of a list
+  std::unordered_map<Term, std::shared_ptr<Found>, TermHash> found_;
+  std::unordered_map<Term, std::size_t, TermHash> occurrences_;
+  std::unordered_map<Term, std::shared_ptr<std::optional<Value>>, TermHash> each_now_;  // as Found::now, of a list
   std::set<std::string> names_;         // taken, so that no variable has them
   std::vector<Term> enclosing_;         // variables of the lambdas around
   std::vector<std::string> spoken_of_;  // objects, since the command began

@@ -50,8 +50,8 @@ class NounPhraseSearch {
   const Meanings& meanings_;
   std::optional<Vec3> pointed_W_;
   Sides sides_;
-  std::optional<Term> compared_;                                   // e*; none: all there is
-  std::unordered_map<Term, std::vector<Term>, Term::Hash> found_;  // by [noun phrase, the object it is said about]
+  std::optional<Term> compared_;                                 // e*; none: all there is
+  std::unordered_map<Term, std::vector<Term>, TermHash> found_;  // by [noun phrase, the object it is said about]
   std::size_t work_ = 0;
   int depth_ = 0;
   double margin_ = std::numeric_limits<double>::infinity();

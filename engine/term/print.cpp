@@ -161,7 +161,7 @@ class Printer {
   }
 
   void apply(const Term& term, int least) {
-    const Term::Spine spine = term.spine();
+    const TermSpine spine = term.spine();
     const auto& head = spine.head;
     const auto& arguments = spine.arguments;
     if (head.kind() != Term::Kind::constant) return call(head, arguments);

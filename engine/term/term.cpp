@@ -28,8 +28,8 @@ struct Pair {
 }  // namespace
 
 // The null term has no node at all, so that making one costs nothing.
-struct Term::Node {
-  Kind kind;
+struct TermNode {
+  Term::Kind kind;
   Type type;
   std::variant<bool, double, std::string, Place, int, Name, Binder, Pair, std::vector<Term>> held;
   TermDigest digest;
@@ -69,9 +69,9 @@ Term::Term() = default;
 
 Term Term::truth(bool value) {
   static const Term yes(
-      std::make_shared<const Node>(Node{Kind::truth, Type::truth(), true, digest_of(Kind::truth, 1)}));
+      std::make_shared<const TermNode>(TermNode{Kind::truth, Type::truth(), true, digest_of(Kind::truth, 1)}));
   static const Term no(
-      std::make_shared<const Node>(Node{Kind::truth, Type::truth(), false, digest_of(Kind::truth, 0)}));
+      std::make_shared<const TermNode>(TermNode{Kind::truth, Type::truth(), false, digest_of(Kind::truth, 0)}));
   return value ? yes : no;
 }
 
@@ -79,13 +79,14 @@ Term Term::number(double value) {
   if (!std::isfinite(value)) return Term();
   value += 0.0;
   const auto digest = digest_of(Kind::number, std::bit_cast<std::uint64_t>(value));
-  return Term(std::make_shared<const Node>(Node{Kind::number, Type::number(), value, digest}));
+  return Term(std::make_shared<const TermNode>(TermNode{Kind::number, Type::number(), value, digest}));
 }
 
 Term Term::text(std::string value) {
   const auto size = 1 + value.size() / 16;
   const auto digest = digest_of(Kind::text, value);
-  return Term(std::make_shared<const Node>(Node{Kind::text, Type::text_type(), std::move(value), digest, 0, 1, size}));
+  return Term(
+      std::make_shared<const TermNode>(TermNode{Kind::text, Type::text_type(), std::move(value), digest, 0, 1, size}));
 }
 
 namespace {
@@ -100,14 +101,14 @@ Term Term::place(Place value) {
     if (!std::isfinite(value.min[i]) || !std::isfinite(value.max[i])) return Term();
     if (value.max[i] < value.min[i]) std::swap(value.min[i], value.max[i]);
   }
-  return Term(std::make_shared<const Node>(Node{Kind::place, Type::location(), value, digest_of(value)}));
+  return Term(std::make_shared<const TermNode>(TermNode{Kind::place, Type::location(), value, digest_of(value)}));
 }
 
 Term Term::point(double x_m, double y_m, double z_m) { return place({{x_m, y_m, z_m}, {x_m, y_m, z_m}, false}); }
 
 Term Term::constant(std::string_view name, Type type) {
   const auto digest = digest_of(Kind::constant, name);
-  return Term(std::make_shared<const Node>(Node{Kind::constant, std::move(type), Name(name), digest}));
+  return Term(std::make_shared<const TermNode>(TermNode{Kind::constant, std::move(type), Name(name), digest}));
 }
 
 Term Term::entity(std::string_view name) { return constant(name, Type::entity()); }
@@ -115,7 +116,7 @@ Term Term::entity(std::string_view name) { return constant(name, Type::entity())
 Term Term::bound(int index, Type type) {
   require(index >= 0, "a bound variable has an index from 0");
   const auto digest = digest_of(Kind::bound, static_cast<std::uint64_t>(index));
-  return Term(std::make_shared<const Node>(Node{Kind::bound, std::move(type), index, digest, index + 1}));
+  return Term(std::make_shared<const TermNode>(TermNode{Kind::bound, std::move(type), index, digest, index + 1}));
 }
 
 Term Term::lambda(std::string hint, Type variable, Term body) {
@@ -125,8 +126,8 @@ Term Term::lambda(std::string hint, Type variable, Term body) {
   auto digest = digester(Kind::lambda);
   digest.add(body.digest());
   Binder binder{std::move(hint), std::move(variable), std::move(body)};
-  return Term(std::make_shared<const Node>(
-      Node{Kind::lambda, std::move(type), std::move(binder), digest.digest(), reach, depth, size}));
+  return Term(std::make_shared<const TermNode>(
+      TermNode{Kind::lambda, std::move(type), std::move(binder), digest.digest(), reach, depth, size}));
 }
 
 Term Term::apply(Term function, Term argument) {
@@ -139,8 +140,8 @@ Term Term::apply(Term function, Term argument) {
   digest.add(function.digest());
   digest.add(argument.digest());
   Pair application{std::move(function), std::move(argument)};
-  return Term(std::make_shared<const Node>(
-      Node{Kind::apply, std::move(*type), std::move(application), digest.digest(), reach, depth, size}));
+  return Term(std::make_shared<const TermNode>(
+      TermNode{Kind::apply, std::move(*type), std::move(application), digest.digest(), reach, depth, size}));
 }
 
 Term Term::list(std::vector<Term> elements, Type element) {
@@ -154,8 +155,8 @@ Term Term::list(std::vector<Term> elements, Type element) {
     size = saturated(size + each.size());
   }
   digest.add(elements.size(), 0);
-  return Term(std::make_shared<const Node>(
-      Node{Kind::list, Type::list(std::move(element)), std::move(elements), digest.digest(), reach, depth + 1, size}));
+  return Term(std::make_shared<const TermNode>(TermNode{Kind::list, Type::list(std::move(element)), std::move(elements),
+                                                        digest.digest(), reach, depth + 1, size}));
 }
 
 Term::Kind Term::kind() const { return node_ ? node_->kind : Kind::null; }
@@ -215,8 +216,8 @@ const std::vector<Term>& Term::elements() const {
   return std::get<std::vector<Term>>(node_->held);
 }
 
-Term::Spine Term::spine() const {
-  Spine spine;
+TermSpine Term::spine() const {
+  TermSpine spine;
   const Term* head = this;
   for (; head->kind() == Kind::apply; head = &head->function()) spine.arguments.push_back(head->argument());
   std::reverse(spine.arguments.begin(), spine.arguments.end());

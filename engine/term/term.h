@@ -32,6 +32,9 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
+struct TermNode;
+struct TermSpine;
+
 class Term {
  public:
   enum class Kind {
@@ -89,18 +92,13 @@ class Term {
   const std::vector<Term>& elements() const;  ///< REQUIRES list
 
   /// f(a, b) as (f, [a, b]); any other term as (itself, []).
-  struct Spine;
-  Spine spine() const;
+  TermSpine spine() const;
 
   /// Of the structure up to alpha-equivalence. Hints and types take no part in it: `head` of a list of objects and
   /// `head` of a list of numbers are the same name.
   const TermDigest& digest() const;
   /// Equal digests. O(1), as is the hash.
   bool operator==(const Term& other) const { return node_ == other.node_ || digest() == other.digest(); }
-  std::size_t hash() const { return static_cast<std::size_t>(digest().low); }
-  struct Hash {
-    std::size_t operator()(const Term& term) const { return term.hash(); }
-  };
   /// The very same node: hints and types are the same too.
   bool same_node(const Term& other) const { return node_ == other.node_; }
 
@@ -114,12 +112,16 @@ class Term {
   std::size_t size() const;
 
  private:
-  struct Node;
-  explicit Term(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
-  std::shared_ptr<const Node> node_;
+  explicit Term(std::shared_ptr<const TermNode> node) : node_(std::move(node)) {}
+  std::shared_ptr<const TermNode> node_;
 };
 
-struct Term::Spine {
+/// By content, for tables.
+struct TermHash {
+  std::size_t operator()(const Term& term) const { return static_cast<std::size_t>(term.digest().low); }
+};
+
+struct TermSpine {
   Term head;
   std::vector<Term> arguments;
 };

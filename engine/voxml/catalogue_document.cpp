@@ -177,13 +177,13 @@ class DocumentReader {
     using R = DocumentReader;
     static const std::map<std::string, Kind> kinds = {
         {"Entity", {"Type", &R::entity}},
-        {"Lex/Pred", {"Value", &R::predicate}},
-        {"Lex/Type", {"Value", &R::lex_type}},
-        {"Type/Head", {"Value", &R::head}},
+        {"Lex/Pred", {"Value", &R::text<&Voxeme::predicate>}},
+        {"Lex/Type", {"Value", &R::text<&Voxeme::lex_type>}},
+        {"Type/Head", {"Value", &R::number<&Voxeme::head>}},
         {"Type/Components/Component", {"Value", &R::component}},
-        {"Type/Concavity", {"Value", &R::concavity}},
-        {"Type/RotatSym", {"Value", &R::rotational}},
-        {"Type/ReflSym", {"Value", &R::reflectional}},
+        {"Type/Concavity", {"Value", &R::number<&Voxeme::concavity>}},
+        {"Type/RotatSym", {"Value", &R::list<&Voxeme::rotational_symmetry>}},
+        {"Type/ReflSym", {"Value", &R::list<&Voxeme::reflectional_symmetry>}},
         {"Type/Args/Arg", {"Value", &R::argument}},
         {"Type/Body/Subevent", {"Value", &R::subevent}},
         {"Type/Scale", {"Value", nullptr}},
@@ -194,10 +194,10 @@ class DocumentReader {
         {"Type/Referent", {"Value", nullptr}},
         {"Type/Mapping", {"Value", nullptr}},
         {"Type/Corresps/Corresp", {"Value", nullptr}},
-        {"Habitat/Intrinsic/Intr", {"Name", &R::intrinsic}},
-        {"Habitat/Extrinsic/Extr", {"Name", &R::extrinsic}},
+        {"Habitat/Intrinsic/Intr", {"Name", &R::clause<&Voxeme::intrinsic>}},
+        {"Habitat/Extrinsic/Extr", {"Name", &R::clause<&Voxeme::extrinsic>}},
         {"Afford_Str/Affordances/Affordance", {"Formula", &R::affordance}},
-        {"Embodiment/Scale", {"Value", &R::scale}},
+        {"Embodiment/Scale", {"Value", &R::text<&Voxeme::scale>}},
         {"Embodiment/Movable", {"Value", &R::movable}},
         {"Attributes/Attrs/Attr", {"Value", &R::attribute}},
     };
@@ -208,19 +208,22 @@ class DocumentReader {
     entity_ = value;
     entity_at_ = node.offset_debug();
   }
-  void once(const pugi::xml_node& node, std::string& target, const std::string& value) {
+  template <std::string Voxeme::*member>
+  void text(const pugi::xml_node& node, const std::string& value) {
+    auto& target = voxeme().*member;
     if (!target.empty() && target != value) note(node, fmt::format("a second <{}>; the last one counts", node.name()));
     target = value;
   }
-  void predicate(const pugi::xml_node& node, const std::string& value) { once(node, voxeme().predicate, value); }
-  void lex_type(const pugi::xml_node& node, const std::string& value) { once(node, voxeme().lex_type, value); }
-  void scale(const pugi::xml_node& node, const std::string& value) { once(node, voxeme().scale, value); }
-  void head(const pugi::xml_node&, const std::string& value) { voxeme().head = numbered(value); }
-  void concavity(const pugi::xml_node&, const std::string& value) { voxeme().concavity = numbered(value); }
+  template <auto member>
+  void number(const pugi::xml_node&, const std::string& value) {
+    voxeme().*member = numbered(value);
+  }
+  template <auto member>
+  void list(const pugi::xml_node&, const std::string& value) {
+    voxeme().*member = items(value);
+  }
   void component(const pugi::xml_node&, const std::string& value) { voxeme().components.push_back(numbered(value)); }
   void attribute(const pugi::xml_node&, const std::string& value) { voxeme().attributes.push_back(value); }
-  void rotational(const pugi::xml_node&, const std::string& value) { voxeme().rotational_symmetry = items(value); }
-  void reflectional(const pugi::xml_node&, const std::string& value) { voxeme().reflectional_symmetry = items(value); }
 
   void argument(const pugi::xml_node&, const std::string& value) {
     const auto colon = std::min(value.find(':'), value.size());
@@ -234,12 +237,11 @@ class DocumentReader {
       note(node, fmt::format("found {}, expected true or false", in_quotes(value)));
   }
 
-  void clause(const pugi::xml_node& node, const std::string& name, std::vector<HabitatClause>& clauses) {
+  template <std::vector<HabitatClause> Voxeme::*member>
+  void clause(const pugi::xml_node& node, const std::string& name) {
     HabitatClause clause{numbered(name), value_of(node, "Value")};
-    if (!name.empty() || !clause.value.empty()) clauses.push_back(std::move(clause));
+    if (!name.empty() || !clause.value.empty()) (voxeme().*member).push_back(std::move(clause));
   }
-  void intrinsic(const pugi::xml_node& node, const std::string& name) { clause(node, name, voxeme().intrinsic); }
-  void extrinsic(const pugi::xml_node& node, const std::string& name) { clause(node, name, voxeme().extrinsic); }
 
   void unread(const pugi::xml_node& node, const std::string& path, const std::string& value, const Error& problem) {
     note(node, fmt::format("{} cannot be read: {}", in_quotes(value), problem.text()));

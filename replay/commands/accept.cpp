@@ -10,6 +10,7 @@
 #include "continua/core/characters.h"
 #include "continua/core/located_json.h"
 #include "continua/knowledge_files/named_machine.h"
+#include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_index.h"
 
 namespace continua {
@@ -51,7 +52,7 @@ Result<std::string> moves_of_run(const std::string& path, const Machine& machine
   const auto run = RunIndex::open(path);
   if (!run) return run.error();
   std::string moves;
-  for (const auto n : run->of_kind("reading")) {
+  for (const auto n : run->of_kind(log::Reading::kind.name)) {
     const auto record = run->record(n);
     if (!record) return record.error();
     const auto move = record->value("move", Json());

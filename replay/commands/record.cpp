@@ -41,9 +41,9 @@ int tell(const PipeSummary& told) {
   const auto& [summary, session] = std::tie(*told.summary, *told.session.session);
   fmt::print(stderr, "{:.1f} s, {} and {}, {} of {} acts done; {} and {}\n", summary.end.seconds(),
              counted(told.events, "event"), counted(static_cast<std::size_t>(summary.utterances), "utterance"),
-             summary.acts_done, summary.acts, session.options().trace_path, session.options().log_path);
+             summary.acts_done, summary.acts, session.setting().options.trace_path, session.setting().options.log_path);
   if (summary.expectations_met < summary.expectations)
-    report({session.options().trace_path,
+    report({session.setting().options.trace_path,
             fmt::format("{} of {} expectations were not met", summary.expectations - summary.expectations_met,
                         summary.expectations)});
   return told.refused > 0 || summary.expectations_met < summary.expectations ? exit_no : exit_done;

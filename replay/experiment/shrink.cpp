@@ -8,6 +8,7 @@
 
 #include "continua/replay/experiment/ddmin.h"
 #include "continua/replay/experiment/shrink_against.h"
+#include "continua/replay/log/kinds.h"
 #include "continua/replay/trace/trace_event.h"
 
 namespace continua {
@@ -105,10 +106,10 @@ class Shrinker {
     }
     if (!goal_.line) return std::nullopt;
     const auto on_line = [&](const TraceEvent& event) { return event.line == *goal_.line; };
-    const auto& where_to_look = goal_.kind == "expect" ? expectations_ : events_;
+    const auto& where_to_look = log::is<log::Expect>(goal_.kind) ? expectations_ : events_;
     if (std::any_of(where_to_look.begin(), where_to_look.end(), on_line)) return std::nullopt;
     return Error{"--until", fmt::format("{}:{} is no {} of the trace", session_.trace().name, *goal_.line,
-                                        goal_.kind == "expect" ? "expectation" : "event")};
+                                        log::is<log::Expect>(goal_.kind) ? "expectation" : "event")};
   }
 
   // Replays the whole trace and notes the target in its run; false if it is not there.
@@ -141,7 +142,7 @@ class Shrinker {
       if (goal_.line && finding.line != goal_.line) continue;
       pinned_ = finding.what;
       found_at_ = finding.t;
-      if (goal_.kind != "expect") return true;
+      if (!log::is<log::Expect>(goal_.kind)) return true;
       std::erase_if(expectations_, [&](const TraceEvent& event) {
         if (event.line != finding.line) return false;
         unmet_ = event;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "continua/replay/log/kinds.h"
 #include "continua/replay/trace/trace_event.h"
 
 namespace continua {
@@ -15,8 +16,11 @@ namespace {
 constexpr const char* where = "--until";
 
 // Things to find in a run, by a person's word, and the kind of their records.
-constexpr std::array<std::pair<std::string_view, const char*>, 4> found_kinds = {
-    {{"unmet", "expect"}, {"refusal", "refusal"}, {"problem", "problem"}, {"changed", "changed"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> found_kinds = {
+    {{"unmet", log::Expect::kind.name},
+     {"refusal", log::Refusal::kind.name},
+     {"problem", log::Problem::kind.name},
+     {"changed", "changed"}}};
 
 std::vector<std::string> expectable() {
   auto fields = fields_of_kind("expect");
@@ -60,7 +64,7 @@ Result<std::optional<ShrinkGoal>> found_goal(const std::string& text) {
   const auto kind = std::find_if(found_kinds.begin(), found_kinds.end(),
                                  [&](const auto& known) { return known.first == text.substr(0, colon); });
   if (kind == found_kinds.end()) return std::optional<ShrinkGoal>();
-  ShrinkGoal goal{{}, kind->second, {}, text};
+  ShrinkGoal goal{{}, std::string(kind->second), {}, text};
   if (colon == text.size()) return std::optional(goal);
   if (kind->first == "changed") return unknown(text);
   std::size_t line = 0;
@@ -151,7 +155,7 @@ std::vector<Finding> findings(std::string_view log, const std::string& kind) {
   for (const auto text : records) {
     if (!text.starts_with(prefix)) continue;
     const auto record = Json::parse(text);
-    if (kind == "expect" && record["met"] == true) continue;
+    if (log::is<log::Expect>(kind) && record["met"] == true) continue;
     Finding one{line_of(record, records), Json::object(), SimTime::from_seconds(record["t"].get<double>())};
     for (const char* field : {"line", "found", "state", "input", "message"})
       if (const auto* value = member(record, field)) one.what[field] = *value;

@@ -71,7 +71,8 @@ Result<std::size_t> first_of_act(const RunIndex& run, std::int64_t wanted) {
 }
 
 // The consequences of a cause that a reader asks for.
-constexpr std::array<std::string_view, 4> deeds = {"act", "utterance", "gesture", "refusal"};
+constexpr std::array deeds = {log::Act::kind.name, log::Utterance::kind.name, log::AvatarGesture::kind.name,
+                              log::Refusal::kind.name};
 
 std::size_t rank(const RunIndex& run, std::size_t n) {
   return static_cast<std::size_t>(std::find(deeds.begin(), deeds.end(), run.kind(n)) - deeds.begin());

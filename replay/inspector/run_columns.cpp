@@ -210,9 +210,10 @@ class ColumnBuilder {
   }
 
   void add_records() {
-    const std::map<std::string, const char*> instants{{"utterance", "utterance"}, {"gesture", "move"},
-                                                      {"observed", "observed"},   {"problem", "flag"},
-                                                      {"expect", "flag"},         {"refusal", "flag"}};
+    const std::map<std::string_view, const char*> instants{
+        {log::Utterance::kind.name, "utterance"}, {log::AvatarGesture::kind.name, "move"},
+        {log::Observed::kind.name, "observed"},   {log::Problem::kind.name, "flag"},
+        {log::Expect::kind.name, "flag"},         {log::Refusal::kind.name, "flag"}};
     std::vector<Lane*> lane_of;
     for (const auto& kind : run_.kinds()) {
       const auto lane = instants.find(kind);
@@ -312,11 +313,12 @@ class ColumnBuilder {
   bool many_branches_ = false;
 };
 
-const std::vector<ColumnBuilder::KindReader> ColumnBuilder::readers{{"input", &ColumnBuilder::read_input},
-                                                                    {"act", &ColumnBuilder::read_act},
-                                                                    {"rest", &ColumnBuilder::read_rest},
-                                                                    {"expect", &ColumnBuilder::read_expect},
-                                                                    {"branches", &ColumnBuilder::read_branches}};
+const std::vector<ColumnBuilder::KindReader> ColumnBuilder::readers{
+    {log::Input::kind.name, &ColumnBuilder::read_input},
+    {log::Act::kind.name, &ColumnBuilder::read_act},
+    {log::Rest::kind.name, &ColumnBuilder::read_rest},
+    {log::Expect::kind.name, &ColumnBuilder::read_expect},
+    {log::Branches::kind.name, &ColumnBuilder::read_branches}};
 
 }  // namespace
 

@@ -103,7 +103,7 @@ class Piped {
     auto started = sessions_.start(asked, true);
     if (const auto* refusal = std::get_if<LiveRefusal>(&started)) return Error{"standard input", refusal->sentence};
     listed_ = std::get<ListedSession>(started);
-    if (const auto& warning = listed_.session->warning()) report_warning(*warning);
+    if (const auto& warning = listed_.session->setting().warning) report_warning(*warning);
     printing_ = std::thread([session = listed_.session] { print_moves(session); });
     return std::nullopt;
   }

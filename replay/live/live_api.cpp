@@ -38,11 +38,11 @@ Result<Json> asked_in(std::string_view body) {
 
 Json session_json(const ListedSession& listed, const LiveSessions& sessions) {
   const auto& session = *listed.session;
-  const auto state = session.state();
+  const auto state = session.audience().state();
   const auto t = std::max(state.t, state.clock.at(std::chrono::steady_clock::now()));
   Json json{{"id", listed.id},
             {"run", listed.run},
-            {"trace", session.options().trace_path},
+            {"trace", session.setting().options.trace_path},
             {"t", t.seconds()},
             {"clock", state.timing == LiveTiming::wall     ? Json("wall")
                       : state.timing == LiveTiming::events ? Json("events")
@@ -50,13 +50,13 @@ Json session_json(const ListedSession& listed, const LiveSessions& sessions) {
             {"speed", state.clock.speed()},
             {"paused", state.live && state.timing == LiveTiming::wall && !state.clock.runs()},
             {"live", state.live},
-            {"scene", session.scene()},
-            {"machine", session.machine()},
+            {"scene", session.setting().scene},
+            {"machine", session.setting().machine},
             {"state", state.machine_state},
-            {"viewers", session.viewers()},
-            {"gestures", session.palette()},
+            {"viewers", session.audience().viewers()},
+            {"gestures", session.setting().palette},
             {"buttons", sessions.setup()["buttons"]}};
-  if (session.warning()) json["warning"] = session.warning()->text();
+  if (session.setting().warning) json["warning"] = session.setting().warning->text();
   if (state.broke) json["broke"] = state.broke->text();
   return json;
 }
@@ -92,7 +92,7 @@ ApiResponse LiveApi::post(std::string_view target, std::string_view body) {
   const auto listed = sessions_->find(id);
   if (!listed) return unknown_session(id);
   auto& session = *listed->session;
-  const auto& recorder = session.options().recorder;
+  const auto& recorder = session.setting().options.recorder;
   const auto named = query.find("recorder");
   if (what != "save" && !recorder.empty() && (named == query.end() || named->second != recorder))
     return api_error(409, "somebody else records into this session");
@@ -114,7 +114,7 @@ ApiResponse LiveApi::post(std::string_view target, std::string_view body) {
 ApiResponse LiveApi::events(const ListedSession& listed, const Query& query, std::string_view body) {
   const auto events = events_in(body);
   if (!events) return api_error(400, events.error().text());
-  if (!listed.session->state().live) return api_error(409, "the session has ended");
+  if (!listed.session->audience().state().live) return api_error(409, "the session has ended");
   if (static_cast<double>(events->size()) > most_at_once)
     return api_error(413, fmt::format("found {} events; expected at most {} at a time", events->size(), most_at_once));
   if (!admits(listed.id, events->size()))
@@ -122,7 +122,7 @@ ApiResponse LiveApi::events(const ListedSession& listed, const Query& query, std
   const auto batch = query.find("batch");
   const auto reply = listed.session->receive(*events, batch == query.end() ? "" : batch->second);
   if (!reply) {
-    const auto state = listed.session->state();
+    const auto state = listed.session->audience().state();
     return api_error(state.broke ? 500 : state.live ? 400 : 409, reply.error().text());
   }
   // Records of the log as they are: they need not be read to be handed on.
@@ -149,7 +149,7 @@ ApiResponse LiveApi::save(const ListedSession& listed, const Json& asked) {
     return api_error(400, "expected {\"name\": a word of letters, digits, _ and -}");
   const auto& defaults = sessions_->defaults();
   const auto saved =
-      save_as_test(listed.session->options().trace_path, defaults.tests, *name, defaults.replay.knowledge);
+      save_as_test(listed.session->setting().options.trace_path, defaults.tests, *name, defaults.replay.knowledge);
   if (!saved) return api_error(409, saved.error().text());
   if (defaults.say) defaults.say(fmt::format("Saved as a test: {}", saved->check));
   return answer({{"trace", saved->trace}, {"runs", saved->runs}, {"check", saved->check}}, 201);

@@ -39,21 +39,19 @@ Result<std::shared_ptr<LiveSession>> LiveSession::start(LiveOptions options) {
 }
 
 LiveSession::LiveSession(LiveOptions options, Session session)
-    : options_(std::move(options)),
-      scene_(std::filesystem::path(options_.header.scene).stem().string()),
-      machine_(session.machine().name),
-      palette_(gesture_palette(session.machine(), session.gestures())),
-      warning_(session.warning()),
+    : setting_{options, std::filesystem::path(options.header.scene).stem().string(), session.machine().name,
+               gesture_palette(session.machine(), session.gestures()), session.warning()},
       session_(std::move(session)),
-      timing_(options_.timing),
-      clock_(options_.speed),
+      timing_(options.timing),
+      clock_(options.speed),
       last_heard_(std::chrono::steady_clock::now()) {}
 
 Outcome LiveSession::open() {
-  trace_.open(options_.trace_path, std::ios::binary | std::ios::app);
-  log_ = std::make_unique<LiveLog>(options_.log_path);
+  trace_.open(setting_.options.trace_path, std::ios::binary | std::ios::app);
+  log_ = std::make_unique<LiveLog>(setting_.options.log_path);
   if (!trace_ || !log_->sound())
-    return Error{trace_ ? options_.log_path : options_.trace_path, "cannot be written; expected a writable file"};
+    return Error{trace_ ? setting_.options.log_path : setting_.options.trace_path,
+                 "cannot be written; expected a writable file"};
   auto loop = session_->begin(nobody, log_->stream());
   if (!loop) return loop.error();
   loop_ = std::move(*loop);
@@ -85,7 +83,7 @@ void LiveSession::work() {
       }
     }
     const auto wall = std::chrono::steady_clock::now();
-    if (is_attended()) last_heard_ = wall;
+    if (audience_.is_present()) last_heard_ = wall;
     const auto given_up = last_heard_ + patience;
     if (wall >= given_up) {
       close(now());
@@ -105,7 +103,7 @@ std::unique_lock<std::mutex> LiveSession::lock_soon() {
   return lock;
 }
 
-Result<LiveSession::Reply> LiveSession::receive(const std::vector<Json>& events, const std::string& batch) {
+Result<LiveReply> LiveSession::receive(const std::vector<Json>& events, const std::string& batch) {
   const auto lock = lock_soon();
   if (!batch.empty() && batch == last_batch_) return last_reply_;
   if (!loop_) return Error{"", "the session has ended"};
@@ -118,7 +116,7 @@ Result<LiveSession::Reply> LiveSession::receive(const std::vector<Json>& events,
   take(*timed);
   if (broke_) return *broke_;
   last_batch_ = batch;
-  last_reply_ = {events.size(), loop_ ? loop_->now() : told_.t, log_->take_moves()};
+  last_reply_ = {events.size(), loop_ ? loop_->now() : audience_.state().t, log_->take_moves()};
   return last_reply_;
 }
 
@@ -142,8 +140,8 @@ void LiveSession::take(const std::vector<LiveEvent>& events) {
 // Without a place to write to the session ends.
 bool LiveSession::can_go_on() {
   if (trace_ && log_->sound()) return true;
-  broke_ =
-      Error{trace_ ? options_.log_path : options_.trace_path, "cannot be written any further; the session has ended"};
+  broke_ = Error{trace_ ? setting_.options.log_path : setting_.options.trace_path,
+                 "cannot be written any further; the session has ended"};
   close(std::nullopt);
   return false;
 }
@@ -193,48 +191,16 @@ void LiveSession::close(std::optional<SimTime> end) {
 }
 
 void LiveSession::tell() {
-  const std::lock_guard lock(told_mutex_);
-  const bool changed = told_.clock.runs() != clock_.runs() || told_.live != (loop_ != nullptr);
-  told_.live = loop_ != nullptr;
-  told_.timing = timing_;
-  told_.clock = clock_;
-  told_.log_bytes = log_->bytes();
-  told_.broke = broke_;
-  if (loop_) {
-    told_.t = loop_->now();
-    told_.machine_state = loop_->state();
-  }
-  if (changed) ++told_.changes;
-  told_changed_.notify_all();
-}
-
-LiveState LiveSession::state() const {
-  const std::lock_guard lock(told_mutex_);
-  return told_;
-}
-
-LiveState LiveSession::wait(const LiveState& known, std::chrono::milliseconds patience) const {
-  std::unique_lock lock(told_mutex_);
-  told_changed_.wait_for(lock, patience,
-                         [&] { return told_.log_bytes != known.log_bytes || told_.changes != known.changes; });
-  return told_;
-}
-
-void LiveSession::attend(bool is_recorder, int more) {
-  const std::lock_guard lock(told_mutex_);
-  (is_recorder ? recorders_ : viewers_) += more;
-  ++told_.changes;
-  told_changed_.notify_all();
-}
-
-bool LiveSession::is_attended() const {
-  const std::lock_guard lock(told_mutex_);
-  return viewers_ + recorders_ > 0;
-}
-
-int LiveSession::viewers() const {
-  const std::lock_guard lock(told_mutex_);
-  return viewers_;
+  audience_.tell([&](LiveState& told) {
+    told.live = loop_ != nullptr;
+    told.timing = timing_;
+    told.clock = clock_;
+    told.log_bytes = log_->bytes();
+    told.broke = broke_;
+    if (!loop_) return;
+    told.t = loop_->now();
+    told.machine_state = loop_->state();
+  });
 }
 
 }  // namespace continua

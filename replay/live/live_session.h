@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "continua/replay/live/live_audience.h"
 #include "continua/replay/live/live_clock.h"
 #include "continua/replay/live/live_events.h"
 #include "continua/replay/live/live_log.h"
@@ -26,16 +27,19 @@ struct LiveOptions {
   std::string recorder;              ///< whoever sends events has to name it; empty: nobody has to
 };
 
-/// The state of a session at a moment.
-struct LiveState {
-  bool live = true;
-  std::optional<LiveTiming> timing;
-  LiveClock clock;
-  SimTime t;                  ///< as far as the engine has come
-  std::string machine_state;  ///< the state of the machine
-  std::uint64_t log_bytes = 0;
-  int changes = 0;             ///< counts changes that a viewer is told of besides the log: pauses, viewers, the end
-  std::optional<Error> broke;  ///< why it ended, if not because it was told to
+/// The parts of a session that stay the same.
+struct LiveSetting {
+  LiveOptions options;
+  std::string scene, machine;    ///< the names by which the log has them
+  Json palette;                  ///< the gestures that a human may make (live_setup.h, gesture_palette)
+  std::optional<Error> warning;  ///< the unknown things of the scene; it can be used all the same
+};
+
+/// The answer to events that were taken.
+struct LiveReply {
+  std::size_t accepted = 0;
+  SimTime t;                       ///< the engine's time
+  std::vector<std::string> moves;  ///< the avatar's deeds since the last reply: records of the log
 };
 
 /// Safe to use from several threads. Time goes on by a thread of its own.
@@ -48,15 +52,10 @@ class LiveSession {
   LiveSession(const LiveSession&) = delete;
   LiveSession& operator=(const LiveSession&) = delete;
 
-  struct Reply {
-    std::size_t accepted = 0;
-    SimTime t;                       ///< the engine's time
-    std::vector<std::string> moves;  ///< the avatar's deeds since the last reply: records of the log
-  };
   /// Takes all of the events or, if one cannot be used, none. Errors: the reason, or that the session has ended.
   /// `batch` names the events, or is empty: events that come again under the name of the last batch, since its answer
   /// was lost, are answered again and not taken again.
-  Result<Reply> receive(const std::vector<Json>& events, const std::string& batch = "");
+  Result<LiveReply> receive(const std::vector<Json>& events, const std::string& batch = "");
 
   /// Engine time stands still, or goes on. Error: the session has ended, or its time goes by events.
   Outcome pause(bool paused);
@@ -64,24 +63,11 @@ class LiveSession {
   /// Nothing more happens: acts under way are finished, trace and log get their last lines. Ending again does nothing.
   void end();
 
-  LiveState state() const;
-  /// The unknown things of the scene; it can be used all the same.
-  const std::optional<Error>& warning() const { return warning_; }
+  const LiveSetting& setting() const { return setting_; }
   /// After the end.
   const ReplaySummary& summary() const { return summary_; }
-  const LiveOptions& options() const { return options_; }
-  /// The names by which the log has them.
-  const std::string& scene() const { return scene_; }
-  const std::string& machine() const { return machine_; }
-  /// The gestures that a human may make (live_setup.h, gesture_palette).
-  const Json& palette() const { return palette_; }
-
-  /// Waits until there is more to tell than in `known`, at most so long.
-  LiveState wait(const LiveState& known, std::chrono::milliseconds patience) const;
-  /// Whoever records it, or somebody else, listens from now on (`more` 1) or has gone (-1).
-  void attend(bool is_recorder, int more);
-  /// The listeners, without the one that records the session.
-  int viewers() const;
+  /// Its state, for viewers, and their number.
+  LiveAudience& audience() const { return audience_; }
 
  private:
   LiveSession(LiveOptions options, Session session);
@@ -89,16 +75,13 @@ class LiveSession {
   std::unique_lock<std::mutex> lock_soon();
   void work();
   SimTime now() const;
-  bool is_attended() const;
   void take(const std::vector<LiveEvent>& events);
   bool can_go_on();
   void close(std::optional<SimTime> end);
   void tell();
 
-  const LiveOptions options_;
-  const std::string scene_, machine_;
-  const Json palette_;
-  const std::optional<Error> warning_;
+  const LiveSetting setting_;
+  mutable LiveAudience audience_;
 
   std::atomic<int> waiting_ = 0;  // for the next
   mutable std::mutex mutex_;      // guards the members below
@@ -112,14 +95,9 @@ class LiveSession {
   std::size_t next_line_ = 2;
   WallTime last_heard_;
   std::string last_batch_;
-  Reply last_reply_;
+  LiveReply last_reply_;
   std::optional<Error> broke_;
   ReplaySummary summary_;
-
-  mutable std::mutex told_mutex_;  // guards the members below; needs no wait for the engine
-  mutable std::condition_variable told_changed_;
-  LiveState told_;
-  int viewers_ = 0, recorders_ = 0;  // that listen
 
   std::mutex joining_;
   std::thread thread_;

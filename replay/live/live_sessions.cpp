@@ -115,7 +115,7 @@ std::optional<std::string> LiveSessions::take_place(LiveOptions& options, const 
     }
   const std::lock_guard lock(mutex_);
   const auto live = std::count_if(sessions_.begin(), sessions_.end(),
-                                  [](const ListedSession& one) { return one.session->state().live; });
+                                  [](const ListedSession& one) { return one.session->audience().state().live; });
   if (taken_.size() - sessions_.size() + static_cast<std::size_t>(live) >= most_live) return std::nullopt;
   for (int number = 1;; ++number) {
     const auto id = number == 1 ? name : fmt::format("{}-{}", name, number);
@@ -164,7 +164,7 @@ std::optional<ListedSession> LiveSessions::find(const std::string& id) const {
 std::optional<ListedSession> LiveSessions::newest() const {
   const std::lock_guard lock(mutex_);
   for (auto one = sessions_.rbegin(); one != sessions_.rend(); ++one)
-    if (one->session->state().live) return *one;
+    if (one->session->audience().state().live) return *one;
   return std::nullopt;
 }
 
@@ -177,7 +177,8 @@ bool LiveSessions::is_live(const std::string& log_path) const {
   const auto sessions = all();
   std::error_code problem;
   return std::any_of(sessions.begin(), sessions.end(), [&](const ListedSession& one) {
-    return one.session->state().live && fs::equivalent(one.session->options().log_path, log_path, problem);
+    return one.session->audience().state().live &&
+           fs::equivalent(one.session->setting().options.log_path, log_path, problem);
   });
 }
 

@@ -10,10 +10,10 @@ constexpr std::uint64_t most_at_once = 1 << 20;  // bytes
 }  // namespace
 
 LiveTail::LiveTail(std::shared_ptr<const LiveSession> session, std::uint64_t from)
-    : session_(std::move(session)), log_(session_->options().log_path, std::ios::binary), from_(from) {}
+    : session_(std::move(session)), log_(session_->setting().options.log_path, std::ios::binary), from_(from) {}
 
 std::vector<std::string> LiveTail::next(std::chrono::milliseconds patience) {
-  state_ = read_ < state_.log_bytes ? session_->state() : session_->wait(state_, patience);
+  state_ = read_ < state_.log_bytes ? session_->audience().state() : session_->audience().wait(state_, patience);
   std::vector<std::string> lines;
   // The announced bytes are whole lines.
   for (const auto most = read_ + most_at_once; read_ < std::min(state_.log_bytes, most);) {

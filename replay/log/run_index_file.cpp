@@ -1,4 +1,5 @@
-// The index of a long log, kept next to it: a file that may be deleted at any time.
+#include "continua/replay/log/run_index_file.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -10,7 +11,6 @@
 #include <unistd.h>
 
 #include "continua/core/digest.h"
-#include "continua/replay/log/run_index.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -111,11 +111,27 @@ class Reader {
   RunningDigest digest_;
 };
 
+bool is_consistent(const ScannedLog& log) {
+  const auto known = [&](std::uint64_t n) { return n < log.entries.size(); };
+  return !log.entries.empty() && std::all_of(log.entries.begin(), log.entries.end(), [&](const RecordEntry& entry) {
+    return entry.kind < log.kinds.size() && entry.offset <= log.bytes && entry.length <= log.bytes - entry.offset;
+  }) && std::all_of(log.marks.begin(), log.marks.end(), [&](const StackMark& mark) {
+    return known(mark.n);
+  }) && std::all_of(log.acts.begin(), log.acts.end(), [&](const ActMark& mark) {
+    return known(mark.n);
+  }) && std::all_of(log.steps.begin(), log.steps.end(), [&](const StepMark& step) {
+    return known(step.n) && std::max({step.id, step.from, step.to}) < log.names.size();
+  }) && std::all_of(log.symbols.begin(), log.symbols.end(), [&](const auto& symbol) {
+    const auto below = log.symbols.find(symbol.second.below);
+    return known(symbol.second.n) && (below == log.symbols.end() || below->second.n < symbol.second.n);
+  });
+}
+
 }  // namespace
 
-std::optional<RunIndex::Print> RunIndex::print_of(const std::string& path) {
+std::optional<LogPrint> print_of(const std::string& path) {
   std::error_code problem;
-  Print print;
+  LogPrint print;
   print.bytes = fs::file_size(path, problem);
   if (problem || print.bytes < shortest_kept) return std::nullopt;
   print.written_ns = fs::last_write_time(path, problem).time_since_epoch().count();
@@ -129,69 +145,52 @@ std::optional<RunIndex::Print> RunIndex::print_of(const std::string& path) {
   return print;
 }
 
-std::optional<RunIndex> RunIndex::kept(const std::string& path, const Print& print) {
+std::optional<ScannedLog> kept_scan(const std::string& path, const LogPrint& print) {
   std::error_code problem;
   const auto size = fs::file_size(index_path(path), problem);
   if (problem) return std::nullopt;
   std::ifstream file(index_path(path), std::ios::binary);
   Reader reader(file, size);
-  RunIndex index;
+  ScannedLog log;
   Begin begin;
-  Print of_log;
+  LogPrint of_log;
   std::vector<Symbol> symbols;
   if (!reader.get(begin) || begin != Begin() || !reader.get(of_log) || of_log != print ||
-      !reader.get_texts(index.kinds_) || !reader.get_texts(index.names_) || !reader.get_all(index.entries_) ||
-      !reader.get_all(index.marks_) || !reader.get_all(symbols) || !reader.get_all(index.acts_) ||
-      !reader.get_all(index.steps_) || !reader.get_all(index.trouble_) || !reader.get(index.last_line_) ||
-      !reader.finished())
+      !reader.get_texts(log.kinds) || !reader.get_texts(log.names) || !reader.get_all(log.entries) ||
+      !reader.get_all(log.marks) || !reader.get_all(symbols) || !reader.get_all(log.acts) ||
+      !reader.get_all(log.steps) || !reader.get_all(log.trouble) || !reader.get(log.last_line) || !reader.finished())
     return std::nullopt;
-  index.symbols_.reserve(symbols.size());
-  for (const auto& [id, place] : symbols) index.symbols_.emplace(id, place);
-  index.path_ = path;
-  index.bytes_ = print.bytes;
-  if (!index.consistent()) return std::nullopt;
-  return index;
-}
-
-bool RunIndex::consistent() const {
-  const auto known = [this](std::uint64_t n) { return n < entries_.size(); };
-  return !entries_.empty() && std::all_of(entries_.begin(), entries_.end(), [this](const RecordEntry& entry) {
-    return entry.kind < kinds_.size() && entry.offset <= bytes_ && entry.length <= bytes_ - entry.offset;
-  }) && std::all_of(marks_.begin(), marks_.end(), [&](const StackMark& mark) {
-    return known(mark.n);
-  }) && std::all_of(acts_.begin(), acts_.end(), [&](const ActMark& mark) {
-    return known(mark.n);
-  }) && std::all_of(steps_.begin(), steps_.end(), [&](const StepMark& step) {
-    return known(step.n) && std::max({step.id, step.from, step.to}) < names_.size();
-  }) && std::all_of(symbols_.begin(), symbols_.end(), [&](const auto& symbol) {
-    const auto below = symbols_.find(symbol.second.below);
-    return known(symbol.second.n) && (below == symbols_.end() || below->second.n < symbol.second.n);
-  });
+  log.symbols.reserve(symbols.size());
+  for (const auto& [id, place] : symbols) log.symbols.emplace(id, place);
+  log.path = path;
+  log.bytes = print.bytes;
+  if (!is_consistent(log)) return std::nullopt;
+  return log;
 }
 
 // Written under a name of its own until it is whole. A file that cannot be written is no trouble.
-void RunIndex::keep(const Print& print) const {
+void keep_scan(const ScannedLog& log, const LogPrint& print) {
   std::vector<Symbol> symbols;
-  for (const auto& [id, place] : symbols_) symbols.push_back({id, place});
+  for (const auto& [id, place] : log.symbols) symbols.push_back({id, place});
   std::sort(symbols.begin(), symbols.end(), [](const Symbol& a, const Symbol& b) { return a.id < b.id; });
-  const auto unfinished = fmt::format("{}.{}", index_path(path_), ::getpid());
+  const auto unfinished = fmt::format("{}.{}", index_path(log.path), ::getpid());
   std::ofstream file(unfinished, std::ios::binary);
   Writer writer(file);
   writer.put(Begin());
   writer.put(print);
-  writer.put_texts(kinds_);
-  writer.put_texts(names_);
-  writer.put_all(entries_);
-  writer.put_all(marks_);
+  writer.put_texts(log.kinds);
+  writer.put_texts(log.names);
+  writer.put_all(log.entries);
+  writer.put_all(log.marks);
   writer.put_all(symbols);
-  writer.put_all(acts_);
-  writer.put_all(steps_);
-  writer.put_all(trouble_);
-  writer.put(last_line_);
+  writer.put_all(log.acts);
+  writer.put_all(log.steps);
+  writer.put_all(log.trouble);
+  writer.put(log.last_line);
   writer.finish();
   file.close();
   std::error_code problem;
-  if (file) fs::rename(unfinished, index_path(path_), problem);
+  if (file) fs::rename(unfinished, index_path(log.path), problem);
   if (!file || problem) fs::remove(unfinished, problem);
 }
 

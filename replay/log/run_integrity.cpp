@@ -7,6 +7,7 @@
 
 #include "continua/core/digest.h"
 #include "continua/core/located_json.h"
+#include "continua/replay/log/kinds.h"
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_log.h"
 
@@ -36,11 +37,11 @@ class Integrity {
     ++lines_;
     const Line line(text);
     if (ended_) return problem(lines_, "a line after the log's end; expected none");
-    if (line.kind == "block") {
+    if (log::is<log::Block>(line.kind)) {
       close_block(line.digest);
       block_ = RunningDigest();
       block_.add(line.digest);
-    } else if (line.kind == "end") {
+    } else if (log::is<log::End>(line.kind)) {
       ended_ = true;
       return close(line);
     }
@@ -48,11 +49,12 @@ class Integrity {
     all_.add("\n");
     block_.add(text);
     block_.add("\n");
-    if (line.kind == "pose") {
+    const bool pose = log::is<log::Pose>(line.kind);
+    if (pose) {
       poses_.add(text);
       poses_.add("\n");
     }
-    if (line.kind == "pose" || !is_decision(line.kind)) {
+    if (pose || !is_decision(line.kind)) {
       ++counts_[std::string(line.kind)];
       return;
     }

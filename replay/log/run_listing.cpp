@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "continua/replay/log/kinds.h"
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_text.h"
@@ -40,7 +41,7 @@ bool is_question(std::string_view utterance) { return text_in(member_in(utteranc
 
 std::size_t count_unmet(const RunIndex& run) {
   std::size_t count = 0;
-  run.read_lines([&](std::size_t n) { return run.kind(n) == "expect"; },
+  run.read_lines([&](std::size_t n) { return log::is<log::Expect>(run.kind(n)); },
                  [&](std::size_t, std::string_view line) { return count += is_unmet(line), true; });
   return count;
 }
@@ -48,19 +49,21 @@ std::size_t count_unmet(const RunIndex& run) {
 std::size_t count_refused_samples(const RunIndex& run) {
   std::size_t count = 0;
   for (std::size_t n = 0; n < run.size(); ++n)
-    if (const auto cause = run.cause(n); cause && run.entry(*cause).sample && run.kind(n) == "refusal") ++count;
+    if (const auto cause = run.cause(n); cause && run.entry(*cause).sample && log::is<log::Refusal>(run.kind(n)))
+      ++count;
   return count;
 }
 
 }  // namespace
 
 std::size_t record_of_interest(const RunIndex& run) {
-  if (const auto n = first_line(run, "expect", is_unmet)) return *n;
-  if (const auto n = first_line(run, "utterance", is_question)) return *n;
+  if (const auto n = first_line(run, log::Expect::kind.name, is_unmet)) return *n;
+  if (const auto n = first_line(run, log::Utterance::kind.name, is_question)) return *n;
   const auto& acts = run.act_marks();
   const auto asked = std::find_if(acts.rbegin(), acts.rend(), [](const ActMark& act) { return act.asked; });
   if (asked != acts.rend()) return asked->n;
-  for (const char* kind : {"utterance", "act", "refusal", "transition"})
+  for (const auto kind :
+       {log::Utterance::kind.name, log::Act::kind.name, log::Refusal::kind.name, log::Transition::kind.name})
     if (const auto n = first_of(run, kind)) return *n;
   return std::min<std::size_t>(1, run.size() - 1);
 }
@@ -72,7 +75,7 @@ Result<Json> run_listing(const RunIndex& run) {
   for (std::size_t n = 0; n < run.size(); ++n) ++of_kind[run.entry(n).kind];
   Json counts = Json::object();
   for (std::size_t kind = 0; kind < of_kind.size(); ++kind) counts[run.kinds()[kind]] = of_kind[kind];
-  const auto count = [&](const char* kind) { return counts.value(kind, std::size_t{0}); };
+  const auto count = [&](std::string_view kind) { return counts.value(std::string(kind), std::size_t{0}); };
   std::set<std::int64_t> acts;  // an act has a record for each of its states
   for (const auto& act : run.act_marks()) acts.insert(act.act);
   const auto first = record_of_interest(run);
@@ -81,13 +84,13 @@ Result<Json> run_listing(const RunIndex& run) {
   return Json{{"trace", name_of(*header, "trace")},
               {"duration", run.entry(run.size() - 1).t.seconds()},
               {"records", run.size()},
-              {"utterances", count("utterance")},
+              {"utterances", count(log::Utterance::kind.name)},
               {"acts", acts.size()},
-              {"refusals", count("refusal")},
+              {"refusals", count(log::Refusal::kind.name)},
               {"refused_samples", count_refused_samples(run)},
-              {"problems", count("problem")},
-              {"expected", count("expect")},
-              {"met", count("expect") - count_unmet(run)},
+              {"problems", count(log::Problem::kind.name)},
+              {"expected", count(log::Expect::kind.name)},
+              {"met", count(log::Expect::kind.name) - count_unmet(run)},
               {"counts", counts},
               {"machine", name_of(*header, "machine")},
               {"scene", name_of(*header, "scene")},

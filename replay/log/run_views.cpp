@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
 
 namespace continua {
@@ -184,7 +185,7 @@ Result<std::int64_t> last_top(const RunIndex& run, const std::vector<std::size_t
 }  // namespace
 
 Result<Json> run_branch_stack(const RunIndex& run, std::size_t n, std::int64_t branch) {
-  const auto records = run.of_kind("branches");
+  const auto records = run.of_kind(log::Branches::kind.name);
   const auto count = static_cast<std::size_t>(std::upper_bound(records.begin(), records.end(), n) - records.begin());
   if (count == 0) return Error{run.where(n), "here the automaton is in one configuration: there are no branches"};
   const auto record = run.record(records[count - 1]);
@@ -222,7 +223,7 @@ Result<Json> run_derivation(const RunIndex& run, std::size_t n) {
     if (!record) return record.error();
     chain.push_back(brief_json(run, *at, *record));
   }
-  const auto all = run.of_kind("application");
+  const auto all = run.of_kind(log::Application::kind.name);
   std::multimap<std::size_t, std::size_t> brought_about;  // cause -> application
   for (const auto application : all)
     if (const auto cause = run.cause(application); cause && application <= n)
@@ -245,8 +246,8 @@ Result<Json> run_derivation(const RunIndex& run, std::size_t n) {
       for (const auto& input : *because)
         if (input.is_number_unsigned() && input.get<std::size_t>() < at)
           inputs.emplace(input.get<std::size_t>(), Json());
-    if (run.kind(at) == "input") inputs[at] = *std::move(record);
-    if (run.kind(at) != "application") continue;
+    if (log::is<log::Input>(run.kind(at))) inputs[at] = *std::move(record);
+    if (!log::is<log::Application>(run.kind(at))) continue;
     for (const char* part : {"function", "argument"})
       if (const auto found = made.find(text_of(*record, part)); found != made.end()) {
         const auto older = std::lower_bound(found->second.begin(), found->second.end(), at);

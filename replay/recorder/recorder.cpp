@@ -6,27 +6,30 @@
 #include "continua/term/term_text.h"
 
 namespace continua {
-int Recorder::write(const log::Record& record) { return log_.write(record, now_, cause_, measured_); }
+int Recorder::write(const log::Record& record) { return log_.write(record, next_.t, next_.cause, next_.measured); }
 
 int Recorder::input(const TraceEvent& event, const std::string& symbol) {
-  now_ = event.t;
-  cause_ = std::nullopt;
+  next_.t = event.t;
+  next_.cause = std::nullopt;
   Json said = event.json;
   said.erase("t");
   latest_input_ = write(log::Input{static_cast<std::int64_t>(event.line), std::move(said), symbol});
-  cause_ = latest_input_;
+  next_.cause = latest_input_;
   return latest_input_;
 }
 
 int Recorder::trace_event(const TraceEvent& event, const log::Record& record) {
-  now_ = event.t;
-  cause_ = std::nullopt;
+  next_.t = event.t;
+  next_.cause = std::nullopt;
   return write(record);
 }
 
 template <class Event>
 void Recorder::one(const Event& event) {
-  if constexpr (requires { record_of(event, *machine_); })
+  // A gesture that became a command is told by the act that it asked for.
+  if constexpr (std::is_same_v<Event, GestureCommand>)
+    return;
+  else if constexpr (requires { record_of(event, *machine_); })
     write(record_of(event, *machine_));
   else if constexpr (requires { record_of(event, input_record_); })
     write(record_of(event, input_record_));
@@ -35,43 +38,44 @@ void Recorder::one(const Event& event) {
 }
 
 void Recorder::engine(const std::vector<EngineEvent>& events, SimTime t) {
-  now_ = t;
+  next_.t = t;
   for (const auto& event : events) std::visit([this](const auto& what) { one(what); }, event);
-  measured_ = false;
+  next_.measured = false;
 }
 
 // The end of an act is an input that no line of the trace tells; when it comes is measured.
 void Recorder::one(const Perceived& perceived) {
   if (perceived.act) {
-    const Act& act = acts_.at(perceived.act);
+    const RecordedAct& act = acts_.at(perceived.act);
     const Json event{
         {"kind", "act"}, {"act", perceived.act}, {"program", act.program}, {"status", name_of(act.status)}};
-    measured_ = true;
-    cause_ = act.ended;
+    next_.measured = true;
+    next_.cause = act.ended;
     latest_input_ = write(log::Input{std::nullopt, event, perceived.symbol});
-    cause_ = latest_input_;
+    next_.cause = latest_input_;
   }
   input_record_[perceived.serial] = latest_input_;
 }
 
 void Recorder::one(const Attended& attended) {
-  cause_ = std::nullopt;
-  if (const auto record = input_record_.find(attended.serial); record != input_record_.end()) cause_ = record->second;
+  next_.cause = std::nullopt;
+  if (const auto record = input_record_.find(attended.serial); record != input_record_.end())
+    next_.cause = record->second;
   if (attended.bound.empty() && attended.at == attended.arrived) return;
-  cause_ = write(record_of(attended, input_record_));
+  next_.cause = write(record_of(attended, input_record_));
 }
 
 void Recorder::one(const Understood& understood) {
   if (const auto referents = referents_of(understood.move); referents && understood.taken) last_referents_ = *referents;
   const int n = write(record_of(understood, input_record_));
-  if (understood.taken) cause_ = n;
+  if (understood.taken) next_.cause = n;
 }
 
 void Recorder::one(const StepEvent& step) {
   std::visit([this](const auto& what) { one(what); }, step);
 }
 
-void Recorder::one(const Fired& fired) { cause_ = write(record_of(fired, *machine_)); }
+void Recorder::one(const Fired& fired) { next_.cause = write(record_of(fired, *machine_)); }
 
 void Recorder::one(const Said& said) { moves_.push_back({"speech", said.text, write(record_of(said, input_record_))}); }
 
@@ -82,11 +86,11 @@ void Recorder::one(const Gestured& gestured) {
 }
 
 void Recorder::one(const Acted& acted) {
-  last_act_ = print(acted.term);
+  const auto program = print(acted.term);
   const int number = static_cast<int>(acts_.size()) + 1;
-  log::Act record{number, last_act_, "asked", {}, records_of(acted.because, input_record_), {}};
-  acts_[number] = {write(record), last_act_};
-  moves_.push_back({"action", last_act_, acts_[number].record});
+  const int n = write(log::Act{number, program, "asked", {}, records_of(acted.because, input_record_), {}});
+  acts_[number] = {n, program};
+  moves_.push_back({"action", program, n});
 }
 
 void Recorder::write_act(int number, log::Act record, SimTime t) {
@@ -97,17 +101,18 @@ void Recorder::write_act(int number, log::Act record, SimTime t) {
 }
 
 void Recorder::one(const ActStep& step) {
-  if (step.step == 1) write_act(step.act, {.status = "started"}, now_);
+  if (step.step == 1) write_act(step.act, {.status = "started"}, next_.t);
   if (step.command)
     steps_[step.command->id] = step;
   else
     write_act(step.act,
-              {.program = print(step.program), .status = "done", .step = step.step, .result = result_of(step)}, now_);
+              {.program = print(step.program), .status = "done", .step = step.step, .result = result_of(step)},
+              next_.t);
 }
 
 void Recorder::one(const ActEnd& end) {
   acts_.at(end.act.number).status = end.status;
-  write_act(end.act.number, {.status = name_of(end.status), .result = result_of(end)}, now_);
+  write_act(end.act.number, {.status = name_of(end.status), .result = result_of(end)}, next_.t);
 }
 
 void Recorder::world(const WorldReport& report) {
@@ -161,11 +166,11 @@ void Recorder::report(const ActReport& report) {
 }
 
 void Recorder::expectation(const TraceEvent& event, bool met, const Json& found) {
-  now_ = event.t;
+  next_.t = event.t;
   Json expected = event.json;
   expected.erase("t");
   expected.erase("kind");
-  cause_ = std::nullopt;
+  next_.cause = std::nullopt;
   write(log::Expect{static_cast<std::int64_t>(event.line), met, std::move(expected), found});
 }
 

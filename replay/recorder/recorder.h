@@ -14,6 +14,14 @@
 
 namespace continua {
 
+/// An act that was asked for.
+struct RecordedAct {
+  int record = 0;  ///< in which it was asked for
+  std::string program;
+  ActStatus status = ActStatus::started;
+  int ended = 0;  ///< record in which it ended
+};
+
 class Recorder {
  public:
   /// Both must outlive the recorder.
@@ -33,16 +41,8 @@ class Recorder {
   void expectation(const TraceEvent& event, bool met, const Json& found);
   void problem(std::size_t line, const std::string& message, SimTime t);
 
-  /// An act that was asked for.
-  struct Act {
-    int record = 0;  ///< in which it was asked for
-    std::string program;
-    ActReport::Status status = ActReport::Status::started;
-    int ended = 0;  ///< record in which it ended
-  };
-  /// By number.
-  const std::map<int, Act>& acts() const { return acts_; }
-  const std::string& last_act() const { return last_act_; }
+  /// By number, from 1.
+  const std::map<int, RecordedAct>& acts() const { return acts_; }
   /// The avatar's moves since the last call.
   std::vector<AvatarMove> take_moves() { return std::exchange(moves_, {}); }
   /// The candidates of the last noun phrase or pointing, the likeliest first.
@@ -57,7 +57,6 @@ class Recorder {
   void one(const Attended& attended);
   void one(const Understood& understood);
   void one(const StepEvent& step);
-  void one(const GestureCommand&) {}
   void one(const ActStep& step);
   void one(const ActEnd& end);
   void one(const Fired& fired);
@@ -74,16 +73,17 @@ class Recorder {
 
   RunLog& log_;
   const Machine* machine_;
-  SimTime now_;
-  std::optional<int> cause_;  ///< number of the record that brought about the next one
+  struct {
+    SimTime t;
+    std::optional<int> cause;  ///< number of the record that brought it about
+    bool measured = false;     ///< its time depends on the length of an act
+  } next_;                     ///< of the next record
   InputRecords input_record_;
   std::vector<AvatarMove> moves_;
   int latest_input_ = 0;
-  bool measured_ = false;  ///< the time of the next records depends on the length of an act
-  std::map<int, Act> acts_;
+  std::map<int, RecordedAct> acts_;
   std::map<int, ActStep> steps_;  ///< by command
   std::optional<RestSpan> lasting_rest_;
-  std::string last_act_;
   std::vector<std::string> last_referents_;
 };
 

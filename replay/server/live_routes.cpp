@@ -26,9 +26,9 @@ class RecordStream {
  public:
   RecordStream(ListedSession listed, const LiveSessions& sessions, std::uint64_t from, bool is_recorder)
       : listed_(std::move(listed)), sessions_(sessions), tail_(listed_.session, from), is_recorder_(is_recorder) {
-    listed_.session->attend(is_recorder_, 1);
+    listed_.session->audience().attend(is_recorder_, 1);
   }
-  ~RecordStream() { listed_.session->attend(is_recorder_, -1); }
+  ~RecordStream() { listed_.session->audience().attend(is_recorder_, -1); }
   RecordStream(const RecordStream&) = delete;
   RecordStream& operator=(const RecordStream&) = delete;
 
@@ -59,7 +59,7 @@ class RecordStream {
     return compact({{"t", t.seconds()},
                     {"running", state.clock.runs()},
                     {"speed", state.clock.speed()},
-                    {"viewers", listed_.session->viewers()}});
+                    {"viewers", listed_.session->audience().viewers()}});
   }
 
   const ListedSession listed_;
@@ -117,7 +117,7 @@ void send_records(const httplib::Request& request, httplib::Response& response, 
   const auto recorder = request.get_param_value("recorder");
   const auto from = after ? *after + 1 : 0;
   const auto open = [&api, from, recorder](ListedSession found) {
-    const bool is_recorder = !recorder.empty() && recorder == found.session->options().recorder;
+    const bool is_recorder = !recorder.empty() && recorder == found.session->setting().options.recorder;
     return std::make_shared<RecordStream>(std::move(found), api.sessions(), from, is_recorder);
   };
   auto stream = listed ? open(*std::move(listed)) : nullptr;

@@ -88,7 +88,7 @@ Situation SessionLoop::situation() const {
           conversation_.state().configuration,
           body_->snapshot(),
           said_since_input_,
-          recorder_.last_act(),
+          recorder_.acts().empty() ? std::string() : recorder_.acts().rbegin()->second.program,
           recorder_.last_referents()};
 }
 

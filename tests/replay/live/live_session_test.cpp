@@ -35,7 +35,7 @@ std::shared_ptr<LiveSession> started(LiveOptions options) {
   return *session;
 }
 
-LiveSession::Reply sent(LiveSession& session, const std::string& event) {
+LiveReply sent(LiveSession& session, const std::string& event) {
   const auto reply = session.receive({Json::parse(event)});
   if (!reply) FAIL(reply.error().text());
   return *reply;
@@ -117,7 +117,7 @@ TEST_CASE("a trace told event by event gives the run of its replay") {
   for (const auto& event : trace->events) events.push_back(event.json);
   REQUIRE(session->receive(events).ok());
   session->end();
-  CHECK(session->state().timing == LiveTiming::events);
+  CHECK(session->audience().state().timing == LiveTiming::events);
   const auto log = content(options.log_path);
   CHECK(comparable(log) == comparable(replayed(options.trace_path, false)));
   const auto decisions = [](const std::string& text) {
@@ -169,12 +169,12 @@ TEST_CASE("a pause lets time stand still, and what is said in it counts then") {
   const TemporaryFolder folder;
   const auto session = started(options_in(folder, LiveTiming::wall));
   REQUIRE_FALSE(session->pause(true));
-  const auto t = session->state().clock.at(std::chrono::steady_clock::now());
+  const auto t = session->audience().state().clock.at(std::chrono::steady_clock::now());
   std::this_thread::sleep_for(40ms);
   CHECK(sent(*session, R"({"kind":"speech","text":"The plate."})").t == t);
   REQUIRE_FALSE(session->pause(false));
   std::this_thread::sleep_for(5ms);
-  CHECK(session->state().clock.at(std::chrono::steady_clock::now()) > t);
+  CHECK(session->audience().state().clock.at(std::chrono::steady_clock::now()) > t);
   const auto by_events = started([&] {
     auto options = options_in(folder, LiveTiming::events);
     options.trace_path += "2", options.log_path += "2";
@@ -195,7 +195,7 @@ TEST_CASE("an event that cannot be used changes nothing, nor do those with it") 
   CHECK(refused.error().text() == "event 2: speech has no 'text' or 'alternatives'");
   CHECK(content(options.trace_path) == trace);
   CHECK(content(options.log_path) == log);
-  CHECK(session->state().t.seconds() == 1);
+  CHECK(session->audience().state().t.seconds() == 1);
 }
 
 TEST_CASE("the end is clean, whoever brings it about, and nothing comes after it") {
@@ -204,7 +204,7 @@ TEST_CASE("the end is clean, whoever brings it about, and nothing comes after it
   SECTION("its event") {
     const auto session = started(options);
     CHECK(sent(*session, R"({"t":2,"kind":"end"})").t.seconds() == 2);
-    CHECK_FALSE(session->state().live);
+    CHECK_FALSE(session->audience().state().live);
     CHECK_FALSE(session->receive({Json::parse(R"({"kind":"speech","text":"a"})")}).ok());
     CHECK(session->pause(true));
     session->end();
@@ -243,7 +243,7 @@ TEST_CASE("a session whose files can no longer be written says so and ends") {
   const auto refused = session->receive({Json::parse(R"({"t":1,"kind":"speech","text":"The plate."})")});
   REQUIRE_FALSE(refused.ok());
   CHECK(refused.error().text() == "/dev/full: cannot be written any further; the session has ended");
-  CHECK_FALSE(session->state().live);
+  CHECK_FALSE(session->audience().state().live);
 }
 
 TEST_CASE("a session that cannot be begun leaves no files") {
