@@ -19,7 +19,6 @@ enum class Capability {
   slide,  ///< like move, but along the table; an object that is not held is grasped first and released in the end
   move,   ///< grasped object is carried to the goal and set down there; the fingers stay closed
   push,   ///< hand comes down behind the object and moves it along the table by contact; nothing is grasped
-  bump,   ///< like push, but one push only: the object stays where that push leaves it
   turn,   ///< object turns about the vertical by `turn_rad`; if it is not held, it is grasped first and set down again
   ungrasp,  ///< held object is lowered onto what is below it, the fingers open, the hand backs off
   retract,  ///< hand goes back to where it was at the start and keeps what it holds
@@ -65,7 +64,6 @@ inline constexpr std::array body_acts = {
     ActRow{Capability::slide, "slide", ActEffect::moved, ToGoal::carried, HandAfter::as_before},
     ActRow{Capability::move, "move", ActEffect::moved, ToGoal::carried},
     ActRow{Capability::push, "push", ActEffect::moved, ToGoal::pushed, HandAfter::empty},
-    ActRow{Capability::bump, "bump", ActEffect::moved, ToGoal::pushed, HandAfter::empty},
     ActRow{Capability::turn, "turn", ActEffect::moved, ToGoal::none, HandAfter::as_before},
     ActRow{Capability::ungrasp, "ungrasp", ActEffect::hand},
     ActRow{Capability::retract, "retract", ActEffect::hand},
@@ -92,7 +90,6 @@ inline constexpr std::array body_programs = {
     BodyProgram{"move", Capability::move, Takes::thing_and_goal},
     BodyProgram{"slide", Capability::slide, Takes::thing_and_goal},
     BodyProgram{"push", Capability::push, Takes::thing_and_goal},
-    BodyProgram{"bump", Capability::bump, Takes::thing_and_goal},
     BodyProgram{"turn", Capability::turn, Takes::thing},
     BodyProgram{"turn_by", Capability::turn, Takes::thing_and_angle},
     BodyProgram{"retract", Capability::retract, Takes::nothing},

@@ -205,8 +205,7 @@ void Avatar::decide_push(const WorldSnapshot& world) {
     act.yaw_WG = object.yaw;
   }
   begin_attempt();
-  const int most = act.command.what == Capability::bump ? 1 : most_pushes;
-  if (attempts.pushes >= most || !needs_push(object, act.p_WG, means_)) return begin_phases({Phase::settle});
+  if (attempts.pushes >= most_pushes || !needs_push(object, act.p_WG, means_)) return begin_phases({Phase::settle});
   const auto push = plan_push(object, act.p_WG, act.landmark(), world, means_);
   if (!push) {
     // No further push brings the object nearer, but it may be near enough.

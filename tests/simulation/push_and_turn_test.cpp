@@ -121,15 +121,6 @@ TEST_CASE("each thing is pushed somewhere without a grasp and turned where it is
   }
 }
 
-TEST_CASE("a bump is one push along the table, without a grasp") {
-  Stage stage("staircase");
-  const ObjectState before = stage.object("block7");
-  const ActReport end = stage.act(to(Capability::bump, "block7", before.p_WO.x() + 0.05, before.p_WO.y()));
-  CHECK(end.status == Status::done);
-  CHECK(stage.object("block7").p_WO.x() > before.p_WO.x() + 0.03);
-  CHECK(stage.ever_held == std::set<std::string>{""});
-}
-
 TEST_CASE("an object is turned by any angle at once or by halves, and what is held is held still") {
   for (const double quarters : {-2.0, -1.3, 0.4, 2.0}) {
     Stage stage("place_setting");
