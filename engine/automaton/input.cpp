@@ -26,6 +26,7 @@ std::span<const Carried> carried_terms() {
       Carried{"named", "(e -> t)*", &Input::named, true},
       Carried{"next", "text", &Input::next, true},
       Carried{"unknown", "text*", &Input::unknown, true},
+      Carried{"left_out", "text*", &Input::left_out, true},
   };
   return terms;
 }

@@ -43,6 +43,7 @@ struct Input {
   Term named;      ///< (e -> t)*: the nouns for the objects spoken of, each with its adjectives, then alone
   Term next;       ///< text: the kind of the next move in the same utterance; null after the last
   Term unknown;    ///< text*: words near it that the lexicon does not have
+  Term left_out;   ///< text*: words of its sentence that are unknown or fit nowhere
 };
 
 /// A term that inputs carry, as machines know it.

@@ -248,9 +248,14 @@ Utterance read(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabula
     }
     if (!known && !word.comma && !(name && after_name)) utterance.unknown.push_back(utterance.words.size() - 1);
     after_name = name && !word.ends_after;
-    if (word.ends_after) end_segment();
+    if (word.ends_after) {
+      end_segment();
+      utterance.ends.push_back(utterance.words.size());
+    }
   }
   end_segment();
+  if (utterance.ends.empty() || utterance.ends.back() < utterance.words.size())
+    utterance.ends.push_back(utterance.words.size());
   return utterance;
 }
 

@@ -53,6 +53,7 @@ struct Utterance {
   std::vector<Fragment> fragments;   ///< in order of their words; empty if nothing was understood
   std::vector<std::size_t> unknown;  ///< words that the lexicon does not have
   std::vector<std::size_t> unused;   ///< known words that fit nowhere
+  std::vector<std::size_t> ends;     ///< of its sentences: the number of words up to each
   bool cut = false;                  ///< words after the first most_words were not read
 };
 

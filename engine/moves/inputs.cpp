@@ -11,6 +11,12 @@ Term entities(const std::vector<std::string>& names) {
   return Term::list(std::move(objects), Type::entity());
 }
 
+Term texts(const std::vector<std::string>& words) {
+  std::vector<Term> terms;
+  for (const auto& word : words) terms.push_back(Term::text(word));
+  return Term::list(std::move(terms), Type::text_type());
+}
+
 }  // namespace
 
 Term point_term(const Vec3& p_W) { return Term::point(p_W.x(), p_W.y(), p_W.z()); }
@@ -31,9 +37,8 @@ void carry(const Move& move, Input& input) {
   std::vector<std::string> referents;
   for (const auto& referent : move.reference.referents) referents.push_back(referent.object);
   input.referents = entities(referents);
-  std::vector<Term> unknown;
-  for (const auto& word : move.unknown) unknown.push_back(Term::text(word));
-  input.unknown = Term::list(std::move(unknown), Type::text_type());
+  input.unknown = texts(move.unknown);
+  input.left_out = texts(move.left_out);
   if (move.readings.empty()) return;
   input.reading = move.readings[move.chosen].term;
   input.meaning = move.meaning;

@@ -25,6 +25,7 @@ struct Move {
   std::vector<Term> nouns;  ///< e -> t: what is spoken of, "red block" before "block", in the order of the words
   std::vector<std::string> unknown;  ///< words near it that the lexicon does not have
   std::vector<std::string> unused;   ///< known words near it that fit nowhere
+  std::vector<std::string> left_out;  ///< words of its sentence that are unknown or fit nowhere
 };
 
 }  // namespace continua

@@ -30,6 +30,22 @@ WordSpan surroundings(const Utterance& utterance, std::size_t fragment) {
           fragment + 1 == fragments.size() ? utterance.words.size() : fragments[fragment + 1].words.begin};
 }
 
+// The words of the sentences that the fragment is a part of.
+WordSpan sentence_of(const Utterance& utterance, std::size_t fragment) {
+  const auto& words = utterance.fragments[fragment].words;
+  const auto& ends = utterance.ends;
+  const auto begin = std::upper_bound(ends.begin(), ends.end(), words.begin);
+  const auto end = std::lower_bound(ends.begin(), ends.end(), words.end);
+  return {begin == ends.begin() ? 0 : *(begin - 1), end == ends.end() ? utterance.words.size() : *end};
+}
+
+std::vector<std::string> left_out_in(const Utterance& utterance, WordSpan span) {
+  auto places = utterance.unknown;
+  places.insert(places.end(), utterance.unused.begin(), utterance.unused.end());
+  std::sort(places.begin(), places.end());
+  return words_at(utterance, places, span);
+}
+
 // The noun phrase that matters most: the one that is asked about first, else the last of the words. Referents are
 // looked for from the last argument to the first.
 const Resolution* noun_phrase(const Interpretation& interpretation) {
@@ -190,6 +206,7 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
   const auto around = surroundings(utterance, fragment);
   move.unknown = words_at(utterance, utterance.unknown, around);
   move.unused = words_at(utterance, utterance.unused, around);
+  move.left_out = left_out_in(utterance, sentence_of(utterance, fragment));
   return move;
 }
 
@@ -226,6 +243,7 @@ Move Understanding::not_understood(const Utterance& utterance) const {
   move.words = utterance.words;
   move.unknown = words_at(utterance, utterance.unknown, all);
   move.unused = words_at(utterance, utterance.unused, all);
+  move.left_out = left_out_in(utterance, all);
   return move;
 }
 
