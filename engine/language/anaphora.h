@@ -6,14 +6,11 @@
 
 namespace continua {
 
-/// The reading with what it says of itself put in:
-/// - for an "it" (a proform of type e that stands for what is in focus) inside of a noun phrase the noun phrase said
-/// last
-///   before it there, else before that phrase. An "it" that is itself put somewhere, or somewhere that is behind it,
-///   goes by the focus and stays, as do several;
-/// - for an "other" (a proform of source `other`) in a noun phrase "not that" of the last noun phrase before it that
-///   speaks of the same kind of thing: "put the white cup next to the other cup". Where there is none it goes by the
-///   focus and stays.
+/// The reading with antecedents in place of two kinds of pro-form:
+/// - A single "it" (type e, source `focus`) inside a noun phrase is replaced by the last noun phrase that ends before
+///   it. An "it" that is itself an argument of the command, and more than one "it", are left to the focus.
+/// - An "other" (source `other`) in a noun phrase becomes "is not that", with the last noun phrase before it about the
+///   same kind of thing: "put the white cup next to the other cup". Without such a phrase it is left to the focus.
 Reading with_antecedents(const Reading& reading, const Operators& operators);
 
 }  // namespace continua

@@ -1,4 +1,4 @@
-// Reads what was said: the cheapest sequence of fragments that covers the words, each with its readings.
+// Reads an utterance: the cheapest sequence of fragments that covers the words, each with its readings.
 #pragma once
 
 #include <string_view>
@@ -8,12 +8,12 @@
 
 namespace continua {
 
-/// Words that are read of one utterance; what follows them is cut.
+/// The words of an utterance that are read; further ones are cut.
 inline constexpr std::size_t most_words = 200;
-/// Readings that a fragment has at most.
+/// The most readings of a fragment.
 inline constexpr std::size_t most_readings = 6;
 
-/// Any text; what is not understood is told in `unknown` and `unused`.
+/// Reads any text. Words that are not understood are listed in `unknown` and `unused`.
 Utterance read(std::string_view text, const Vocabulary& vocabulary);
 
 }  // namespace continua
