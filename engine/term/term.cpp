@@ -27,7 +27,7 @@ struct Pair {
 
 }  // namespace
 
-// The null term has no node at all, so that making one costs nothing.
+// The null term has no node, so that it costs nothing.
 struct Term::Node {
   Kind kind;
   Type type;
