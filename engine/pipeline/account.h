@@ -1,4 +1,4 @@
-// How the engine tells of an ensemble and of what it was taken to mean.
+// Reports an ensemble and its understanding as engine events.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace continua {
 
-/// The ensemble, with its pointings on the words of what was said.
+/// The ensemble, with its pointings on the words of the utterance.
 Attended account_of(const Ensemble& ensemble, const FusionWindow& window);
 
-/// An `Understood` for each offer that says something, the one that was taken last, followed by what it applied.
+/// An `Understood` for each offer with a kind or words. The taken offer comes last, followed by its applications.
 std::vector<EngineEvent> account_of(const std::vector<Offer>& offers, std::size_t taken);
 
 }  // namespace continua

@@ -1,12 +1,12 @@
-// Behaviour as a stage: what the automaton emitted becomes words, gestures and acts of the avatar.
+// The stage of behaviour: the effects of the automaton become words, gestures and acts of the avatar.
 #pragma once
 
 #include "continua/pipeline/step.h"
 
 namespace continua {
 
-/// All that the step brought about, in order. What the avatar says, the avatar hears itself. Acts are asked for; the
-/// next stage (pipeline/acting.h) performs them.
+/// All effects of the step, in order. The avatar hears its own utterances. Acts are only requested; the next stage
+/// (pipeline/acting.h) performs them.
 Tick behave(const Engine& engine, Stepped stepped);
 
 }  // namespace continua
