@@ -1,4 +1,4 @@
-// What the automaton is offered, from what was perceived and understood.
+// Makes inputs of the automaton from events and moves.
 #pragma once
 
 #include "continua/automaton/input.h"
@@ -7,10 +7,10 @@
 
 namespace continua {
 
-/// The event as an input, before anything is understood. `serial` names it.
+/// The event as an input, before it is understood. `serial` names it.
 Input to_input(const InputEvent& event, int serial);
 
-/// Adds what a move says to the input.
+/// Adds the terms of a move to the input.
 void carry(const Move& move, Input& input);
 
 Term point_term(const Vec3& p_W);
