@@ -1,4 +1,4 @@
-// Reads the effects of a machine file: what a state or a transition does besides changing the stack.
+// Reads the effects of a machine file: the consequences of a state or transition besides the change of the stack.
 #pragma once
 
 #include <optional>
