@@ -12,7 +12,7 @@
 namespace continua {
 namespace {
 
-// Terms that decide states, stack and registers, not what is said or done beside.
+// Searches the terms that decide states, stack and registers, not the terms of utterances, gestures and acts.
 class Reading {
  public:
   explicit Reading(const Machine& machine) : machine_(machine) {}
