@@ -156,6 +156,8 @@ int PushdownSystem::entering(const Configuration& configuration, StateIndex to, 
   return add(std::move(next));
 }
 
+// The rule for the remaining work of a control. Effects and the entry of a state read the topmost symbol and may end
+// with a rewrite; the other motions go down the stack symbol by symbol.
 PushdownRule PushdownSystem::carry_on(const Control& control, int symbol) {
   switch (control.motion) {
     case Motion::none:

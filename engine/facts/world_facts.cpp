@@ -289,6 +289,7 @@ void add_facts_of_terms(const auto& seen, Rules& rules, Signature& signature) {
 
 // The rules for a perspective and for voxemes, with their types.
 std::pair<Rules, Signature> facts_of(Perspective perspective, const Catalogue* voxemes) {
+  // A function of the view of the evaluation's world.
   const auto seen = [perspective, voxemes](auto compute) {
     return [=](Arguments a, Evaluation& e) { return compute(View(perspective, voxemes, e), a); };
   };

@@ -120,6 +120,7 @@ std::optional<SimTime> Fusion::next_arrival() const {
 // Binds pointings to the takers of waiting speech. Pointings come from waiting_, released_ and the track, in this
 // order.
 Fusion::Plan Fusion::plan() const {
+  // Collects takers, and the waiting pointings with their index in `waiting_` (`from`).
   Plan plan;
   plan.parts.resize(waiting_.size());
   std::vector<std::tuple<Taker, std::size_t, std::size_t>> takers;  // each with its percept and its place in it
@@ -132,6 +133,7 @@ Fusion::Plan Fusion::plan() const {
     pointings.push_back(*waiting_[i].deixis);
     from.push_back(i);
   }
+  // Assigns the pointings of all sources; a waiting pointing with a taker is taken.
   if (!takers.empty()) {
     std::stable_sort(takers.begin(), takers.end(), [](const auto& a, const auto& b) {
       return std::tie(std::get<0>(a).from, std::get<0>(a).until) < std::tie(std::get<0>(b).from, std::get<0>(b).until);
@@ -148,6 +150,7 @@ Fusion::Plan Fusion::plan() const {
       if (*assigned[t] < from.size()) plan.parts[from[*assigned[t]]].taken = true;
     }
   }
+  // With these bindings each percept, except taken pointings, has a time at which it is complete.
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     const auto& percept = waiting_[i];
     auto& part = plan.parts[i];
