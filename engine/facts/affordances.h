@@ -1,4 +1,4 @@
-// What objects afford, by their voxemes (SEMANTICS.md §4). An object without a voxeme forbids nothing.
+// Affordances of objects, by their voxemes (SEMANTICS.md §4). An object without a voxeme forbids nothing.
 #pragma once
 
 #include <optional>

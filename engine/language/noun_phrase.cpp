@@ -131,8 +131,8 @@ Fitting NounPhraseSearch::fitting(const std::vector<const ObjectState*>& objects
 }
 
 // Whether `condition` is true. Its first nested noun phrase stands for each of its referents in turn, until one makes
-// the condition true; a plural stands for all of them at once. The object itself (`about`) is no referent of a nested
-// phrase, because nothing is left of itself; it is one where the condition equates the two.
+// the condition true; a plural stands for all of them at once. The object itself (`about`) is not a referent of a
+// nested phrase, because nothing is left of itself; it is one where the condition equates the two.
 bool NounPhraseSearch::holds(const Term& condition, const std::string& about, const std::string& other) {
   work_ += condition.size();
   if (work_ > most_work) return false;

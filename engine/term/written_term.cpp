@@ -41,7 +41,7 @@ class Writer {
         }
     }
     for (const auto& part : syntax.parts)
-      if (part.end > 0) term.parts.push_back(this->term(part));  // an operator is no operand
+      if (part.end > 0) term.parts.push_back(this->term(part));  // an operator is not an operand
     return term;
   }
 
