@@ -16,13 +16,13 @@ namespace {
 constexpr std::size_t most_clauses = 256;
 constexpr int deepest = 64;
 
-/// Something a clause asks for: `left relation right`, or that `left` is true (relation "is") or false ("is not").
+// A requirement of a clause: `left relation right`, or that `left` is true (relation "is") or false ("is not").
 struct Literal {
   std::string left, relation;
   Term right;
 };
-using Clause = std::vector<Literal>;  ///< all of them
-using Clauses = std::vector<Clause>;  ///< any of them
+using Clause = std::vector<Literal>;  // all must hold
+using Clauses = std::vector<Clause>;  // one must hold
 
 bool is_value(const Term& term) {
   switch (term.kind()) {
@@ -55,7 +55,7 @@ class Expansion {
  public:
   explicit Expansion(const Machine& machine) : machine_(machine) {}
 
-  /// The condition, or its contrary, as a disjunction of conjunctions.
+  // The condition, or its contrary if `holds` is false, as a disjunction of conjunctions.
   Clauses clauses(const Term& term, bool holds, int depth) {
     const auto [head, arguments] = term.spine();
     if (term.kind() == Term::Kind::truth) return term.truth_value() == holds ? Clauses{{}} : Clauses{};
@@ -102,10 +102,10 @@ class Expansion {
   const Machine& machine_;
 };
 
-/// The demands of a clause on one term.
+// The requirements of a clause on one term.
 class Facts {
  public:
-  /// Whether the literal is consistent with those before it.
+  // Adds a requirement. Returns whether it is consistent with those before.
   bool add(const Literal& literal) {
     const auto& [left, relation, right] = literal;
     if (!is_value(right)) {
@@ -150,7 +150,7 @@ class Facts {
   }
 
   bool is_ = false, is_not_ = false;
-  std::set<std::pair<std::string, std::string>> relations_;  ///< to terms that are no values
+  std::set<std::pair<std::string, std::string>> relations_;  // to terms that are not values
   std::optional<Term> equal_;
   std::vector<Term> unequal_;
   double low_ = -std::numeric_limits<double>::infinity(), high_ = std::numeric_limits<double>::infinity();
@@ -163,7 +163,7 @@ std::string text(const Literal& literal) {
   return fmt::format("{} {} {}", literal.left, literal.relation, print(literal.right));
 }
 
-// The clause without repetitions, or nothing if it contradicts itself.
+// The clause as text, without repetitions; nothing if it contradicts itself.
 std::optional<std::string> satisfied(const Clause& clause) {
   std::map<std::string, Facts> facts;
   std::vector<std::string> texts;

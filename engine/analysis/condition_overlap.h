@@ -9,9 +9,9 @@
 
 namespace continua {
 
-/// A conjunction under which both conditions hold, "size(options) > 1 and region != null"; "" if neither asks for
+/// A conjunction under which both conditions hold, "size(options) > 1 and region != null"; "" if neither requires
 /// anything. Nothing if they exclude each other: they compare one term with values that cannot both be its value, or
-/// ask for a fact and its contrary. A conjunction is no proof, since terms with different texts may depend on each
+/// require a fact and its contrary. A conjunction is not a proof, because terms with different texts may depend on each
 /// other. Definitions are expanded. The condition nullopt always holds.
 std::optional<std::string> overlap(const std::optional<Term>& a, const std::optional<Term>& b, const Machine& machine);
 

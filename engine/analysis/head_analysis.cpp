@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_searched = 5000;
 
-// One symbol for each way in which input sets of the machine can overlap: those that are named, and one of each prefix.
+// A symbol for each way in which input sets of the machine can overlap: all named symbols, and one for each prefix.
 std::vector<std::string> letters_of(const Machine& machine) {
   std::set<std::string> letters;
   for (const auto& transition : machine.transitions) {
@@ -49,7 +49,7 @@ std::string key_of(const Configuration& head) {
   return key;
 }
 
-// Analysis of a machine whose heads are finitely many: each that can be reached is looked at.
+// Analyses a machine with finitely many heads: examines each reachable head.
 class Decided {
  public:
   Decided(const std::shared_ptr<const Machine>& machine, MachineAnalysis& analysis)
@@ -57,7 +57,7 @@ class Decided {
     for (const auto& letter : letters_) letter_ids_.push_back(system_.letter(letter));
   }
 
-  /// Returns whether it could be decided.
+  // Returns whether the machine could be decided.
   bool run() {
     Saturation reached(system_);
     reached.close(letter_ids_);
@@ -110,7 +110,8 @@ class Decided {
     }
   }
 
-  // Breadth first over real configurations, shortest words first; a head beyond the bound goes without a word.
+  // Finds words that lead to conflicts: breadth first over real configurations, shortest words first. A head beyond the
+  // bound gets no word.
   void find_words() {
     std::multimap<std::string, std::size_t> wanted;
     for (std::size_t i = 0; i < conflict_heads_.size(); ++i) wanted.emplace(conflict_heads_[i], i);
@@ -146,7 +147,7 @@ class Decided {
     }
   }
 
-  // Rules that put one symbol in the place of one: a circle of them leads back to the same configuration.
+  // Finds ε-cycles: a circle of rules that replace one symbol by one leads back to the same configuration.
   void find_epsilon_cycles(const std::set<std::pair<int, int>>& heads) {
     std::map<std::pair<int, int>, int> visits;  // 1 under way, 2 done
     std::vector<std::pair<std::pair<int, int>, std::optional<std::size_t>>> path;
@@ -180,7 +181,7 @@ class Decided {
   std::vector<int> letter_ids_;
   std::set<std::size_t> fires_;
   std::set<std::tuple<StateIndex, std::size_t, std::size_t>> pairs_;
-  std::vector<std::string> conflict_heads_;  ///< of analysis_.conflicts
+  std::vector<std::string> conflict_heads_;  // key_of() of the head of each conflict in analysis_.conflicts
 };
 
 }  // namespace

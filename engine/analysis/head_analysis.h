@@ -1,4 +1,4 @@
-// The exact half of the analysis, for machines with finitely many heads (state, registers, topmost symbol): it examines
+// The exact half of the analysis, for machines with finitely many heads (state, registers, topmost symbol). It examines
 // each head that inputs can lead to.
 #pragma once
 

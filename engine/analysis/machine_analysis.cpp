@@ -12,7 +12,7 @@
 namespace continua {
 namespace {
 
-// Where a transition may lead, gates considered.
+// The states that a transition may lead to, with the `else` states of gates.
 std::vector<StateIndex> targets(const Machine& machine, const Transition& transition) {
   std::vector<StateIndex> found{transition.to};
   while (const auto& gate = machine.states[found.back()].gate) {
@@ -22,7 +22,7 @@ std::vector<StateIndex> targets(const Machine& machine, const Transition& transi
   return found;
 }
 
-// A symbol of both sets.
+// A symbol in both sets.
 std::optional<std::string> common_symbol(const SymbolSet& a, const SymbolSet& b) {
   for (const auto& name : a.names)
     if (b.contains(name)) return name;
@@ -51,7 +51,7 @@ void judge_conflict(const Machine& machine, StateIndex state, std::size_t first,
     analysis.conflicts.push_back({state, first, second, input, *both, std::nullopt});
 }
 
-// By the graph and the text of conditions.
+// Judges the machine by its graph and the text of its conditions.
 void judge(const Machine& machine, MachineAnalysis& analysis) {
   std::vector<bool> reached(machine.states.size(), false), fires(machine.transitions.size(), false);
   std::vector<std::vector<std::size_t>> leaving(machine.states.size());

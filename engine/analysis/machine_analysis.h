@@ -21,19 +21,19 @@ struct Conflict {
   StateIndex state = 0;
   std::size_t first = 0, second = 0;  ///< transitions, in file order
   std::optional<std::string>
-      input;            ///< one that both take, or that one takes while the other is an ε-transition; none: both ε
-  std::string witness;  ///< topmost symbol and registers, or the condition for the conflict; "" is anything
+      input;            ///< symbol that both take, or that one takes while the other is an ε-transition; none: both ε
+  std::string witness;  ///< topmost symbol and registers, or the condition for the conflict; "": any
   std::optional<std::string> word;  ///< input symbols that lead there, joined by spaces, if found
 };
 
 struct MachineAnalysis {
-  bool decided = false;             ///< else judged by graph and text
-  std::string undecided;            ///< why not
+  bool decided = false;             ///< false: judged by graph and text
+  std::string undecided;            ///< the reason if not decided
   bool uses_stack = false;          ///< some operation changes it
   bool deterministic = true;        ///< no conflicts, and no weight but 1
   std::vector<Conflict> conflicts;  ///< one for each pair and state
   std::vector<StateIndex> unreachable;
-  std::vector<StateIndex> dead_ends;     ///< reachable; from there no accepting state is, or, without such, no other
+  std::vector<StateIndex> dead_ends;     ///< reachable states that lead to no accepting (if none accepts: other) state
   std::vector<std::size_t> never_fires;  ///< transitions
   std::vector<std::vector<std::size_t>> epsilon_cycles;  ///< transitions that come back to where they began; if decided
   bool weighted = false;                                 ///< some weight is not 1

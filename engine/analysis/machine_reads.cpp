@@ -12,7 +12,7 @@
 namespace continua {
 namespace {
 
-// The terms that decide states, stack and registers; terms of utterances and acts are left out.
+// Searches the terms that decide states, stack and registers, not the terms of utterances, gestures and acts.
 class Reading {
  public:
   explicit Reading(const Machine& machine) : machine_(machine) {}

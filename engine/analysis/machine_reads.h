@@ -8,8 +8,8 @@
 
 namespace continua {
 
-/// Something besides input symbols, stack and registers that the machine's decisions depend on: "'clear', a fact of the
-/// world", "'target', which inputs carry". Nothing if they depend on no such thing.
+/// A source besides input symbols, stack and registers that the machine's decisions depend on: "'clear', a fact of the
+/// world", "'target', which inputs carry". Nothing if there is no such source.
 std::optional<std::string> reads_from_outside(const Machine& machine);
 
 }  // namespace continua

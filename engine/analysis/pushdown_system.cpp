@@ -9,7 +9,7 @@ namespace continua {
 using Motion = PushdownControl::Motion;
 namespace {
 
-// Equal values have equal keys, other values others: each text stands behind its length.
+// Appends a text with its length, so that different values have different keys.
 void append_key(std::string& key, const std::string& text) { key += std::to_string(text.size()) + ':' + text; }
 void append_key(std::string& key, const Symbol& symbol) {
   for (const auto& cell : symbol) append_key(key, print(cell.value));
@@ -28,7 +28,7 @@ std::string key_of(const Configuration& configuration, std::size_t landmarks) {
   return key;
 }
 
-// The uppermost symbols of a stack, all but the lowest `below`; the first is the topmost.
+// The symbols of a stack above the lowest `below`, the topmost first.
 std::vector<Symbol> above(Stack stack, std::size_t below) {
   std::vector<Symbol> symbols;
   for (; stack.depth() > below; stack = stack.pop()) symbols.push_back(stack.top());
@@ -134,9 +134,8 @@ std::vector<PushdownRule> PushdownSystem::fire(const PushdownControl& control, i
   return rules;
 }
 
-// The control once the operation is done. Parts that would do nothing are left out.
-int PushdownSystem::after_operation(const PushdownControl& control, std::size_t transition, const Entry& entry,
-                                    int letter) {
+// The control after the operation. Parts of a step without work are left out.
+int PushdownSystem::after_operation(const Control& control, std::size_t transition, const Entry& entry, int letter) {
   const bool settles = machine_->epsilon_always || entry.operation->is_rewrite();
   if (entry.rejected || machine_->transitions[transition].effects.empty())
     return entering(control.configuration, entry.state, letter, settles);
@@ -159,7 +158,9 @@ int PushdownSystem::entering(const Configuration& configuration, StateIndex to, 
   return add(std::move(next));
 }
 
-PushdownRule PushdownSystem::carry_on(const PushdownControl& control, int symbol) {
+// The rule for the remaining work of a control. Effects and the entry of a state read the topmost symbol and may end
+// with a rewrite; the other motions go down the stack symbol by symbol.
+PushdownRule PushdownSystem::carry_on(const Control& control, int symbol) {
   switch (control.motion) {
     case Motion::none:
       break;
@@ -198,7 +199,7 @@ PushdownRule PushdownSystem::carry_on(const PushdownControl& control, int symbol
   return {};
 }
 
-// A change of the stack of which `symbol` is the top; `then` is the control that follows.
+// The rule for a change of a stack with `symbol` on top; `then`: the control that follows.
 PushdownRule PushdownSystem::moved(const Change& change, const Configuration& before, int symbol, int then) {
   using Kind = Operation::Kind;
   const auto& operation = *change.operation;
@@ -224,11 +225,11 @@ PushdownRule PushdownSystem::moved(const Change& change, const Configuration& be
     completing.then = then;
     return {add(std::move(completing)), {}, {}};
   }
-  // The symbol below does not matter here: any symbol may stand for it.
+  // The symbols below do not matter here; any symbol can represent them.
   return operated(change, single.push(at(symbol).symbol, 0), false, 1, then);
 }
 
-// The operation on a real stack, whose lowest `below` symbols only stand for unseen ones.
+// The rule from the operation on a real stack. Its lowest `below` symbols only represent the unseen rest.
 PushdownRule PushdownSystem::operated(const Change& change, const Stack& stack, bool bottom, std::size_t below,
                                       int then) {
   Configuration before;
@@ -241,7 +242,7 @@ PushdownRule PushdownSystem::operated(const Change& change, const Stack& stack, 
   return rule;
 }
 
-// The topmost symbol goes, and the motion is not over.
+// The rule that pops the topmost symbol while the motion goes on.
 PushdownRule PushdownSystem::still(Motion motion, std::size_t count, Symbol symbol, int then) {
   PushdownControl rest;
   rest.configuration.memory = controls_[static_cast<std::size_t>(then)].configuration.memory;

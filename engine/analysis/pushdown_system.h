@@ -1,8 +1,8 @@
 // A machine as a pushdown system: the rules for a control with a symbol on top, computed on demand.
 //
-// Configurations of a machine hold terms, so controls and stack symbols are numbered as they turn up. A control is a
-// state with registers and history; between the parts of a transition (automaton/firing.h) it also has the work left,
-// such as further pops. A rule sees the topmost symbol alone, and replaces it with a word of symbols.
+// Configurations of a machine contain terms, so controls and stack symbols are numbered when they first occur. A
+// control is a state with registers and history; between the parts of a transition (automaton/firing.h) it also has the
+// remaining work, such as further pops. A rule sees only the topmost symbol and replaces it with a word of symbols.
 #pragma once
 
 #include <compare>
@@ -58,7 +58,7 @@ struct PushdownSymbol {
 class PushdownSystem {
  public:
   static constexpr int epsilon = -1;
-  /// More controls or symbols than this count as endlessly many: 20,000, and some for each state and transition.
+  /// More controls or symbols than this count as endlessly many: 20,000, and four for each state and transition.
   std::size_t most_values() const { return 20000 + 4 * (machine_->states.size() + machine_->transitions.size()); }
 
   /// REQUIRES a machine without beliefs. Facts of the world are null.
@@ -70,21 +70,45 @@ class PushdownSystem {
   /// The rules for a letter or `epsilon`, in file order of the transitions. The reference holds until the next call.
   const std::vector<PushdownRule>& rules(int control, int symbol, int letter);
 
-  /// A transition is complete, the next may begin; `state` is then the machine's.
-  bool ready(int control) const {
-    return controls_[static_cast<std::size_t>(control)].motion == PushdownControl::Motion::none;
-  }
+  /// Whether the transition is complete and the next may begin. Only then state() is a state of the machine.
+  bool ready(int control) const { return controls_[static_cast<std::size_t>(control)].motion == Motion::none; }
   StateIndex state(int control) const { return controls_[static_cast<std::size_t>(control)].configuration.state; }
-  /// The symbol at the bottom of the stack, as the machine declares it.
+  /// Whether the symbol is the bottom symbol of the stack with the values that the machine declares.
   bool is_bare_bottom(int symbol) const { return symbol == bare_bottom_; }
   /// State, registers and this symbol on top, for a `ready` control.
   Configuration head(int control, int symbol) const;
-  /// There were more controls or symbols than `most_values`: rules are missing.
+  /// Whether there were more controls or symbols than most_values(), so that rules are missing.
   bool overflowed() const { return overflowed_; }
 
  private:
-  int add(PushdownControl control);
-  int add(PushdownSymbol symbol);
+  enum class Motion {
+    none,        ///< no work is left
+    effects,     ///< performs the transition's effects, then enters `to`
+    entry,       ///< enters `to`
+    popping,     ///< pops `count` more symbols
+    flushing,    ///< pops to the bottom, which `symbol` replaces
+    until,       ///< pops down to a symbol equal to `symbol`
+    completing,  ///< applies `change`, which pops `symbol` first, with the symbol below in sight
+  };
+  struct Control {
+    Configuration configuration;  ///< without a stack
+    Motion motion = Motion::none;
+    std::size_t transition = 0;
+    StateIndex to = 0;
+    int letter = epsilon;  ///< the value of `input` in effects
+    bool settles = true;   ///< ε-transitions are tried now: always, or after a rewrite
+    std::size_t count = 0;
+    Symbol symbol;
+    Change change;
+    int then = 0;  ///< the control after popping, flushing, until, completing
+  };
+  struct StackSymbol {
+    Symbol symbol;
+    bool bottom = false;
+  };
+
+  int add(Control control);
+  int add(StackSymbol symbol);
   std::vector<PushdownRule> find_rules(int control, int symbol, int letter);
   std::vector<PushdownRule> fire(const PushdownControl& control, int symbol, int letter);
   PushdownRule carry_on(const PushdownControl& control, int symbol);

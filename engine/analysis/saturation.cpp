@@ -58,7 +58,7 @@ void Saturation::add(Edge edge) {
   if (known_.insert(edge).second) edges_.push_back(edge);
 }
 
-// Entries that reached the node reach its new edge too.
+// Adds an edge below a node. Controls that popped down to the node also reach the new edge.
 void Saturation::add_below(int node, int symbol, int rest) {
   if (!known_below_.insert({node, symbol, rest}).second) return;
   nodes_[static_cast<std::size_t>(node)].edges.emplace_back(symbol, rest);

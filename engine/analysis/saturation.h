@@ -1,7 +1,7 @@
 // All configurations that a pushdown system can reach while it reads a word, as a finite automaton of their stacks,
 // saturated letter by letter (post*; sources in analysis/acceptance.h).
 //
-// An edge (control, symbol, rest) of the present layer stands for the configurations in that control with that symbol
+// An edge (control, symbol, rest) of the present layer represents the configurations in that control with that symbol
 // on top of any stack that `rest` spells. Nodes spell stacks by their own edges, down to node 0, the end. A push makes
 // edges through the node of (layer, control, pushed symbol), so endless pushing comes back to the same node.
 #pragma once
@@ -26,13 +26,13 @@ class Saturation {
 
   explicit Saturation(PushdownSystem& system);
 
-  /// Adds the configurations that ε-rules reach now, and the rules of `free_letters`, which may come at any time and
-  /// in any number.
+  /// Adds the configurations that are reached by ε-rules and by rules of `free_letters`, letters that may come at any
+  /// time and in any number.
   void close(const std::vector<int>& free_letters = {});
   /// Reads one letter: the next layer has the configurations that its rules lead to.
   void read(int letter);
 
-  /// In the order in which they were reached.
+  /// The edges of the present layer, in the order in which they were reached.
   const std::vector<Edge>& edges() const { return edges_; }
 
  private:
@@ -49,16 +49,16 @@ class Saturation {
   PushdownSystem& system_;
   std::vector<Edge> edges_;
   std::unordered_set<Edge, HashEdge> known_;
-  std::size_t closed_ = 0;  ///< so many edges are saturated
+  std::size_t closed_ = 0;  ///< number of saturated edges
 
   struct Node {
     std::vector<std::pair<int, int>> edges;  ///< symbol, rest
-    std::vector<int> popped_to;              ///< controls of the layer that came down to it
+    std::vector<int> popped_to;              ///< controls of the layer that popped down to this node
   };
   std::vector<Node> nodes_;
-  std::map<std::vector<int>, int> node_of_;                ///< of the layer: control, pushed symbols
-  std::unordered_set<Edge, HashEdge> known_below_, pops_;  ///< of the layer
-  std::vector<int> visited_;                               ///< nodes whose `popped_to` is of the layer
+  std::map<std::vector<int>, int> node_of_;                ///< in the layer: control and pushed symbols → node
+  std::unordered_set<Edge, HashEdge> known_below_, pops_;  ///< in the layer
+  std::vector<int> visited_;                               ///< nodes with controls of the layer in `popped_to`
 };
 
 }  // namespace continua

@@ -1,5 +1,5 @@
-// The avatar's certainty of its perceptions: a table of concepts, raised by evidence, answers and its own words, which
-// gates read as `certainty(symbol)`. Declared by the machine (FORMAT.md, Beliefs).
+// The avatar's certainty about its perceptions: a table of concepts, raised by evidence, answers and its own words.
+// Gates read it as `certainty(symbol)`. The machine declares the table (FORMAT.md, Beliefs).
 #pragma once
 
 #include <map>
@@ -29,7 +29,7 @@ struct Evidence {
 struct Answer {
   std::optional<Term> when;
   SymbolSet inputs;
-  Term about;                 ///< of type text: the symbol that was asked about
+  Term about;                 ///< of type text: the symbol that the question was about
   std::optional<double> set;  ///< nullopt: raise
 };
 
@@ -40,18 +40,19 @@ struct BeliefTable {
   double overheard = 0;
 };
 
-/// A concept's certainty before and after.
+/// A concept's certainty before and after a change.
 struct BeliefChange {
   std::string name;
   double was = 0, value = 0;
 };
 
-/// Certainties of all concepts: a value. The table must outlive it.
+/// The certainties of all concepts, as a value. The table must outlive it.
 class Beliefs {
  public:
   explicit Beliefs(const BeliefTable& table);
 
-  /// Product over the symbol's concepts of the largest of own and related certainties; 1 if it has none.
+  /// The product over the symbol's concepts, where each counts with the largest of its own and its related certainties;
+  /// 1 if the symbol has no concepts.
   double certainty(std::string_view symbol) const;
 
   /// Each returns its changes, in the table's order.
@@ -59,10 +60,11 @@ class Beliefs {
   std::vector<BeliefChange> set(std::string_view symbol, double value);
   std::vector<BeliefChange> overhear(std::string_view utterance);
 
-  /// The certainties that differ from those of `before`, of the same table and in its order.
+  /// The certainties that differ from `before`, beliefs of the same table, in the table's order.
   std::vector<BeliefChange> changes_since(const Beliefs& before) const;
 
-  /// The same certainties of another table's concepts, by their names; one that is fixed there, or new, is as at first.
+  /// Beliefs of another table with these certainties, by the names of concepts. A concept that is fixed there, or new,
+  /// has its initial certainty.
   Beliefs carried_over(const BeliefTable& table) const;
 
  private:

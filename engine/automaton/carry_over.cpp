@@ -27,7 +27,7 @@ std::optional<std::size_t> find(const std::vector<Named>& all, const std::string
   return static_cast<std::size_t>(found - all.begin());
 }
 
-// The work for one pair of machines; a symbol's id tells the whole stack below it.
+// The work for one pair of machines. The id of a symbol identifies the whole stack below it.
 class CarryOver {
  public:
   CarryOver(const Machine& was, const Machine& now) : was_(was), now_(now) {}
@@ -57,7 +57,7 @@ class CarryOver {
     return now_.start;
   }
 
-  // Where the value of a slot or register goes. Nothing, if this machine has no place for it.
+  // The slot or register of `now` that takes the value. Refuses if there is none, or it has another type.
   template <class Named>
   std::optional<std::size_t> place(const char* what, const Named& from, const std::vector<Named>& all,
                                    const Term& value) {
@@ -83,7 +83,7 @@ class CarryOver {
   }
 
   Stack stack(const Stack& before) {
-    std::vector<Stack> above;  // those not known yet, the topmost first
+    std::vector<Stack> above;  // stacks not translated yet, the topmost first
     Stack rest = before, after;
     for (; !rest.empty(); rest = rest.pop()) {
       if (const auto known = stacks_.find(rest.id()); known != stacks_.end()) {
@@ -99,7 +99,7 @@ class CarryOver {
     return after;
   }
 
-  // Enters the states anew in which pop_until is interested, the present one last.
+  // Rebuilds the history by entering the landmarks again, the present state last.
   History history(const History& before, StateIndex present, const Configuration& after) {
     History carried;
     if (now_.landmarks == 0) return carried;

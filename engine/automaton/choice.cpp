@@ -13,7 +13,7 @@ constexpr std::array<std::pair<Choice, std::string_view>, 4> names = {{
     {Choice::explore, "explore"},
 }};
 
-// Candidates of one input stand together.
+// Whether an input has several candidates. Candidates of one input are adjacent.
 bool several_for_one(const std::vector<Candidate>& candidates) {
   return std::adjacent_find(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
            return a.alternative == b.alternative;

@@ -1,4 +1,4 @@
-// The choice among several applicable transitions (SEMANTICS.md §1, Nondeterminism).
+// Policies that choose among applicable transitions (SEMANTICS.md §1, Nondeterminism).
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace continua {
 enum class Choice {
   likeliest,  ///< the heaviest; ties by alternative, then file order
   sample,     ///< a seeded draw by weight
-  unique,     ///< the only transition of an input; none if one input has several; of several inputs, the heaviest one's
+  unique,     ///< the input's only one; none if an input has several; with several inputs, the heaviest
   explore,    ///< all of them: automaton/exploration.h
 };
 
@@ -25,29 +25,29 @@ std::string choice_names();
 
 struct Candidate {
   std::size_t transition = 0;   ///< index in Machine::transitions
-  double weight = 1;            ///< the transition's times the input's confidence; > 0
-  std::size_t alternative = 0;  ///< which of the inputs offered it takes
+  double weight = 1;            ///< the transition's weight times the input's confidence; > 0
+  std::size_t alternative = 0;  ///< number of the input that it takes, among those offered
 };
 
 struct Chosen {
   std::size_t transition = 0;
   double probability = 1;      ///< its share of all weights
-  std::optional<double> draw;  ///< in [0, 1), where one was needed
+  std::optional<double> draw;  ///< in [0, 1), if a draw was needed
   bool forced = false;
-  std::size_t alternative = 0;  ///< which of the inputs offered it takes
+  std::size_t alternative = 0;  ///< number of the input that it takes, among those offered
 };
 
-/// Takes the decisions of a run, one after another: a value that remembers how many it took.
+/// Takes the decisions of a run, one after another. A value that counts its decisions.
 struct Chooser {
   Choice policy = Choice::likeliest;
   Random random{0};
-  std::map<int, std::size_t> forced;  ///< step → transition; erased once taken
+  std::map<int, std::size_t> forced;  ///< step → transition; taken entries are erased
   int steps = 0;                      ///< transitions chosen so far; the first is step 1
 
-  /// `candidates` by alternative, then in file order. Nothing without a candidate, or under `unique` with more than one
-  /// for the same input. A transition that is forced at this step is taken if it is among them, for the input that
-  /// makes it heaviest; if not, it stays in `forced` and the policy decides.
-  /// Under `explore` the heaviest is taken, since a single one is asked for.
+  /// `candidates` are ordered by alternative, then in file order. Returns nothing without candidates, and under
+  /// `unique` if an input has more than one. A transition that is forced at this step is taken if it is a candidate,
+  /// with the input that makes it heaviest; if not, it stays in `forced` and the policy decides. Under `explore` this
+  /// takes the heaviest, because it returns only one.
   std::optional<Chosen> choose(const std::vector<Candidate>& candidates);
 };
 

@@ -1,4 +1,4 @@
-// Conditions of transitions, and why one does not hold.
+// Explains why the condition of a transition does not hold.
 #pragma once
 
 #include <string>
@@ -8,9 +8,8 @@
 
 namespace continua {
 
-/// Of a condition that does not hold, the first conjunct that fails, with the values it compared:
-/// "not size(options) >= 2: size(options) is 1". Definitions are looked into: "nothing_held: not held = null: held is
-/// cup".
+/// The first conjunct that fails, with the values it compared: "not size(options) >= 2: size(options) is 1". A failing
+/// definition is opened: "nothing_held: not held = null: held is cup". REQUIRES that the condition does not hold.
 std::string why_not(const Term& condition, const Machine& machine, Evaluation& evaluation);
 
 }  // namespace continua

@@ -1,5 +1,5 @@
-// A configuration of the automaton: state, stack, the history that pop_until asks about, and the registers. An
-// immutable value that shares structure (SEMANTICS.md §1).
+// The configuration of the automaton: state, stack, history of entered states, registers. An immutable value that
+// shares structure (SEMANTICS.md §1).
 #pragma once
 
 #include <memory>
@@ -13,23 +13,24 @@ namespace continua {
 /// Index of a state in Machine::states.
 using StateIndex = std::size_t;
 
-/// The entries of states that pop_until can ask about: for each landmark (a state that some pop_until names) the stack
-/// at its latest entry; for the present state, which was entered just now, that of the entry before. Nothing earlier
-/// can ever be asked for.
+/// The entries of states, as far as pop_until can ask for them. A landmark is a state that some pop_until names. Kept
+/// are the stack at the latest entry of each landmark and, if the present state is a landmark, the stack at its entry
+/// before.
 class History {
  public:
-  /// A state was entered. `landmark`: its number among the machine's `count` landmarks; nullopt for any other state.
+  /// The history after a state is entered with this stack. `landmark`: the state's number among the machine's `count`
+  /// landmarks; nullopt if it is not a landmark.
   History entered(std::optional<std::size_t> landmark, std::size_t count, const Stack& stack) const;
-  /// The stack at the latest entry of the landmark; while the machine is in it (`present`) at the one before that.
+  /// The stack at the latest entry of the landmark; with `present` (the machine is in that state), at the entry before.
   /// nullptr if there was none.
   const Stack* entry(std::size_t landmark, bool present) const;
 
-  /// No pop_until can tell them apart: the topmost symbols at the entries are the same.
+  /// Equal for every pop_until: the topmost symbols at the entries have equal values.
   bool operator==(const History& other) const;
 
  private:
   std::shared_ptr<const std::vector<Stack>> latest_;  ///< empty stack: never entered
-  Stack before_;                                      ///< empty: no landmark, or entered for the first time
+  Stack before_;  ///< at the present state's entry before the latest; empty: no landmark, or its first entry
 };
 
 struct Configuration {
@@ -37,9 +38,9 @@ struct Configuration {
   Stack stack;
   History history;
   std::shared_ptr<const std::vector<Cell>> memory;  ///< one for each register, in the machine's order; never null
-  int next_symbol = 0;                              ///< id for the next symbol to be made
+  int next_symbol = 0;                              ///< id of the next new symbol
 
-  /// Whether both go on alike: everything but ids and origins of values is the same.
+  /// Equal in all that decides how the run goes on: ids and sources of values do not count.
   bool same_as(const Configuration& other) const;
 };
 

@@ -36,7 +36,7 @@ class Explorer::Work {
     if (!fire_all(from, inputs)) result_.dropped.push_back(branch.id);
   }
 
-  // ε-transitions; those that are reached on the way are tried in their turn, but not endlessly.
+  // Follows ε-transitions, also from the configurations reached by them, up to a bound.
   void close() {
     const auto last = result_.after.steps + most_epsilon_steps + static_cast<int>(limit_);
     for (std::size_t next = 0; next < open_.size(); ++next) {
@@ -78,12 +78,12 @@ class Explorer::Work {
  private:
   struct Node {
     Branch branch;
-    std::vector<StepEvent> events;  ///< since the step began
-    bool settles = true;            ///< ε-transitions are to be tried
+    std::vector<StepEvent> events;  // since the step began
+    bool settles = true;            // ε-transitions are to be tried
     bool pruned = false;
   };
 
-  // Fires everything that applies in `from`, each on a copy. Returns whether anything did.
+  // Fires every applicable transition of `from`, each on a copy. Returns whether any fired.
   bool fire_all(const Node& from, std::span<const Input> inputs) {
     const auto& configuration = from.branch.configuration;
     std::vector<StepEvent> unused;
@@ -109,6 +109,7 @@ class Explorer::Work {
     return any;
   }
 
+  // Adds a configuration to the set. An equal one that is known gets the larger weight; a full set drops the lightest.
   void reach(Node node) {
     auto& alike = alike_[{node.branch.configuration.state, node.branch.configuration.stack.depth()}];
     for (const auto index : alike) {
@@ -146,8 +147,8 @@ class Explorer::Work {
   std::size_t limit_;
   const Facts& facts_;
   std::vector<Node> nodes_;
-  std::map<std::pair<StateIndex, std::size_t>, std::vector<std::size_t>> alike_;  ///< by state and depth
-  std::vector<std::size_t> open_;  ///< nodes whose ε-transitions are to be tried, in order
+  std::map<std::pair<StateIndex, std::size_t>, std::vector<std::size_t>> alike_;  // by state and depth
+  std::vector<std::size_t> open_;  // nodes with ε-transitions still to be tried, in order
   std::size_t kept_ = 0;
   ExplorationStep result_;
 };

@@ -1,4 +1,4 @@
-// The policy `explore`: all configurations that a machine may be in, as a set (SEMANTICS.md §1, Nondeterminism).
+// The policy `explore`: the set of all configurations that a machine may be in (SEMANTICS.md §1, Nondeterminism).
 #pragma once
 
 #include <memory>
@@ -10,18 +10,18 @@
 
 namespace continua {
 
-/// One of the configurations, and how it came about.
+/// A configuration of the set, and its origin.
 struct Branch {
-  int id = 0;      ///< that of its parent, for the first of several children; else a new one
+  int id = 0;      ///< the parent's id for the first of several children, else a new one
   int parent = 0;  ///< the branch of the step before that it comes from
   Configuration configuration;
-  double weight = 1;            ///< of its heaviest way; all weights of a set sum to 1
+  double weight = 1;            ///< of the heaviest way to it; the weights of a set sum to 1
   bool settled = true;          ///< no ε-transition applies
   std::vector<std::size_t> by;  ///< transitions of this step that led to it, in order
 };
 
-/// A set of distinct configurations. The first leads: it is the heaviest of the settled ones, ties by the order in
-/// which they were reached. The others follow in the same order, then those that are not settled.
+/// A set of different configurations. The first leads. Settled ones come first, then by weight, then in the order in
+/// which they were reached.
 struct Exploration {
   std::vector<Branch> branches;
   int next_branch = 0;
@@ -32,21 +32,21 @@ struct Exploration {
 struct ExplorationStep {
   Exploration after;
   std::vector<StepEvent> events;  ///< of the leading branch; or RefusedInput
-  std::vector<StepEvent> made;    ///< the symbols that the other branches made
-  std::vector<int> dropped;       ///< branches that could not take the input, while others could
+  std::vector<StepEvent> made;    ///< the new symbols of the other branches
+  std::vector<int> dropped;       ///< branches that could not take the input while others could
   int merged = 0;                 ///< configurations that were reached once more
-  int pruned = 0;                 ///< configurations given up because the set was full, the lightest first
+  int pruned = 0;                 ///< configurations dropped because the set was full, the lightest first
 };
 
-/// Carries the set on, breadth first: from each configuration every transition that takes the input, then every chain
-/// of ε-transitions, each of them taken and not taken, as in the textbook. Configurations that come out equal become
-/// one, with the larger weight. At most `limit` are kept.
+/// Steps the whole set, breadth first: from each configuration every transition that takes the input, then every chain
+/// of ε-transitions, each both taken and not taken, as in the textbook. Equal results become one configuration with the
+/// larger weight. At most `limit` are kept.
 class Explorer {
  public:
   Explorer(Stepper stepper, std::size_t limit) : stepper_(std::move(stepper)), limit_(limit) {}
 
   ExplorationStep begin(const Facts& facts) const;
-  /// Of several inputs every one is taken, weighed with its confidence. If no configuration takes any, they are refused
+  /// Takes each of several inputs, weighted with its confidence. If no configuration takes any, the inputs are refused
   /// and the set stays. REQUIRES an input.
   ExplorationStep step(const Exploration& before, std::span<const Input> inputs, const Facts& facts) const;
   ExplorationStep step(const Exploration& before, const Input& input, const Facts& facts) const {

@@ -11,7 +11,7 @@
 namespace continua {
 namespace {
 
-// Both ascending. A value computed from a long past has many sources, mostly the same ones again.
+// Merges ascending lists. Values with a long history have many sources, mostly the same ones.
 void merge(const std::vector<int>& more, std::vector<int>& into) {
   if (more.empty() || more == into) return;
   const auto middle = static_cast<std::ptrdiff_t>(into.size());
@@ -29,7 +29,7 @@ Applicable Firing::applicable() {
   do {
     if (inputs_.size() > 1) take_input(alternative);
     const auto* takers = input_ ? exits.on(input_->symbol) : &exits.epsilon;
-    const bool may_take = !takers;  // by prefix alone
+    const bool may_take = !takers;  // no transition names the symbol; some may take it by prefix
     for (const auto index : may_take ? exits.by_prefix : *takers) {
       const auto& transition = machine_.transitions[index];
       if (may_take && !transition.on->contains(input_->symbol)) continue;
@@ -130,7 +130,7 @@ Change Firing::change(const Operation& operation) {
   return change;
 }
 
-// The value of a term of type `term` may be of another type than its slot.
+// Empties a cell whose value is not of the slot's type. A term of type `term` can have a value of any type.
 Cell Firing::of_type(const Type& type, const std::string& name, Cell cell) {
   if (cell.value.is_null() || consistent(type, cell.value.type())) return cell;
   note(Trouble{
@@ -138,7 +138,7 @@ Cell Firing::of_type(const Type& type, const std::string& name, Cell cell) {
   return {empty_value(type), std::move(cell.because)};
 }
 
-// Carries out an operation on the stack; new symbols go to the account first.
+// Performs an operation on the stack. New symbols go to the account first.
 void Firing::apply(const Change& change) {
   if (change.operation->kind == Operation::Kind::none) return;
   auto result = apply_operation(*change.operation, change.contents, machine_, configuration_);
@@ -258,8 +258,8 @@ Evaluation Firing::evaluate() {
       rules_, [this](Name name) { return look_up(name); }, facts_);
 }
 
-// Notes the inputs that a value came from: the evaluated content is because of them. The evaluation copies each value
-// before it asks for the next.
+// Looks up a name and notes the sources of its value, which become the `because` of the evaluated content. The
+// evaluation copies a value before it asks for the next, so `moment_` can hold one at a time.
 const Term* Firing::look_up(Name name) {
   using From = Binding::From;
   const auto found = machine_.bindings.find(name);

@@ -1,4 +1,4 @@
-// An input of the automaton: a symbol, and its content.
+// An input of the automaton: a symbol, and the terms that come with it.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ namespace continua {
 /// Terms that an input does not carry are null.
 struct Input {
   int serial = 0;            ///< names the input in `because`
-  std::vector<int> because;  ///< serials of other inputs that it draws on: a pointing that goes with its words
+  std::vector<int> because;  ///< serials of other inputs that it draws on, such as a pointing bound to its words
   std::string symbol;
   double confidence = 1;
   double now_s = 0;
@@ -22,31 +22,30 @@ struct Input {
   Term gesture;  ///< text: the name of the gesture
   Term pointed;  ///< loc: where the human pointed last, if that was just now
 
-  Term act;        ///< t: of the end of an act, its program
-  Term reason;     ///< text: of the end of an act, the reason for its status, in the words of the log; null without a
-                   ///< reason
+  Term act;        ///< t: at the end of an act, its program
+  Term reason;     ///< text: at the end of an act, the reason of its outcome in the log's words; null without a reason
   Term why;        ///< text: the code of that reason
   Term concerned;  ///< e*: the objects and participants that the reason is about, the most important first
 
-  // Of another avatar that was observed after this input (Machine::implied).
-  Term observed_speech;    ///< text: its last words
+  // Moves of another avatar that was observed after this input (Machine::implied).
+  Term observed_speech;    ///< text: its latest utterance
   Term observed_gestures;  ///< term*
   Term observed_acts;      ///< term*
 
-  // Content that was understood, for machines with a lexicon (automaton/FORMAT.md, Understanding).
+  // The understanding, for machines with a lexicon (automaton/FORMAT.md, Understanding).
   Term move;       ///< text: the kind of move: 'V', 'N', 'δ', …
-  Term reading;    ///< the words as a term, noun phrases included: put(the(\x. knife(x)), there)
+  Term reading;    ///< the words as a term, with noun phrases: put(the(\x. knife(x)), there)
   Term meaning;    ///< their meaning here and now: \v: loc. put(knife, v)
   Term choices;    ///< e**: for each argument that `meaning` lacks, the objects it may be
-  Term wanted;     ///< text*: for each, the words that were to name it; '' where nothing was said
-  Term referents;  ///< e*: what the noun phrase or the pointing can mean, the likeliest first
-  Term named;      ///< (e -> t)*: the nouns for the objects spoken of, each with its adjectives, then alone
-  Term next;       ///< text: the kind of the next move in the same utterance; null after the last
+  Term wanted;     ///< text*: for each argument that `meaning` lacks, the words that were to name it, or ''
+  Term referents;  ///< e*: possible objects of the noun phrase or the pointing, the likeliest first
+  Term named;      ///< (e -> t)*: the nouns of the words, each with its adjectives, then alone
+  Term next;       ///< text: the kind of the utterance's next move after this one; null if there is none
   Term unknown;    ///< text*: words near it that the lexicon does not have
   Term left_out;   ///< text*: words of its sentence that are unknown or fit nowhere
 };
 
-/// A term that inputs carry, as machines know it.
+/// A term of an input, with the name and type under which machines know it.
 struct Carried {
   const char* name;
   const char* type;

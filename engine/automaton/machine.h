@@ -1,5 +1,4 @@
-// A machine as it is run: checked, its names resolved. automaton/FORMAT.md describes the file and the meaning of each
-// part.
+// A machine ready to run: checked, with resolved names. automaton/FORMAT.md describes the file and each part.
 #pragma once
 
 #include <functional>
@@ -20,11 +19,11 @@
 
 namespace continua {
 
-/// A rule that a trace may set: its terms know it as a definition of that name.
+/// A parameter that a trace may set. Terms of the machine use it like a definition of that name.
 struct Parameter {
   std::string name;
   Term value;  ///< a truth value, a number or a text
-  /// Earlier values, by the times until which they held: 2018-02-05T15:00.
+  /// Earlier values by the time until which they were in force: 2018-02-05T15:00.
   std::map<std::string, Term, std::less<>> until;
 };
 
@@ -34,7 +33,7 @@ struct Slot {
   bool persists = false;  ///< mirrors something physical: flush keeps it
 };
 
-/// The first value of a slot or register of the type: the empty list, or null.
+/// The initial value of a slot or register of the type: the empty list, or null.
 Term empty_value(const Type& type);
 
 struct Register {
@@ -49,7 +48,7 @@ struct Content {
   std::optional<Term> term;
 };
 
-/// An operation on the stack.
+/// A change of the stack.
 struct Operation {
   enum class Kind { none, push, push_each, pop, rewrite, rewrite_each, flush, pop_until };
   Kind kind = Kind::none;
@@ -57,9 +56,9 @@ struct Operation {
   bool keeps_stack = false;       ///< rewrite: null: only ε-transitions are tried
   std::size_t count = 1;          ///< pop
   StateIndex state = 0;           ///< pop_until
-  std::string source;             ///< as the file has it, compact JSON, for the log
+  std::string source;             ///< its text in the file, compact JSON, for the log
 
-  /// After which the ε-transitions of the state are tried in any case.
+  /// After a rewrite the ε-transitions of the state are tried in any case.
   bool is_rewrite() const { return kind == Kind::rewrite || kind == Kind::rewrite_each; }
 };
 
@@ -71,12 +70,12 @@ struct Template {
 
 struct Effect;
 
-/// Ways to say the same, at least one.
+/// Variants of one utterance; there is at least one.
 struct SayCase {
   std::optional<Term> when;
   std::vector<Template> variants;
 };
-/// The first case whose condition holds is said; where none does, nothing.
+/// The first case whose condition holds is said; if none holds, nothing.
 struct Say {
   std::vector<SayCase> cases;
 };
@@ -89,14 +88,14 @@ struct Act {
 struct Remember {
   std::vector<std::pair<std::size_t, Term>> registers;
 };
-/// The things that can be taught: the meaning of a gesture, the acts of a word.
+/// The kinds of lessons: the meaning of a gesture, the acts of a word.
 enum class Lesson { gesture, word };
 std::string name_of(Lesson lesson);
 
 struct Learn {
   Lesson of = Lesson::gesture;
   Term name;   ///< a text
-  Term value;  ///< the meaning; for a word the list of its acts
+  Term value;  ///< the meaning of the gesture, or the acts of the word as a list
 };
 struct Forget {
   std::optional<Lesson> of;  ///< nullopt: all that was learned
@@ -109,7 +108,7 @@ struct Group {
   std::vector<Effect> effects;
 };
 
-/// One effect of a state or transition besides the change of state.
+/// An effect of a transition, or of entering a state.
 struct Effect {
   std::optional<Term> when;
   std::variant<Say, Gesture, Act, Remember, Learn, Forget, Rewrite, Group> what;
@@ -126,14 +125,14 @@ struct State {
   bool accepting = false;
   std::optional<Gate> gate;
   std::vector<Effect> enter;
-  bool passing = false;  ///< no word ends here
+  bool passing = false;  ///< in the middle of a move: no word ends here
 };
 
 struct Transition {
   std::string id;
   std::vector<StateIndex> from;
   std::optional<SymbolSet> on;  ///< nullopt: ε
-  std::string on_text;          ///< as the file has it, for people
+  std::string on_text;          ///< the text of `on` in the file, for people
   std::optional<Term> when;
   StateIndex to = 0;
   Operation operation;
@@ -141,8 +140,8 @@ struct Transition {
   std::vector<Effect> effects;
 };
 
-/// Where the dialogue is when another avatar was observed to do something: `when` and the contents of the operations,
-/// done one after the other, are read in the configuration before its moves.
+/// The state of the dialogue that observed moves of another avatar imply. The operations are performed in order; `when`
+/// and all their contents are evaluated in the configuration before the input.
 struct Implied {
   std::size_t number = 0;  ///< in the file, from 1
   std::optional<Term> when;
@@ -150,7 +149,7 @@ struct Implied {
   std::vector<Operation> operations;
 };
 
-/// How terms of a shape are put into words. All lambdas bind the pattern's variables, in order.
+/// Words for terms of one shape. All lambdas bind the pattern's variables, in order.
 struct Wording {
   std::vector<Type> variables;
   Term pattern;  ///< body of the `of` lambda; its free variables are the pattern's
@@ -164,7 +163,7 @@ struct RunExample {
   StateIndex ends = 0;
 };
 
-/// A word, and whether the machine accepts it as automata classically do.
+/// A word, and whether the machine accepts it in the classical sense.
 struct WordExample {
   std::vector<std::string> word;
   bool accepted = true;
@@ -180,18 +179,18 @@ struct Exits {
     std::size_t operator()(std::string_view symbol) const { return std::hash<std::string_view>()(symbol); }
   };
   std::vector<std::size_t> epsilon;
-  /// For each symbol that some transition names, all that take it, those that match it by prefix included.
+  /// For each symbol that some transition names: all transitions that take it, also by prefix.
   std::unordered_map<std::string, std::vector<std::size_t>, Hash, std::equal_to<>> by_name;
-  std::vector<std::size_t> by_prefix;  ///< those that may take a symbol that none names
+  std::vector<std::size_t> by_prefix;  ///< transitions that may take a symbol that no transition names
 
-  /// The transitions that take a symbol which some transition names; nullptr for another one.
+  /// The transitions that take the symbol; nullptr if no transition names it.
   const std::vector<std::size_t>* on(std::string_view symbol) const {
     const auto found = by_name.find(symbol);
     return found == by_name.end() ? nullptr : &found->second;
   }
 };
 
-/// The meaning of a name in a term of the machine (FORMAT.md).
+/// The source of a name's value in the machine's terms (FORMAT.md).
 struct Binding {
   enum class From { slot, memory, definition, in_state, input, carried, confidence, now };
   From from = From::slot;
@@ -200,20 +199,20 @@ struct Binding {
   Term Input::*carried = nullptr;
 };
 
-/// A kind of the human's moves: its name (a terminal of the paper's Table 1, such as δ) and the inputs that it covers.
+/// A kind of the human's moves: its name (a terminal of the paper's Table 1, such as δ) and its inputs.
 struct MoveKind {
   std::string name;
   SymbolSet inputs;
 };
 
-/// The context of speech besides the world: terms over slots and registers.
+/// The context in which speech is understood, besides the world: terms over slots and registers.
 struct ContextTerms {
   std::optional<Term> focus;  ///< e*: objects being talked about, the most salient first
-  std::optional<Term> among;  ///< e*: objects that were asked about
+  std::optional<Term> among;  ///< e*: the objects of the question
   std::optional<Term> topic;  ///< (e -> t)*: the nouns that "one" can stand for, the likeliest first
 };
 
-/// Longest times between two things that belong together, in seconds (perception/fusion.h).
+/// Time windows of fusion, in seconds (perception/fusion.h).
 struct FusionTimes {
   double before_s = 2, after_s = 1, lateness_s = 0;
 };
@@ -223,7 +222,7 @@ struct Machine {
   std::string document;  ///< the file, compact JSON
   StateIndex start = 0;
   Choice choice = Choice::likeliest;
-  bool epsilon_always = true;  ///< else only after a rewrite
+  bool epsilon_always = true;  ///< false: ε-transitions are tried only after a rewrite
   bool rewrite_below = false;
   bool repeats_utterances = true;
   double minimum_confidence = 0;
@@ -237,33 +236,33 @@ struct Machine {
   std::vector<Transition> transitions;
   std::unordered_map<Name, Binding, Name::Hash> bindings;
   std::vector<Exits> exits;                          ///< one for each state
-  std::vector<std::optional<std::size_t>> landmark;  ///< for each state that a pop_until names, its number among them
+  std::vector<std::optional<std::size_t>> landmark;  ///< for each state its number, if some pop_until names it
   std::size_t landmarks = 0;
   std::map<std::string, Term, std::less<>> definitions;
   std::map<std::string, std::map<std::string, Term, std::less<>>, std::less<>> tables;
-  std::vector<Implied> implied;  ///< the first that holds counts
+  std::vector<Implied> implied;  ///< the first row whose condition holds counts
   std::vector<Wording> wordings;
   BeliefTable beliefs;
-  std::string lexicon;                ///< with which speech is read; empty: words are only symbols
-  std::string gestures;               ///< the catalogue with which gestures are read; empty: they are only symbols
-  std::string phrases;                ///< the file of phrases besides the machine's own; empty: none
+  std::string lexicon;                ///< lexicon for speech; empty: words are only symbols
+  std::string gestures;               ///< catalogue for gestures; empty: they are only symbols
+  std::string phrases;                ///< file of phrases, besides the utterances of the machine file; empty: none
   std::string phrase_document;        ///< that file, compact JSON
-  std::optional<FusionTimes> fusion;  ///< nullopt: no percept waits for another
+  std::optional<FusionTimes> fusion;  ///< nullopt: no event waits for another
   ContextTerms context;
   std::vector<MoveKind> moves;
-  SymbolSet ignored;  ///< inputs that no transition is offered
+  SymbolSet ignored;  ///< inputs that are not offered to transitions
   Signature programs;
   std::vector<Example> examples;
 
   std::map<std::string, std::size_t, std::less<>> slot_index, register_index;
 
-  /// Whether a transition's input set names the symbol.
+  /// Whether the input set of some transition names the symbol.
   bool knows_input(std::string_view symbol) const;
   /// Fills `bindings`, `exits`, `landmark` and `landmarks` once everything else is complete.
   void index();
 };
 
-/// Calls `visit` with every operation: of transitions, of gates, of effects.
+/// Calls `visit` with every operation: of transitions, gates and effects.
 void visit_operations(const Machine& machine, const std::function<void(const Operation&)>& visit);
 
 }  // namespace continua

@@ -17,7 +17,7 @@ struct Stack::Node {
   Stack below;
   std::size_t depth;
 
-  // Unlinks the nodes that this one alone holds, one by one: recursion would overflow on a long stack.
+  // Unlinks the nodes that only this one holds, one by one: destroying a long stack must not recurse.
   ~Node() {
     auto next = std::move(below.node_);
     while (next && next.use_count() == 1) next = std::move(const_cast<Node*>(next.get())->below.node_);

@@ -18,7 +18,7 @@ struct Cell {
 /// A stack symbol: one cell for each slot, in the machine's order.
 using Symbol = std::vector<Cell>;
 
-/// Whether the values are equal slot by slot; their origins do not count.
+/// Equal values slot by slot; their sources do not count.
 bool same_values(const Symbol& a, const Symbol& b);
 
 /// A value; copying shares. The empty stack is the default.
@@ -31,10 +31,10 @@ class Stack {
   int id() const;                       ///< of the topmost symbol; REQUIRES !empty()
   std::optional<int> id_below() const;  ///< of the symbol below it, if there is one; REQUIRES !empty()
   Stack pop() const;                    ///< REQUIRES !empty()
-  /// `id` names the new symbol in the log; unique within a run.
+  /// `id` names the new symbol in the log. It is unique within a run.
   Stack push(Symbol symbol, int id) const;
 
-  /// Same symbols in the same order; ids do not count.
+  /// Equal symbols in the same order; ids do not count.
   bool operator==(const Stack& other) const;
 
  private:

@@ -22,7 +22,7 @@ class Worker {
     result_.made.push_back(result_.stack);
   }
 
-  // The last symbol stays: below everything else is the bottom symbol, never nothing.
+  // The bottom symbol stays.
   void pop() {
     if (result_.stack.depth() > 1) result_.stack = result_.stack.pop();
   }
@@ -52,8 +52,7 @@ class Worker {
       result_.stack = result_.stack.pop();
   }
 
-  // Completes `symbol` by the rule of the 2018 system: a slot that came out null shows the value below, unless it was
-  // cleared.
+  // Completes `symbol` by the rule of the 2018 system: a null slot that was not cleared takes the value below.
   Symbol completed(Symbol symbol, const std::vector<bool>& cleared) const {
     if (!machine_.rewrite_below || result_.stack.empty()) return symbol;
     for (std::size_t i = 0; i < symbol.size(); ++i)
@@ -76,7 +75,7 @@ OperationResult apply_operation(const Operation& operation, const std::vector<st
   std::vector<bool> cleared(machine.slots.size(), false);
   const bool each = operation.kind == Kind::push_each || operation.kind == Kind::rewrite_each;
 
-  // How many symbols, and the k-th one's value for a mentioned slot.
+  // `count`: the number of symbols to push. `filled`: the k-th symbol, with the values of the mentioned slots.
   std::size_t count = each ? 0 : 1;
   bool first = true;
   for (std::size_t i = 0; i < contents.size(); ++i) {

@@ -1,4 +1,4 @@
-// The operations on a stack: pure functions of values (SEMANTICS.md §1, Operations).
+// The operations on a stack, as pure functions of values (SEMANTICS.md §1, Operations).
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@ namespace continua {
 
 struct OperationResult {
   Stack stack;
-  std::vector<Stack> made;  ///< the stack after each symbol that was pushed, in order
+  std::vector<Stack> made;  ///< the stack after each push, in order
   int next_symbol = 0;
-  std::string trouble;  ///< a sentence, when the operation could not be done as written
+  std::string trouble;  ///< a sentence if the operation could not be done as written, else empty
 };
 
-/// `contents` are the values of operation.contents, nullopt for the JSON null; lists of values for …_each.
+/// `contents`: the values of operation.contents, nullopt for the JSON null; lists of values for …_each.
 OperationResult apply_operation(const Operation& operation, const std::vector<std::optional<Cell>>& contents,
                                 const Machine& machine, const Configuration& before);
 

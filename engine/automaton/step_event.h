@@ -13,8 +13,8 @@ namespace continua {
 
 struct Refused {
   std::size_t transition = 0;
-  std::string reason;           ///< the first part of its condition that does not hold, with the values it saw
-  std::size_t alternative = 0;  ///< which of the inputs offered it would have taken
+  std::string reason;           ///< the first conjunct of its condition that fails, with the compared values
+  std::size_t alternative = 0;  ///< number of the input that it would have taken, among those offered
 };
 
 struct GateTest {
@@ -28,18 +28,18 @@ struct Fired {
   int step = 0;  ///< running number of the transitions of a run, from 1
   StateIndex from = 0, to = 0;
   std::optional<std::string> input;      ///< nullopt: ε
-  const Operation* operation = nullptr;  ///< the machine's; that of the last gate that refused
+  const Operation* operation = nullptr;  ///< of the transition, or of the last gate that refused
   std::vector<Candidate> candidates;
   std::vector<Refused> refused;
-  std::vector<GateTest> gates;  ///< of the state it leads to, then of each `else` on the way; only the last may pass
+  std::vector<GateTest> gates;  ///< of the state it leads to, then of each `else`; only the last may pass
   double probability = 1;       ///< the chosen candidate's share of all weights
   std::optional<double> draw;   ///< under Choice::sample, with more than one candidate
   bool forced = false;
   int stack = 0;
   std::size_t depth = 0;
-  double margin = 0;             ///< infinity when nothing was compared
-  std::size_t alternative = 0;   ///< which of the inputs offered was taken
-  std::size_t alternatives = 0;  ///< how many were; 0: ε
+  double margin = 0;             ///< infinity if nothing was compared
+  std::size_t alternative = 0;   ///< number of the input taken, among those offered
+  std::size_t alternatives = 0;  ///< number of inputs offered; 0: ε
 };
 
 struct MadeSymbol {
@@ -58,7 +58,7 @@ struct Applied {
   std::vector<int> because;
 };
 struct Said {
-  std::string text;                   ///< one of `variants`, the first unless someone chose
+  std::string text;                   ///< one of `variants`; the first unless another was chosen
   std::vector<std::string> variants;  ///< all ways to say it
   std::vector<int> because;
 };
@@ -74,27 +74,27 @@ struct Remembered {
   std::size_t index = 0;
   Term value;
 };
-/// The automaton only says that something is to be learned or forgotten: nothing in it changes.
+/// A lesson to learn or forget. The automaton only reports it and does not change.
 struct Taught {
   Lesson of = Lesson::gesture;
   std::string name;
-  Term value;  ///< the meaning; for a word the list of its acts
+  Term value;  ///< the meaning of the gesture, or the acts of the word as a list
   std::vector<int> because;
 };
 struct Forgotten {
   std::optional<Lesson> of;  ///< nullopt: all that was learned
   std::string name;
-  Term value;  ///< the forgotten meaning, once it is known
+  Term value;  ///< the forgotten lesson, once it is known
   std::vector<int> because;
 };
 struct RefusedInput {
   StateIndex state = 0;
-  std::string input;   ///< the first of those offered
-  std::string reason;  ///< where several were offered, one for each
+  std::string input;   ///< the first input offered
+  std::string reason;  ///< with several inputs, a reason for each
   std::vector<Refused> refused;
-  std::size_t alternatives = 1;  ///< how many inputs were offered
+  std::size_t alternatives = 1;  ///< number of inputs offered
 };
-/// Something in the machine that cannot be carried out as written, such as an ε-cycle.
+/// A part of the machine that cannot be carried out as written, such as an ε-cycle.
 struct Trouble {
   std::string message;
 };

@@ -12,7 +12,7 @@ namespace continua {
 
 namespace {
 
-// A machine's additions to the language: its inputs, beliefs, wordings and tables.
+// The rules that a machine adds to the language: its inputs, beliefs, wordings and tables.
 Rules own_rules(const std::shared_ptr<const Machine>& machine) {
   Rules rules;
   rules["is_input"] = {
@@ -133,8 +133,8 @@ bool Stepper::offer(Firing& firing, std::span<const Input> inputs, Chooser& choo
   return true;
 }
 
-// ε-transitions until none applies. Coming back to a configuration by transitions none of which had an alternative, the
-// machine would go round for ever.
+// Fires ε-transitions until none applies. A machine that comes back to a configuration without a draw on the way would
+// go round for ever, so the step ends with Trouble.
 void Stepper::settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* account) const {
   std::vector<Configuration> seen;
   std::vector<std::size_t> path;  // path[i] is the transition that led away from seen[i]
@@ -142,7 +142,7 @@ void Stepper::settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* a
   const auto trouble = [&](std::string message) {
     if (account) account->push_back(Trouble{std::move(message)});
   };
-  std::size_t free_from = 0;  // since this step no draw was made
+  std::size_t free_from = 0;  // no draw was made since this step
   for (;;) {
     auto found = firing.applicable();
     const auto chosen = chooser.choose(found.candidates);

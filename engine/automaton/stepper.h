@@ -1,6 +1,5 @@
-// One step of the automaton: an input is offered, the applicable transitions are found, one is chosen and fired, then
-// ε-transitions until none applies (SEMANTICS.md §1). A step gives its events back as a list; it writes or draws
-// nothing anywhere else.
+// One step of the automaton: finds the transitions that apply to an input, chooses and fires one, then ε-transitions
+// until none applies (SEMANTICS.md §1). All that happened is returned as a list of events; there are no side effects.
 #pragma once
 
 #include <memory>
@@ -12,41 +11,40 @@
 
 namespace continua {
 
-/// So many ε-transitions may follow one another; then the step ends with trouble.
+/// The most ε-transitions in a row; after these the step ends with Trouble.
 inline constexpr int most_epsilon_steps = 1000;
 
 struct Step {
   Configuration after;
-  std::vector<StepEvent>
-      events;  ///< in the order in which they happened; a symbol comes before the operation that puts it on the stack
+  std::vector<StepEvent> events;  ///< in order; a new symbol comes before the transition that pushes it
 };
 
 /// A value: every copy does the same.
 class Stepper {
  public:
-  /// `facts` are rules besides those of the language and the machine; `raising` is how `fill` lifts arguments, and must
-  /// outlive the stepper and its copies.
+  /// `facts`: rules besides those of the language and the machine. `raising`: the rules by which `fill` lifts
+  /// arguments; they must outlive the stepper and its copies.
   Stepper(std::shared_ptr<const Machine> machine, const Rules& facts, const RaisingRules* raising = nullptr);
 
   const Machine& machine() const { return *machine_; }
 
-  /// The configuration in which a run begins: start state, the bottom symbol, registers as declared; no ε-transition
-  /// has been tried.
+  /// The configuration in which a run begins: start state, bottom symbol, registers as declared. No ε-transition has
+  /// been tried.
   Configuration initial() const;
 
-  /// `initial()`; then ε-transitions, where the machine always tries them.
+  /// `initial()`, then ε-transitions if the machine always tries them.
   Step begin(const Facts& facts, Chooser& chooser) const;
 
-  /// Offers inputs of which one is to be taken: alternatives, such as the n best guesses of a recogniser; REQUIRES one
-  /// at least. A transition that takes any of them is a candidate, with the weight that the confidence of its input
-  /// gives it. Without a candidate the configuration stays and the events end with RefusedInput.
+  /// Offers alternative inputs of which one is taken, such as the n best guesses of a recogniser. REQUIRES at least
+  /// one. Each transition that takes one of them is a candidate, weighted with the confidence of its input. Without
+  /// candidates the configuration stays and the events end with RefusedInput.
   Step step(const Configuration& before, std::span<const Input> inputs, const Facts& facts, Chooser& chooser) const;
   Step step(const Configuration& before, const Input& input, const Facts& facts, Chooser& chooser) const {
     return step(before, std::span(&input, 1), facts, chooser);
   }
 
-  /// The same without an account, which takes a fraction of the time: nothing is said or done, only the configuration
-  /// changes. Nothing if all inputs are refused.
+  /// A step without events, which takes a fraction of the time: nothing is said or done, only the configuration
+  /// changes. Returns nothing if all inputs are refused.
   std::optional<Configuration> advance(const Configuration& before, std::span<const Input> inputs, const Facts& facts,
                                        Chooser& chooser) const;
   std::optional<Configuration> advance(const Configuration& before, const Input& input, const Facts& facts,
@@ -54,16 +52,16 @@ class Stepper {
     return advance(before, std::span(&input, 1), facts, chooser);
   }
 
-  /// The configuration that a row of the machine implies, from one in which its terms are read. No gate is asked and no
+  /// The configuration that a row of the machine implies. Its terms are evaluated in `before`. No gate is tested and no
   /// effect performed.
   Configuration implied(const Implied& row, const Configuration& before, const Input& input, const Facts& facts,
                         std::vector<StepEvent>* account) const;
 
-  /// The value of a term of the machine in a configuration, and the inputs it came from.
+  /// The value of a term of the machine in a configuration, with its sources.
   Cell value(const Term& term, const Configuration& configuration, const Input& input, const Facts& facts) const;
 
-  /// For those who choose and keep configurations themselves. `inputs`: none for ε. The stepper, the inputs, all facts
-  /// and `account` must outlive the firing.
+  /// For callers that choose and keep configurations themselves. `inputs`: none for ε. The stepper, the inputs, all
+  /// facts and `account` must outlive the firing.
   Firing firing(Configuration configuration, std::span<const Input> inputs, const Facts& facts,
                 std::vector<StepEvent>* account) const;
   /// `input`: nullptr for ε.
@@ -77,10 +75,11 @@ class Stepper {
   void settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* account) const;
 
   std::shared_ptr<const Machine> machine_;
-  RuleTable rules_;  ///< of the language, of facts, and the machine's own: is_input, certainty, wording, tables
+  RuleTable rules_;  ///< of the language, of the facts, and of the machine: is_input, certainty, wording, tables
 };
 
-/// Refused inputs, and the reasons: no transition takes them, conditions do not hold, or too many apply.
+/// The event for refused inputs, with the reasons: no transition takes the input, no condition holds, or too many
+/// apply.
 RefusedInput refusal(const Machine& machine, StateIndex state, Applicable found, std::span<const Input> inputs);
 
 }  // namespace continua

@@ -10,8 +10,8 @@ namespace continua {
 struct SymbolSet {
   std::set<std::string, std::less<>> names, prefixes;
 
-  /// Adds a symbol. One that ends in `*` stands for all symbols with the letters before it, one that ends in `\*` for
-  /// itself without the backslash.
+  /// Adds a symbol. A symbol that ends in `*` adds all with that prefix; one that ends in `\*` stands for itself
+  /// without the backslash.
   void add(std::string_view symbol);
   void add(const SymbolSet& other);
   bool contains(std::string_view symbol) const;

@@ -3,7 +3,7 @@
 namespace continua {
 namespace {
 
-// One-way matching: a variable of the pattern, bound `depth` lambdas further out, takes any term in its place.
+// One-way matching: a variable of the pattern takes the part of the term that stands in its place.
 bool match(const Term& pattern, const Term& term, std::vector<std::optional<Term>>& variables) {
   if (pattern.kind() == Term::Kind::bound && pattern.index() < static_cast<int>(variables.size())) {
     // Index 0 is the innermost lambda, which binds the last variable.

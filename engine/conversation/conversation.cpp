@@ -6,7 +6,8 @@
 namespace continua {
 namespace {
 
-// An act may be answered with another one that is done at once, and so on: so often before time goes on.
+// The engine may answer the end of an act with another act that ends at once, and so on. The bound on such rounds lets
+// time go on.
 constexpr int most_rounds = 1000;
 
 }  // namespace
@@ -91,7 +92,7 @@ Happening Conversation::take(Step step, std::optional<SimTime> t) {
   return let_world_go_on(std::min(*t, due().value_or(*t)));
 }
 
-// Commands reach the body in the order in which the engine gave them.
+// Takes the engine's next state. Commands reach the body in the order in which the engine gave them.
 Thought Conversation::obey(Tick tick) {
   for (const auto& event : tick.events) {
     if (const auto* gesture = std::get_if<GestureCommand>(&event)) body_.command(gesture->command);
@@ -102,7 +103,7 @@ Thought Conversation::obey(Tick tick) {
   return {now_, std::move(tick.events)};
 }
 
-// An act that ends on the way is told to the engine at its time, so that its consequences begin at once.
+// Advances the world to `t` or to the end of an act, so that the consequences of the act begin at once.
 WorldReport Conversation::let_world_go_on(SimTime t) {
   auto report = body_.advance(t);
   const bool ended = std::any_of(report.acts.begin(), report.acts.end(),

@@ -1,11 +1,11 @@
-// A conversation: the human's events go to the engine and time goes to the body's world. Both answer with happenings.
+// A conversation: takes events of the human and the course of time; returns the happenings of engine and world.
 //
 //   Conversation conversation(parts, body);
 //   conversation.begin();
 //   for (const auto& happening : conversation.hear(event)) …
 //   for (const auto& happening : conversation.advance(t)) …
 //
-// The result does not depend on how time is cut into calls.
+// The division of time into calls makes no difference.
 #pragma once
 
 #include <functional>
@@ -19,13 +19,13 @@
 
 namespace continua {
 
-/// The engine's events of one instant, in order; the body has got the commands among them.
+/// The engine's events of one instant, in order. The body has received the commands among them.
 struct Thought {
   SimTime t;
   std::vector<EngineEvent> events;
 };
 
-/// Thoughts, and the world's reports up to the instants at which something ended.
+/// A thought, or the world's report up to an instant at which an act ended.
 using Happening = std::variant<Thought, WorldReport>;
 
 class Conversation {
@@ -33,9 +33,9 @@ class Conversation {
   /// `body` must outlive the conversation. `most_branches`: the most configurations under `explore`.
   Conversation(EngineParts parts, Body& body, std::size_t most_branches = default_most_branches);
 
-  /// Before anything else. `learned`: lessons of earlier conversations.
+  /// The first call. `learned`: lessons of earlier conversations.
   std::vector<Happening> begin(Learned learned = {});
-  /// An event of the human's at now(), and all that follows from it at once.
+  /// An event of the human's at now(), with all immediate consequences.
   std::vector<Happening> hear(const InputEvent& event);
   /// Time goes on to `t`: acts end, and inputs that waited long enough are attended to. A time in the past is now.
   std::vector<Happening> advance(SimTime t);
@@ -44,36 +44,36 @@ class Conversation {
   const EngineState& state() const { return *state_; }
   const Pipeline& pipeline() const { return pipeline_; }
   const EngineParts& parts() const { return parts_; }
-  /// The instant at which waiting inputs are attended to at the latest; nothing when none waits.
+  /// The latest instant at which waiting inputs are attended to; nothing if none waits.
   std::optional<SimTime> due() const { return pipeline_.due(*state_); }
 
-  // The same for callers who look on while it happens.
+  // The same, for callers that watch each step.
 
   enum class Step {
-    none,    ///< nothing more happens
+    none,    ///< nothing is left to do
     world,   ///< the world goes on
-    tell,    ///< the engine is told that acts ended
+    tell,    ///< the engine receives reports of ended acts
     attend,  ///< the engine attends to a complete input
     wake,    ///< an input has waited long enough
   };
-  /// Either ends the run by returning false.
+  /// Called before and after each step. Either function ends the run by returning false.
   struct Onlooker {
     std::function<bool(Step)> before;
     std::function<bool(Step, Happening)> after;
   };
-  /// Lets happen all that follows at once and, if `t` is given, all that happens until then.
+  /// Takes all immediate steps and, if `t` is given, all steps until then.
   void run(std::optional<SimTime> t, const Onlooker& onlooker);
-  /// The first thoughts of `begin` and `hear`.
+  /// The first thoughts of begin() and hear(), without their consequences.
   Thought open(Learned learned = {});
   Thought receive(const InputEvent& event);
-  /// Whether all that follows at once from the last thought has happened in the world.
+  /// Whether the immediate consequences of the last thought have happened in the world.
   bool is_settled() const { return settled_; }
 
-  /// The engine as `change` makes it, from its pipeline, its state and the world.
+  /// Changes the engine's state by `change`, a function of its pipeline, its state and the world.
   using Change = std::function<Tick(const Pipeline&, const EngineState&, const WorldSnapshot&)>;
   Thought change(const Change& change);
-  /// Goes on with other parts, from the state as `prepare` leaves it. Errors as Pipeline::take_over; then nothing has
-  /// changed.
+  /// Goes on with other parts, from the state after `prepare`. Errors are those of Pipeline::take_over(); then nothing
+  /// has changed.
   Outcome go_on_with(EngineParts parts, const std::function<void(EngineState&)>& prepare);
 
  private:
@@ -87,9 +87,9 @@ class Conversation {
   Body& body_;
   std::size_t most_branches_;
   Pipeline pipeline_;
-  std::optional<EngineState> state_;  // since `open`
+  std::optional<EngineState> state_;  // set by open()
   SimTime now_;
-  std::vector<ActReport> untold_;  // reports among which an act has ended
+  std::vector<ActReport> untold_;  // reports for the engine, if an act among them has ended
   bool settled_ = true;
 };
 

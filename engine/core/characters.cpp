@@ -13,7 +13,7 @@ bool is_ascii(std::string_view text) {
   return std::none_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
 }
 
-// Code point of a text that is one character.
+// The code point of a text of one character.
 utf8proc_int32_t code_point(std::string_view character) {
   utf8proc_int32_t code = -1;
   utf8proc_iterate(reinterpret_cast<const utf8proc_uint8_t*>(character.data()),
@@ -21,14 +21,14 @@ utf8proc_int32_t code_point(std::string_view character) {
   return code;
 }
 
-// Through the capital letter, since several small letters may share one: final and medial sigma.
+// Folds through the capital letter, because several small letters may share one: final and medial sigma.
 void append_folded(std::string& text, std::string_view character) {
   utf8proc_uint8_t bytes[4];
   const auto length = utf8proc_encode_char(utf8proc_tolower(utf8proc_toupper(code_point(character))), bytes);
   text.append(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(length));
 }
 
-// Letters and their marks as one character each where Unicode has such; `text` itself where it is not UTF-8.
+// `text` with letters and their marks as one character, if Unicode has it; unchanged if it is not UTF-8.
 std::string composed(std::string text) {
   utf8proc_uint8_t* result = nullptr;
   const auto length =
@@ -48,7 +48,7 @@ std::size_t character_length(std::string_view text) {
   if (first < 0x80) return 1;
   const std::size_t length = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
   if (length == 0 || text.size() < length) return 0;
-  // Second bytes that would write a shorter character at length, a surrogate, or something beyond U+10FFFF.
+  // Bounds of the second byte: outside are overlong forms, surrogates, and code points beyond U+10FFFF.
   const unsigned char low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
   const unsigned char high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
   if (byte(1) < low || byte(1) > high) return 0;

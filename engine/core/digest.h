@@ -10,7 +10,7 @@ namespace continua {
 
 std::string digest(std::string_view bytes);
 
-/// A number for content, equal on every machine: XXH3-64. For telling apart what is in memory; files state digests.
+/// A number for content, equal on every machine: XXH3-64. For comparisons in memory; files have digests.
 std::uint64_t hash_of(std::string_view bytes);
 
 /// A digest of bytes that arrive piece by piece; equal to `digest` of their concatenation.

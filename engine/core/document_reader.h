@@ -1,9 +1,9 @@
 // Reads the JSON files of the knowledge folder: walks a document, checks its shape and collects every problem with its
-// place, so that one run reports everything that is wrong with a file.
+// place, so that one run reports all problems of a file.
 //
-// An Item is a value and its place. Its accessors return the value when the shape is right. When the shape is wrong,
-// they note a problem and return an empty value or a default, and reading goes on. An item that is absent is no
-// problem: `required` has noted the problem, or the value may be missing.
+// An Item is a value and its place. Its accessors return the value if the shape is right. If the shape is wrong, they
+// note a problem and return an empty value or a default, and reading goes on. An absent item is not a problem here:
+// `required` has noted it, or the value may be missing.
 //
 //   DocumentReader reader;
 //   const Item root = reader.root(document);
@@ -52,14 +52,14 @@ class Item {
   bool is_text() const { return exists() && json_->is_string(); }
   bool is_list() const { return exists() && json_->is_array(); }
   bool is_object() const { return exists() && json_->is_object(); }
-  /// "file:line:column" of the value; of an absent item, of the value that lacks it.
+  /// "file:line:column" of the value; for an absent item, of the value that lacks it.
   std::string where() const;
 
-  /// The member called `key`; absent when there is none, or when this is no object.
+  /// The member `key`; absent if there is none, or if this is not an object.
   Item member(std::string_view key) const;
-  /// The same. An absent member is a problem: "there is no "KEY"; expected WHAT".
+  /// The member `key`. An absent member is a problem: "there is no "KEY"; expected WHAT".
   Item required(std::string_view key, std::string_view what) const;
-  /// The element number `index`, from 0; absent when there is none, or when this is no list.
+  /// The element number `index`, from 0; absent if there is none, or if this is not a list.
   Item element(std::size_t index) const;
 
   /// The members of an object with any keys, in the order of the file. Another kind of value is a problem.
@@ -67,27 +67,27 @@ class Item {
   /// The elements of a list. Another kind of value is a problem.
   std::vector<Item> elements(std::string_view what) const;
 
-  /// Whether this is an object. Every key outside of `keys` is a problem, with the nearest of `keys`; so is an "about"
-  /// that is no string.
+  /// Whether this is an object. Every key that `keys` lacks is a problem, with the nearest of `keys`; so is an "about"
+  /// that is not a string.
   bool expect_object(std::string_view what, const std::vector<std::string>& keys) const;
-  /// Problems unless the member called `key` is there and equals `version`.
+  /// Notes a problem unless the member `key` exists and equals `version`.
   void expect_version(std::string_view key, int version) const;
 
-  /// A string, perhaps an empty one; empty when absent.
+  /// A string, perhaps empty; empty if absent.
   std::string text(std::string_view what) const;
-  /// A string that is not empty; empty when absent.
+  /// A string that must not be empty; empty if absent.
   std::string name(std::string_view what) const;
   /// The elements of a list of strings.
   std::vector<std::string> texts(std::string_view what) const;
-  /// A number from `least` to `most`, both included; `otherwise` when absent or wrong.
+  /// A number from `least` to `most`, both included; `otherwise` if absent or wrong.
   double number(std::string_view what, double otherwise, double least, double most) const;
-  /// The same, a whole number.
+  /// A whole number from `least` to `most`, both included; `otherwise` if absent or wrong.
   int whole_number(std::string_view what, int otherwise, int least, int most) const;
   bool truth(bool otherwise) const;
-  /// One of `names`; `what` names them in the sentence about a value that is no string.
+  /// One of `names`; `what` names them in the sentence about a value that is not a string.
   std::optional<std::string> one_of(const std::vector<std::string>& names, std::string_view what) const;
   std::optional<std::string> one_of(const std::vector<std::string>& names) const;
-  /// The value that the table (core/named_values.h) gives to one of its names.
+  /// The value for one of the names of the table (core/named_values.h).
   template <class Enum, std::size_t count>
   std::optional<Enum> one_of(const NamedValue<Enum> (&table)[count], std::string_view what) const {
     const auto name = one_of(names_in(table), what);
@@ -96,19 +96,19 @@ class Item {
 
   /// Notes "found VALUE, expected EXPECTED"; false, for `return item.mismatch(…)`. REQUIRES exists().
   bool mismatch(std::string_view expected) const;
-  /// Notes a problem of the value; of an absent item, of the value that lacks it.
+  /// Notes a problem of the value; for an absent item, of the value that lacks it.
   void problem(std::string sentence) const;
-  /// Notes a problem of the member's key; of an element, of the element.
+  /// Notes a problem of the member's key; for an element, of the element.
   void problem_at_key(std::string sentence) const;
   /// Notes a problem of the text, at its byte number `byte`, counted from 0.
   void problem_in_text(std::size_t byte, std::string sentence) const;
-  /// Notes the error of a parser that read this text and says "column N" for a place in it.
+  /// Notes the error of a parser of this text, whose place is "column N".
   void problem_in_text(const Error& error) const;
-  /// `name` is none of `known`: "unknown KIND 'NAME' (did you mean 'OTHER'?)", as a sentence.
+  /// The sentence for a `name` that `known` lacks: "unknown KIND 'NAME' (did you mean 'OTHER'?)".
   std::string unknown(std::string_view kind, std::string_view name, const std::vector<std::string>& known) const;
-  /// Whether further problems are not noted: costly checks are in vain.
+  /// Whether further problems are no longer noted, so that costly checks are useless.
   bool reader_is_full() const;
-  /// The nearest of `known` as did_you_mean gives it. Empty once the reader is full.
+  /// The nearest of `known`, in the form of did_you_mean(). Empty once the reader is full.
   std::string nearest(std::string_view name, const std::vector<std::string>& known) const;
 
  private:
@@ -118,9 +118,9 @@ class Item {
   const LocatedJson& document() const;
 
   DocumentReader* reader_ = nullptr;
-  std::size_t source_ = 0;  ///< which of the reader's documents
+  std::size_t source_ = 0;  ///< number of the document in the reader
   const Json* json_ = nullptr;
-  std::string pointer_;  ///< of the value, a JSON pointer (RFC 6901); of an absent item, of the value that lacks it
+  std::string pointer_;  ///< JSON pointer (RFC 6901) of the value; for an absent item, of the value that lacks it
 };
 
 /// A member of an object.
@@ -129,25 +129,25 @@ struct NamedItem {
   Item item;
 };
 
-/// Holds the documents that are being read, and their problems.
+/// Holds the documents under reading, and their problems.
 class DocumentReader {
  public:
-  /// After so many problems further ones are not noted.
+  /// The most problems that are noted.
   static constexpr std::size_t most_problems = 1000;
 
   DocumentReader() = default;
   DocumentReader(const DocumentReader&) = delete;  // items refer to their reader
   DocumentReader& operator=(const DocumentReader&) = delete;
 
-  /// The root of a document, which must outlive the reader. Every key that stands twice in an object is a problem.
-  /// `remark` is appended to each sentence about this document.
+  /// The root of a document, which must outlive the reader. Every key that an object has twice is a problem. `remark`
+  /// is appended to each sentence about this document.
   Item root(const LocatedJson& document, std::string remark = "");
 
-  /// Whether nothing is wrong so far.
+  /// Whether there are no problems so far.
   bool sound() const { return problems_.empty(); }
   bool full() const { return problems_.size() >= most_problems; }
-  /// All that is wrong: document by document as `root` was called, each in the order of its text. A problem that was
-  /// noted twice is reported once.
+  /// All problems: document by document in the order of the calls of `root`, each in the order of its text. A problem
+  /// that was noted twice is reported once.
   std::vector<Error> problems() const;
 
  private:
@@ -167,10 +167,10 @@ class DocumentReader {
   std::vector<Problem> problems_;
 };
 
-/// "a", "a or b", "a, b or c": the names that a sentence expects.
+/// "a", "a or b", "a, b or c": the expected names, for a sentence.
 std::string any_of(const std::vector<std::string>& names);
 
-/// Where a parser's error says "column N", the byte number N - 1 of its text. REQUIRES that form.
+/// The byte number N - 1 for the place "column N" of a parser's error. REQUIRES a place of that form.
 std::size_t byte_of_column(const Error& error);
 
 }  // namespace continua

@@ -7,7 +7,7 @@
 namespace continua {
 namespace {
 
-// zlib with a gzip header: 15 bits of window and 16 to ask for it.
+// zlib's window bits for the gzip format: a window of 15 bits, plus 16 for the gzip header.
 constexpr int gzip_window = 15 + 16;
 
 }  // namespace

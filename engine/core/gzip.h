@@ -1,4 +1,4 @@
-// Texts compressed as browsers take them.
+// Compresses texts in a format that browsers read.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace continua {
 
-/// In the gzip format; `level` from 1, fast, to 9, small. Empty where there is no memory for it.
+/// `text` in the gzip format; `level` from 1, fast, to 9, small. Empty if there is not enough memory.
 std::string gzipped(std::string_view text, int level = 1);
 
-/// The unpacked bytes, as far as they can be read.
+/// The uncompressed text, as far as it can be read.
 std::string gunzipped(std::string_view gzip);
 
 }  // namespace continua

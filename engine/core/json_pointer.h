@@ -1,4 +1,4 @@
-// JSON pointers (RFC 6901), by which documents remember places: "/transitions/3/when".
+// JSON pointers (RFC 6901), which name places in documents: "/transitions/3/when".
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@ template class nlohmann::basic_json<nlohmann::ordered_map>;
 namespace continua {
 namespace {
 
-// Walks text that is already known to be valid JSON and tells where each value and its key begin.
+// Walks a text that is valid JSON and notes the beginning of each value and its key.
 template <class Note>
 class PlaceFinder {
  public:
@@ -96,8 +96,8 @@ class PlaceFinder {
   std::size_t at_ = 0, line_ = 1, line_start_ = 0;
 };
 
-// "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read: '…'; expected …"
-// without its first two parts, and without a long text last read.
+// The library's message "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …; last read:
+// '…'; expected …" without its first two parts, and without the part `last read` if it is long.
 std::string plain_sentence(std::string what) {
   constexpr std::size_t longest = 60;
   if (const auto from = what.find("; last read: "); from != std::string::npos) {
@@ -115,7 +115,7 @@ struct Excess {
   std::string sentence;
 };
 
-// Where brackets first nest deeper than `max_json_depth`, or an object has more than `max_json_members`.
+// The first place where brackets nest deeper than `max_json_depth`, or an object has more than `max_json_members`.
 std::optional<Excess> excess(std::string_view text) {
   std::vector<std::size_t> colons;  // in each open bracket
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -136,7 +136,7 @@ std::optional<Excess> excess(std::string_view text) {
   return std::nullopt;
 }
 
-// In the text between quotation marks that begins at `at`, the next character's length there and in the value.
+// The length of the character or escape at `at` in a quoted text, in the document and in the value.
 std::pair<std::size_t, std::size_t> escape_lengths(std::string_view text, std::size_t at) {
   if (text[at] != '\\') return {1, 1};
   if (text[at + 1] != 'u') return {2, 1};
@@ -145,14 +145,15 @@ std::pair<std::size_t, std::size_t> escape_lengths(std::string_view text, std::s
   return {6, code < 0x80 ? 1 : code < 0x800 ? 2 : 3};
 }
 
-// A number that no double holds is reported without its place, as "… number overflow parsing '1e999'".
+// The place of a number too large for a double. The library reports it without a place, as "… number overflow parsing
+// '1e999'".
 std::size_t place_of_number(std::string_view text, std::string_view what) {
   const auto from = what.find('\''), to = what.rfind('\'');
   const auto found = from < to ? text.find(what.substr(from + 1, to - from - 1)) : std::string_view::npos;
   return found == std::string_view::npos ? 0 : found;
 }
 
-// `first_line` is the number of the text's first line in the file called `name`.
+// `first_line`: the number of the text's first line in the file `name`.
 Result<Json> parse_text(std::string_view text, const std::string& name, std::size_t first_line) {
   const auto error_at = [&](std::size_t at, std::string sentence) {
     const auto end = std::min(at, text.size());
@@ -257,7 +258,7 @@ Result<std::string> read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return Error{path, "cannot be opened; expected a readable file"};
   std::ostringstream text;
-  // Inserting the buffer of an empty file fails without being an error of reading.
+  // Inserting the buffer of an empty file fails, although this is not a reading error.
   if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
   if (file.bad() || text.fail()) return Error{path, "cannot be read; expected a readable file"};
   return text.str();
@@ -287,13 +288,13 @@ std::string in_quotes(std::string_view text) {
 }
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
-  constexpr std::size_t longest = 200;  // whoever writes longer names needs no help
+  constexpr std::size_t longest = 200;  // bounds the work; real names are shorter
   const std::string* nearest = nullptr;
   std::size_t best = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const auto& candidate : known) {
     if (std::max(name.size(), candidate.size()) > longest) continue;
     const auto distance = edit_distance(name, candidate);
-    // Of two short names a distance of two is no resemblance.
+    // A distance of two between two short names is not a resemblance.
     const bool alike = 2 * distance <= std::max(name.size(), candidate.size());
     if (alike && distance < best) {
       best = distance;

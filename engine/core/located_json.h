@@ -1,5 +1,5 @@
-// JSON that remembers where it came from, so that an error about a value names its file and line.
-// The only place where nlohmann/json is included.
+// JSON values with their places, so that an error about a value names its file and line. The only file that includes
+// nlohmann/json.
 #pragma once
 
 #include <compare>
@@ -14,12 +14,12 @@
 
 namespace continua {
 
-/// Keys keep the order in which they were written, so printed JSON is the same on every machine.
+/// Keys keep the order of the file, so that output is the same on every machine.
 using Json = nlohmann::ordered_json;
 
 }  // namespace continua
 
-// Compiled once, in located_json.cpp: every file that reads JSON would take seconds to compile it again.
+// Compiled once, in located_json.cpp. Otherwise every file that reads JSON would take seconds to compile it again.
 extern template class nlohmann::basic_json<nlohmann::ordered_map>;
 
 namespace continua {
@@ -27,10 +27,10 @@ namespace continua {
 /// One line of compact JSON. Bytes that are not UTF-8 become U+FFFD.
 std::string compact(const Json& value);
 
-/// Values nested deeper than this are refused by the readers below: printing and comparing a value recurse, and
-/// the stack must not depend on what a file contains.
+/// The readers below refuse values nested deeper than this: printing and comparing a value recurse, and the use of the
+/// call stack must not depend on a file.
 inline constexpr int max_json_depth = 200;
-/// Objects with more members are refused too: finding a member takes time in proportion to their number.
+/// Objects with more members are refused too: finding a member takes time in proportion to the number of members.
 inline constexpr std::size_t max_json_members = 10000;
 
 /// A place in a text, counted from 1; columns are bytes.
@@ -39,14 +39,14 @@ struct TextPlace {
   auto operator<=>(const TextPlace&) const = default;
 };
 
-/// One line of a JSON Lines file, read as a value. An error is placed at "name:line:column".
+/// Reads a line of a JSON Lines file as a value. The place of an error is "name:line:column".
 Result<Json> parse_json_line(std::string_view text, const std::string& name, std::size_t line);
 
 /// A JSON document with the line and column of each of its values.
 class LocatedJson {
  public:
-  /// `name` stands for the document in errors. An error names line, column, the text found and the text expected. A
-  /// byte order mark at the beginning is skipped.
+  /// `name` stands for the document in errors. An error has line, column, and the found and expected text. A byte order
+  /// mark at the beginning is skipped.
   static Result<LocatedJson> parse(std::string_view text, std::string name);
 
   /// Reads the whole file; missing, unreadable and empty files are errors too.
@@ -55,21 +55,21 @@ class LocatedJson {
   const Json& root() const { return root_; }
   const std::string& name() const { return name_; }
 
-  /// Of the value at `pointer` ("/transitions/3/when", RFC 6901), or of its nearest enclosing value that has a place.
+  /// The place of the value at `pointer` ("/transitions/3/when", RFC 6901), or of its nearest enclosing value with one.
   TextPlace place(std::string_view pointer) const;
-  /// Place of the key of the member at `pointer`; of an element, its own place.
+  /// The place of the key of the member at `pointer`; for an element, of the element itself.
   TextPlace key_place(std::string_view pointer) const;
-  /// Place of byte `byte` of the text at `pointer`, whatever escapes stand before it in the document.
+  /// The place of the byte number `byte` of the text at `pointer`; escapes before it in the document are accounted for.
   TextPlace place_in_text(std::string_view pointer, std::size_t byte) const;
 
-  /// Error at "name:line:column".
+  /// An error at "name:line:column".
   Error error(TextPlace place, std::string sentence) const;
   Error error(std::string_view pointer, std::string sentence) const {
     return error(place(pointer), std::move(sentence));
   }
   std::string where(std::string_view pointer) const { return error(pointer, "").where; }
 
-  /// A key that its object has already; the last value of a key counts.
+  /// A key that its object has already. The last value of a key counts.
   struct Duplicate {
     TextPlace place;
     std::string key;
@@ -79,7 +79,7 @@ class LocatedJson {
  private:
   struct Location {
     TextPlace value, key;
-    std::size_t offset;  ///< byte of text_ where the value begins
+    std::size_t offset;  ///< first byte of the value in text_
   };
   const Location* location(std::string_view pointer) const;
 
@@ -89,17 +89,17 @@ class LocatedJson {
   std::vector<Duplicate> duplicates_;
 };
 
-/// Reads a whole file, or says why it could not: missing, a folder, unreadable. An empty file is an empty string.
+/// Reads a whole file. Errors: it is missing, a folder, or unreadable. An empty file is an empty string.
 Result<std::string> read_file(const std::string& path);
 
-/// `text` without the UTF-8 byte order mark that it may begin with.
+/// `text` without a UTF-8 byte order mark at its beginning.
 std::string_view without_byte_order_mark(std::string_view text);
 
-/// `text` in single quotes, fit for a sentence of one line: at most 60 bytes of it, bytes that are not printable
-/// ASCII or UTF-8 as \xNN.
+/// `text` in single quotes, for a sentence of one line: at most 60 bytes of it, with \xNN for bytes that are not
+/// printable ASCII or UTF-8.
 std::string in_quotes(std::string_view text);
 
-/// The name among `known` nearest to `name` by edit distance, as " (did you mean 'x'?)", or empty when none is near.
+/// The name in `known` nearest to `name` by edit distance, as " (did you mean 'x'?)"; empty if no name is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace continua

@@ -1,4 +1,4 @@
-// The names of an enum's values: one table serves for printing and for reading.
+// The names of an enum's values: one table for printing and for reading.
 //
 //   constexpr NamedValue<Light> lights[] = {{Light::red, "red"}, {Light::green, "green"}};
 //   std::string name_of(Light light) { return name_in(lights, light); }
@@ -19,7 +19,7 @@ struct NamedValue {
   std::string_view name;
 };
 
-/// The name of `value`; empty when the table lacks the value.
+/// The name of `value`; empty if the table lacks the value.
 template <class Enum, std::size_t count>
 std::string name_in(const NamedValue<Enum> (&table)[count], Enum value) {
   for (const auto& row : table)
@@ -27,7 +27,7 @@ std::string name_in(const NamedValue<Enum> (&table)[count], Enum value) {
   return {};
 }
 
-/// The value called `name`; nothing when the table lacks the name.
+/// The value with this name; nothing if the table lacks the name.
 template <class Enum, std::size_t count>
 std::optional<Enum> value_in(const NamedValue<Enum> (&table)[count], std::string_view name) {
   for (const auto& row : table)

@@ -1,1 +1,1 @@
-// Compiled once, so that its precompiled headers serve every library.
+// This file is compiled once; every library uses its precompiled headers.

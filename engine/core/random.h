@@ -1,11 +1,11 @@
-// The one source of chance: a seeded generator that is a value, the same on every machine.
+// The only source of chance: a seeded generator that is a value, the same on every machine.
 #pragma once
 
 #include <cstdint>
 
 namespace continua {
 
-/// SplitMix64 (Steele, Lea & Flood, OOPSLA 2014). Copying it copies the future draws.
+/// SplitMix64 (Steele, Lea & Flood, OOPSLA 2014). A copy makes the same future draws.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}

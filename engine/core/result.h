@@ -1,5 +1,5 @@
-// A value or the reason there is none. Bad input is an expected result with a place and a sentence;
-// a broken invariant stops the program (see `require`).
+// A value, or the reason why there is none. Bad input is an expected result with a place and a sentence; a broken
+// invariant stops the program (see `require`).
 #pragma once
 
 #include <optional>
@@ -9,16 +9,16 @@
 
 namespace continua {
 
-/// Why something could not be done, for a person to read.
+/// The reason of a failure, for people.
 struct Error {
-  std::string where;     ///< "file", "file:line" or "file:line:column"; empty when there is no place.
-  std::string sentence;  ///< names the thing found and the thing expected
+  std::string where;     ///< "file", "file:line" or "file:line:column"; empty if there is no place
+  std::string sentence;  ///< the found and the expected thing
 
   /// "where: sentence", one line.
   std::string text() const { return where.empty() ? sentence : where + ": " + sentence; }
 };
 
-/// Stops the program with `sentence` when an invariant of ours is broken; never used for bad input.
+/// Stops the program with `sentence` if an invariant of the program is broken. Never used for bad input.
 void require(bool holds, const char* sentence);
 
 /// Holds a T or an Error, never both.
@@ -59,7 +59,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> held_;
 };
 
-/// The outcome of an operation without a value: nothing, or an error.
+/// The outcome of an operation without a value: nothing, or its error.
 using Outcome = std::optional<Error>;
 
 }  // namespace continua

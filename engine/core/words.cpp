@@ -8,7 +8,7 @@
 namespace continua {
 namespace {
 
-// Of several scripts: Latin, Greek, Arabic, Devanagari, Chinese and Japanese.
+// Commas and ends of sentences in several scripts: Latin, Greek, Arabic, Devanagari, Chinese and Japanese.
 constexpr std::array<std::string_view, 4> commas = {",", "،", "、", "，"};
 constexpr std::array<std::string_view, 13> ends = {".", "?", "!", ";", ":", "…", ";", "؟", "؛", "।", "。", "？", "！"};
 

@@ -1,4 +1,5 @@
-// Text as words, the same for every reader: speech, lexicons, input symbols. Any alphabet that separates its words.
+// Splits text into words, in the same way for speech, lexicons and input symbols. For any alphabet that separates
+// words.
 #pragma once
 
 #include <string>
@@ -13,10 +14,10 @@ struct SpokenWord {
   bool ends_after = false;  ///< a sentence ends after it
 };
 
-/// The words of `text`. Recognisers write no punctuation at all; where there is some, it helps.
-/// - Letters, marks and digits belong to words, and so do symbols beyond ASCII ("δ", "90°").
-/// - An apostrophe belongs to a word that goes on with a letter: "don't" is one word.
-/// - Everything else separates words; commas and ends of sentences are reported.
+/// The words of `text`. Recognisers write no punctuation; if there is some, it is used.
+///   letters, marks, digits  belong to words, and so do symbols beyond ASCII ("δ", "90°")
+///   apostrophes             belong to a word that goes on with a letter: "don't" is one word
+///   everything else         separates words; of punctuation, commas and ends of sentences are reported
 /// Invisible characters and bytes that are not UTF-8 are left out. At most `most` words are read, all if it is 0; `cut`
 /// reports whether there were more.
 std::vector<SpokenWord> words_of(std::string_view text, std::size_t most = 0, bool* cut = nullptr);

@@ -14,11 +14,11 @@ namespace {
 using Code = ReasonCode;
 using Kind = Expression::Kind;
 
-// Programs in programs are followed this deep, and so many events at most.
+// Bounds on the steps of a program: the depth of programs in programs, and the number of events.
 constexpr int deepest = 10;
 constexpr std::size_t most_events = 1000;
 
-// Whether the body itself takes something to another place or attitude by that program.
+// Whether the body itself moves an object to another place or attitude by that program.
 bool moves_something(std::string_view program) {
   const auto* known = body_program(program);
   return known && effect_of(known->what) == ActEffect::moved;
@@ -40,10 +40,10 @@ std::string without_spaces(std::string text) {
   return text;
 }
 
-// Documents write Concave and concave.
+// Documents write both Concave and concave.
 bool is_concave(const Voxeme& voxeme) { return voxeme.concavity.name.ends_with("oncave"); }
 
-// Whether a habitat is that of standing upright: Y of the object upward, and its top above.
+// Whether a habitat is the upright one: Y of the object upward, and its top not below.
 bool is_upright(const Voxeme& voxeme, const std::string& habitat) {
   bool up = false, top_down = false;
   for (const auto* clauses : {&voxeme.intrinsic, &voxeme.extrinsic})
@@ -55,13 +55,14 @@ bool is_upright(const Voxeme& voxeme, const std::string& habitat) {
   return up && !top_down;
 }
 
-// The snapshot tells of a hollow object whether it stands upright, by its interior; all else is taken to hold.
+// Whether a habitat holds. Only one kind can be tested: a hollow object that stands upright has an interior in the
+// snapshot. All other habitats are taken to hold.
 bool holds(const Voxeme& voxeme, const std::string& habitat, const ObjectState& object) {
   const bool told = !habitat.empty() && is_concave(voxeme) && is_upright(voxeme, habitat);
   return !told || object.interior.has_value();
 }
 
-// An argument of an event, as far as it matters here: an object, or a relation to objects.
+// The part of an event's argument that matters here: an object, or a relation to objects.
 struct Argument {
   std::string object;
   std::string relation;
@@ -106,7 +107,7 @@ class Steps {
  public:
   explicit Steps(const Catalogue& catalogue) : catalogue_(catalogue) {}
 
-  // The event and those that it consists of, the body's own last.
+  // Adds the event, then the events that it consists of, down to those of the body itself.
   void add(Event event, int depth = 0) {
     if (events.size() >= most_events) return;
     const auto* voxeme = catalogue_.find(Voxeme::Entity::program, event.program);
@@ -126,7 +127,7 @@ class Steps {
   std::vector<Event> events;
 
  private:
-  // The program's variables; its first, the agent, is not among the arguments of a command.
+  // The values of the program's variables. The first variable, the agent, is not an argument of a command.
   static Bound bound_by(const Voxeme& program, const Event& event) {
     Bound bound;
     std::size_t next = 0;

@@ -1,5 +1,4 @@
-// Affordances of objects, as far as their voxemes tell (SEMANTICS.md §4). An object without a voxeme has no known
-// affordance and no known obstacle.
+// Affordances of objects, by their voxemes (SEMANTICS.md §4). An object without a voxeme forbids nothing.
 #pragma once
 
 #include <optional>
@@ -13,16 +12,16 @@
 
 namespace continua {
 
-/// The voxeme of the scene's object: that of its name, else of its type; nullptr if it has none.
+/// The voxeme of an object of the scene, by its name, else by its type; nullptr if it has none.
 const Voxeme* voxeme_of(const ObjectState& object, const Catalogue& catalogue);
 
-/// Whether the object's voxeme affords `what` in a habitat that holds. `what` is an event that takes the object, or a
-/// part of it ('grasp', 'slide'), or a relation to it in which an event puts something ('in', 'on'). Conditions besides
-/// the habitat are up to the agent, and are passed over. Nothing without a voxeme.
+/// Whether the object's voxeme affords `what` in a habitat that holds: an event that takes the object or a part of it
+/// ('grasp', 'slide'), or a relation to it in which an event puts something ('in', 'on'). Conditions besides the
+/// habitat are ignored, because an agent can bring them about. Nothing if there is no voxeme.
 std::optional<bool> affords(const ObjectState& object, const Catalogue& catalogue, std::string_view what);
 
-/// The obstacle to a program, put(cup, on(plate)); `none` if nothing speaks against it. FACTS.md lists the codes. The
-/// demands of a program on its objects follow from its steps, down to those of the body's own.
+/// The obstacle to a program such as put(cup, on(plate)); `none` if there is none. FACTS.md lists the codes. The
+/// program's steps, down to those of the body itself, decide what it requires of its objects.
 ReasonCode obstacle(const Term& program, const WorldSnapshot& world, const Catalogue& catalogue);
 
 }  // namespace continua

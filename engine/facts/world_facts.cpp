@@ -17,7 +17,7 @@ namespace {
 using Arguments = std::span<const Term>;
 
 constexpr int most_draws = 1000;
-// Where a place is sought: every centimetre, and by how much a relation must hold there.
+// The search for a place: its grid, and the margin by which a relation must hold there.
 constexpr double placing_grid_m = 0.01, least_margin_m = 0.004;
 
 Point point_of(const Vec3& p_W) { return {p_W.x(), p_W.y(), p_W.z()}; }
@@ -28,7 +28,7 @@ Box box_of(const Place& place) {
   return {{place.min[0], place.min[1], place.min[2]}, {place.max[0], place.max[1], place.max[2]}};
 }
 
-// By how much `other` rests on more than `share` of the top of `box`, in metres; it does where this is above 0.
+// The margin in metres by which `other` rests on more than `share` of the top of `box`; above 0 if it does.
 double resting(const Box& other, const Box& box, double share) {
   const double gap = other.min.z() - box.max.z();
   const double touching = touching_m - std::abs(gap);
@@ -40,7 +40,7 @@ double resting(const Box& other, const Box& box, double share) {
   return std::min(touching, (depth.x() * depth.y() - share * top) / std::sqrt(top));
 }
 
-// Does a box that stands on the table meet an object other than those allowed?
+// Whether a box that stands on the table meets no object except those in `allowed`.
 bool is_free(const Box& box, const WorldSnapshot& world, const std::vector<const ObjectState*>& allowed,
              Evaluation& evaluation) {
   bool free = true;
@@ -71,7 +71,7 @@ struct Where {
   std::vector<Landmark> landmarks;
 };
 
-// The world of one evaluation: the value of each fact there.
+// The world of one evaluation, with the value of each fact.
 class View {
  public:
   View(Perspective perspective, const Catalogue* voxemes, Evaluation& evaluation)
@@ -199,7 +199,7 @@ Term View::located(const Term& entity, const Term& place, Sides sides) const {
   return Term::truth(by > 0);
 }
 
-// They face each other: left of a thing for one is right of it for the other.
+// Human and avatar face each other: left of a thing for one is right of it for the other.
 Term View::as_seen_by(const Term& who, const Term& place) const {
   const auto at = where(place);
   const auto viewer = who.kind() == Term::Kind::constant ? participant_named(who.name()) : std::nullopt;
@@ -209,8 +209,8 @@ Term View::as_seen_by(const Term& who, const Term& place) const {
   return Term::apply(Term::constant(name_of(opposite(at->relation)), head.type()), arguments[0]);
 }
 
-// The nearest point to the middle between the landmarks, on a grid of the table, where it would be at both places; the
-// sides as exact as they can be.
+// The point on a grid of the table, nearest to the middle between the landmarks, where the object would be at both
+// places. Sides are as exact as possible.
 Term View::common_place(const Term& entity, const Term& first, const Term& second) const {
   const auto* found = object(entity);
   const auto a = where(first), b = where(second);
@@ -271,7 +271,8 @@ Term View::obstacle(const Term& program) const {
   return code == ReasonCode::none ? Term::null() : Term::text(name_of(code));
 }
 
-// A place or program may be a term that is no literal, left(plate), so these are no functions of add_functions.
+// Adds the facts that take places or programs. These may be terms such as left(plate), which are not literals, so
+// add_functions() does not fit.
 void add_facts_of_terms(const auto& seen, Rules& rules, Signature& signature) {
   for (const auto& [name, sides] : {std::pair("located", Sides::exact), std::pair("located_roughly", Sides::rough),
                                     std::pair("located_loosely", Sides::loose)}) {
@@ -286,8 +287,9 @@ void add_facts_of_terms(const auto& seen, Rules& rules, Signature& signature) {
   rules["obstacle"] = {1, seen([](const View& view, Arguments a) { return view.obstacle(a[0]); })};
 }
 
-// The rules of a perspective and of voxemes, and their types.
+// The rules for a perspective and for voxemes, with their types.
 std::pair<Rules, Signature> facts_of(Perspective perspective, const Catalogue* voxemes) {
+  // A function of the view of the evaluation's world.
   const auto seen = [perspective, voxemes](auto compute) {
     return [=](Arguments a, Evaluation& e) { return compute(View(perspective, voxemes, e), a); };
   };

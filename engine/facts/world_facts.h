@@ -1,6 +1,6 @@
-// Facts of the world as functions of the term language. A machine may call these and the functions of
-// term/FUNCTIONS.md, and no other C++. Documented in FACTS.md. Objects are constants of type e, by name; a name that is
-// not in the world gives null.
+// Facts of the world as functions of the term language, documented in FACTS.md. A machine may call these and the
+// functions of term/FUNCTIONS.md, and no other C++. Objects are constants of type e, by name; a name that is not in the
+// world gives null.
 #pragma once
 
 #include <optional>
@@ -13,11 +13,11 @@ namespace continua {
 
 class Catalogue;
 
-/// The rules. They read the world, the generator and the lessons of their evaluation (term/facts.h).
+/// The rules of the facts. They read the world, the generator and the lessons of their evaluation (term/facts.h).
 class WorldFacts {
  public:
-  /// `perspective` is whose left, right, front and behind the functions speak of. `voxemes` tell what objects afford,
-  /// and must outlive the rules and their copies; without voxemes affordances are not known.
+  /// `perspective`: whose left, right, front and behind the functions mean. `voxemes`: for affordances, which are
+  /// unknown without them; they must outlive the rules and their copies.
   explicit WorldFacts(Perspective perspective, const Catalogue* voxemes = nullptr);
 
   const Rules& rules() const { return rules_; }
@@ -28,7 +28,7 @@ class WorldFacts {
   Rules rules_;
 };
 
-/// Whether an object is at a place, as `located` has it; nothing if the object or the place is not in the world.
+/// Whether an object is at a place, as in the fact `located`; nothing if the object or the place is not in the world.
 std::optional<bool> is_located(const Term& entity, const Term& place, const WorldSnapshot& world,
                                Perspective perspective);
 

@@ -1,4 +1,4 @@
-// Where the program's data is: knowledge (machines, lexicon, gestures, phrases, voxemes) and MuJoCo models.
+// Finds the program's data: knowledge (machines, lexicon, gestures, phrases, voxemes) and MuJoCo models.
 #pragma once
 
 #include <filesystem>
@@ -14,31 +14,31 @@ struct DataPaths {
   std::filesystem::path mjcf;       ///< the folder with scenes/, objects/, avatar/
 };
 
-/// False also where the path cannot be looked at.
+/// Whether the path is a folder; false if it cannot be examined.
 bool is_folder(const std::filesystem::path& path);
 
-/// The names that a folder offers, in order: its files with that extension, without it.
+/// The names of a folder's files with that extension, without the extension, in order.
 std::vector<std::string> names_in(const std::filesystem::path& folder, const std::string& extension);
 
-/// Of the files that machines name as their phrases.
+/// The folder of the phrase files that machines name.
 std::string phrases_folder(const DataPaths& data);
 
 /// The data of a tree: a folder with engine/knowledge and mjcf, such as the source tree, or PREFIX/share/continua of an
-/// installation. The error says that it has none.
+/// installation. Error: the folder is not a tree.
 Result<DataPaths> data_paths_of(const std::string& tree);
 
-/// Finds the data without being told: in the tree CONTINUA_HOME if that is set, else in the nearest tree above the
-/// program (a folder, or its share/continua), else in the tree from which the program was built. `knowledge`
-/// replaces the knowledge folder unless it is empty. An error names the places.
+/// Finds the data: in the tree CONTINUA_HOME if that is set, else in the nearest tree above the program (a folder, or
+/// its share/continua), else in the source tree of the build. `knowledge` replaces the knowledge folder unless it is
+/// empty. An error names the expected folders.
 Result<DataPaths> find_data_paths(const std::string& knowledge = "");
 
-/// The file that a trace or an option means by `name`: NAME.xml of mjcf/scenes or NAME.json of knowledge/machines, a
-/// path relative to `folder` (the trace's own), or a path as it stands, in this order. `where` is the error's place.
+/// The file for a `name` in a trace or an option. In this order: NAME.xml of mjcf/scenes or NAME.json of
+/// knowledge/machines, a path relative to `folder` (that of the trace), the path itself. `where`: the error's place.
 Result<std::string> resolve_scene(const std::string& name, const DataPaths& data, const std::filesystem::path& folder,
                                   const std::string& where);
 Result<std::string> resolve_machine(const std::string& name, const DataPaths& data, const std::filesystem::path& folder,
                                     const std::string& where);
-/// Likewise NAME.json of knowledge/gestures, or a path.
+/// The file of gestures for a `name`: NAME.json of knowledge/gestures, or a path.
 Result<std::string> resolve_gestures(const std::string& name, const DataPaths& data, const std::string& where);
 
 }  // namespace continua

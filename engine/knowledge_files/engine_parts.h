@@ -1,4 +1,4 @@
-// The parts of an engine that knowledge files give: a machine, the language that it understands, and how it decides.
+// The parts of an engine that come from knowledge files: a machine, its language, and its way to decide.
 #pragma once
 
 #include <cstdint>
@@ -20,20 +20,20 @@ struct EngineParts {
   std::shared_ptr<const Machine> machine;
   std::shared_ptr<const Language> language;
   Choice choice = Choice::likeliest;
-  Perspective perspective = Perspective::human;  ///< whose left "left" is, where the words leave that open
-  std::uint64_t seed = 0;                        ///< of the generator; decides under `sample` alone
+  Perspective perspective = Perspective::human;  ///< whose left "left" is, if the words leave that open
+  std::uint64_t seed = 0;                        ///< of the generator, for draws under `sample` and random facts
   std::map<int, std::size_t> forced;             ///< step → transition
   Json knowledge;                                ///< digests of the files (knowledge_digests)
 
-  /// The chooser of a run that these parts answer from its beginning.
+  /// The chooser for a run that begins with these parts.
   Chooser chooser() const { return {choice, Random(seed), forced, 0}; }
 };
 
-/// The parts of a machine that has been loaded: its language read from `data`, its own choice and perspective. The
-/// error is the first problem of a file.
+/// The parts for a loaded machine: its language from `data`, its own choice and perspective. The error is the first
+/// problem of a file.
 Result<EngineParts> load_engine_parts(Machine machine, const DataPaths& data);
 
-/// The same of a machine by its name or path (resolve_machine), in `language` unless that is empty.
+/// The parts for a machine by its name or path (resolve_machine()), in `language` unless that is empty.
 Result<EngineParts> load_engine_parts(const std::string& machine, const DataPaths& data,
                                       const std::string& language = "");
 

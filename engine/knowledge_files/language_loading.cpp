@@ -33,7 +33,7 @@ fs::path lexicon_folder(const DataPaths& data, const std::string& name) {
   return is_folder(known) ? known : fs::path(name);
 }
 
-// Of the files below `folder` (or of the one file), as `name` followed by their paths in it.
+// Adds the digests of the files below `folder` (or of the file `folder`); keys are `name` and the path below it.
 void add_digests(const fs::path& folder, const std::string& name, const std::string& ending, Json& digests) {
   std::error_code problem;
   std::vector<std::pair<std::string, fs::path>> files;

@@ -1,5 +1,5 @@
-// Loads machines with their knowledge: the facts of the world, the phrases, and the lexicon, gestures, raising rules
-// and voxemes by which speech and gestures are understood.
+// Loads machines and their language: facts of the world, phrases, and the data for understanding speech and gestures,
+// which are a lexicon, a catalogue of gestures, the raising rules, and the voxemes.
 #pragma once
 
 #include <memory>
@@ -13,34 +13,35 @@
 
 namespace continua {
 
-/// The names that terms of lexicons and raising rules may use: the language's and facts of the world.
+/// The names that terms of lexicons and raising rules may use: those of the term language and of the facts of the
+/// world.
 Signature names_of_terms();
 
-/// A machine with this data's phrases, in `language` instead of its own unless that is empty. `path` and errors as
-/// machine_file/machine_loader.h has them; `where` is the error's place if there is no such language.
+/// Loads a machine with the phrases of this data, in `language` instead of its own unless that is empty. `path` and
+/// errors as in machine_file/machine_loader.h; `where`: the error's place if there is no such language.
 Result<Machine> load_machine(const std::string& path, const DataPaths& data, const std::string& language = "",
                              const std::string& where = "");
 
-/// Lexicon and gestures are null for a machine that names none; without a folder of voxemes there are none. The error
-/// is the first problem of a file, or the absence of such a lexicon or such gestures.
+/// Loads the language of a machine. Lexicon and gestures are null if the machine names none; voxemes are empty without
+/// a folder of them. The error is the first problem of a file, or a missing lexicon or file of gestures.
 Result<Language> load_language(const DataPaths& data, const Machine& machine);
 
-/// The files that load_language reads for this machine, as a run's header has them: {"lexicon/NAME/FILE": digest of its
-/// bytes, …}, the machine's gestures, the raising rules and all voxemes likewise. Files that cannot be read are left
-/// out.
+/// The digests of all files that load_language() reads for this machine, for the header of a run:
+/// {"lexicon/NAME/FILE": digest of its bytes, …}, and likewise gestures, raising rules and voxemes. Files that cannot
+/// be read are left out.
 Json knowledge_digests(const DataPaths& data, const Machine& machine);
 
-/// A lexicon by its name in knowledge/lexicon, or by its path. `where` is the error's place.
+/// A lexicon by its name in knowledge/lexicon, or by its path. `where`: the error's place.
 Result<std::shared_ptr<const Lexicon>> load_named_lexicon(const DataPaths& data, const std::string& name,
                                                           const std::string& where);
 
-/// Gestures by their name in knowledge/gestures, or by a path, whose meanings are terms of `lexicon`'s words (null: of
-/// the term language's and facts of the world). `where` is the error's place.
+/// Gestures by their name in knowledge/gestures, or by a path. Their meanings are terms over the words of `lexicon`
+/// (null: over the term language and facts of the world). `where`: the error's place.
 Result<std::shared_ptr<const GestureCatalogue>> load_gestures(const DataPaths& data, const std::string& name,
                                                               const std::shared_ptr<const Lexicon>& lexicon,
                                                               const std::string& where);
 
-/// The meanings that are no terms of the lexicon's words.
+/// An error for each meaning that is not a term over the lexicon's words.
 std::vector<Error> check_meanings(const GestureCatalogue& gestures, const std::shared_ptr<const Lexicon>& lexicon);
 
 }  // namespace continua

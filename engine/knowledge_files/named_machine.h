@@ -1,4 +1,4 @@
-// The machine that a command's argument means.
+// Loads the machine that a command's argument names.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace continua {
 
-/// `name`: of the knowledge folder, or a path to a machine file or one of JFLAP's. `knowledge`: a folder; empty: the
-/// program's own.
+/// `name`: a name in the knowledge folder, or the path of a machine file or JFLAP file. `knowledge`: a folder; empty:
+/// the program's own.
 Result<std::shared_ptr<const Machine>> load_named_machine(const std::string& name, const std::string& knowledge = "");
 
 }  // namespace continua

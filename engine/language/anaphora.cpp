@@ -16,7 +16,7 @@ bool is_noun_phrase(const Phrase& phrase) {
 
 bool inside(const WordSpan& a, const WordSpan& b) { return a.begin >= b.begin && a.end <= b.end; }
 
-// The noun phrase that begins last of those that end before a word and are `fit`.
+// Among the noun phrases that end before `word` and satisfy `fit`, the one that begins last; nullptr if there is none.
 template <typename Fit>
 const Phrase* last_before(std::size_t word, const Reading& reading, Fit fit) {
   const Phrase* last = nullptr;
@@ -58,7 +58,7 @@ Reading with_it(Reading reading, const Operators& operators) {
   return with(it.term, meant, std::move(reading));
 }
 
-// The names of kinds and properties of things: cup, white.
+// Collects the names of properties (cup, white) in `kinds`; `any`: the term contains a "one", which fits every kind.
 void collect_kinds(const Term& term, const Operators& operators, std::set<std::string>& kinds, bool& any) {
   switch (term.kind()) {
     case Term::Kind::constant:

@@ -6,12 +6,11 @@
 
 namespace continua {
 
-/// Replaces the pro-forms that the reading itself gives an antecedent:
-/// - A single "it" (a pro-form of type e for the thing in focus) inside a noun phrase becomes the last noun phrase that
-///   ends before it, else the last one that ends before its phrase. An "it" that is itself an argument of the command,
-///   a goal that depends on such an "it", and several "it" are left to the focus.
-/// - An "other" (a pro-form of source `other`) in a noun phrase becomes "not the last noun phrase before it of the same
-///   kind of thing": "put the white cup next to the other cup". Without such a phrase the "other" is left to the focus.
+/// The reading with antecedents in place of two kinds of pro-form:
+/// - A single "it" (type e, source `focus`) inside a noun phrase is replaced by the last noun phrase that ends before
+///   it. An "it" that is itself an argument of the command, and more than one "it", are left to the focus.
+/// - An "other" (source `other`) in a noun phrase becomes "is not that", with the last noun phrase before it about the
+///   same kind of thing: "put the white cup next to the other cup". Without such a phrase it is left to the focus.
 Reading with_antecedents(const Reading& reading, const Operators& operators);
 
 }  // namespace continua

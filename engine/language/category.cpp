@@ -20,11 +20,11 @@ std::vector<std::string> names_of(const Atoms& atoms) {
 }  // namespace
 
 struct Category::Node {
-  // of an atom
+  // for an atom
   Name name{""};
   bool has_features = false;
   std::optional<Name> feature;
-  // of a function
+  // for a function
   std::optional<Category> result, argument;
   Slash slash = Slash::forward;
   bool composes = true;

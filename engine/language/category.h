@@ -16,24 +16,25 @@
 
 namespace continua {
 
-/// An atom as the lexicon declares it.
+/// A lexicon's declaration of an atom.
 struct Atom {
-  std::vector<Type> types;  ///< of its terms; functions over it take the first
-  std::string move;     ///< the kind of move that words of this category make alone; empty if they cannot stand alone
-  bool open = false;    ///< a command may lack it
-  bool phrase = false;  ///< its words are kept with the reading: noun phrases and nouns
-  std::vector<std::string> features;  ///< that distinguish kinds of it, such as number
+  std::vector<Type> types;            ///< of its terms; functions over this atom take the first
+  std::string move;                   ///< the move that its words make alone; empty if they cannot stand alone
+  bool open = false;                  ///< a command may lack it
+  bool phrase = false;                ///< its words are kept with the reading: noun phrases and nouns
+  std::vector<std::string> features;  ///< distinguish kinds of the atom, such as number
 };
 using Atoms = std::map<std::string, Atom, std::less<>>;
 
-/// An immutable value; copying shares. An atom that could have a feature and names none goes with each, and all such
-/// atoms of its name in one category with the same: N/N makes N[plural] of N[plural], NP/N makes any NP of it.
+/// An immutable value; copying shares. An atom that could have a feature and names none agrees with every feature. All
+/// such atoms of one name in a category get the same feature: N/N makes N[plural] of N[plural], NP/N makes any NP of
+/// N[plural].
 class Category {
  public:
   enum class Slash { forward, backward };
 
-  /// Slashes associate to the left: S/PP/NP is (S/PP)/NP. `/*` and `\*` only apply, they do not compose. An error names
-  /// the column, the text found there and the nearest atom.
+  /// Slashes associate to the left: S/PP/NP is (S/PP)/NP. `/*` and `\*` only apply, they do not compose. An error
+  /// names the column, the text found there and the nearest atom.
   static Result<Category> parse(std::string_view text, const Atoms& atoms);
   /// `result/argument`, or `result\argument`.
   static Category function(Category result, Slash slash, Category argument, bool composes = true);
@@ -46,7 +47,7 @@ class Category {
   bool composes() const;
 
   bool operator==(const Category& other) const;
-  /// As parse() reads it.
+  /// In the notation of parse().
   std::string text() const;
   /// Number of atoms in it.
   std::size_t size() const;
@@ -59,17 +60,17 @@ class Category {
   std::shared_ptr<const Node> node_;
 };
 
-/// Whether a function's argument is the category next to it, and which features that settles: one for each atom of each
-/// side that names none, such as the gender of N and the case of NP.
+/// Tests whether a function's argument agrees with the category next to it. Agreement settles features: one for each
+/// atom that names none, on each side, such as the gender of N and the case of NP.
 class Agreement {
  public:
   bool agree(const Category& one, const Category& other);
-  /// `category`, a part of `one` or of `other`, with the features that were settled for that side.
+  /// `category`, a part of `one` (of `other`), with the features settled for that side.
   Category settled_one(const Category& category) const { return settled(category, one_); }
   Category settled_other(const Category& category) const { return settled(category, other_); }
 
  private:
-  using Features = std::vector<std::pair<Name, Name>>;  // of atoms, by their names; there are few
+  using Features = std::vector<std::pair<Name, Name>>;  // atom and feature; a vector, because there are few
 
   static std::optional<Name> feature_of(const Category& atom, const Features& features);
   static Category settled(const Category& category, const Features& features);
@@ -77,11 +78,11 @@ class Agreement {
   Features one_, other_;
 };
 
-/// The type of terms of this category: functions take the first type of their arguments. For the atom that is made in
-/// the end its type number `choice` is taken, or its last.
+/// The type of terms of this category. Arguments have the first type of their atom; the target atom has its type number
+/// `choice`, or its last.
 Type type_of(const Category& category, const Atoms& atoms, std::size_t choice = 0);
 
-/// The atom that is made when all arguments are found.
+/// The atom that remains when all arguments have been taken.
 const Category& target(const Category& category);
 
 }  // namespace continua

@@ -9,10 +9,11 @@ namespace {
 
 using Slash = Category::Slash;
 
-// Per word of an argument: short arguments are likelier than long ones, but "leftmost" is said of all that follows, and
-// "behind the cup" rather of the noun just before than of a longer phrase.
+// Costs per word of an argument: short arguments are likelier than long ones. A modifier before its argument costs
+// nothing, because "leftmost" is said of all that follows. A modifier after an atom costs most, because "behind the
+// cup" is said of the noun just before rather than of a longer phrase.
 constexpr double cost_per_word = 0.01, cost_per_word_before = 0.001, cost_per_word_modified = 0.05;
-// Costs of passing over words inside a phrase, and of leaving out a word that has lost its phrase.
+// Costs of passing over words inside a phrase, and of leaving out a word that has lost the word it belonged to.
 constexpr double cost_of_passing = 0.1, cost_of_lost = 1.5;
 constexpr int most_unary = 2;
 

@@ -1,9 +1,9 @@
 // All ways to build phrases from neighbouring words: a chart (CKY) over combinatory categorial grammar, with
 // application, harmonic composition, the lexicon's unary rules, and words that may be left out at no cost.
 //
-// A derivation that only repeats another in a different order is left out (Eisner, Efficient normal-form parsing for
-// combinatory categorial grammar, 1996); derivations of one meaning share one entry. The number of spans and of entries
-// in a span is bounded, so time grows linearly with the number of words.
+// Derivations that only repeat another one in a different order are left out (Eisner, Efficient normal-form parsing for
+// combinatory categorial grammar, 1996). Entries of equal category and term are one entry. Spans and entries of a span
+// are bounded, so time grows linearly with the number of words.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ class Chart {
     double cost = 0;
     WordSpan words;
     Rule rule = Rule::word;
-    /// The entries that it was made of, by number; with one part, `right` is `left`.
+    /// The numbers of its parts; with one part, `right` is `left`.
     std::size_t left = 0, right = 0;
     int unary = 0;                          ///< unary rules at its top
     const UnaryRule* changed_by = nullptr;  ///< under Rule::unary
@@ -34,17 +34,17 @@ class Chart {
   /// Longest phrase, in words; most entries of a span, and of one category among them.
   static constexpr std::size_t longest_span = 40, most_entries = 40, most_of_category = 8;
 
-  /// A word before it is looked up.
+  /// A word of the utterance, not yet looked up.
   struct Word {
     std::string text;
-    bool before_unknown = false;  ///< words that are not known stood after it: "the" has lost its noun
-    WordEntry name = {};          ///< the same word as a name that nobody knows
+    bool before_unknown = false;  ///< unknown words after it were left out: "the" has lost its noun
+    WordEntry name = {};          ///< further senses of an unknown word, as a name
   };
 
   Chart(const std::vector<Word>& words, const Vocabulary& vocabulary);
 
   const Entry& entry(std::size_t number) const { return entries_[number]; }
-  /// Numbers of the entries of these words, cheapest first except that unary rules come last.
+  /// Numbers of the entries of these words: cheapest first, then those made by unary rules.
   const std::vector<std::size_t>& at(std::size_t begin, std::size_t end) const;
   /// The end of the longest span from `begin` that may have entries.
   std::size_t last_end(std::size_t begin) const { return begin + cells_[begin].size(); }
@@ -52,9 +52,9 @@ class Chart {
   struct Skippable {
     std::size_t count;  ///< words
     double cost;
-    bool known = true;  ///< false: it is left out because it has lost its phrase
+    bool known = true;  ///< the lexicon allows leaving it out; false: it has lost the word that it belonged to
   };
-  /// The words that may be left out from this word on, inside a phrase where that costs nothing.
+  /// The words that may be left out from `begin` on; inside a phrase, only those that cost nothing or are not `known`.
   const std::vector<Skippable>& skippable(std::size_t begin) const { return skippable_[begin]; }
 
  private:
@@ -81,7 +81,7 @@ class Chart {
   std::vector<std::vector<Skippable>> skippable_;
   std::vector<Entry> entries_;
   std::vector<Candidate> candidates_;
-  std::vector<std::size_t>* cell_ = nullptr;  ///< that is being filled
+  std::vector<std::size_t>* cell_ = nullptr;  ///< the cell that fill() works on
   WordSpan span_;
 };
 

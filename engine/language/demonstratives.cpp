@@ -11,7 +11,7 @@ bool is_shown(const Term& term, const Operators& operators) {
   return proform && proform->source == Proform::Source::pointed;
 }
 
-// Whether something in the term asks for pointing.
+// Whether a part of the term asks for pointing.
 bool asks(const Term& term, const Operators& operators) {
   if (is_shown(term, operators)) return true;
   switch (term.kind()) {

@@ -10,11 +10,11 @@ namespace continua {
 
 struct Demonstrative {
   WordSpan words;
-  bool needs = false;  ///< it asks for pointing: there, that cup. Else pointing can tell which is meant: the cup, cup
+  bool needs = false;  ///< asks for pointing: there, that cup; if false, pointing can tell which is meant: the cup, cup
 };
 
-/// Those of a reading, in the order of their words, none inside another: definite noun phrases, nouns alone, and
-/// pro-forms that are shown.
+/// The demonstratives of a reading, in the order of their words, none inside another: definite noun phrases, other noun
+/// phrases that ask for pointing, a noun alone, and pro-forms of source `pointed`.
 std::vector<Demonstrative> demonstratives(const Reading& reading, const Operators& operators);
 
 }  // namespace continua

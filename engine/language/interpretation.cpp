@@ -16,18 +16,18 @@ namespace {
 
 using By = Resolution::By;
 
-// A computation of a term runs on the stack, in proportion to the number of its parts.
+// The computation of a term recurses as deep as the term has parts; the bound protects the call stack.
 constexpr std::size_t most_parts = 1000;
-// "those blocks on those plates" are as many commands as there are pairs.
+// "those blocks on those plates" is one command for each pair; the bound keeps the product small.
 constexpr std::size_t most_commands = 100;
 
-/// A term and the inputs that it draws on.
+// A term and the sources of its value.
 struct Value {
   Term term;
   std::vector<By> by;
 };
 
-/// The meaning of a sentence, in which variables stand for open parts, the outermost first.
+// The result of a sentence: its meaning with a variable for each open argument, the outermost first.
 struct Answer {
   struct Open {
     Gap gap;
@@ -48,7 +48,7 @@ std::vector<By> together(const std::vector<By>& a, const std::vector<By>& b) {
   return all;
 }
 
-// Answers for several objects as one answer: the list of their terms, below the same gaps.
+// Joins the answers for several objects into one: the list of their meanings, with the gaps of the first.
 Answer together(std::vector<Answer> answers) {
   std::vector<Term> meanings;
   for (const auto& each : answers) {
@@ -107,7 +107,7 @@ class Interpreter {
     }
   }
 
-  // A variable is a constant with a name of its own until the lambda around it is built.
+  // A new variable. It is a constant with a unique name until the lambda around it is built.
   Term variable(const std::string& hint, const Type& type) {
     std::string name = hint.empty() ? usual_name(type) : hint;
     while (!names_.insert(name).second) name += '\'';
@@ -121,7 +121,7 @@ class Interpreter {
     return Term::lambda(variable.name(), variable.type(), abstracted(term, variable));
   }
 
-  // Gaps of the reading itself are open below all gaps of its phrases.
+  // The arguments that the reading itself lacks become the innermost gaps, inside the gaps of its phrases.
   Answer sentence(Term term) {
     std::vector<Answer::Open> own;
     while (term.type().kind() == Type::Kind::function) {
@@ -137,7 +137,7 @@ class Interpreter {
   }
   static Answer finished(const Value& value) { return {value.term, {}}; }
 
-  // intTerm(f(x)) = cpsApply(intTerm(f), intTerm(x)); `wanted` is the type that the term's surroundings ask for.
+  // intTerm(f(x)) = cpsApply(intTerm(f), intTerm(x)); `wanted`: the type that the surrounding term expects.
   Meaning meaning_of(const Term& term, const Type& wanted) {
     if (referring_.is_phrase(term, enclosing_))
       return phrase(
@@ -160,7 +160,7 @@ class Interpreter {
     }
   }
 
-  // The computed function as one of values.
+  // Turns the computation of a function term into a computation of a function over values.
   Comp<Function, Answer> functions(Meaning function) {
     return [this, function = std::move(function)](const Continuation<Function, Answer>& k) {
       return function([this, k](const Value& f) { return k([this, f](const Value& x) { return application(f, x); }); });
@@ -186,7 +186,7 @@ class Interpreter {
     return result;
   }
 
-  // A lambda inside of the reading, whose phrases are found outside of it.
+  // A lambda inside the reading. Its phrases are computed outside of it.
   Meaning lambda(const Term& term) {
     const Term own = variable(term.name(), term.variable_type());
     enclosing_.push_back(own);
@@ -197,7 +197,7 @@ class Interpreter {
     };
   }
 
-  // From the first element to the last. The objects of one command are in focus for the next.
+  // Elements are computed from first to last. The objects of one command are in focus for the next.
   Meaning list(const Term& term) {
     std::vector<Meaning> elements;
     for (const auto& each : term.elements()) elements.push_back(meaning_of(each, Type::term()));
@@ -219,8 +219,8 @@ class Interpreter {
     });
   }
 
-  // each(those(\x. block(x))) gives them to the rest of the sentence one after the other; so does a list, which the
-  // reading may use in two places as well.
+  // each(group) does the rest of the sentence once for each object of the group, a noun phrase or a list. A list that
+  // the reading uses in two places stands for the same object in both.
   Meaning each(const Term& group, const Type& wanted) {
     if (referring_.is_phrase(group, enclosing_)) return meaning_of(group, wanted);
     auto& now = each_now_[group];
@@ -251,10 +251,9 @@ class Interpreter {
         term, [this, term] { return referring_.meant_by_noun(term); }, Type::term());
   }
 
-  // A phrase gives its value to the rest of the sentence. Several values that are meant together are given as a list
-  // where a list can be used; else the rest is done for each. Where nothing or too much is meant, the rest is captured:
-  // it is done with a variable, and the meaning waits for a value of that variable.
-  // A phrase that the reading uses in two places ("push the block to the left") is found once.
+  // A phrase gives its value to the rest of the sentence. A plural gives its list if the rest can take a list; else
+  // the rest is done for each object. With a gap the rest is captured: it is done with a variable, and the meaning
+  // waits for its value. Words that the reading uses in two places ("push the block to the left") are found once.
   Meaning phrase(const Term& term, std::function<Meant()> find, const Type& wanted) {
     auto& known = found_[term];
     if (!known || times_said(term) != 1) known = std::make_shared<Found>();
@@ -283,7 +282,7 @@ class Interpreter {
     };
   }
 
-  // Phrases are met in the order of their words.
+  // Numbers the uses of a phrase that is said several times. Phrases are met in the order of their words.
   std::size_t next_occurrence(const Term& term) { return times_said(term) > 1 ? occurrences_[term]++ : 0; }
 
   std::size_t times_said(const Term& term) const {
@@ -321,12 +320,12 @@ class Interpreter {
     return meant;
   }
 
-  // The meaning found for a phrase, and the variable that stands for it where it is open.
+  // The meaning found for a phrase, and the variable that stands for it if the phrase has a gap.
   struct Found {
     bool done = false;
     Meant meant;
     Term variable;
-    Term now;  // the one of several that the rest of the sentence is being done for
+    Term now;  // the object of a plural for which the rest of the sentence is being done
   };
 
   const Reading& reading_;
@@ -334,13 +333,13 @@ class Interpreter {
   Facts facts_;
   const Meanings& meanings_;
   const RaisingRules& raising_;
-  std::unordered_map<Term, std::shared_ptr<Found>, TermHash> found_;
-  std::unordered_map<Term, std::size_t, TermHash> occurrences_;
-  std::unordered_map<Term, std::shared_ptr<std::optional<Value>>, TermHash> each_now_;  // as Found::now, of a list
-  std::set<std::string> names_;         // taken, so that no variable has them
+  std::unordered_map<Term, std::shared_ptr<Found>, Term::Hash> found_;
+  std::unordered_map<Term, std::size_t, Term::Hash> occurrences_;
+  std::unordered_map<Term, std::shared_ptr<std::optional<Value>>, Term::Hash> each_now_;  // like Found::now, for lists
+  std::set<std::string> names_;         // names in use, which no new variable may have
   std::vector<Term> enclosing_;         // variables of the lambdas around
-  std::vector<std::string> spoken_of_;  // objects, since the command began
-  std::size_t commands_ = 1;            // for which the rest of the sentence is being done
+  std::vector<std::string> spoken_of_;  // objects mentioned since the command began
+  std::size_t commands_ = 1;            // number of times that the rest of the sentence is being done
   Interpretation result_;
 };
 
@@ -352,7 +351,7 @@ Interpretation interpret(const Reading& reading, const std::vector<std::string>&
 }
 
 std::size_t preferred(const std::vector<Interpretation>& interpretations) {
-  // How far words had to be stretched for something to be found.
+  // How loosely the words had to be taken: whether a phrase fits nothing, then the loosest sense of sides.
   const auto stretched = [](const Interpretation& one) {
     const bool in_vain =
         std::any_of(one.gaps.begin(), one.gaps.end(), [](const Gap& gap) { return gap.why == Gap::Why::none; });

@@ -26,10 +26,10 @@ struct WordSense {
 /// A word, or several with spaces between them.
 struct WordEntry {
   std::vector<WordSense> senses;
-  std::optional<double> skip;  ///< the cost of leaving it out, where it may be left out
+  std::optional<double> skip;  ///< the cost of leaving it out; empty if it must not be left out
 };
 
-/// How a value of an attribute becomes a word: its sense is that of `term` applied to the value's constant.
+/// How a value of an attribute becomes a word. The word's term is `term` applied to the value's constant.
 struct WordTemplate {
   Category category;
   Term term;
@@ -37,17 +37,16 @@ struct WordTemplate {
   bool plural = false;
 };
 
-/// An attribute that scenes state of objects, such as color.
+/// An attribute that a scene gives its objects, such as color.
 struct WordAttribute {
   std::string name;
   Term meaning;  ///< of type text* -> e -> t: the attribute has one of these values
   std::vector<WordTemplate> words;
-  /// Values that can always be spoken of, each with those that mean the same; the first of a group names its constant.
+  /// Values that can always be said, each in a group with its synonyms; the first of a group names its constant.
   std::vector<std::vector<std::string>> values;
 };
 
-/// How a name that the human gave becomes a word: its sense is that of `term` applied to the constant of the name, of
-/// type `type`.
+/// How a name that the human gave becomes a word. The word's term is `term` applied to the name, which has type `type`.
 struct NameTemplate {
   Type type = Type::truth();
   Category category;
@@ -55,7 +54,7 @@ struct NameTemplate {
   double cost = 0;
 };
 
-/// A phrase of one category may be used as one of another.
+/// A rule by which a phrase of category `from` is also one of category `to`.
 struct UnaryRule {
   std::string name;
   Category from, to;
@@ -63,45 +62,45 @@ struct UnaryRule {
   double cost = 0;
 };
 
-/// Sentences and how they have to be read.
+/// Sentences and their expected reading.
 struct LexiconExample {
   std::string where;                           ///< file:line:column
-  std::vector<std::string> say;                ///< each is read the same way
-  std::optional<std::vector<Term>> readings;   ///< all of the only fragment, the likeliest first
-  std::optional<std::vector<Term>> fragments;  ///< the first of each
-  std::optional<Term> reading;                 ///< the first of the only fragment
+  std::vector<std::string> say;                ///< sentences, each with this same reading
+  std::optional<std::vector<Term>> readings;   ///< all readings of the only fragment, the likeliest first
+  std::optional<std::vector<Term>> fragments;  ///< the first reading of each fragment
+  std::optional<Term> reading;                 ///< the first reading of the only fragment
   std::optional<std::string> move;             ///< of the first reading
-  std::optional<std::vector<Type>> missing;    ///< the gaps of the first reading, in order
+  std::optional<std::vector<Type>> missing;    ///< types of the arguments that the first reading lacks, in order
   std::vector<std::string> unknown;
 };
 
-/// Words by their text, several words with a space between them.
+/// Entries by their text; an entry of several words has single spaces between them.
 using WordTable = std::map<std::string, WordEntry, std::less<>>;
 
 struct Lexicon {
   Atoms atoms;
   Signature names;  ///< types of all names that readings may contain, the term language's and the facts included
   Operators operators;
-  std::map<std::string, Term, std::less<>> definitions;  ///< names that compute
+  std::map<std::string, Term, std::less<>> definitions;  ///< defined names with their terms
   WordTable words;
   std::vector<WordAttribute> attributes;
   std::vector<std::pair<std::string, std::string>> plurals;  ///< ending of the singular and of the plural; first wins
   std::vector<UnaryRule> rules;
-  std::vector<NameTemplate> learned;  ///< for programs that were named
-  std::vector<NameTemplate> unknown;  ///< for words that are no words yet, as texts: "call that (hoist)"
+  std::vector<NameTemplate> learned;  ///< for programs that the human named
+  std::vector<NameTemplate> unknown;  ///< for unknown words, as texts: "call that (hoist)"
   std::vector<LexiconExample> examples;
-  std::vector<ObjectState> sample;  ///< the objects in whose scene the examples are read
+  std::vector<ObjectState> sample;  ///< the objects of the scene in which the examples are read
   std::string digest;               ///< of its files
 };
 
-/// Reads all *.json of the folder. `facts` are the names of facts of the world; terms may use them besides the term
-/// language and the lexicon's own declarations. The error is the first problem.
+/// Reads all *.json of the folder. `facts`: the facts of the world, which terms may use besides the names of the term
+/// language and of the lexicon. The error is the first problem.
 Result<Lexicon> load_lexicon(const std::string& folder, const Signature& facts);
 
-/// Every problem of the folder, file by file, each as "file:line:column: found, expected".
+/// Every problem of the folder, file by file, as "file:line:column: found …, expected …".
 std::vector<Error> check_lexicon(const std::string& folder, const Signature& facts);
 
-/// The examples that are not read as they say, each with its place.
+/// An error for each example sentence whose reading is not the expected one, with the place of the example.
 std::vector<Error> check_examples(const Lexicon& lexicon);
 
 }  // namespace continua

@@ -1,4 +1,4 @@
-// Categories, names and operators: the parts of which the senses of words are made.
+// Categories, names and operators: the parts that the senses of words are built from.
 #include <fmt/format.h>
 
 #include "continua/language/lexicon_reader.h"

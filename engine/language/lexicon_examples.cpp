@@ -1,4 +1,4 @@
-// The example sentences of a lexicon, and whether they are read as the lexicon says.
+// The example sentences of a lexicon, checked against the readings that the lexicon expects.
 #include <fmt/format.h>
 
 #include "continua/language/lexicon_reader.h"

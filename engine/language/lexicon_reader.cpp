@@ -80,7 +80,7 @@ std::vector<std::string> alternatives(const std::string& text) {
 
 namespace {
 
-// The documents of the folder by name, or the first that cannot be read.
+// The documents of the folder in the order of their names, or the error of the first that cannot be read.
 Result<std::vector<LocatedJson>> documents_of(const std::string& folder) {
   std::vector<std::string> paths;
   std::error_code error;

@@ -1,4 +1,4 @@
-// Reads a lexicon from the documents of its folder: notes every problem with its place, and goes on.
+// Reads a lexicon from the documents of its folder. Notes every problem with its place, and goes on.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@ namespace continua {
 
 class LexiconReader {
  public:
-  /// `facts` as load_lexicon takes them. Both must outlive the reader.
+  /// `facts` as for load_lexicon(). Both must outlive the reader.
   LexiconReader(const std::vector<LocatedJson>& documents, const Signature& facts);
 
   /// The lexicon, as far as it is sound.
   Lexicon read();
-  /// All that is wrong, document by document, each in its order.
+  /// All problems, document by document, each in its order.
   std::vector<Error> problems() const { return reader_.problems(); }
 
  private:
@@ -24,7 +24,7 @@ class LexiconReader {
   std::vector<NamedItem> members_of(const std::string& section, const char* what) const;
   std::vector<Item> elements_of(const std::string& section, const char* what) const;
 
-  // lexicon_declarations.cpp: the parts of which senses are made
+  // lexicon_declarations.cpp: the parts of senses
   void read_atoms();
   void read_names();
   void read_determiners();
@@ -41,7 +41,7 @@ class LexiconReader {
   WordEntry& entry(const Item& at, const std::string& word);
   std::optional<Category> read_category(const Item& item);
   std::optional<Term> read_term(const Item& item, const Type& expected);
-  /// A term of the category's type; with `argument`, of a function from `argument` to that type.
+  /// A term of the category's type; with `argument`, a function from `argument` to that type.
   std::optional<Term> read_term(const Item& item, const Category& category, const std::optional<Type>& argument);
 
   // lexicon_examples.cpp

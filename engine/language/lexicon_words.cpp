@@ -27,7 +27,8 @@ std::optional<Term> LexiconReader::read_term(const Item& item, const Category& c
     const auto type = type_of(category, lexicon_.atoms, choice);
     return argument ? Type::function(*argument, type) : type;
   };
-  // A category may have several types: the term decides which. A term of none of them is reported against the first.
+  // A category may have several types; the term decides which. A term that has none of them is reported against the
+  // first.
   if (item.is_text()) {
     const auto text = item.text("a term");
     const auto& types = lexicon_.atoms.find(target(category).name().text())->second.types;

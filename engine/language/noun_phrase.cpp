@@ -11,11 +11,11 @@ namespace continua {
 namespace {
 
 constexpr std::size_t most_work = 400000;               // nodes of the conditions tried
-constexpr std::size_t exhausted_work = most_work / 20;  // the price of an evaluation that ran out of steps
+constexpr std::size_t exhausted_work = most_work / 20;  // added for an evaluation that ran out of steps
 constexpr std::size_t most_conjuncts = 1000;
 constexpr int deepest_phrase = 50;
 
-// The parts that must all be true, each with the variable of `condition` free.
+// The conjuncts of `condition`, each with the variable of `condition` free.
 std::vector<Term> conjuncts(const Term& condition) {
   std::vector<Term> found,
       open = {condition.kind() == Term::Kind::lambda ? condition.body()
@@ -42,7 +42,7 @@ Term negated(const Term& condition) {
   return Term::apply(negation, condition);
 }
 
-// condition is `phrase = …` or `… = phrase`, or one of several of which one is to hold
+// Whether `condition` is `phrase = …` or `… = phrase`, or a disjunction that contains one of them.
 bool equates(const Term& condition, const Term& phrase) {
   static const Name equals("="), either("or");
   const auto [head, arguments] = condition.spine();
@@ -65,7 +65,7 @@ Term located(Sides sides) {
   return Term::constant(names[static_cast<std::size_t>(sides)], type);
 }
 
-// Where someone who points at a place may mean: three standard deviations to each side.
+// The region that pointing at a place may mean: three standard deviations to each side.
 Term pointed_region(const Vec3& p_W) {
   const Vec3 p = on_grid(p_W);
   constexpr double reach_m = 3 * hand_sd_m;
@@ -130,8 +130,9 @@ Fitting NounPhraseSearch::fitting(const std::vector<const ObjectState*>& objects
   return fitting;
 }
 
-// The first noun phrase inside stands for each of its referents in turn, until one makes the condition true; for all
-// of them together, where it is said of several. Nothing is meant to be left of itself, but all is itself.
+// Whether `condition` is true. Its first nested noun phrase stands for each of its referents in turn, until one makes
+// the condition true; a plural stands for all of them at once. The object itself (`about`) is not a referent of a
+// nested phrase, because nothing is left of itself; it is one where the condition equates the two.
 bool NounPhraseSearch::holds(const Term& condition, const std::string& about, const std::string& other) {
   work_ += condition.size();
   if (work_ > most_work) return false;

@@ -11,16 +11,16 @@
 namespace continua {
 namespace {
 
-// Costs of an utterance besides those of its readings.
+// Costs of an utterance besides the costs of its readings.
 constexpr double cost_of_fragment = 2, cost_of_missing = 1, cost_of_unused = 4;
 
-// Readings that cost so much more than the cheapest are no readings.
+// Readings that cost more than the cheapest by a larger difference are left out.
 constexpr double largest_difference = 0.5;
 
-// The gaps of an entry that would be of an atom that can stand alone without them.
+// The atom of an entry that can stand alone, and the arguments that the entry still lacks.
 struct Root {
   const Atom* atom = nullptr;
-  std::vector<Type> missing;  ///< in the order in which its term takes them
+  std::vector<Type> missing;  // in the order in which its term takes them
 };
 
 std::optional<Root> root_of(const Chart::Entry& entry, const Atoms& atoms) {
@@ -39,7 +39,7 @@ std::optional<Root> root_of(const Chart::Entry& entry, const Atoms& atoms) {
   return root.atom->move.empty() ? std::nullopt : std::optional(root);
 }
 
-// A lambda for each missing argument.
+// The term with a lambda for each missing argument.
 Term opened(Term term, const std::vector<Type>& missing) {
   const auto count = static_cast<int>(missing.size());
   for (int i = 0; i < count; ++i) {
@@ -52,7 +52,7 @@ Term opened(Term term, const std::vector<Type>& missing) {
   return term;
 }
 
-// One part of an utterance without sentence ends and unknown words.
+// A part of an utterance without sentence ends and unknown words.
 class Segment {
  public:
   Segment(const std::vector<Chart::Word>& words, const std::vector<std::size_t>& positions,
@@ -78,7 +78,7 @@ class Segment {
     bool fragment = false, unused = false;
   };
 
-  // From the last word to the first: the cheapest cover of the words from there on.
+  // Finds, from the last word to the first, the cheapest way to cover the words from there on.
   void cover() {
     best_.assign(words_.size() + 1, Step());
     best_.back().cost = 0;
@@ -107,7 +107,7 @@ class Segment {
     return least;
   }
 
-  // The readings that lack as little as any does, the cheapest first, and words that they had to pass over.
+  // The readings that lack the fewest arguments, the cheapest first. Words that the cheapest leaves out go to `unused`.
   Fragment fragment(std::size_t begin, std::size_t end, std::vector<std::size_t>& unused) const {
     struct Found {
       std::size_t number;
@@ -207,7 +207,7 @@ class Segment {
 
   bool is_comma(std::size_t at) const { return words_[at].text == ","; }
 
-  // Words of the utterance, from words of the segment.
+  // The span of the utterance's words for words [begin, end) of the segment, without commas at the end.
   WordSpan span(std::size_t begin, std::size_t end) const {
     while (end > begin + 1 && is_comma(end - 1)) --end;
     return {positions_[begin], positions_[end - 1] + 1};
@@ -220,7 +220,7 @@ class Segment {
   std::vector<Step> best_;
 };
 
-// How words that nobody knows are taken.
+// The treatment of unknown words.
 enum class Unknown { left_out, names };
 
 Utterance read(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabulary, Unknown unknown) {
@@ -267,7 +267,7 @@ bool is_in_fragment(std::size_t word, const Utterance& utterance) {
 
 }  // namespace
 
-// Words that nobody knows are names where something takes one, else they are left out.
+// Unknown words become names if each of them finds a place in a fragment; else they are left out.
 Utterance read(std::string_view text, const Vocabulary& vocabulary) {
   bool cut = false;
   const auto spoken = words_of(text, most_words, &cut);

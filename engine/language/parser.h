@@ -8,12 +8,12 @@
 
 namespace continua {
 
-/// Words that are read of one utterance; later words are cut off.
+/// The words of an utterance that are read; further ones are cut.
 inline constexpr std::size_t most_words = 200;
-/// Readings that a fragment has at most.
+/// The most readings of a fragment.
 inline constexpr std::size_t most_readings = 6;
 
-/// Reads any text; words that no fragment covers are listed in `unknown` and `unused`.
+/// Reads any text. Words that are not understood are listed in `unknown` and `unused`.
 Utterance read(std::string_view text, const Vocabulary& vocabulary);
 
 }  // namespace continua

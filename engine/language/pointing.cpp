@@ -8,7 +8,7 @@ namespace {
 
 constexpr double full_turn = 6.283185307179586;
 
-// Where the place lies from an object, and how far it is expected to lie.
+// The offset of the place from the object's centre, and the variances of that offset.
 struct Aim {
   double x, y;
   double variance_x, variance_y;
@@ -22,7 +22,7 @@ Aim aim(const Vec3& pointed_W, const ObjectState& object) {
   return {offset.x(), offset.y(), variance(extent.x()), variance(extent.y())};
 }
 
-// An upper bound of how much the logarithm of the density changes when the offset changes by d: a·d + b·d².
+// An upper bound a·d + b·d² for the change of the density's logarithm when the offset changes by d.
 struct Steepness {
   double a, b;
   Steepness operator+(const Steepness& other) const { return {a + other.a, b + other.b}; }
@@ -33,8 +33,8 @@ Steepness steepness(const Aim& aim) {
   return {std::hypot(aim.x / aim.variance_x, aim.y / aim.variance_y), 1 / (2 * least)};
 }
 
-// The distance that place and objects may move before the logarithm changes by `gap`. When both move, their offset
-// changes by twice as much.
+// The distance that place and objects may move before the logarithm changes by `gap`. If both move by m, an offset
+// changes by up to 2m.
 double movement(double gap, const Steepness& of) {
   return (std::sqrt(of.a * of.a + 4 * of.b * std::abs(gap)) - of.a) / (4 * of.b);
 }

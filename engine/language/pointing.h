@@ -1,4 +1,4 @@
-// Which object a place on the table that someone points at can mean.
+// The likelihood that pointing at a place on the table means an object.
 #pragma once
 
 #include "continua/world/world_snapshot.h"
@@ -9,24 +9,24 @@ namespace continua {
 /// 2.5 times as large).
 inline constexpr double hand_sd_m = 0.024;
 
-/// One pointing in 300 goes astray, to anywhere within a square metre: the density that every object has everywhere.
+/// One pointing in 300 goes astray, anywhere within a square metre. Every object has at least this density everywhere.
 inline constexpr double astray_per_m2 = 1.0 / 300;
 
-/// An object less than this share as likely as the likeliest is not meant. Were a hand as above to mean it
-/// nevertheless, it would have strayed toward the other by 3.7 standard deviations or more.
+/// An object is not meant if its density is less than this share of the highest one. A hand that means it nevertheless
+/// would have to stray toward the likeliest object by 3.7 standard deviations or more.
 inline constexpr double least_share = 1e-3;
 
-/// Likelihood of pointing there when the object is meant: a density over the table, 1/m². The normal distribution
-/// around the centre of its footprint, whose variance along each axis is that of the hand and of where on the object
-/// one aims (a third of half its extent), and `astray_per_m2`.
+/// Likelihood of pointing there when the object is meant: a density over the table, 1/m². It is the sum of
+/// `astray_per_m2` and a normal distribution around the centre of the object's footprint. The variance along each axis
+/// is the hand's plus the aim's; the standard deviation of the aim is a third of half the object's extent.
 double pointing_density(const Vec3& pointed_W, const ObjectState& object);
 
-/// Whether the object, alone on the table, would count as pointed at: likelier to be meant than a stray.
+/// Whether the place is near the object, whatever other objects there are: the object is likelier meant than a stray.
 bool is_pointed_at(const Vec3& pointed_W, const ObjectState& object);
 
-/// How far the place and the objects may move, metres, before density(a) / density(b) grows or shrinks to `ratio`, and
-/// before is_pointed_at changes.
+/// The distance in metres that the place and the objects may move before density(a) / density(b) reaches `ratio`.
 double pointing_margin(const Vec3& pointed_W, const ObjectState& a, const ObjectState& b, double ratio);
+/// The same, before is_pointed_at() changes.
 double pointing_margin(const Vec3& pointed_W, const ObjectState& object);
 
 }  // namespace continua

@@ -12,7 +12,7 @@ constexpr std::size_t largest_term = 4096;
 
 class Reducer {
  public:
-  // f(a) of terms in normal form.
+  // function(argument), both in normal form.
   Term apply(const Term& function, const Term& argument) {
     if (!spend(function.size() + argument.size())) return Term();
     if (is_group_for_one(function.type(), argument.type())) {
@@ -55,7 +55,7 @@ class Reducer {
   bool gave_up() const { return steps_ <= 0; }
 
  private:
-  // Several objects where one is taken: the function holds of each.
+  // Whether the function takes one object and the argument is several: it is then applied to each.
   static bool is_group_for_one(const Type& function, const Type& argument) {
     return function.kind() == Type::Kind::function && argument.kind() == Type::Kind::list &&
            !consistent(function.from(), argument) && consistent(function.from(), argument.element());
@@ -72,7 +72,7 @@ class Reducer {
     return steps_ > 0 && --steps_ > 0;
   }
 
-  // `term` with `argument` for the variable of the binder `depth` levels above it, which is gone.
+  // `term` with `argument` in place of the variable of the binder `depth` levels above it. The binder is removed.
   Term substituted(const Term& term, int depth, const Term& argument) {
     if (term.reach() <= depth) return term;
     if (!spend(1)) return Term();
@@ -90,7 +90,7 @@ class Reducer {
     }
   }
 
-  // `term` where `by` more binders stand around it; `inside` counts those of its own.
+  // `term` moved under `by` more binders; `inside` counts the binders of its own.
   Term shifted(const Term& term, int by, int inside) {
     if (by == 0 || term.reach() <= inside) return term;
     if (!spend(1)) return Term();

@@ -1,5 +1,5 @@
-// How the terms of words become the term of a phrase: functions are applied at once, so that every term of the chart is
-// in normal form and equal meanings are equal terms.
+// Builds the term of a phrase from the terms of its words. Functions are applied at once, so that every term of the
+// chart is in normal form and equal meanings are equal terms.
 #pragma once
 
 #include "continua/term/term.h"
@@ -7,8 +7,9 @@
 namespace continua {
 
 /// function(argument) in normal form: no lambda is applied to anything, `a and (b and c)` is `a and b and c`,
-/// `a and true` is a, a list in a list gives its elements to it. Where one object is taken, several are each(several).
-/// Null where that takes too many steps or grows too large. Both must be closed and in normal form.
+/// `a and true` is a, a list in a list gives its elements to it. A function of one object takes several as
+/// each(several). Null if the reduction takes too many steps or the term grows too large. Both arguments must be closed
+/// and in normal form.
 Term applied(const Term& function, const Term& argument);
 
 /// \x. first(second(x)) in normal form; `argument` is the type of x.
@@ -17,10 +18,10 @@ Term composed(const Term& first, const Term& second, const Type& argument);
 /// The normal form of any closed term.
 Term normal(const Term& term);
 
-/// Equal to `term`, with variables named by their types and depth: x, y, z, … for objects, v, w, … for places.
+/// `term` with variables named by type and depth: x, y, z, … for objects, v, w, … for places.
 Term with_nice_variables(const Term& term);
 
-/// Whether `part`, a closed term, occurs in `whole`.
+/// Whether `whole` contains `part`, a closed term.
 bool occurs(const Term& part, const Term& whole);
 
 }  // namespace continua

@@ -14,8 +14,8 @@ std::size_t place_in(const std::vector<std::string>& names, const std::string& n
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-// Referents with their shares, a millionth apart, so that the last bits of an exponential reach no log; equal ones by
-// how much they are in focus, then in the scene's order.
+// Referents by their share, which is rounded to a millionth so that the last bits of an exponential reach no log. Ties
+// go by the order of focus, then of the scene.
 std::vector<Referent> ranked(const Fitting& fitting, const std::vector<double>& densities, const Context& context) {
   double sum = 0;
   for (const double each : densities) sum += each;
@@ -40,7 +40,7 @@ std::vector<RuledOut> in_scene_order(std::vector<RuledOut> ruled_out, const Worl
   return ruled_out;
 }
 
-// The objects that are asked about; the others are ruled out.
+// The objects that the question was about; adds the others to `ruled_out`.
 std::vector<const ObjectState*> asked_about(const Context& context, std::vector<RuledOut>& ruled_out) {
   std::vector<const ObjectState*> objects;
   for (const auto& each : context.facts.world->objects) {
@@ -52,8 +52,7 @@ std::vector<const ObjectState*> asked_about(const Context& context, std::vector<
   return objects;
 }
 
-// The object that "the other cup" leaves out: the first in focus of those that the phrase would mean without "other";
-// empty if there is no such object.
+// The object that "the other cup" excludes: among those that fit without "other", the first in focus. May be empty.
 std::string first_in_focus(NounPhraseSearch& search, const Term& condition, const Context& context) {
   std::vector<const ObjectState*> objects;
   for (const auto& name : context.focus)

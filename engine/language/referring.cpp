@@ -15,7 +15,7 @@ namespace {
 
 using By = Resolution::By;
 
-// A definition that leads to another, and so on: no longer than this.
+// The longest chain of definitions that is followed.
 constexpr int most_definitions = 100;
 
 Term point(const Vec3& p_W) { return Term::point(p_W.x(), p_W.y(), p_W.z()); }
@@ -81,7 +81,7 @@ bool Referring::is_noun(const Term& term) const {
 }
 
 Meant Referring::meant_by_noun(const Term& noun) const {
-  // Any that fits may be meant; where the human points, that tells which.
+  // Any object that fits may be meant; pointing tells which.
   Determiner any;
   any.definite = any.deictic = true;
   Meant meant = by_determiner(noun, noun, any, 0);
@@ -89,7 +89,7 @@ Meant Referring::meant_by_noun(const Term& noun) const {
   return meant;
 }
 
-// A pointing that goes with "the cup" tells which, where the words mean more than one.
+// If the words fit more than one object, a pointing that goes with "the cup" tells which.
 Meant Referring::by_determiner(const Term& phrase, const Term& condition, Determiner determiner,
                                std::size_t occurrence) const {
   const Context context = context_of(phrase, occurrence);
@@ -105,7 +105,7 @@ Meant Referring::by_determiner(const Term& phrase, const Term& condition, Determ
   return chosen(phrase, std::move(reference), determiner, words_of(condition, occurrence), context, occurrence);
 }
 
-// "That" without pointing means the thing in focus, and a single one where the type is that of one thing.
+// "that" without pointing means the first object in focus; a plural is left open.
 Meant Referring::undefined(const Term& phrase, const Determiner& determiner, std::size_t occurrence) const {
   Meant meant;
   meant.plural = is_plural(determiner);
@@ -121,8 +121,8 @@ Meant Referring::undefined(const Term& phrase, const Determiner& determiner, std
   return meant;
 }
 
-// A definite phrase means all its referents, so their number must be the one that the phrase speaks of; an indefinite
-// phrase takes the likeliest.
+// A definite phrase means all its referents, so their number must be the one that was said. An indefinite phrase takes
+// the likeliest.
 Meant Referring::chosen(const Term& phrase, Reference reference, const Determiner& determiner, std::string noun,
                         const Context& context, std::size_t occurrence) const {
   const auto found = reference.referents.size();
@@ -140,7 +140,7 @@ Meant Referring::chosen(const Term& phrase, Reference reference, const Determine
     meant.gap = Gap{Gap::Why::several, type, {}, std::move(noun)};
     for (const auto& each : reference.referents) meant.gap->choices.push_back(each.object);
   } else {
-    // "Another one on it": rather one that the command does not name otherwise.
+    // "another one on it" prefers objects that the command has not named otherwise.
     auto likeliest = reference.referents;
     if (!all && !determiner.definite)
       std::stable_partition(likeliest.begin(), likeliest.end(), [this](const Referent& each) {
@@ -208,7 +208,7 @@ std::vector<Term> Referring::topics() const {
   return {anything()};
 }
 
-// "the red one" with the noun that "one" stands for, so that the reasons against other objects name it.
+// "the red one" with `topic` in place of "one", so that the reasons of ruled-out objects name the topic.
 Term Referring::with_topic(const Term& condition, const Term& topic) const {
   Term with = condition;
   for (const auto& [name, pro] : meanings_.operators->proforms)
@@ -216,7 +216,7 @@ Term Referring::with_topic(const Term& condition, const Term& topic) const {
   return with;
 }
 
-// Whether it says more than "one", "the other one".
+// Whether the condition says more than "one" or "the other one".
 bool Referring::describes(const Term& condition) const {
   if (condition.kind() != Term::Kind::lambda) return false;
   const auto* pro = proform(condition.body().spine().head);
@@ -224,9 +224,9 @@ bool Referring::describes(const Term& condition) const {
          !says(condition, Proform::Source::other, *meanings_.operators);
 }
 
-// An answer means things that were asked about. Where none of them fits, the phrase is no answer: "one" then stands for
-// the first noun of the conversation that has such a thing, and for "this" and "that" such a thing where the human
-// points. If no noun has one, "one" is anything that is there or is so described: "the red one".
+// An answer means one of the objects asked about, of any kind. If none of them fits, or nothing was asked, "one" stands
+// for the first topic that fits some object; with "this" and "that" the object must also be pointed at. If no topic
+// fits, "one" stands for any object that is pointed at or described: "the red one".
 Reference Referring::found(const Term& condition, const Determiner& determiner, Context context) const {
   if (!context.among.empty()) {
     auto reference = refer(with_topic(condition, anything()), determiner, context, meanings_);
@@ -249,7 +249,7 @@ Reference Referring::found(const Term& condition, const Determiner& determiner, 
   return reference;
 }
 
-// Where it is said: the occurrence-th time, or the last one if it is said less often.
+// The words of the phrase's use number `occurrence`, or of its last use if there are fewer.
 std::optional<WordSpan> Referring::span_of(const Term& phrase, std::size_t occurrence) const {
   const Term contracted = eta_contracted(phrase);
   std::optional<WordSpan> span;
@@ -270,7 +270,7 @@ std::string Referring::words_of(const Term& phrase, std::size_t occurrence) cons
                                   words_.begin() + static_cast<std::ptrdiff_t>(span->end), " "));
 }
 
-// Of the pointings that go with words, the one that shares most of them with the phrase.
+// The pointing that shares most words with the phrase.
 std::optional<std::size_t> Referring::showing_of(const Term& phrase, std::size_t occurrence) const {
   const auto span = span_of(phrase, occurrence);
   if (!span) return std::nullopt;

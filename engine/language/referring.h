@@ -1,5 +1,5 @@
-// The meaning of a phrase of a reading: noun phrases by refer(), pro-forms by words, pointing or presence. A part of
-// the interpretation (language/interpretation.h).
+// Finds the meaning of a single phrase: noun phrases by refer(), pro-forms by their source (said, shown or present).
+// A part of the interpretation (language/interpretation.h).
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 
 namespace continua {
 
-/// The values of a phrase: one, or the several of a plural; or the reason why there are none.
+/// The values of a phrase, one or those of a plural; or the gap that tells why there are none.
 struct Meant {
   std::vector<Term> values;
   bool plural = false;  ///< all values are meant together
   std::optional<Gap> gap;
-  Resolution resolution;  ///< its value is null where there are several, or none
-  std::string there;      ///< of a place that was pointed at: the object that stands there, or empty
+  Resolution resolution;  ///< its value is null if there is a gap
+  std::string there;      ///< for a pointed place: the object that stands there, or empty
 };
 
 class Referring {
@@ -25,22 +25,23 @@ class Referring {
   Referring(const Reading& reading, const std::vector<std::string>& words, Context context, const Meanings& meanings)
       : reading_(reading), words_(words), context_(std::move(context)), meanings_(meanings) {}
 
-  /// Is it a noun phrase D(\x. …), a noun without determiner, or a pro-form? Not where it depends on one of `open`,
-  /// the variables around it.
+  /// Whether `term` is a pro-form (`other` excepted), or a noun phrase D(\x. …) without any of `open`, the variables
+  /// around it.
   bool is_phrase(const Term& term, const std::vector<Term>& open) const;
-  /// `occurrence`: which of those that are said with this term, in the order of their words. REQUIRES is_phrase().
+  /// `occurrence`: the number of this use among the uses of the term, in the order of their words. REQUIRES
+  /// is_phrase().
   Meant meant(const Term& phrase, std::size_t occurrence) const;
 
-  /// Whether the term is true or false of objects (a noun, "red cup"): its head computes something, so it is no command
-  /// that lacks an argument.
+  /// Whether the term is a noun ("red cup"), of type e -> t, and not a command that lacks its argument. The head of a
+  /// noun can be computed; the head of a command cannot.
   bool is_noun(const Term& term) const;
   Meant meant_by_noun(const Term& noun) const;
 
-  /// The command names this object, so that "it" rather means another one.
+  /// The command names this object: "it" means another one if there is one.
   void named(const std::string& object);
-  /// Something goes where this object stands, so that "it" means another one.
+  /// The command uses this object's place as its goal: "it" means another object.
   void not_it(const std::string& object);
-  /// A new command begins: these objects are being talked about from now on, the last first.
+  /// A new command begins: these objects are now in focus, the last first.
   void focus_on(const std::vector<std::string>& objects);
 
  private:
@@ -52,7 +53,7 @@ class Referring {
   Meant chosen(const Term& phrase, Reference reference, const Determiner& determiner, std::string noun,
                const Context& context, std::size_t occurrence) const;
   std::optional<Term> single_value(const Proform& proform, const Type& type, const Context& context) const;
-  /// The nouns that "one" can stand for, the likeliest first; any thing where nothing was named.
+  /// Possible meanings of "one", the likeliest first; any thing if there is no topic.
   std::vector<Term> topics() const;
   Term with_topic(const Term& condition, const Term& topic) const;
   bool describes(const Term& condition) const;
@@ -66,7 +67,7 @@ class Referring {
   const std::vector<std::string>& words_;
   Context context_;
   const Meanings& meanings_;
-  std::vector<std::string> named_;  // by the command so far
+  std::vector<std::string> named_;  // objects that the command has named so far
 };
 
 }  // namespace continua

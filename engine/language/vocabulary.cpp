@@ -8,7 +8,7 @@
 namespace continua {
 namespace {
 
-// A value as it is said: "light_blue" is "light blue".
+// The words for a value: "light_blue" is said "light blue".
 std::string spoken(const std::string& value) {
   std::string words;
   auto text = value;
@@ -74,7 +74,7 @@ const Term* Vocabulary::definition(std::string_view name) const {
 void Vocabulary::add_value(const WordAttribute& attribute, const std::vector<std::string>& group) {
   static const auto condition = Type::function(Type::entity(), Type::truth());
   if (spoken(group.front()).empty()) return;
-  // An orange may be a thing and a color: the second gets the attribute's name to its own.
+  // "orange" may be a type and a color: the second constant gets the attribute's name as a suffix.
   auto name = group.front();
   while (!names_.emplace(name, condition).second) name += "_" + attribute.name;
   std::vector<Term> values;

@@ -1,4 +1,4 @@
-// The words that can be understood in a scene: those of the lexicon and those that the scene's attributes make.
+// The words that can be understood in a scene: the lexicon's words, and words from the attributes of the scene.
 #pragma once
 
 #include <map>
@@ -15,26 +15,26 @@ class Vocabulary {
  public:
   Vocabulary(std::shared_ptr<const Lexicon> lexicon, const WorldSnapshot& world);
 
-  /// The human named a program: from now on its name is a word, as the lexicon's `learned` says. A word of the lexicon
-  /// keeps its other senses. REQUIRES that it has not been learned before.
+  /// Makes the name of a program that the human taught a word, by the lexicon's `learned` templates. A word that the
+  /// lexicon has already keeps its other senses. REQUIRES that the name has not been learned before.
   void learn(const std::string& name, const Type& type);
 
   const Lexicon& lexicon() const { return *lexicon_; }
-  /// The meaning of a word, or of several with spaces between them; nullptr if it has none.
+  /// The entry of a word, or of several words with spaces between them; nullptr if there is none.
   const WordEntry* find(std::string_view words) const;
-  /// All that find() knows, in the order of the alphabet.
+  /// All words that find() knows, in alphabetical order.
   std::set<std::string> words() const;
-  /// Words that nobody knows, as names to be given.
+  /// The senses of unknown words as a name that the human is about to give.
   WordEntry as_name(const std::string& words) const;
-  /// Whether the word is one, or a part of several that are one.
+  /// Whether the word is an entry, or a part of an entry of several words.
   bool knows(std::string_view word) const { return parts_.contains(word); }
-  /// Of the longest entry.
+  /// Number of words of the longest entry.
   std::size_t most_words() const { return most_words_; }
 
-  /// Types of all names that readings may contain, those of the scene's attributes included; its objects are not.
+  /// Types of all names that readings may contain. Attributes of the scene are included, its objects are not.
   const Signature& names() const { return names_; }
-  /// The meaning of a name that computes; nullptr if it has none. A body of the scene may have the same name: such a
-  /// constant is of type e, and not meant here.
+  /// The definition of a name; nullptr if there is none. An object of the scene may have the same name; its constant is
+  /// of type e and is not looked up here.
   const Term* definition(std::string_view name) const;
   const Operators& operators() const { return lexicon_->operators; }
 
@@ -45,7 +45,7 @@ class Vocabulary {
   std::string plural(const std::string& word) const;
 
   std::shared_ptr<const Lexicon> lexicon_;
-  WordTable scene_words_;  ///< of attributes; with the lexicon's senses where it has the word too
+  WordTable scene_words_;  ///< words from attributes and learned names, with the lexicon's senses of the same words
   Signature names_;
   std::map<std::string, Term, std::less<>> definitions_;
   std::set<std::string, std::less<>> parts_;

@@ -21,7 +21,7 @@ void add_distinct(std::vector<Term>& terms, const Term& term) {
   if (std::find(terms.begin(), terms.end(), term) == terms.end()) terms.push_back(term);
 }
 
-// The thing that the act is done to.
+// The theme of an act: its first object argument.
 std::optional<Term> theme_of(const Term& act) {
   for (const auto& argument : act.spine().arguments)
     if (argument.kind() == Term::Kind::constant && argument.type() == Type::entity()) return argument;
@@ -58,7 +58,7 @@ const Program* program_of(const Term& act, const Learned& learned) {
   return found == learned.programs.end() ? nullptr : &found->second;
 }
 
-// Does `program` come to an act called `name`? Looks at each program once.
+// Whether `program` expands to an act called `name`. Looks at each program once.
 bool leads_to(const Program& program, const std::string& name, const Learned& learned, std::set<const Program*>& seen) {
   if (!seen.insert(&program).second) return false;
   for (const auto& act : below_lambdas(program.acts).elements()) {
@@ -132,7 +132,7 @@ Outcome Learned::learn_program(const std::string& name, Program program) {
 }
 
 Result<std::vector<Term>> Learned::acts_of(const Term& act) const {
-  std::vector<Term> acts, open = {act};  // `open`: the acts still to be resolved, the next one last
+  std::vector<Term> acts, open = {act};  // `open`: acts still to be expanded, the next one last
   for (std::size_t count = 0; !open.empty(); ++count) {
     if (count > most_acts) return Error{"", fmt::format("{} comes to more than {} acts", print(act), most_acts)};
     const Term next = std::move(open.back());

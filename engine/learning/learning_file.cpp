@@ -27,7 +27,7 @@ bool is_list_of_acts(Term term) {
                      [](const Term& act) { return !act.is_null() && consistent(act.type(), Type::truth()); });
 }
 
-// A name that was taught, and the text of its term.
+// A taught name and the text of its term.
 struct Taught {
   std::string name;
   Item entry, term;
@@ -41,7 +41,7 @@ class LearningReader {
   Learned read(const Item& root) {
     if (!root.expect_object("what was learned", {"learned", "gestures", "programs"})) return learned_;
     root.expect_version("learned", 1);
-    // Terms may use every name that was taught: while the names are not sound, terms are not read.
+    // Terms may use every taught name: if the names have problems, terms are not read.
     const auto programs = taught(root.member("programs"), "programs", "acts");
     const auto gestures = taught(root.member("gestures"), "gestures", "means");
     if (document_.sound()) read_programs(programs);
@@ -74,7 +74,7 @@ class LearningReader {
         if (!read_program(each, types_are_known)) return;
   }
 
-  // False after a problem: the programs that use this one cannot be read.
+  // Returns false after a problem, because programs that use this one cannot be read then.
   bool read_program(const Taught& taught, bool types_are_known) {
     const auto term = read_term(taught);
     if (!term) return false;
@@ -99,7 +99,7 @@ class LearningReader {
     }
   }
 
-  // A name that nothing declares is an object, perhaps of another scene.
+  // A name that is not declared is an object, perhaps of another scene.
   std::optional<Term> read_term(const Taught& taught) {
     auto known = names_;
     for (const auto& name : names_in(taught.text)) known.emplace(name, Type::entity());
@@ -126,7 +126,7 @@ Result<Learned> parse_learned(std::string_view text, const std::string& name, co
 }
 
 std::string print(const Program& program) {
-  // As constants the variables print as their names, if nothing else is called so.
+  // The variables are printed as constants, with names that nothing else in the text has.
   std::string text;
   Term body = program.acts;
   while (body.kind() == Term::Kind::lambda) {

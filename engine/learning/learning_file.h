@@ -1,4 +1,4 @@
-// Lessons as a file with which the next run begins:
+// Lessons as a file, with which the next run can begin:
 //
 //   { "learned": 1,
 //     "gestures": { "claw": { "means": "grasp(cup)" } },
@@ -13,14 +13,14 @@
 
 namespace continua {
 
-/// `names` are the names that terms may use besides learned ones; any other is an object, which may be of another
-/// scene. The error is the first problem of the file: "file:line:column: found, expected".
+/// `names`: the names that terms may use besides the taught ones. Any other name is an object, perhaps of another
+/// scene. The error is the first problem of the file: "file:line:column: found …, expected …".
 Result<Learned> parse_learned(std::string_view text, const std::string& name, const Signature& names);
 
-/// Lines in a fixed order; parse_learned gives the same again.
+/// Prints lines in a fixed order. parse_learned() reads the same lessons back.
 std::string print_learned(const Learned& learned);
 
-/// With the types of its parameters, which print() of a term leaves out.
+/// Prints the program with the types of its parameters, which print() of a term leaves out.
 std::string print(const Program& program);
 
 }  // namespace continua

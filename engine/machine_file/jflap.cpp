@@ -18,13 +18,13 @@ namespace {
 
 using Symbols = std::vector<std::string>;
 
-// A transition before it pushes: it reads and pops at most one symbol each.
+// The symbols that a transition reads and pops, at most one of each.
 struct Edge {
   std::optional<std::string> read, pop;
   auto operator<=>(const Edge&) const = default;
 };
 
-// A transition of the file of which so many symbols have been read and popped.
+// A transition of the file, with the numbers of symbols that are read and popped already.
 struct Rest {
   const JflapTransition* transition = nullptr;
   std::size_t read = 0, popped = 0;
@@ -47,10 +47,10 @@ std::string label(const Symbols& symbols, std::size_t count) {
 
 std::string label(const std::optional<std::string>& symbol) { return symbol.value_or("λ"); }
 
-// An input symbol as FORMAT.md writes it.
+// An input symbol in the notation of FORMAT.md.
 std::string input(const std::string& symbol) { return symbol == "*" ? "\\*" : symbol; }
 
-// Gives names that have not been given before.
+// Gives each name only once.
 class Names {
  public:
   std::string fresh(const std::string& wanted) {
@@ -96,7 +96,7 @@ class Translator {
   }
 
  private:
-  // A name that occurs once is kept; "*" would stand for all states.
+  // Keeps names that occur once. "*" is not a name, because it stands for all states.
   void name_states() {
     std::map<std::string, int> count{{"*", 1}};
     for (const auto& state : file_.states) ++count[state.name];
@@ -116,7 +116,7 @@ class Translator {
     return name;
   }
 
-  // Chains from one state, as a tree: `rests` that go on alike go on together.
+  // Adds the chains from one state as a tree: transitions with the same next edge share it.
   void add_chains(const std::string& from, std::vector<Rest> all) {
     std::deque<std::pair<std::string, std::vector<Rest>>> open{{from, std::move(all)}};
     for (; !open.empty(); open.pop_front()) {
@@ -139,8 +139,9 @@ class Translator {
     }
   }
 
-  // Groups `rests` by their next edge. The part common to all of them comes first, and parts of only some come later:
-  // two rests that can never apply together part before one of them goes ahead alone.
+  // Groups `rests` by their next edge. If all of them read (else, if all pop), that decides the edge. The other half of
+  // the edge is put off if some transition with the same symbol lacks it. So two transitions that can never apply
+  // together part before one of them goes on alone.
   static std::map<Edge, std::vector<Rest>> branches(const std::vector<Rest>& rests) {
     const bool all_read = std::all_of(rests.begin(), rests.end(), [](const Rest& rest) { return rest.reads(); });
     const bool all_pop = std::all_of(rests.begin(), rests.end(), [](const Rest& rest) { return rest.pops(); });
@@ -172,7 +173,7 @@ class Translator {
     machine_["transitions"].push_back(std::move(transition));
   }
 
-  // A symbol that would be popped and pushed again stays where it is.
+  // Adds the operation. A symbol that is popped and pushed again stays on the stack.
   static void add_operation(Json& transition, const std::optional<std::string>& pop, const Symbols& push) {
     std::vector<Term> pushed;
     for (auto symbol = push.rbegin(); symbol != push.rend(); ++symbol) pushed.push_back(Term::text(*symbol));
@@ -196,7 +197,7 @@ class Translator {
   }
 
   const JflapAutomaton& file_;
-  std::vector<std::string> names_;  // of the file's states
+  std::vector<std::string> names_;  // of the file's states, by index
   Names state_names_, ids_;
   Json machine_;
 };

@@ -36,7 +36,7 @@ std::string utf8_of(std::string_view text, pugi::xml_encoding encoding) {
   return pugi::as_utf8(points);
 }
 
-// JFLAP reads such a label of a finite automaton as a range: "[0-9]".
+// Whether JFLAP reads the label of a finite automaton as a range: "[0-9]".
 bool is_range(const std::vector<std::string>& label) {
   return label.size() == 5 && label[0] == "[" && label[2] == "-" && label[4] == "]";
 }
@@ -165,12 +165,12 @@ class JflapReader {
     return from == std::string::npos ? std::string() : text.substr(from, to + 1 - from);
   }
 
-  // A blank is a symbol like any other, but an element may be written on several lines.
+  // Trims only text with line breaks: a blank is a symbol, but an element may be written on several lines.
   static std::string without_layout(const std::string& text) {
     return text.find('\n') == std::string::npos ? text : trimmed(text);
   }
 
-  // An attribute since JFLAP 7, an element before.
+  // The name of a state: an attribute since JFLAP 7, an element before.
   static std::string name_of(const pugi::xml_node& state, long id) {
     const auto attribute = trimmed(state.attribute("name").value());
     const auto name = attribute.empty() ? trimmed(text_of(state.child("name"))) : attribute;

@@ -1,4 +1,4 @@
-// A JFLAP file as it is written: its states and transitions, checked, not yet a machine of ours.
+// The contents of a JFLAP file: its states and transitions, checked, but not yet a machine (machine_file/jflap.h).
 #pragma once
 
 #include <compare>
@@ -11,14 +11,14 @@
 namespace continua {
 
 struct JflapState {
-  std::string name;  ///< as in the file, "q" and its id where there is none; may occur twice
+  std::string name;  ///< as in the file, or "q" and its id if it has none; may occur twice
   long id = 0;
   bool accepting = false;
 };
 
 struct JflapTransition {
   std::size_t from = 0, to = 0;              ///< indices of states
-  std::vector<std::string> read, pop, push;  ///< characters; none is λ
+  std::vector<std::string> read, pop, push;  ///< characters; empty: λ
   bool reads_any = false;                    ///< reads one of `read` instead of all of them in order
 
   auto operator<=>(const JflapTransition&) const = default;

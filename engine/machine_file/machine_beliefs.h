@@ -11,7 +11,7 @@
 
 namespace continua {
 
-/// The table; an empty one when the item is absent.
+/// The table; an empty one if the item is absent.
 BeliefTable read_beliefs(const Item& item, const TermReader& terms, SymbolReader& symbols);
 
 }  // namespace continua

@@ -1,4 +1,4 @@
-// Reads a machine file's declarations for its terms: programs, slots, registers. Each name becomes known to the terms.
+// Reads the declarations of a machine file: programs, slots, registers. Terms may use the declared names.
 #pragma once
 
 #include <vector>

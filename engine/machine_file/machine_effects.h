@@ -1,4 +1,4 @@
-// Reads the effects of a machine file: the deeds of a state or a transition besides changes of the stack.
+// Reads the effects of a machine file: the consequences of a state or transition besides the change of the stack.
 #pragma once
 
 #include <optional>

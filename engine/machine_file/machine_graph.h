@@ -1,4 +1,4 @@
-// Reads how the states of a machine file are connected: states, gates, transitions, implied states.
+// Reads the graph of a machine file: states, gates, transitions, implied states.
 #pragma once
 
 #include <vector>

@@ -9,7 +9,7 @@
 namespace continua {
 namespace {
 
-// Sets that name sets are read recursively: the limit protects the stack.
+// Sets that name sets are read recursively; the limit protects the call stack.
 constexpr std::size_t deepest_set = 100;
 
 constexpr const char* symbol_or_set = "an input symbol or the name of a set";

@@ -17,11 +17,11 @@ class SymbolReader {
   void read_sets(const Item& inputs);
   /// A symbol, the name of a set, or a list of both.
   SymbolSet symbols(const Item& item);
-  /// Symbols of examples are spelt as meant.
+  /// Symbols of examples count as spelt correctly.
   void add_known(const std::vector<std::string>& symbols) { known_.insert(symbols.begin(), symbols.end()); }
 
-  /// A symbol that stands in one place only may be any input. It is a problem where it is a slip away from the name of
-  /// a set, or resembles the name of a set that nothing uses.
+  /// Reports symbols that are probably misspelt names of sets: a symbol in one place only that is a slip away from the
+  /// name of a set, or resembles the name of an unused set.
   void report_misspelt() const;
 
  private:
@@ -29,9 +29,9 @@ class SymbolReader {
   void add(SymbolSet& set, const Item& item);
 
   std::map<std::string, SymbolSet, std::less<>> sets_;
-  std::vector<std::string> path_;  ///< the sets that are being read, each named by the one before
+  std::vector<std::string> path_;  ///< the sets under reading, each named by the one before
   std::set<std::string, std::less<>> used_sets_;
-  std::map<std::string, std::vector<Item>, std::less<>> places_;  ///< of each symbol that is no set's name
+  std::map<std::string, std::vector<Item>, std::less<>> places_;  ///< of each symbol that is not the name of a set
   std::set<std::string, std::less<>> known_;
 };
 

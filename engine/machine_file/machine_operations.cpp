@@ -43,6 +43,7 @@ std::vector<Content> read_contents(const Item& item, bool lists, const Machine& 
 }
 
 Operation OperationReader::operation(const Item& object) {
+  // The kind of the operation is its key among the members; a second such key is a problem.
   Operation operation;
   std::string key;
   for (const auto& [kind, name] : operation_keys) {
@@ -60,6 +61,7 @@ Operation OperationReader::operation(const Item& object) {
     operation.source = R"({"none":true})";
     return operation;
   }
+  // The value of the key has the contents, which differ by kind.
   operation.source = compact(Json{{key, item.json()}});
   switch (operation.kind) {
     case Operation::Kind::none:

@@ -19,7 +19,7 @@ class OperationReader {
   OperationReader(const Machine& declared, const TermReader& terms, StateNames& states)
       : declared_(declared), terms_(terms), states_(states) {}
 
-  /// The operation among the members of an object; `none` when there is none.
+  /// The operation among the members of an object; `none` if there is none.
   Operation operation(const Item& object);
 
  private:

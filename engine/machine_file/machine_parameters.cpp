@@ -31,7 +31,7 @@ const char* kind_of(const Term& term) {
 
 constexpr const char* value_wanted = "true, false, a number or a text";
 
-// The values that a parameter had, by the times until which it had them; each is of the kind of `value`.
+// The earlier values of a parameter, by the times until which they held; each has the type of `value`.
 std::map<std::string, Term, std::less<>> earlier_values(const Item& until, const Term& value) {
   std::map<std::string, Term, std::less<>> values;
   for (const auto& [time, then] : until.members("values by the times until which they held")) {

@@ -1,5 +1,5 @@
-// Parameters of a machine: values that can be set without changing the machine's file, for a recording or to try their
-// effect (FORMAT.md, Parameters).
+// Parameters of a machine: values that can be set without a change of the machine's file, for a recording or to try
+// their effect (FORMAT.md, Parameters).
 #pragma once
 
 #include <string>
@@ -21,8 +21,8 @@ std::vector<Parameter> read_parameters(const Item& item, TermReader& terms);
 /// The current value of every parameter, {name: value}.
 Json parameter_values(const Machine& machine);
 
-/// The value that every parameter had at the time of a recording: that of the earliest `until` after that time, else
-/// the file's own. `recorded` is a time as in 2018-02-05T13:53:17.
+/// The value of every parameter at the time of a recording: the value of the earliest `until` after that time, else the
+/// file's own. `recorded`: a time such as 2018-02-05T13:53:17.
 Json parameter_values_at(const Machine& machine, std::string_view recorded);
 
 /// Sets the parameters that `values`, {name: value}, names. Errors, at `where`: the machine has no parameter of that

@@ -1,5 +1,5 @@
-// Reads the avatar's utterances: texts of the machine itself, and phrases of its phrase file, whose terms are read as
-// the machine's own.
+// Reads the avatar's utterances: texts of the machine itself, and phrases of its phrase file. Terms of the phrase file
+// are read like the machine's own.
 #pragma once
 
 #include <map>
@@ -20,9 +20,9 @@ class PhraseReader {
   PhraseReader(DocumentReader& reader, const TermReader& terms, const std::string& folder)
       : reader_(reader), terms_(terms), folder_(folder) {}
 
-  /// Opens the phrase file `name` for a machine of this name; `phrases` is the item that asks for it. Every name that
-  /// the machine declares must be known. Returns the file's compact JSON; empty when the item is absent or the file
-  /// cannot be read.
+  /// Opens the phrase file `name` for a machine of this name; `phrases` is the item that asks for it. Call it after all
+  /// declarations of the machine. Returns the file's compact JSON; empty if the item is absent or the file cannot be
+  /// read.
   std::string open(const Item& phrases, const std::string& name, const std::string& machine);
 
   /// Definitions and wordings of the phrase file.
@@ -31,12 +31,12 @@ class PhraseReader {
     std::vector<Wording> wordings;
   };
   Terms take_terms() { return std::move(file_terms_); }
-  /// Problems of the phrase file's shape. While there are some, its terms are not read.
+  /// Problems of the phrase file's shape. If there are any, its terms are not read.
   const std::vector<Error>& file_problems() const { return file_problems_; }
 
-  /// A text, or a list of texts that say the same; nothing without a sound one.
+  /// A text, or a list of variants; nothing if none of them is sound.
   std::optional<Say> say(const Item& item) const;
-  /// The phrase that the item names; nothing when there is none, or the phrase file is not sound.
+  /// The phrase that the item names; nothing if there is none, or the phrase file is not sound.
   std::optional<Say> phrase(const Item& item);
 
  private:
@@ -50,8 +50,8 @@ class PhraseReader {
   std::optional<LocatedJson> document_;
   std::vector<Error> file_problems_;
   Item phrases_;  ///< "say" of the phrase file; absent unless the file is sound
-  /// Knows the names of the machine and those that the phrase file defines. The machine's own terms cannot use the
-  /// latter: so the machine decides the same in every language.
+  /// Reads terms with the names of the machine and the definitions of the phrase file. The machine's own terms cannot
+  /// use these definitions, so the machine decides the same in every language.
   std::optional<TermReader> phrase_terms_;
   Terms file_terms_;
   std::map<std::string, Say, std::less<>> read_;

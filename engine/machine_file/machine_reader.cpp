@@ -69,7 +69,7 @@ class MachineReader {
   }
 
  private:
-  // The names that terms may use, in the order in which they become known.
+  // Reads the declarations, in the order in which terms may use them.
   void read_declarations() {
     if (const auto lexicon = root_.member("lexicon"); lexicon.exists()) {
       machine_.lexicon = lexicon.name("the name of a lexicon");

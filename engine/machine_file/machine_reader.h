@@ -12,7 +12,7 @@ namespace continua {
 
 struct ReadMachine {
   Machine machine;  ///< complete and indexed if there are no problems
-  /// All that is wrong, in the order of the document; those of the phrase file follow.
+  /// All problems, in the order of the document; those of the phrase file follow.
   std::vector<Error> problems;
 };
 

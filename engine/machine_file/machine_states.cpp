@@ -53,7 +53,7 @@ void StateNames::report_misspelt() const {
   for (const auto& [name, places] : mentions_)
     if (places.size() > 1) known.push_back(name);
   for (const auto& [name, places] : mentions_) {
-    const bool is_entry = !places[0].is_text();  // the key in `states`: declared, not misspelt
+    const bool is_entry = !places[0].is_text();  // the key in `states`: declared, so not misspelt
     if (places.size() > 1 || is_entry || places[0].reader_is_full()) continue;
     const auto meant = std::find_if(known.begin(), known.end(), [spelt = std::string_view(name)](const auto& other) {
       return is_slip(spelt, other);

@@ -1,4 +1,4 @@
-// The names of a machine's states, which are known before anything else refers to them.
+// The names of a machine's states. They are collected first, because all other parts refer to them.
 #pragma once
 
 #include <map>
@@ -18,15 +18,15 @@ class StateNames {
 
   /// In the order of the file; the position is the StateIndex.
   const std::vector<std::string>& names() const { return names_; }
-  /// Nothing when no state has the name.
+  /// The state with the name; nothing if there is none.
   std::optional<StateIndex> find(const std::string& name) const;
-  /// The state that the item names; nothing, and a problem, if it names none. An absent item names none.
+  /// The state that the item names. An unknown name is a problem and gives nothing; so does an absent item, without a
+  /// problem.
   std::optional<StateIndex> named(const Item& item);
-  /// The entry of a state in `states` names the state too.
+  /// Adds a place that names the state, such as its entry in `states`.
   void add_mention(const std::string& name, const Item& item) { mentions_[name].push_back(item); }
 
-  /// Without a list of states, a name that stands in one place only and is a slip away from a name of several places
-  /// is a problem.
+  /// Without a list of states: reports names in one place only that are a slip away from a name in several places.
   void report_misspelt() const;
 
  private:

@@ -10,7 +10,7 @@
 namespace continua {
 namespace {
 
-// A chain of definitions, each naming the next, is read recursively: the limit protects the stack.
+// A chain of definitions, each naming the next, is read recursively; the limit protects the call stack.
 constexpr std::size_t deepest_definition = 100;
 // A lambda with more variables matches no term that people write.
 constexpr std::size_t most_variables = 16;
@@ -34,7 +34,7 @@ const Signature& moment_signature() {
   return names;
 }
 
-// "\x y. put(x, y)" gives "\x y. "; a term that is no lambda gives "".
+// "\x y. put(x, y)" gives "\x y. "; a term that is not a lambda gives "".
 std::string binders_of(const std::string& lambda) {
   const auto begin = lambda.find_first_not_of(' ');
   const bool is_lambda = begin != std::string::npos && (lambda[begin] == '\\' || lambda.compare(begin, 2, "λ") == 0);
@@ -63,8 +63,8 @@ class DefinitionReader {
   std::map<std::string, Term, std::less<>> terms;
 
  private:
-  // Whether the definition cannot be read without itself. A name in a circle is not known yet, unless the name is a
-  // variable here that only looks like a definition.
+  // Reads the definitions that `text` mentions. Returns whether one of them is still under reading: a circle, unless
+  // the name is only a variable here.
   bool read_mentioned(const std::string& name, const std::string& text) {
     bool circle = false;
     path_.push_back(name);
@@ -83,7 +83,7 @@ class DefinitionReader {
   TermReader& terms_;
   const Signature& scope_;
   std::set<std::string, std::less<>> begun_;
-  std::vector<std::string> path_;  // the names that are being read, each mentioned by the one before
+  std::vector<std::string> path_;  // the names under reading, each mentioned by the one before
 };
 
 }  // namespace

@@ -12,21 +12,21 @@
 
 namespace continua {
 
-/// Reads terms with the names that are known so far. Declarations add names.
+/// Reads terms with the names declared so far.
 class TermReader {
  public:
-  /// Knows the term language, the names of the moment (FORMAT.md) and `facts`, names of facts of the world.
+  /// Its names are those of the term language, of the moment (FORMAT.md) and of `facts`, the facts of the world.
   explicit TermReader(const Signature& facts);
 
-  /// Knows the term language and `programs` alone: there is no moment yet and no world.
+  /// A reader with the names of the term language and `programs` only, for terms without a moment and a world.
   static TermReader of_programs(const Signature& programs);
 
-  /// Adds the names that only machines with a lexicon know: the understood parts of an input.
+  /// Adds the names for machines with a lexicon only: the understood parts of an input.
   void add_understood();
   /// Adds a name. A name that is taken already is a problem at the key of `at`.
   void declare(const Item& at, const std::string& name, const Type& type);
 
-  /// A term of the type; nothing when the item is absent or, after a problem, when it is no such term.
+  /// A term of the type; nothing if the item is absent or, after a problem, if it is not such a term.
   std::optional<Term> term(const Item& item, const Type& expected) const;
   /// A text with terms in braces.
   std::optional<Template> text_template(const Item& item) const { return text_template(item, ""); }

@@ -1,4 +1,4 @@
-// The avatar's utterances, as a file that people can reword (automaton/FORMAT.md, Phrases):
+// Reads files of the avatar's utterances, which people can reword (automaton/FORMAT.md, Phrases):
 //
 //   { "phrases": 1,
 //     "define": { "many": "n > 1" },
@@ -17,7 +17,8 @@
 
 namespace continua {
 
-/// NAME.json of `folder`. An error without a place: there is no such file. Other errors: the file is no JSON document.
+/// Reads NAME.json of `folder`. An error without a place: there is no such file. Other errors: the file is not a JSON
+/// document.
 Result<LocatedJson> read_phrases(const std::string& name, const std::string& folder);
 
 /// All problems of the shape of a phrase file, in the order of the file: "file:line:column: found …, expected …".

@@ -6,7 +6,7 @@
 namespace continua {
 namespace {
 
-// Each once, where it comes first.
+// The names in a list, each once, in the order of first occurrence.
 std::vector<std::string> names(const Term& list) {
   std::vector<std::string> names;
   if (list.kind() != Term::Kind::list) return names;

@@ -1,5 +1,5 @@
-// The context in which a move is understood: that of language/reference.h, taken from the machine's own values, and the
-// inputs that these came from.
+// The context in which a move is understood (language/reference.h), from the machine's `context` terms, with its
+// sources.
 #pragma once
 
 #include <vector>
@@ -12,16 +12,16 @@ namespace continua {
 struct Discourse {
   Context context;
   std::vector<int> focus, among, topic;  ///< serials of the inputs that these came from
-  std::vector<std::vector<int>> shown;   ///< of each of the context's showings
+  std::vector<std::vector<int>> shown;   ///< serials of the inputs of each of the context's showings
 };
 
 /// The machine's `context`, evaluated in the configuration. Pointing is left out.
 Discourse discourse_of(const Stepper& stepper, const Configuration& configuration, const Input& input,
                        const Facts& facts);
 
-/// The inputs that a move draws on: its own, and those behind the parts that it took from the context.
+/// The inputs that a move draws on: its own, and the sources of the parts of the context that it used.
 std::vector<int> sources(const Move& move, int serial, const Discourse& discourse);
-/// The same of one of its applications.
+/// The inputs that one of its applications draws on.
 std::vector<int> sources(const Applying& applying, int serial, const Discourse& discourse);
 
 }  // namespace continua

@@ -1,4 +1,4 @@
-// Inputs for the automaton, made of percepts and moves.
+// Makes inputs of the automaton from events and moves.
 #pragma once
 
 #include "continua/automaton/input.h"
@@ -7,10 +7,10 @@
 
 namespace continua {
 
-/// The event as an input, before anything is understood. `serial` names it.
+/// The event as an input, before it is understood. `serial` names it.
 Input to_input(const InputEvent& event, int serial);
 
-/// Adds the content of a move to the input.
+/// Adds the terms of a move to the input.
 void carry(const Move& move, Input& input);
 
 Term point_term(const Vec3& p_W);

@@ -10,10 +10,10 @@
 
 namespace continua {
 
-/// A gesture that was taught is a move that says an action. `gestures`: nullptr, gestures are known by their names.
+/// A taught gesture is a move that shows an action. `gestures`: nullptr: gestures are known by their names.
 std::string symbol_of(const InputEvent& event, const GestureCatalogue* gestures, const Learned& learned);
 
-/// By the machine's own table of moves, else by lessons and catalogue; empty if the event is no move by itself.
+/// By the machine's table of moves, else by lessons and catalogue; empty if the event alone is not a move.
 std::string kind_of(const InputEvent& event, const Machine& machine, const GestureCatalogue* gestures,
                     const Learned& learned);
 

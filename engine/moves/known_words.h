@@ -1,4 +1,4 @@
-// The words that a run knows: those of the lexicon and the scene, and names of programs that the human taught.
+// The words known in a run: those of the lexicon and the scene, and names of programs that the human taught.
 #pragma once
 
 #include <map>
@@ -10,14 +10,14 @@
 
 namespace continua {
 
-/// A value; its copies share the vocabularies. Both are null for a machine without a lexicon.
+/// A value; copies share the vocabularies. Both are null for a machine without a lexicon.
 struct KnownWords {
   std::shared_ptr<const Vocabulary> untaught;  ///< of the lexicon and the scene
   std::shared_ptr<const Vocabulary> all;       ///< with the names of `taught`
   std::map<std::string, Program, std::less<>> taught;
 };
 
-/// `world` gives the words for its objects.
+/// `world`: the scene with the words for its objects.
 KnownWords known_words(const std::shared_ptr<const Lexicon>& lexicon, const WorldSnapshot& world);
 
 /// The words after these lessons; the same vocabularies if no program was taught or forgotten.

@@ -17,7 +17,7 @@ double understood_share(const Utterance& utterance) {
   return words > 0 && !utterance.fragments.empty() ? (words - lost) / words : 1;
 }
 
-// Words about something that is not there are less likely to have been said.
+// Factor of the confidence of words about something that is not there: they are less likely to have been said.
 constexpr double share_of_unseen = 0.5;
 
 bool finds_all(const Interpretation& interpretation) {
@@ -33,7 +33,7 @@ Discourse discourse_of(const Input& input, const Dialogue& now) {
   return discourse_of(now.stepper, now.configuration, input, now.facts);
 }
 
-// Words and gestures that were taught draw on the inputs of their lesson.
+// The inputs that the offer draws on. Taught words and gestures draw on the inputs of their lesson.
 std::vector<int> because_of(const Offer& offer, const InputEvent& event, const Discourse& discourse,
                             const Dialogue& now) {
   const Learned& learned = *now.facts.learned;
@@ -51,7 +51,7 @@ std::vector<int> because_of(const Offer& offer, const InputEvent& event, const D
   return because;
 }
 
-// The offer once its move is understood.
+// Completes the offer after its move is understood.
 Offer complete(Offer offer, const InputEvent& event, const Discourse& discourse, const Dialogue& now) {
   carry(offer.move, offer.input);
   offer.input.because = because_of(offer, event, discourse, now);
@@ -61,7 +61,7 @@ Offer complete(Offer offer, const InputEvent& event, const Discourse& discourse,
   return offer;
 }
 
-// The offer with its fragment of the utterance understood.
+// Understands the offer's fragment of the utterance.
 Offer understood(Offer offer, const ReadSpeech& speech, const std::vector<ShownWords>& shown, const Dialogue& now) {
   auto discourse = discourse_of(offer.input, now);
   for (const auto& [words, pointing] : shown) {
@@ -95,7 +95,7 @@ Offer heard(const Ensemble& ensemble, std::size_t alternative, const Dialogue& n
   return offer;
 }
 
-// The meaning of a gesture: the one that was taught, else that of the catalogue.
+// The meaning of a gesture: as taught, else from the catalogue.
 Term said_by(const InputEvent& gesture, const Dialogue& now) {
   if (gesture.modality != Modality::gesture || !now.gestures) return Term::null();
   const Learned& learned = *now.facts.learned;

@@ -1,4 +1,4 @@
-// An ensemble as moves that the automaton is offered: words or a gesture, with the pointings that go with them.
+// Makes offers of an ensemble: the moves that it says or shows, as inputs that the automaton may take.
 #pragma once
 
 #include <map>
@@ -12,34 +12,34 @@
 
 namespace continua {
 
-/// For each word and gesture that the human taught in this run the serials of the inputs that it was learned from.
+/// Words and gestures that the human taught in this run, with the serials of the inputs of the lesson.
 using Lessons = std::map<std::string, std::vector<int>, std::less<>>;
 
-/// The dialogue as it stands when something is understood; all must outlive its use.
+/// The present state of the dialogue, for understanding. All parts must outlive its use.
 struct Dialogue {
   const Stepper& stepper;
   const Configuration& configuration;
   Facts facts;  ///< REQUIRES world and lessons
   const Lessons& lessons;
   FusionWindow window;
-  const GestureCatalogue* gestures = nullptr;  ///< null: gestures are known by their names
+  const GestureCatalogue* gestures = nullptr;  ///< nullptr: gestures are known by their names
   std::optional<Understanding> understanding;  ///< none for a machine without a lexicon
 };
 
-/// One move as the automaton may take it.
+/// A move as an input that the automaton may take.
 struct Offer {
-  std::size_t alternative = 0;  ///< of the recogniser's
-  std::size_t fragment = 0;     ///< of speech: which of the utterance's moves
+  std::size_t alternative = 0;  ///< number of the recogniser's alternative
+  std::size_t fragment = 0;     ///< of speech: number of the move in the utterance
   Move move;
-  Input input;                   ///< `because` holds all inputs that it draws on, its own among them
-  std::vector<Applied> applied;  ///< by understanding
+  Input input;                   ///< its `because` has all inputs that it draws on, with its own
+  std::vector<Applied> applied;  ///< applications of its interpretation
 };
 
-/// The first move of each alternative; the automaton takes one of them. REQUIRES readings of speech where there is
+/// The first move of each alternative; the automaton takes one of them. REQUIRES readings of speech if there is an
 /// understanding.
 std::vector<Offer> offers_of(const Ensemble& ensemble, const Dialogue& now);
 
-/// The next move of the utterance whose last move was taken; nothing if there is no other.
+/// The move of the same utterance after `taken`; nothing if there is none.
 std::optional<Offer> next_offer(const Offer& taken, const Ensemble& ensemble, const Dialogue& now);
 
 }  // namespace continua

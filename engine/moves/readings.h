@@ -1,4 +1,4 @@
-// Speech as it is read: once, when it is perceived, in each of its recogniser's alternatives.
+// Readings of speech. Each of the recogniser's alternatives is read once, when the event is perceived.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace continua {
 
-/// One alternative of an utterance.
+/// One alternative of the utterance, as read.
 struct ReadSpeech {
   InputEvent event;
   Utterance utterance;
@@ -18,22 +18,22 @@ struct ReadSpeech {
 };
 
 struct Readings {
-  std::shared_ptr<const Vocabulary> words;  ///< that speech was read with
+  std::shared_ptr<const Vocabulary> words;  ///< the vocabulary of these readings
   std::vector<ReadSpeech> alternatives;     ///< the event itself first
 };
 
-/// The readings of `speech`: `known`, unless that is null or the words have changed since.
+/// The readings of `speech`. Returns `known` unless it is null or the vocabulary has changed.
 std::shared_ptr<const Readings> readings_of(const InputEvent& speech, const Understanding& understanding,
                                             std::shared_ptr<const Readings> known = nullptr);
 
-/// A pointing and the words that it goes with, counted in the utterance's words.
+/// A pointing and its words, counted in the words of the utterance.
 struct ShownWords {
   WordSpan words;
   Deixis pointing;
 };
 
-/// The ensemble's pointings on the words of one alternative. They were bound by the words of the first: other
-/// alternatives have other words, and so may the same text once something was learned.
+/// The ensemble's pointings on the words of one alternative. Fusion bound them to the words of the first alternative.
+/// Other alternatives have other words, and the same text may be read otherwise after a lesson.
 std::vector<ShownWords> shown_words(const ReadSpeech& speech, const Ensemble& ensemble, const FusionWindow& window);
 
 }  // namespace continua

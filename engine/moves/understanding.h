@@ -1,5 +1,5 @@
-// From words or gestures to moves: words are read once, then each of their moves is interpreted in the context that the
-// moves before it have left.
+// From words and gestures to moves. Words are read once; then each of their moves is interpreted in the context that
+// the moves before it have left.
 #pragma once
 
 #include <memory>
@@ -23,12 +23,12 @@ struct Language {
   std::shared_ptr<const Lexicon> lexicon;
   std::shared_ptr<const GestureCatalogue> gestures;
   RaisingRules raising;
-  std::shared_ptr<const Catalogue> voxemes;  ///< the spatial meanings of words; null: none are known
+  std::shared_ptr<const Catalogue> voxemes;  ///< meanings of words in space; null: there are none
 };
 
 class Understanding {
  public:
-  /// `rules` are the functions for conditions on objects. `language` and `rules` must outlive the understanding.
+  /// `rules`: the functions in conditions on objects. `language` and `rules` must outlive the understanding.
   Understanding(const Language& language, std::shared_ptr<const Vocabulary> words, const RuleTable& rules)
       : language_(language), rules_(rules), vocabulary_(std::move(words)) {}
 
@@ -39,13 +39,13 @@ class Understanding {
   /// The words that pointing can go with, by the likeliest reading of each fragment.
   std::vector<Demonstrative> demonstratives(const Utterance& utterance) const;
 
-  /// The move that a fragment of the utterance is.
+  /// The move of a fragment of the utterance.
   Move understood(const Utterance& utterance, std::size_t fragment, const Context& context) const;
   /// The move of an utterance without fragments.
   Move not_understood(const Utterance& utterance) const;
-  /// The move that is made by showing the content of a term: \x: e. grasp(x), \x: e. cup(x), grasp(the(\x. cup(x))).
+  /// The move of a gesture with this meaning: \x: e. grasp(x), \x: e. cup(x), grasp(the(\x. cup(x))).
   Move shown(const Term& term, const std::string& kind, const Context& context) const;
-  /// The meaning of a gesture's text; null if its words are not known here.
+  /// The meaning of a gesture as a term; null if the text uses names that are not known here.
   Term meaning_of(const std::string& text) const;
 
  private:

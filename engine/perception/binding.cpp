@@ -8,8 +8,8 @@
 namespace continua {
 namespace {
 
-// Needing takers without, others without, µs apart, fixations taken, half µs between the middles: the first that
-// differs decides.
+// Costs, the most important first: needing takers without a pointing, other takers without one, distance in µs, number
+// of fixations, distance of the middles in half µs.
 using Cost = std::array<std::int64_t, 5>;
 
 Cost operator+(const Cost& a, const Cost& b) {
@@ -18,7 +18,7 @@ Cost operator+(const Cost& a, const Cost& b) {
   return sum;
 }
 
-// Sums of these stay within the range of an integer.
+// Bounds a distance so that sums do not overflow.
 std::int64_t bounded(std::int64_t us) { return std::min<std::int64_t>(us, 1'000'000'000'000); }
 
 bool go_together(const Taker& taker, const Deixis& pointing, const FusionWindow& window) {
@@ -34,7 +34,7 @@ Cost cost_of(const Taker& taker, const Deixis& pointing) {
   return {0, 0, bounded(gap), pointing.gesture ? 0 : 1, bounded(middles)};
 }
 
-// Their indices in order of time.
+// The indices of the pointings in order of time.
 std::vector<std::size_t> in_order(const std::vector<Deixis>& pointings) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < pointings.size(); ++i) order.push_back(i);
@@ -52,7 +52,7 @@ std::vector<std::optional<std::size_t>> assign(const std::vector<Taker>& takers,
                                                const FusionWindow& window) {
   const auto order = in_order(pointings);
   const std::size_t n = takers.size(), m = order.size();
-  // The least cost of takers from i on with pointings from j on.
+  // least[i][j]: the least cost of the takers from i on with the pointings from j on.
   std::vector<std::vector<Cost>> least(n + 1, std::vector<Cost>(m + 1, Cost{}));
   const auto with = [&](std::size_t i, std::size_t j) {
     return cost_of(takers[i], pointings[order[j]]) + least[i + 1][j + 1];

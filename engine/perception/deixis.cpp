@@ -9,7 +9,7 @@
 namespace continua {
 namespace {
 
-// NaN has no order; where there is no place, there is infinity.
+// The place, or infinity if there is none. NaN would have no order.
 Vec3 place_or_nowhere(const InputEvent& event) {
   const auto place_W = place_of(event);
   return place_W && place_W->allFinite() ? *place_W : Vec3::Constant(std::numeric_limits<double>::infinity());

@@ -9,7 +9,7 @@
 namespace continua {
 namespace {
 
-// DEIXIS.md says where these come from.
+// DEIXIS.md has the sources of these numbers.
 constexpr double reach_m = 0.1;
 constexpr double recent_s = 0.3;
 constexpr double smoothing_s = 0.2;
@@ -17,7 +17,8 @@ constexpr double most_dispersion_m = 0.08;
 constexpr double same_place_m = 0.04;
 constexpr double alone_s = 0.15;
 constexpr double mad_to_sd = 1.4826;
-// More samples than trackers give within these times; the work for many samples of one instant stays bounded.
+// Bounds on the samples within these times: more than trackers send, so that many samples of one instant take bounded
+// time.
 constexpr std::size_t most_recent = 48, most_smoothed = 32;
 
 using Samples = std::vector<PointingSample>;
@@ -31,7 +32,7 @@ double median(std::vector<double> values) {
   return (*std::max_element(values.begin(), middle) + *middle) / 2;
 }
 
-// Component by component; the samples are the tracklet's from `from` to before `until`.
+// The median place of the tracklet's samples [from, until), component by component.
 Vec3 center_of(const Tracklet& tracklet, std::size_t from, std::size_t until, const Samples& samples) {
   std::vector<double> x, y;
   for (auto i = from; i < until; ++i) {
@@ -55,7 +56,7 @@ SimTime end_of(const Tracklet& tracklet, const Samples& samples) {
   return end;
 }
 
-// A tracklet as it grows.
+// A tracklet under construction.
 struct Growing {
   Tracklet members;
   SimTime end;
@@ -73,7 +74,7 @@ void grow(Growing& tracklet, std::size_t index, const Samples& samples) {
   tracklet.recent_W = center_of(tracklet.members, from, size, samples);
 }
 
-// The places of a tracklet's samples without their noise.
+// The places of a tracklet's samples, smoothed by medians.
 std::vector<Vec3> smoothed(const Tracklet& tracklet, const Samples& samples) {
   std::vector<Vec3> places;
   std::size_t from = 0, until = 0;
@@ -86,7 +87,7 @@ std::vector<Vec3> smoothed(const Tracklet& tracklet, const Samples& samples) {
   return places;
 }
 
-// The first index from `from` on whose place makes the places since `from` too many to be one.
+// The end of the stay that begins at `from`: the first index at which the places since `from` exceed the dispersion.
 std::size_t end_of_stay(const std::vector<Vec3>& places, std::size_t from) {
   Vec3 low = places[from], high = places[from];
   for (auto i = from; i < places.size(); ++i) {
@@ -97,8 +98,7 @@ std::size_t end_of_stay(const std::vector<Vec3>& places, std::size_t from) {
   return places.size();
 }
 
-// Whether no believable sample of another place is near in time: then there is nothing that it may be on its way from
-// or to.
+// Whether no believable sample of another place is near in time. Then the hand is not on its way from or to one.
 bool is_alone(const Tracklet& tracklet, const Samples& samples, const std::vector<bool>& believed,
               const std::string& hand) {
   const SimTime from = begin_of(tracklet, samples) - seconds(alone_s);
@@ -113,7 +113,7 @@ bool is_alone(const Tracklet& tracklet, const Samples& samples, const std::vecto
   return true;
 }
 
-// Whose most samples are.
+// The hand of most samples.
 std::string hand_of(const Tracklet& tracklet, const Samples& samples) {
   std::vector<std::string> hands;
   for (const auto i : tracklet) hands.push_back(samples[i].hand);
@@ -157,7 +157,7 @@ Deixis deixis_of(const Tracklet& stay, const Samples& samples) {
 
 bool overlap(const Deixis& a, const Deixis& b) { return a.from <= b.until && b.from <= a.until; }
 
-// Of fixations of one hand that overlap, the one of more samples: a hand is at one place.
+// Removes overlaps: a hand is at one place, so of its overlapping fixations the one with more samples stays.
 std::vector<Deixis> one_at_a_time(std::vector<Deixis> fixations) {
   std::sort(fixations.begin(), fixations.end(), [](const Deixis& a, const Deixis& b) {
     return std::tuple(-a.samples, a.from - a.until, a.from, a.hand, a.place_W.x(), a.place_W.y()) <
@@ -180,7 +180,7 @@ bool is_believable(const PointingSample& sample, const Box& area) {
 
 std::vector<Tracklet> tracklets_of(const Samples& samples, const Box& area) {
   std::vector<Growing> all;
-  std::vector<std::size_t> growing;  // of all, those that may still grow
+  std::vector<std::size_t> growing;  // indices in `all` of tracklets that may still grow
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!is_believable(samples[i], area)) continue;
     std::erase_if(growing, [&](std::size_t t) { return all[t].end + seconds(longest_dropout_s) < samples[i].t; });

@@ -1,4 +1,4 @@
-// Fixations in samples of where hands point; the steps of the method that DEIXIS.md tells.
+// Finds fixations in pointing samples: the steps of the method in DEIXIS.md.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,17 @@
 
 namespace continua {
 
-/// Samples of one place, as indices: the places of a hand without jumps away and back.
+/// Indices of samples of one place: a hand without its jumps away and back.
 using Tracklet = std::vector<std::size_t>;
 
-/// Whether the sample's place is in `area`, by x and y; a place that is not finite is not.
+/// Whether the sample's place is in `area`, by x and y. A place that is not finite is outside.
 bool is_believable(const PointingSample& sample, const Box& area);
 
-/// `samples` in order of time. Each believable one belongs to one tracklet; in order of their first samples.
+/// The tracklets of `samples`, which are in order of time. Each believable sample belongs to one tracklet. Tracklets
+/// are in the order of their first samples.
 std::vector<Tracklet> tracklets_of(const std::vector<PointingSample>& samples, const Box& area);
 
-/// Where the tracklet stays: parts of it, in order of time.
+/// The parts of a tracklet in which it stays at one place, in order of time.
 std::vector<Tracklet> stays_of(const Tracklet& tracklet, const std::vector<PointingSample>& samples);
 
 /// All fixations in `samples`, in order of time, then hand and place.

@@ -9,7 +9,7 @@ namespace {
 
 SimTime seconds(double s) { return SimTime::from_seconds(s); }
 
-// At one time.
+// The order of percepts of one time.
 int rank(const Percept& percept) {
   if (percept.deixis) return 1;
   return percept.event.modality == Modality::speech ? 2 : 3;
@@ -31,7 +31,7 @@ std::optional<SimTime> last_need(const std::vector<Taker>& takers) {
   return last;
 }
 
-// When speech is complete, as things are.
+// The time at which speech is complete with its present bindings.
 SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixis>>& bound,
                     const FusionWindow& window) {
   const auto last = last_need(speech.takers);
@@ -91,7 +91,7 @@ std::vector<Ensemble> Fusion::release(SimTime now) {
   return released;
 }
 
-// Everything of the earliest time.
+// Processes all arrivals of the earliest time.
 void Fusion::process_next() {
   const SimTime t = *next_arrival();
   now_ = std::max(now_, t);
@@ -117,11 +117,13 @@ std::optional<SimTime> Fusion::next_arrival() const {
   return std::get<Sample>(arrived_.front()).event.t;
 }
 
-// Where pointings come from: waiting_, released_ or the track, in this order.
+// Binds pointings to the takers of waiting speech. Pointings come from waiting_, released_ and the track, in this
+// order.
 Fusion::Plan Fusion::plan() const {
+  // Collects takers, and the waiting pointings with their index in `waiting_` (`from`).
   Plan plan;
   plan.parts.resize(waiting_.size());
-  std::vector<std::tuple<Taker, std::size_t, std::size_t>> takers;  // with their percept and their place in it
+  std::vector<std::tuple<Taker, std::size_t, std::size_t>> takers;  // each with its percept and its place in it
   std::vector<Deixis> pointings;
   std::vector<std::size_t> from;
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
@@ -131,6 +133,7 @@ Fusion::Plan Fusion::plan() const {
     pointings.push_back(*waiting_[i].deixis);
     from.push_back(i);
   }
+  // Assigns the pointings of all sources; a waiting pointing with a taker is taken.
   if (!takers.empty()) {
     std::stable_sort(takers.begin(), takers.end(), [](const auto& a, const auto& b) {
       return std::tie(std::get<0>(a).from, std::get<0>(a).until) < std::tie(std::get<0>(b).from, std::get<0>(b).until);
@@ -147,6 +150,7 @@ Fusion::Plan Fusion::plan() const {
       if (*assigned[t] < from.size()) plan.parts[from[*assigned[t]]].taken = true;
     }
   }
+  // With these bindings each percept, except taken pointings, has a time at which it is complete.
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     const auto& percept = waiting_[i];
     auto& part = plan.parts[i];
@@ -159,7 +163,7 @@ Fusion::Plan Fusion::plan() const {
   return plan;
 }
 
-// Without the fixations that belong to a gesture's own pointing.
+// The fixations of the track, without those during a pointing gesture of the same hand.
 std::vector<Deixis> Fusion::fixations() const {
   constexpr auto ever = std::numeric_limits<std::int64_t>::max();
   auto fixations = track_.fixations({std::numeric_limits<std::int64_t>::min()}, {ever});
@@ -178,7 +182,7 @@ std::optional<SimTime> Fusion::next_complete() const {
   return next;
 }
 
-// The first complete percept, and those that it releases.
+// Releases the first complete percept, and the percepts that it releases.
 bool Fusion::release_first(std::vector<Ensemble>& released) {
   const auto parts = plan().parts;
   const auto is_complete = [&](const Plan::Part& part) { return part.complete && *part.complete <= now_; };
@@ -216,7 +220,7 @@ void Fusion::take(const Deixis& pointing) {
   std::erase_if(waiting_, [&](const Percept& each) { return each.deixis && is_it(*each.deixis); });
 }
 
-// Drops pointings that no word can go with any more.
+// Forgets pointings and samples that no word can go with any more.
 void Fusion::forget() {
   SimTime first = now_;
   for (const auto& percept : waiting_) {

@@ -1,6 +1,6 @@
-// Which pointing goes with which word (SEMANTICS.md §3, Ensembles). The result depends on event times, not on the order
-// of arrival: arrivals that are out of order within `lateness` are put in order first. An event later than that still
-// goes by its own time with anything that waits, but an ensemble that was complete before it came stays as it was.
+// Binds pointings to words (SEMANTICS.md §3, Ensembles). The result depends on when events happened, not on the order
+// of their arrival: arrivals within `lateness` are put in order first. Later arrivals are matched by their own time
+// with the percepts that still wait; ensembles that were complete before stay as they were.
 #pragma once
 
 #include <algorithm>
@@ -18,67 +18,67 @@ namespace continua {
 
 struct Readings;  // moves/readings.h
 
-/// Something that happened, as it waits to be understood.
+/// An event that waits to be understood.
 struct Percept {
   int serial = 0;  ///< of its input
   InputEvent event;
   std::optional<Deixis> deixis;                        ///< of a gesture that points
   std::vector<Taker> takers;                           ///< of speech
-  std::shared_ptr<const Readings> readings = nullptr;  ///< of speech, where its words are understood
+  std::shared_ptr<const Readings> readings = nullptr;  ///< of speech, if the machine has a lexicon
 };
 
-/// The unit of understanding: a percept with the pointings that go with it.
+/// A percept with its pointings, complete and ready to be understood.
 struct Ensemble {
   Percept percept;
   std::vector<std::optional<Deixis>> bound;  ///< one for each taker
-  SimTime at;                                ///< when it was complete, in the time of events
+  SimTime at;                                ///< the time at which it was complete, in the time of events
 };
 
 /// The percepts that wait for their counterparts: a value.
 ///
 /// - An utterance is complete when every taker that needs a pointing has one and the last such taker has been spoken
-///   (perception/speech_times.h): until then a better pointing may come. A fixation counts once it is settled
-///   (settled_at).
-/// - Other speech waits until no pointing can come any more (`after` past the end of its last needing taker), and is
-///   then released without.
-/// - A gesture that points waits for speech that takes it until `after` past its end, and is released alone then. A
-///   gesture taken by speech is not released at all; a pointing that was released alone can still be taken within
-///   `before`.
-/// - Everything else is complete when it arrives.
-/// - A complete percept releases those that began before it and still wait, in order of time, as they are then: the
-///   human has gone on. But a pointing that waits is kept for speech that takes it, speech that waits is not released
-///   by pointing, and a percept that is a pointing sample releases nothing.
-/// - Percepts are released in the order of their completion; at one time in order of their beginnings, then gestures
-///   that point, speech, everything else, then serial.
-/// - Fixations of a hand while a gesture of that hand points are that pointing, not another one.
+///   (perception/speech_times.h): until then a better pointing may come. A fixation counts from settled_at() on.
+/// - An utterance that lacks a pointing waits until none can come any more, `after` past the end of its last needing
+///   taker, and is then released without it.
+/// - A pointing gesture waits until `after` past its end for speech that takes it, and is then released alone. It is
+/// not
+///   released if speech takes it. Speech can still take it within `before` after it was released alone.
+/// - Every other percept is complete when it arrives.
+/// - A complete percept also releases the waiting percepts that began before it, in order of time, as they are: the
+///   human has gone on. Exceptions: a waiting pointing stays if speech takes it, waiting speech is not released by a
+///   pointing, and a pointing sample releases nothing.
+/// - Percepts are released in the order in which they were complete. Ties go by beginning; then pointing gestures come
+///   first, speech second, all others last; then by serial.
+/// - Fixations of a hand during a pointing gesture of that hand belong to that gesture.
 class Fusion {
  public:
   /// `area`: see PointingTrack.
   Fusion(FusionWindow window, Box area) : window_(window), track_(area) {}
 
-  /// How long after its time an event may arrive and still count: as long as a pointing can precede its words.
+  /// The longest time after which an event may arrive and still count: at least as long as a pointing can precede its
+  /// words.
   double latest_s() const { return std::max(window_.before_s, window_.lateness_s); }
 
-  /// A percept arrived at `now`. False, and nothing changes, if that is more than latest_s() after its time. `now`
-  /// never decreases. All arrivals of one time are received before `release` of that time.
+  /// Receives a percept that arrived at `now`. Returns false, without a change, if that is more than latest_s() after
+  /// its time. `now` never decreases. All arrivals of one time are received before release() of that time.
   bool receive(Percept percept, SimTime now);
 
-  /// A sample of where a hand points arrived at `now`. It never waits. False under the condition of `receive`.
+  /// Receives a pointing sample that arrived at `now`. A sample never waits. Returns false as receive() does.
   bool sample(const InputEvent& event, int serial, SimTime now);
 
-  /// The ensembles that are complete at `now`, in order.
+  /// Releases the ensembles that are complete at `now`, in order.
   std::vector<Ensemble> release(SimTime now);
 
-  /// All that waits, in order, as it is now.
+  /// Releases all waiting percepts, in order, as they are.
   std::vector<Ensemble> release_all();
 
   /// Whether an input up to this serial waits.
   bool waits(int serial) const;
 
-  /// From now on with this window.
+  /// Uses this window from now on.
   void use(FusionWindow window) { window_ = window; }
 
-  /// The latest time at which a waiting percept will be complete if nothing more arrives; nullopt if none waits.
+  /// The latest time at which a waiting percept will be complete if nothing more arrives; none if nothing waits.
   std::optional<SimTime> due() const;
 
  private:
@@ -87,14 +87,14 @@ class Fusion {
     int serial;
   };
   using Arrival = std::variant<Sample, Percept>;
-  /// The waiting percepts: their bindings and their times of completion, as things are.
+  /// The present bindings of the waiting percepts, and the times at which they are complete.
   struct Plan {
     struct Part {
       std::vector<std::optional<Deixis>> bound;  ///< for each taker
-      bool taken = false;                        ///< of a pointing: by speech
-      std::optional<SimTime> complete;           ///< none for a percept that is taken
+      bool taken = false;                        ///< for a pointing: speech takes it
+      std::optional<SimTime> complete;           ///< none if taken
     };
-    std::vector<Part> parts;  ///< of each that waits
+    std::vector<Part> parts;  ///< one for each waiting percept
   };
 
   SimTime lateness() const { return SimTime::from_seconds(window_.lateness_s); }
@@ -112,11 +112,11 @@ class Fusion {
 
   FusionWindow window_;
   PointingTrack track_;
-  std::vector<Arrival> arrived_;                           // their turn is yet to come; in order of time
+  std::vector<Arrival> arrived_;                           // not processed yet, in order of time
   std::vector<Percept> waiting_;                           // not after now_, in order of time
-  std::vector<Deixis> released_;                           // pointings of late that were released alone
-  std::vector<Deixis> gestures_;                           // recent ones, released, taken or waiting
-  SimTime now_{std::numeric_limits<std::int64_t>::min()};  // up to here, in the time of events, everything was done
+  std::vector<Deixis> released_;                           // recent pointings that were released alone
+  std::vector<Deixis> gestures_;                           // recent pointing gestures: waiting, taken or released
+  SimTime now_{std::numeric_limits<std::int64_t>::min()};  // events up to this time are processed
 };
 
 }  // namespace continua

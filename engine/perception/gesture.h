@@ -1,4 +1,4 @@
-// The gestures that the engine knows: data (engine/knowledge/gestures, GESTURES.md beside this file).
+// The gestures that the engine knows: data (engine/knowledge/gestures, described in perception/GESTURES.md).
 #pragma once
 
 #include <map>
@@ -11,42 +11,42 @@
 
 namespace continua {
 
-/// One gesture, by either hand.
+/// A gesture of either hand.
 struct GestureEntry {
-  std::string name;   ///< as recognisers tell it: point, posack, grab
+  std::string name;   ///< the recognisers' name: point, posack, grab
   std::string about;  ///< for people: its look and meaning
-  std::string kind;   ///< the kind of move: δ ω α y n, or another that machines know (engage, stop)
-  /// Its meaning, in the project's notation, by direction; "" is the key of the meaning without one. Iconic gestures
-  /// have one: grab → \x: e. grasp(x), push left → \x: e. slide(x, left(x)), a cupped hand → \x: e. cup(x).
+  std::string kind;   ///< its kind of move: δ ω α y n, or another that machines know (engage, stop)
+  /// Its meanings by direction, in the project's notation; the key "" has the meaning without a direction. Iconic
+  /// gestures have meanings: grab → \x: e. grasp(x), push left → \x: e. slide(x, left(x)), a cupped hand → \x: e.
+  /// cup(x).
   std::map<std::string, std::string, std::less<>> meanings;
   std::vector<std::string> acts_on;  ///< phases that make it a move: start and stroke, unless the file says otherwise
-  std::string where;                 ///< of the file, "path:line:column"
+  std::string where;                 ///< place in the file, "path:line:column"
 
-  /// The meaning in this direction, else the one without direction; null if there is neither.
+  /// The meaning in this direction, else the meaning without a direction; nullptr if there is none.
   const std::string* meaning(std::string_view direction) const;
-  /// Whether this phase of it is a move; a gesture without phases was seen as a whole.
+  /// Whether this phase of the gesture is a move. A gesture without a phase was seen as a whole and is one.
   bool acts(std::string_view phase) const;
 };
 
 struct GestureCatalogue {
   std::string name, path, digest;
-  std::string lexicon;  ///< whose words the meanings are made of, for who checks the file alone; may be empty
+  std::string lexicon;  ///< the lexicon for the words in meanings when the file is checked alone; may be empty
   std::size_t examples = 0;
   std::map<std::string, GestureEntry, std::less<>> entries;
 
   const GestureEntry* find(std::string_view gesture) const;
 };
 
-/// The symbol of the event for machines that know gestures by their meanings: "gesture δ", "gesture α", "gesture
-/// unknown" where there is no entry; of a phase that is no move, with the phase: "gesture δ stop".
+/// The symbol of the event for machines with a catalogue: "gesture δ", "gesture α", "gesture unknown" without an entry;
+/// for a phase that is not a move, with the phase: "gesture δ stop".
 std::string gesture_symbol(const InputEvent& event, const GestureEntry* entry);
 
-/// The error is the first of check_gestures.
+/// Reads a file of gestures. The error is the first of check_gestures().
 Result<GestureCatalogue> read_gestures(std::string_view text, const std::string& path);
 
-/// All problems of a file, each with line, found, expected and the nearest name; false examples are among them. The
-/// caller checks meanings as terms, since it knows the words that they are made of
-/// (knowledge_files/language_loading.h).
+/// All problems of a file, with place, found and expected text and the nearest name; examples that do not hold are
+/// problems too. Meanings are checked elsewhere, with the words of a lexicon (knowledge_files/language_loading.h).
 std::vector<Error> check_gestures(std::string_view text, const std::string& path);
 
 }  // namespace continua

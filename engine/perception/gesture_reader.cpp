@@ -28,7 +28,7 @@ std::vector<std::string> names_of(const std::string& text) {
   return names;
 }
 
-// Whether a symbol made of the name gives the same name when it is read back.
+// Whether the name survives a round trip: the symbol with this name reads back as the same name.
 bool is_name(const std::string& name) {
   InputEvent event;
   event.modality = Modality::gesture;
@@ -37,7 +37,7 @@ bool is_name(const std::string& name) {
   return one_word && !name.empty() && event_of(symbol_of(event)).name == name && name != "left" && name != "right";
 }
 
-// Terms by direction; a term for every direction stands under "".
+// Terms by direction; a term for every direction has the key "".
 std::map<std::string, std::string, std::less<>> read_meanings(const Item& item) {
   std::map<std::string, std::string, std::less<>> meanings;
   if (item.is_text()) {
@@ -58,7 +58,7 @@ std::map<std::string, std::string, std::less<>> read_meanings(const Item& item) 
   return meanings;
 }
 
-// The gesture without a name: several names may share it.
+// Reads an entry without its name, because several names may share it.
 GestureEntry read_entry(const Item& item) {
   GestureEntry entry;
   entry.where = item.where();
@@ -79,7 +79,7 @@ GestureEntry read_entry(const Item& item) {
   return entry;
 }
 
-// Whether gestures have the symbol, the kind and the meaning that an example states.
+// Checks the symbol, the kind and the meaning that an example states.
 void check_example(const Item& item, const GestureCatalogue& catalogue) {
   if (!item.expect_object("an example", {"gesture", "symbol", "kind", "means", "about"})) return;
   constexpr const char* parts = "hand, name, direction and phase, those that are there";
@@ -103,7 +103,7 @@ void check_example(const Item& item, const GestureCatalogue& catalogue) {
     item.problem("there is none of \"kind\", \"means\" and \"symbol\"; expected one of them");
 }
 
-// The catalogue in the document; `reader` holds the problems.
+// Reads the document; `reader` collects the problems.
 GestureCatalogue read(const LocatedJson& document, DocumentReader& reader) {
   const auto root = reader.root(document);
   GestureCatalogue catalogue;
@@ -127,7 +127,7 @@ GestureCatalogue read(const LocatedJson& document, DocumentReader& reader) {
   }
   const auto examples = root.member("examples").elements("examples");
   catalogue.examples = examples.size();
-  // While gestures are not sound, examples would only repeat their problems.
+  // If gestures have problems, the examples would only repeat them.
   for (const auto& example : reader.sound() ? examples : std::vector<Item>()) check_example(example, catalogue);
   return catalogue;
 }

@@ -96,7 +96,7 @@ std::optional<Vec3> place_of(const InputEvent& event) {
   if (!event.ray) return std::nullopt;
   const auto& [from_W, direction_W] = *event.ray;
   const double along = -from_W.z() / direction_W.z();
-  // A ray that runs level or away from the table meets its plane nowhere, or behind the hand.
+  // A level ray does not meet the plane of the table; a ray away from the table meets it behind the hand.
   if (!std::isfinite(along) || along < 0) return std::nullopt;
   Vec3 place_W = from_W + along * direction_W;
   place_W.z() = 0;

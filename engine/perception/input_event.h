@@ -1,4 +1,4 @@
-// One thing the human did, as a recogniser reported it, and the input symbol it is to a machine.
+// An event of the human's as a recogniser reported it, and its input symbol for machines.
 #pragma once
 
 #include <optional>
@@ -39,7 +39,7 @@ struct InputEvent {
   std::string hand;              ///< gesture, pointing: "left", "right" or empty
   std::string direction;         ///< gesture: "left", "up", … or empty
   std::string phase;             ///< gesture: "start", "stop", "stroke"
-  std::optional<Vec3> target_W;  ///< gesture, pointing: the point of the table that is meant
+  std::optional<Vec3> target_W;  ///< gesture, pointing: the intended point of the table
   std::optional<Ray> ray;        ///< pointing
   std::optional<SimTime> until;
   double confidence = 1;  ///< 0 … 1
@@ -47,20 +47,21 @@ struct InputEvent {
   std::vector<Alternative> alternatives;
 };
 
-/// The name under which machines know the event:
-///   speech    "speech " + the words in lower case, punctuation left out, single spaces ("speech put it there")
-///   gesture   "gesture" + hand + name + direction + phase, those that are there ("gesture right point start")
+/// The symbol of the event for machines:
+///   speech    "speech " + the words in lower case, without punctuation, with single spaces ("speech put it there")
+///   gesture   "gesture" + hand + name + direction + phase, those that are present ("gesture right point start")
 ///   pointing  "pointing" + hand ("pointing right")
 std::string symbol_of(const InputEvent& event);
 
 /// An event without a place that has this symbol.
 InputEvent event_of(std::string_view symbol);
 
-/// Where the event points on the plane of the table (z = 0): its target, else where its ray meets that plane.
+/// The place where the event points on the plane of the table (z = 0): its target, else the point where its ray meets
+/// that plane.
 std::optional<Vec3> place_of(const InputEvent& event);
 
-/// The event as its recogniser's k-th other reading has it: with that text or name, that confidence, and no further
-/// alternatives; 0 is the event itself. REQUIRES k <= alternatives.size().
+/// The event with the text or name and the confidence of its k-th alternative, and without further alternatives; 0 is
+/// the event itself. REQUIRES k <= alternatives.size().
 InputEvent alternative(const InputEvent& event, std::size_t k);
 
 std::string name_of(Modality modality);

@@ -1,4 +1,4 @@
-// Where the human pointed last, as single samples tell.
+// The human's latest pointing, by single samples.
 #pragma once
 
 #include <string>
@@ -13,8 +13,7 @@ struct Pointed {
   std::string object;  ///< the likeliest one there, or empty
 };
 
-/// Whether an event at `t` belongs to that pointing: it follows the latest sample by no more than a pointing may
-/// precede its words.
+/// Whether the pointing still counts at `t`: at most `before` after its latest sample.
 inline bool goes_on(const Pointed& pointed, SimTime t, const FusionWindow& window) {
   return (t - pointed.t).seconds() <= window.before_s;
 }

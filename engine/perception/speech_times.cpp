@@ -10,7 +10,7 @@
 namespace continua {
 namespace {
 
-// Recognisers and readers punctuate differently: words are compared by their letters alone.
+// A word by its letters alone, for comparison: recognisers and readers punctuate differently.
 struct BareWord {
   std::string text;
   std::size_t length = 0;  // in characters
@@ -24,7 +24,7 @@ BareWord bare(const std::string& word) {
 
 SimTime usual_time(std::size_t words) { return SimTime::from_seconds(seconds_per_word * static_cast<double>(words)); }
 
-// When each word began, as far as the event has times; never earlier than the word before.
+// The reported beginning of each word, if the event has one; never earlier than the word before.
 std::vector<std::optional<SimTime>> reported_times(const InputEvent& speech, const std::vector<BareWord>& words) {
   std::vector<std::string> reported;
   for (const auto& word : speech.words) reported.push_back(bare(word.text).text);
@@ -50,7 +50,7 @@ std::vector<TimeSpan> word_times(const InputEvent& speech, const std::vector<std
   std::vector<TimeSpan> times(words.size());
   SimTime from = speech.t;
   for (std::size_t i = 0; i < words.size();) {
-    // The words up to the next one with a reported time, or up to the end, share the time until then.
+    // The words up to the next word with a reported time, or up to the end, share the time until then.
     std::size_t next = i, length = 0, spoken = 0;
     do {
       length += bare_of[next].length;

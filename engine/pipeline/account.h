@@ -1,4 +1,4 @@
-// The engine's account of an ensemble and of its meaning.
+// Reports an ensemble and its understanding as engine events.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace continua {
 /// The ensemble, with its pointings on the words of the utterance.
 Attended account_of(const Ensemble& ensemble, const FusionWindow& window);
 
-/// An `Understood` for each offer with content, the one that was taken last, followed by its applications.
+/// An `Understood` for each offer with a kind or words. The taken offer comes last, followed by its applications.
 std::vector<EngineEvent> account_of(const std::vector<Offer>& offers, std::size_t taken);
 
 }  // namespace continua

@@ -10,7 +10,7 @@
 namespace continua {
 namespace {
 
-// The first variant other than the last words; where there is no other, the first.
+// The first variant that differs from the last utterance; if none differs, the first.
 const std::string& fresh(const std::vector<std::string>& variants, const std::string& last) {
   const auto found = std::find_if(variants.begin(), variants.end(), [&](const auto& one) { return one != last; });
   return found == variants.end() ? variants.front() : *found;
@@ -26,7 +26,7 @@ Tick say(const Engine& engine, EngineState state, Said said) {
   return tick;
 }
 
-// A gesture is one command to the body.
+// Makes a gesture one command to the body.
 Tick gesture(const Engine& engine, EngineState state, Gestured gestured) {
   Tick tick{std::move(state), {}};
   auto command = plan(gestured.term, true, engine.perspective);

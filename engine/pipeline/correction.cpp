@@ -21,7 +21,7 @@ Input input_of(const Engine& engine, const EngineState& before, const InputEvent
   return input;
 }
 
-// The dialogue before the input, once the input and the words of the other avatar have been heard.
+// The state before the input, with beliefs that have heard the input and the words of the other avatar.
 EngineState with_heard(const Engine& engine, const EngineState& before, EngineState state, const Input& input,
                        const std::vector<std::string>& said, const WorldSnapshot& world) {
   state.beliefs = before.beliefs;

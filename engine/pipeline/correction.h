@@ -1,4 +1,4 @@
-// Correction as a stage: where the dialogue is when another avatar was observed to do something else.
+// The stage of correction: the dialogue follows another avatar that was observed to make other moves.
 #pragma once
 
 #include "continua/pipeline/engine.h"

@@ -8,7 +8,7 @@
 namespace continua {
 namespace {
 
-// Where nothing waits, words still go with a pointing that was made before them.
+// Without fusion no event waits, but words still take a pointing that was made before them.
 FusionWindow window_of(const Machine& machine) {
   if (!machine.fusion) return {FusionWindow().before_s, 0, 0};
   const auto& [before_s, after_s, lateness_s] = *machine.fusion;

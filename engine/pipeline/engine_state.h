@@ -1,4 +1,4 @@
-// The engine's memory between ticks, and its account of each tick: values.
+// The state of the engine between ticks, and the events of a tick: values.
 #pragma once
 
 #include <deque>
@@ -23,78 +23,78 @@ struct EngineState {
   EngineState(Beliefs first_beliefs, Chooser first_chooser, Fusion first_fusion)
       : beliefs(std::move(first_beliefs)), chooser(std::move(first_chooser)), fusion(std::move(first_fusion)) {}
 
-  Configuration configuration;  ///< under `explore` that of the leading branch
+  Configuration configuration;  ///< under `explore`: of the leading branch
   Exploration exploration;      ///< all branches; empty under the other policies
   Beliefs beliefs;
   Chooser chooser;
-  Fusion fusion;                  ///< the percepts that wait for their counterparts
-  std::deque<Ensemble> complete;  ///< the ensembles to be attended to, in order
+  Fusion fusion;                  ///< percepts that wait for their counterparts
+  std::deque<Ensemble> complete;  ///< ensembles to attend to, in order
   std::string last_utterance;
   std::optional<Pointed> pointed;
-  Learned learned;   ///< all lessons of the human
-  Lessons lessons;   ///< the lessons of this run
-  KnownWords words;  ///< by which speech is read
-  int inputs = 0;    ///< so far; the running number of the latest is its serial
+  Learned learned;   ///< gestures and actions that the human taught
+  Lessons lessons;   ///< names learned in this run, with the inputs of their lessons
+  KnownWords words;  ///< for reading speech
+  int inputs = 0;    ///< number of inputs so far; the serial of the latest
   Performance performance;
-  int acts = 0;  ///< asked for so far; the running number of the latest
+  int acts = 0;  ///< number of acts requested so far; the number of the latest
 
   /// Whether an input up to this serial has not been attended to yet.
   bool waits(int serial) const;
 };
 
-/// The event as an input symbol, as it arrived.
+/// An event arrived; its input symbol.
 struct Perceived {
   int serial = 0;
   std::string symbol;
-  int act = 0;  ///< number of the act whose end it is; 0: it is the human's
+  int act = 0;  ///< number of the act that ended; 0: an event of the human's
 };
 
-/// A pointing and the words that it goes with.
+/// A pointing and its words.
 struct Bound {
   std::vector<std::string> words;
   Deixis deixis;
 };
 
-/// An input is attended to, with the pointings that go with it. The events after it are its consequences.
+/// The engine attends to an input with its pointings. The events that follow are consequences.
 struct Attended {
   int serial = 0;
   SimTime arrived, at;
   std::vector<Bound> bound;
 };
 
-/// The meaning given to an input; one for each move of an utterance. Its applications follow, then the automaton's
-/// steps.
+/// The understanding of an input, or of one move of an utterance. Its applications follow, then the automaton's
+/// response.
 struct Understood {
   Move move;
   std::vector<int> because;  ///< serials of the inputs that it draws on
-  /// Of an n-best list: which of its alternatives this is, and whether it is the one that was gone on with.
+  /// For an n-best list: the number of the alternative, and whether the automaton took it.
   std::optional<std::size_t> alternative;
   double confidence = 1;
   bool taken = true;
 };
 
-/// A gesture that no command could be made of.
+/// A gesture of the avatar that could not be planned as a command.
 struct Unplanned {
   std::string reason;
 };
 
-/// Under `explore`: the other configurations that the automaton may be in.
+/// Under `explore`: all branches. The events before it belong to the leading one.
 struct Explored {
   std::vector<Branch> branches;
   std::vector<int> dropped;
   int merged = 0, pruned = 0;
 };
 
-/// Another avatar's observed moves after an input.
+/// The observed moves of another avatar after an input.
 struct ObservedMoves {
   std::vector<std::string> said;
   std::vector<Term> gestures, acts;
 };
 
-/// The dialogue goes on from where another avatar's moves show it to be.
+/// The dialogue goes on from the configuration that another avatar's moves imply.
 struct Corrected {
   StateIndex from = 0, to = 0;
-  std::size_t implied = 0;  ///< by which of Machine::implied; 0: nothing was observed, so nothing had happened
+  std::size_t implied = 0;  ///< number of the row of Machine::implied; 0: no move was observed
   int stack = 0;
   std::size_t depth = 0;
 };
@@ -106,7 +106,7 @@ struct Tick {
   EngineState after;
   std::vector<EngineEvent> events;  ///< in the order in which they happened
 
-  /// Goes on with the next tick.
+  /// Appends the events of the next tick and takes its state.
   void then(Tick next);
 };
 

@@ -8,7 +8,7 @@
 namespace continua {
 namespace {
 
-// Pointings farther from the table than this are not believed.
+// Pointings farther than this from the edge of the table are not believed.
 constexpr double believed_beside_m = 0.25;
 
 EngineState with_complete(EngineState state, std::vector<Ensemble> ensembles) {
@@ -31,7 +31,7 @@ Result<EngineState> fuse(const Engine& engine, EngineState state, Percept percep
     return Error{
         "", fmt::format("it came {} s late; expected within {} s", (now - event.t).seconds(), state.fusion.latest_s())};
   if (event.modality == Modality::pointing) state.fusion.sample(event, serial, now);
-  // Where nothing is to be fused, nothing waits.
+  // Without fusion nothing waits.
   return engine.machine->fusion ? released(std::move(state), now) : released_all(std::move(state));
 }
 

@@ -1,4 +1,4 @@
-// Fusion as a stage: percepts wait for their counterparts, and become ensembles.
+// The stage of fusion: percepts wait for their counterparts and become ensembles.
 #pragma once
 
 #include "continua/core/result.h"
@@ -9,15 +9,15 @@ namespace continua {
 /// The fusion before the first event. Pointings far from the table are not believed.
 Fusion first_fusion(const Engine& engine, const WorldSnapshot& world);
 
-/// The state once a percept has arrived at `now`. The error is the sentence of a refusal: the percept came too late.
+/// The state after a percept has arrived at `now`. The error is the sentence of a refusal: the percept came too late.
 Result<EngineState> fuse(const Engine& engine, EngineState state, Percept percept, SimTime now);
 
-/// The state with all that is complete at `now` in EngineState::complete.
+/// The state with all ensembles that are complete at `now` in EngineState::complete.
 EngineState released(EngineState state, SimTime now);
-/// The same with all that waits.
+/// The state with all waiting percepts in EngineState::complete.
 EngineState released_all(EngineState state);
 
-/// Takes the first of EngineState::complete, with readings by the words that are known now. REQUIRES that there is one.
+/// Takes the first of EngineState::complete, read with the words that are known now. REQUIRES that there is one.
 Ensemble take_complete(const Engine& engine, EngineState& state);
 
 }  // namespace continua

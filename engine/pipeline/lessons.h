@@ -1,4 +1,4 @@
-// Carries out the automaton's deeds of learning and forgetting, and replaces taught programs by their acts.
+// Carries out lessons: applies the automaton's `Taught`, `Forgotten` and `Acted` to the knowledge learned so far.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace continua {
 
-/// Whether a name computes something or the machine has another use for it: then no program can be called so.
+/// Whether the name is a function, a fact, or in use in the machine: then no program can have it.
 bool is_taken(const std::string& name, const Machine& machine);
 
 /// The events as lessons change them, in order.
-/// - `Taught`, once it is learned, has the program that was composed; it becomes `Trouble` if it cannot be learned.
+/// - `Taught` of a word gets the composed program; it becomes `Trouble` if the lesson cannot be learned.
 /// - `Forgotten` becomes one `Forgotten` for each lesson that was known, with its value.
 /// - An `Acted` of a taught program becomes one `Acted` for each of its acts, or a `Trouble` if there are too many.
 /// - Other events stay.

@@ -32,7 +32,7 @@ Result<Percept> perceive(const Engine& engine, const EngineState& state, const I
     percept.takers = percept.readings->alternatives.front().takers;
   } else if (event.modality == Modality::gesture &&
              kind_of(event, *engine.machine, gestures_of(engine), state.learned) == deixis) {
-    // A gesture that does not say where it points points where the hand does.
+    // A pointing gesture without a place points where the hand does.
     if (!place_of(event) && state.pointed && goes_on(*state.pointed, event.t, engine.window))
       percept.event.target_W = state.pointed->place_W;
     percept.deixis = deixis_of(percept.event, serial);

@@ -1,4 +1,5 @@
-// An event as a percept: its reading, the words that pointing can go with, where a gesture points.
+// The stage of perception: an event becomes a percept with its readings, the words that pointing can go with, and the
+// place where a gesture points.
 #pragma once
 
 #include <string>

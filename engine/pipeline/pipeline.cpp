@@ -19,7 +19,8 @@
 namespace continua {
 namespace {
 
-// An act may be answered with another one; those that answer each other at once would do so forever.
+// The machine may answer the end of an act with another act. The bound stops acts that answer each other without time
+// passing.
 constexpr int most_ends = 100;
 
 }  // namespace
@@ -33,7 +34,7 @@ Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world, Learned learne
   return tick;
 }
 
-// Perceive, fuse.
+// Perceives and fuses.
 Tick Pipeline::receive(const EngineState& before, const InputEvent& event, const WorldSnapshot& world) const {
   const SimTime now = std::max(event.t, world.t);
   Tick tick{before, {}};
@@ -56,7 +57,7 @@ Tick Pipeline::receive(const EngineState& before, const InputEvent& event, const
 
 Tick Pipeline::wake(const EngineState& before, SimTime now) const { return {released(before, now), {}}; }
 
-// Understand: each move of an utterance is understood in the dialogue that the moves before it have left.
+// Understands. Each move of an utterance is understood in the dialogue that the moves before it have left.
 Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) const {
   Tick tick{before, {}};
   EngineState& state = tick.after;
@@ -84,7 +85,7 @@ Pipeline::Answered Pipeline::answer(EngineState state, const std::vector<Offer>&
   return answered;
 }
 
-// Believe, step, behave.
+// Believes, steps and behaves.
 Pipeline::Answered Pipeline::answer(EngineState state, std::span<const Input> inputs,
                                     const WorldSnapshot& world) const {
   Tick tick = believe(engine_, std::move(state), inputs.front(), world);
@@ -94,7 +95,7 @@ Pipeline::Answered Pipeline::answer(EngineState state, std::span<const Input> in
   return {std::move(tick), taken};
 }
 
-// Act, until the body has something to report. The end of an act may be an input.
+// Acts until the body has to report. The end of an act may be an input.
 Tick Pipeline::act(EngineState state, const WorldSnapshot& world) const {
   Tick tick{std::move(state), {}};
   for (int ends = 1;; ++ends) {

@@ -10,7 +10,7 @@ Stepped stepped(EngineState state, Step step) {
   return {std::move(state), std::move(step.events), {}, 0};
 }
 
-// The avatar does the deeds of the leading branch; the other branches are only told of.
+// The avatar follows the leading branch; the other branches are only reported.
 Stepped explored(EngineState state, ExplorationStep step) {
   state.exploration = std::move(step.after);
   state.configuration = state.exploration.branches.front().configuration;

@@ -1,4 +1,4 @@
-// The automaton as a stage: one step under the policy of the run, whichever that is.
+// The stage of the automaton: one step under the policy of the run.
 #pragma once
 
 #include <span>
@@ -10,16 +10,16 @@ namespace continua {
 
 struct Stepped {
   EngineState after;
-  std::vector<StepEvent> events;    ///< of the configuration that the avatar acts by
-  std::vector<EngineEvent> others;  ///< under `explore`: the other branches
-  std::size_t taken = 0;            ///< which of the inputs was taken, or 0
+  std::vector<StepEvent> events;    ///< of the configuration that decides the avatar's behaviour
+  std::vector<EngineEvent> others;  ///< under `explore`: of the other branches
+  std::size_t taken = 0;            ///< number of the input taken, or 0
 };
 
-/// The automaton as a run begins.
+/// The first step of a run, before any input.
 Stepped first_step(const Engine& engine, EngineState state, const WorldSnapshot& world);
 
-/// Offers inputs of which one counts. An input that the machine ignores, or one below its minimum of confidence, is not
-/// offered; nothing happens if none is left.
+/// Offers inputs of which one is taken. Inputs that the machine ignores, or that are below its minimum confidence, are
+/// not offered; nothing happens if none is left.
 Stepped step(const Engine& engine, EngineState state, std::span<const Input> inputs, const WorldSnapshot& world);
 
 }  // namespace continua

@@ -1,4 +1,4 @@
-// A run that another pipeline has begun, taken over in the middle.
+// Takes over a run that another pipeline has begun.
 #pragma once
 
 #include "continua/core/result.h"
@@ -6,8 +6,8 @@
 
 namespace continua {
 
-/// `Pipeline::take_over`: the state for this engine's machine, by names. Errors: a taught word that means something
-/// else in this machine, and those of automaton/carry_over.h.
+/// `Pipeline::take_over`: translates the state for this engine's machine, by names. Errors: a taught word that means
+/// something else in this machine, and those of automaton/carry_over.h.
 Result<EngineState> taken_over(const Engine& engine, EngineState state, const Machine& was, const WorldSnapshot& world);
 
 }  // namespace continua

@@ -35,7 +35,7 @@ class Elaborator {
     return built(syntax);
   }
 
-  // The type of a term in a place that expects `wanted`. The wanted type only helps to find the type; the caller checks
+  // The type of a term in a place that expects `wanted`. The expectation only guides the inference; the caller checks
   // that it is met.
   Result<Type> infer(Syntax& syntax, const Type& wanted) {
     switch (syntax.kind) {
@@ -82,7 +82,7 @@ class Elaborator {
     return Type::function(*syntax.type, *body);
   }
 
-  // The elements have one type, unless a list of `term` is wanted.
+  // All elements have the same type, unless a list of `term` is wanted.
   Result<Type> infer_list(Syntax& syntax, const Type& wanted) {
     const bool of_terms = wanted.kind() == Type::Kind::list && unifier_.known(wanted.element()) == Type::term();
     const Type element = of_terms ? Type::term() : unifier_.fresh();
@@ -169,7 +169,7 @@ class Elaborator {
     return Term();
   }
 
-  // box(<…>, <…>) of two points written out.
+  // Whether it is box(<…>, <…>) of two literal points.
   static bool is_region_literal(const Syntax& syntax) {
     const auto is_point = [](const Syntax& part) {
       return part.kind == Syntax::Kind::literal && part.literal.kind() == Term::Kind::place;

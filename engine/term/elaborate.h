@@ -1,4 +1,4 @@
-// From the syntax of a text to a term: names are found, types inferred.
+// From the syntax of a text to a term: resolves names, infers types.
 #pragma once
 
 #include "continua/core/result.h"
@@ -7,7 +7,7 @@
 
 namespace continua {
 
-/// `expected` may be null: any type will do. Names of core_signature() are known too, after those of `names`.
+/// `expected`: nullptr for any type. Names are looked up in `names`, then in core_signature().
 Result<Term> elaborate(Syntax syntax, const Signature& names, const Type* expected);
 
 }  // namespace continua

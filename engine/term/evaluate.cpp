@@ -14,7 +14,7 @@ constexpr int deepest_evaluation = 1000;
 constexpr std::size_t deepest_value = 1000;
 constexpr std::size_t largest_value = 50000;
 
-// Appends the arguments of `term`, an application, in front of those there are; returns its head.
+// Inserts the arguments of `term`, an application, before `arguments`; returns its head.
 const Term& unwound(const Term& term, std::vector<Term>& arguments) {
   std::size_t count = 0;
   const Term* head = &term;
@@ -30,8 +30,8 @@ void drop(std::vector<Term>& arguments, std::size_t& ready, std::size_t count) {
   ready -= std::min(ready, count);
 }
 
-// Can a name of the one type be the name of a value of the other? An object may be called like a function (a cup named
-// cup). Types of one kind have been checked where the term was read.
+// Whether a name of one type can have a value of the other. An object may have the same name as a function (a cup named
+// cup). Types of one kind were checked when the term was read.
 bool names_same(const Type& name, const Type& value) { return name.kind() == value.kind() || consistent(name, value); }
 
 }  // namespace
@@ -147,7 +147,7 @@ Term Evaluation::reduced(Redex redex) {
       case Term::Kind::bound:
         keep(redex);
         return std::move(redex.head);
-      default:  // applied to anything, a term that is no function gives null
+      default:  // a value that is not a function: applied, it gives null
         return redex.arguments.empty() ? evaluated(redex.head) : Term::null();
     }
   }
@@ -157,7 +157,7 @@ void Evaluation::make_ready(Redex& redex, std::size_t count) {
   for (; redex.ready < count; ++redex.ready) redex.arguments[redex.ready] = evaluated(redex.arguments[redex.ready]);
 }
 
-// The head computes nothing: it stays, applied to the values of its arguments.
+// The head has no rule and no value: it stays, applied to the values of its arguments.
 Evaluation::Step Evaluation::keep(Redex& redex) {
   make_ready(redex, redex.arguments.size());
   for (auto& argument : redex.arguments) redex.head = Term::apply(std::move(redex.head), std::move(argument));
@@ -176,7 +176,7 @@ Evaluation::Step Evaluation::reduce_constant(Redex& redex) {
   return Step::again;
 }
 
-// `if`, `and` and `or` evaluate only the operands that they need, but all of them while they wait for a bound variable.
+// `if`, `and` and `or` evaluate only the arguments they need, but all of them while they wait for a bound variable.
 Evaluation::Step Evaluation::reduce_choice(Redex& redex) {
   auto& arguments = redex.arguments;
   const bool is_if = redex.head.name() == "if", is_and = redex.head.name() == "and";

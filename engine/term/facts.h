@@ -1,5 +1,5 @@
-// The facts that rules may read besides their arguments: passed along with an evaluation. Rules of the language read
-// none; each rule of another folder reads those of its folder.
+// The facts that rules may read besides their arguments; they are passed along with an evaluation. Rules of the
+// language read none; the rules of another folder read the facts of that folder.
 #pragma once
 
 namespace continua {
@@ -9,11 +9,11 @@ struct Learned;
 class Beliefs;
 class Random;
 
-/// The facts during an evaluation. A rule gives null where a fact that it reads is missing. Everything must outlive the
+/// The facts of an evaluation. A rule gives null if it needs a fact that is not there. All facts must outlive the
 /// evaluation.
 struct Facts {
   const WorldSnapshot* world = nullptr;  ///< world/world_snapshot.h
-  Random* random = nullptr;              ///< the generator of the run, which moves on with each draw
+  Random* random = nullptr;              ///< the generator of the run; each draw advances it
   const Learned* learned = nullptr;      ///< learning/learning.h
   const Beliefs* beliefs = nullptr;      ///< automaton/beliefs.h
 };

@@ -15,11 +15,11 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 constexpr std::string_view lambda_utf8 = "\xCE\xBB";
 
-// Longer signs before their beginnings.
+// A sign stands before the signs that it begins with.
 constexpr std::array<std::string_view, 20> signs = {"!=", "<=", ">=", "(", ")", "[", "]", "<", ">",
                                                     ",",  ".",  ":",  "=", "+", "-", "*", "/", "\\"};
 
-// Bytes of the name at the beginning of `text`.
+// Length in bytes of the name at the beginning of `text`.
 std::size_t name_length(std::string_view text) {
   if (text.empty() || !is_letter(text.front())) return 0;
   std::size_t length = 1;

@@ -21,7 +21,7 @@ struct Token {
   std::size_t begin = 0;  ///< byte of the text where it begins
   std::string text;       ///< name, sign, or the characters of the text without quotes and escapes
   double number = 0;
-  bool quoted = false;  ///< a name in backquotes, which no keyword and no variable is meant by
+  bool quoted = false;  ///< a name in backquotes: never a keyword or a variable
 
   bool is(std::string_view sign) const { return kind == Kind::sign && text == sign; }
   /// "'put'", "the number 3", "the end"
@@ -33,7 +33,7 @@ class Lexer {
   explicit Lexer(std::string_view text) : text_(text) {}
 
   Result<Token> next();
-  /// The text up to the next `stop`, or up to the end, which becomes the place to read on from.
+  /// The text up to the next `stop` or to the end; reading goes on from there.
   std::string_view raw_until(char stop);
   std::size_t at() const { return at_; }
   void skip_space();
@@ -50,7 +50,7 @@ class Lexer {
 /// "column N", the first being 1.
 std::string column(std::size_t byte);
 
-/// Can it be written as a name without quotes: a letter or _, then letters, digits, _, and primes at the end.
+/// Whether it can be written as a name without quotes: a letter or _, then letters, digits, _, and primes at the end.
 bool is_plain_name(std::string_view name);
 /// null true false and or not
 bool is_keyword(std::string_view name);

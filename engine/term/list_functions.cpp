@@ -17,7 +17,7 @@ Elements::const_iterator nth_of(const Elements& list, std::size_t n) {
   return list.begin() + static_cast<std::ptrdiff_t>(n);
 }
 
-// A whole number from 0 as a count, at most `most`; below 0 it is 0.
+// A number as a count: rounded down, at least 0 and at most `most`.
 std::size_t count(const Term& number, std::size_t most) {
   const double value = std::floor(number.number_value());
   if (value <= 0) return 0;
@@ -38,7 +38,7 @@ Term nth(Arguments a, Evaluation&) {
   return at(a[0], count(a[1], elements(a[0]).size()));
 }
 
-// Of an empty list literal nothing is known but `term`; the other list then knows more.
+// The element type of both lists. An empty list literal only has `term`; then the other list's type counts.
 Type common_element(const Term& a, const Term& b) {
   return element_type(a) == Type::term() ? element_type(b) : element_type(a);
 }

@@ -1,4 +1,4 @@
-// Names of constants: interned, so that they are compared and looked up by address.
+// Names of constants. They are interned, so that they are compared and looked up by address.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ class Name {
   explicit Name(std::string_view text);
 
   const std::string& text() const { return *text_; }
-  /// The same text. There is no order: addresses differ from run to run.
+  /// Equal texts. Names have no order, because addresses differ from run to run.
   bool operator==(const Name&) const = default;
 
   struct Hash {

@@ -1,5 +1,5 @@
-// The rules of the operators, and of functions of numbers. `and`, `or` and `if` evaluate only the operands that they
-// need and are therefore part of the evaluation.
+// The rules of the operators, and of functions of numbers. `and`, `or` and `if` evaluate only the arguments they need
+// and are therefore part of the evaluation.
 #include <algorithm>
 #include <cmath>
 

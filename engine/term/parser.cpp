@@ -9,7 +9,7 @@
 namespace continua {
 namespace {
 
-// The strengths with which operators bind; the text between two operators is an operand.
+// How tightly the operators bind, from loosest to an operand.
 enum Binding : int { loosest = 1, disjunction = 1, conjunction, negation, comparison, sum, product, operand };
 
 int binding_of(const Token& token) {
@@ -55,7 +55,7 @@ class Parser {
   }
 
  private:
-  // One level of the text's nesting: an operand and the operators after it that bind at least as tightly as `least`.
+  // One level of nesting: an operand, and the operators after it that bind at least as tightly as `least`.
   Result<Syntax> expression(int least) {
     if (nesting_ >= deepest_term) return too_deep(token_.begin);
     ++nesting_;
@@ -170,7 +170,7 @@ class Parser {
     return measured(std::move(syntax));
   }
 
-  // <a, b, c>: a literal when its entries are, xyz(a, b, c) otherwise.
+  // <a, b, c>: a literal if its entries are literals, else xyz(a, b, c).
   Result<Syntax> point() {
     const auto begin = token_.begin;
     std::vector<Syntax> entries;

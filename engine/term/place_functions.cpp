@@ -38,7 +38,7 @@ Term square(Arguments a, Evaluation&) {
   return Term::place({{c[0] - half, c[1] - half, c[2]}, {c[0] + half, c[1] + half, c[2]}, true});
 }
 
-// In x and y; borders belong to the region. The margin is how far the nearest deciding side would have to move.
+// In x and y; borders belong to the region. The margin is the movement of the nearest deciding side.
 Term inside(Arguments a, Evaluation& evaluation) {
   const auto &inner = a[0].place_value(), &outer = a[1].place_value();
   const double slack = std::min({inner.min[0] - outer.min[0], outer.max[0] - inner.max[0], inner.min[1] - outer.min[1],
@@ -47,7 +47,7 @@ Term inside(Arguments a, Evaluation& evaluation) {
   return Term::truth(slack >= 0);
 }
 
-// Common in x and y, at the height of the first.
+// The common region in x and y, at the height of the first.
 Term overlap(Arguments a, Evaluation&) {
   const auto &one = a[0].place_value(), &other = a[1].place_value();
   Place common{one.min, one.max, true};
@@ -59,7 +59,7 @@ Term overlap(Arguments a, Evaluation&) {
   return Term::place(common);
 }
 
-// On every side, in x and y.
+// Grows on every side, in x and y.
 Term grow(Arguments a, Evaluation&) {
   Place place = a[0].place_value();
   place.region = true;
@@ -80,7 +80,7 @@ Term toward(Arguments a, Evaluation&) {
   return point(moved);
 }
 
-// The smallest region that holds both.
+// The smallest region that contains both.
 Term box(Arguments a, Evaluation&) {
   const auto &one = a[0].place_value(), &other = a[1].place_value();
   Place place{{}, {}, true};

@@ -11,7 +11,7 @@
 namespace continua {
 namespace {
 
-// An operator with the strength of its binding, and the weakest terms that may be its operands without parentheses.
+// How tightly an operator binds, and the least binding of a left and right operand without parentheses.
 struct Infix {
   std::string_view sign;
   int binding, left, right;
@@ -54,7 +54,7 @@ class Printer {
  public:
   explicit Printer(Lambda lambda) : lambda_(lambda) {}
 
-  // Appends `term`, in parentheses when it binds less tightly than `least`.
+  // Appends `term`, in parentheses if it binds less tightly than `least`.
   void print(const Term& term, int least) {
     switch (term.kind()) {
       case Term::Kind::null:
@@ -125,7 +125,7 @@ class Printer {
       quoted(name, '`');
   }
 
-  // A variable that reaches out of the printed term has no name; the output is for debugging only.
+  // A variable bound outside the printed term has no name; it is printed for debugging only.
   void bound(int index) {
     const auto depth = static_cast<int>(scope_.size());
     out_ += index < depth ? scope_[depth - 1 - index] : fmt::format("`free {}`", index - depth);
@@ -147,7 +147,7 @@ class Printer {
     scope_.resize(outer);
   }
 
-  // The hint of a variable, primed while it is the name of something else that the body mentions.
+  // The hint of a variable, with primes as long as the body mentions something else of that name.
   std::string unused(const std::string& hint, const Term& body) const {
     std::string name = is_plain_name(hint) && !is_keyword(hint) ? hint : "x";
     const auto taken = [&] {

@@ -1,6 +1,6 @@
-// Raising: an argument of the wrong type is lifted to the wanted one, where a rule allows it (SEMANTICS.md §2): an
-// object to the place on, in or at it, a point to a region, an object to the true statements about its properties, an
-// event to its theme. The rules are data (term/raising_file.h).
+// Raising: lifts an argument of the wrong type to the wanted type, if a rule allows it (SEMANTICS.md §2): an object to
+// the place on, in or at it, a point to a region, an object to the set of its properties, an event to its theme. The
+// rules are data (term/raising_file.h).
 #pragma once
 
 #include <optional>
@@ -13,12 +13,12 @@ namespace continua {
 struct RaisingRule {
   std::string name;
   Type from = Type::term(), to = Type::term();
-  std::optional<Term> when;  ///< of type from -> t: true of the arguments that may be raised; without it all may
+  std::optional<Term> when;  ///< of type from -> t: true of arguments that may be raised; without it all may
   Term by;                   ///< of type from -> to
 };
 
-/// May `argument` stand where `wanted` is expected, as it is: its type is consistent with it, and a place that is
-/// written out has an extent where a region is wanted. Null may stand everywhere.
+/// Whether `argument` may stand in a place of type `wanted` without raising. Its type must be consistent with `wanted`;
+/// for a region, a literal place must have an extent. Null fits everywhere.
 bool fits(const Term& argument, const Type& wanted);
 
 struct Raised {
@@ -26,8 +26,8 @@ struct Raised {
   std::string rule;
 };
 
-/// Raises the argument by the first rule, in their order, that goes from its type to the wanted one, whose condition is
-/// true of it, and whose result fits. The argument and the result are values.
+/// Raises `argument`, a value, by the first rule that leads from its type to the wanted one, has a true condition and
+/// gives a value that fits. The result is a value.
 std::optional<Raised> raised(const Term& argument, const Type& wanted, const RaisingRules& rules,
                              Evaluation& evaluation);
 

@@ -20,7 +20,7 @@ Term read_term(const Item& item, const Signature& names, const Type& expected) {
   return Term();
 }
 
-// `names` and the file's own programs.
+// `names` with the file's programs.
 Signature with_programs(const Item& programs, Signature names) {
   for (const auto& [name, item] : programs.members("programs")) {
     const auto type = read_type(item);
@@ -55,7 +55,7 @@ Result<RaisingRules> read(const Result<LocatedJson>& document, const Signature& 
     root.expect_version("raising", 1);
     const auto known = with_programs(root.member("programs"), names);
     const auto items = root.required("rules", "the rules, a list");
-    // A term is read with the programs: where they are wrong, its problems would only follow from theirs.
+    // Terms use the programs: if the programs have problems, problems of the terms would only follow from these.
     for (const auto& item : reader.sound() ? items.elements("the rules") : std::vector<Item>()) {
       auto rule = read_rule(item, known);
       const auto same_name = [&](const RaisingRule& other) { return other.name == rule.name; };

@@ -5,8 +5,8 @@
 //     "rules": [ { "name": "object_to_place_in", "from": "e", "to": "loc",
 //                  "when": "\\x. affords(x, 'in')", "by": "in" } ] }
 //
-// `programs` are names without a rule behind them, with their types; `when` may be missing; "about", for people, may
-// stand next to "raising" and in each rule.
+// `programs` are names without a rule, with their types. `when` may be missing. The document and each rule may have an
+// "about", for people.
 #pragma once
 
 #include <string>
@@ -17,11 +17,11 @@
 
 namespace continua {
 
-/// `names` are the names that terms may use besides the file's own: the language's, facts of the world. The error is
-/// the first problem of the file: "file:line:column: found, expected".
+/// `names`: the names that terms may use besides the file's programs: the language's and the facts of the world. The
+/// error is the first problem of the file: "file:line:column: found …, expected …".
 Result<RaisingRules> load_raising(const std::string& path, const Signature& names);
 
-/// The same from text; `name` stands for the file in errors.
+/// Reads rules from text; `name` stands for the file in errors.
 Result<RaisingRules> parse_raising(std::string_view text, const std::string& name, const Signature& names);
 
 }  // namespace continua

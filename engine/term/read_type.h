@@ -6,8 +6,8 @@
 
 namespace continua {
 
-/// The type that a text of a document describes, such as "e -> loc". Anything else is a problem of the item, and gives
-/// the type of terms; so does an absent item, without a problem.
+/// The type that a text of a document describes, such as "e -> loc". Anything else is a problem of the item and gives
+/// Type::term(). An absent item gives Type::term() without a problem.
 Type read_type(const Item& item);
 
 }  // namespace continua

@@ -14,7 +14,7 @@ struct Language {
     add_list_functions(rules, signature);
     add_term_functions(rules, signature);
     add_place_functions(rules, signature);
-    signature.emplace("each", Type::parse("'a* -> 'a").value());  // has no rule: a reading says it
+    signature.emplace("each", Type::parse("'a* -> 'a").value());  // without a rule: readings contain it
   }
 };
 
@@ -23,7 +23,7 @@ const Language& language() {
   return it;
 }
 
-// The kind of literal a function with this parameter relies on; null when it takes all kinds.
+// The kind of literal that a function with this parameter relies on; null if it takes all kinds.
 Term::Kind relied_on(const Type& parameter) {
   if (parameter.kind() == Type::Kind::list) return Term::Kind::list;
   if (parameter == Type::number()) return Term::Kind::number;

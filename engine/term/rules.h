@@ -1,4 +1,4 @@
-// Tables of names with their types, rules and nothing else: how functions are added to the language.
+// Adds functions to the language: tables of names with their types and rules.
 #pragma once
 
 #include <initializer_list>
@@ -8,7 +8,7 @@
 
 namespace continua {
 
-/// One function: its name, its type as text, and its computation.
+/// A function of the language.
 struct Function {
   const char* name;
   const char* type;
@@ -17,12 +17,12 @@ struct Function {
 };
 
 /// Adds the functions to `rules` and their types to `signature`. The arity of a function is the number of arrows of
-/// its type. Its `compute` may rely on the kinds of its arguments: where the type says num, text, loc or a list, and
-/// the argument is no such literal (a name without a value, or something else by way of `term`), the value is null.
-/// A name declared twice is a broken invariant.
+/// its type. Its `compute` may rely on the kinds of its arguments: if a parameter is num, text, loc or a list and the
+/// argument is not such a literal (a name without a value, or any value of type `term`), the result is null without a
+/// call. A name declared twice is a broken invariant.
 void add_functions(std::initializer_list<Function> functions, Rules& rules, Signature& signature);
 
-/// The language's own, each file one table.
+/// The functions of the language, each file one table.
 void add_operators(Rules& rules, Signature& signature);
 void add_list_functions(Rules& rules, Signature& signature);
 void add_term_functions(Rules& rules, Signature& signature);

@@ -6,7 +6,7 @@
 namespace continua {
 namespace {
 
-// `term`, which stands below `depth` binders, with `part(its part, depth of that)` in place of each of its parts.
+// `term`, below `depth` binders, with the result of `part` in place of each part; `part` gets the part and its depth.
 template <class Part>
 Term with_parts(const Term& term, int depth, const Part& part) {
   switch (term.kind()) {
@@ -27,8 +27,8 @@ Term with_parts(const Term& term, int depth, const Part& part) {
   }
 }
 
-// `leaf(variable, depth)` in place of each variable that reaches out of where the walk began. Parts without such a
-// variable are shared, not rebuilt.
+// `term` with `leaf(variable, depth)` in place of each variable bound outside the term where the walk began. Parts
+// without such a variable are shared, not rebuilt.
 template <class Leaf>
 Term with_variables(const Term& term, int depth, const Leaf& leaf) {
   if (term.reach() <= depth) return term;

@@ -21,25 +21,25 @@ struct Syntax {
     list,    ///< parts: the elements
   };
   Kind kind = Kind::literal;
-  std::size_t begin = 0;          ///< byte where it begins
-  std::size_t from = 0, end = 0;  ///< its bytes [from, end), parentheses around it included
+  std::size_t begin = 0;          ///< its first byte
+  std::size_t from = 0, end = 0;  ///< its bytes [from, end), with the parentheses around it
   Term literal;
   std::string name;       ///< of a name, or of a lambda's variable
-  bool constant = false;  ///< a name that no variable is meant by: an operator, `quoted`
-  bool bare = true;       ///< a name that stands without parentheses: box(…) is read as a literal, (box)(…) is not
+  bool constant = false;  ///< a name that is never a variable: an operator, `quoted`
+  bool bare = true;       ///< a name without parentheses: box(…) is read as a literal, (box)(…) is not
   std::optional<Type> annotation;
   std::vector<Syntax> parts;
-  std::size_t depth = 1;  ///< of the term it becomes
+  std::size_t depth = 1;  ///< depth of the resulting term
 
   // Found by the elaboration.
-  std::optional<Type> type;  ///< of a lambda that of its variable, of a list that of its elements
+  std::optional<Type> type;  ///< for a lambda the type of its variable, for a list the type of its elements
   int bound = -1;            ///< index of the bound variable, -1 for a constant
 };
 
-/// No term that is read is deeper than this.
+/// The greatest depth of a term that is read.
 inline constexpr std::size_t deepest_term = 200;
 
-/// Reads the notation of term_text.h. `base_types` are the names of base types an annotation may use.
+/// Reads the notation of term_text.h. `base_types`: the base types that an annotation may use.
 Result<Syntax> parse_syntax(std::string_view text, const std::vector<std::string>& base_types);
 
 }  // namespace continua

@@ -1,10 +1,10 @@
-// Terms: the form of conditions, stack contents, commands and the log. Immutable values that share structure, with
+// Terms, the language of conditions, stack contents, commands and the log. Immutable values that share structure, with
 // numbered binders (de Bruijn indices), so that alpha-equivalent terms are equal. SEMANTICS.md §2.
 //
-// Every node carries a digest of all that counts for equality, made from those of its parts when it is built. So terms
-// are compared and hashed in constant time, as by hash-consing. A table of all nodes would be shared and locked, and
-// its addresses would differ from run to run; content addressing needs none, and equal terms have equal keys in every
-// thread and process.
+// Every node carries a digest of all that counts for equality, computed from the digests of its parts. So terms are
+// compared and hashed in constant time, as with hash-consing. But hash-consing needs a table of all nodes, which is
+// shared and locked, and its addresses differ from run to run. Digests need no table, and equal terms have equal
+// digests in every thread and process.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ namespace continua {
 /// A point of frame W, metres.
 using Point = std::array<double, 3>;
 
-/// A place is a point, or an axis-aligned region of W given by two corners. A region may have no extent.
+/// A place is a point, or an axis-aligned region of W with two corners. A region may have no extent.
 struct Place {
   Point min{};
   Point max{};
@@ -65,17 +65,17 @@ class Term {
   /// The constant of type e that stands for an object of the world.
   static Term entity(std::string_view name);
   static Term bound(int index, Type type);
-  /// `hint` is the name to print for the variable; it does not take part in equality.
+  /// `hint`: the name to print for the variable; equality ignores it.
   static Term lambda(std::string hint, Type variable, Term body);
-  /// Null where the types do not go together (result_type() in unify.h): the first term is no function, or takes
-  /// another type than the argument's. Null itself and a term of type `term` may be applied to anything.
+  /// Null if the types do not fit (result_type() in unify.h): `function` is not a function, or takes another type. Null
+  /// and terms of type `term` may be applied to anything.
   static Term apply(Term function, Term argument);
   static Term list(std::vector<Term> elements, Type element);
 
   Kind kind() const;
   const Type& type() const;
   bool is_null() const { return kind() == Kind::null; }
-  /// True only for the term `true`: null and everything else count as not true.
+  /// True only for the term `true`; null and all other terms count as not true.
   bool is_true() const;
 
   bool truth_value() const;                   ///< REQUIRES truth
@@ -94,20 +94,24 @@ class Term {
   /// f(a, b) as (f, [a, b]); any other term as (itself, []).
   TermSpine spine() const;
 
-  /// Of the structure up to alpha-equivalence. Hints and types take no part in it: `head` of a list of objects and
+  /// The digest of the structure up to alpha-equivalence. Hints and types are left out: `head` of a list of objects and
   /// `head` of a list of numbers are the same name.
   const TermDigest& digest() const;
   /// Equal digests. O(1), as is the hash.
   bool operator==(const Term& other) const { return node_ == other.node_ || digest() == other.digest(); }
-  /// The very same node: hints and types are the same too.
+  std::size_t hash() const { return static_cast<std::size_t>(digest().low); }
+  struct Hash {
+    std::size_t operator()(const Term& term) const { return term.hash(); }
+  };
+  /// Whether it is the same node, with the same hints and types too.
   bool same_node(const Term& other) const { return node_ == other.node_; }
 
-  /// No bound variable reaches outside of it.
+  /// Whether every bound variable is bound inside the term.
   bool closed() const { return reach() == 0; }
-  /// Number of enclosing lambdas its bound variables need: 0 when closed.
+  /// Number of enclosing lambdas that its bound variables need; 0 if closed.
   int reach() const;
-  /// Height and (saturating) number of nodes of the written-out tree, a text counting by its length. A loop that builds
-  /// terms must bound both: shared structure makes it easy to build a small thing that prints endlessly.
+  /// Height and (saturating) number of nodes of the written-out tree; a text counts by its length. Code that builds
+  /// terms in a loop must bound both: with shared structure a small term can print endlessly.
   std::size_t depth() const;
   std::size_t size() const;
 

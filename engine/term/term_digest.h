@@ -1,4 +1,4 @@
-// The content of a term as 128 bits: the key by which terms are compared, hashed and kept in tables.
+// The content of a term as 128 bits, by which terms are compared, hashed and kept in tables.
 #pragma once
 
 #include <bit>
@@ -8,18 +8,19 @@
 
 namespace continua {
 
-/// Equal for equal terms, in every thread and process and on every machine. Two different terms share one with the
-/// chance of a random collision, 2^-128 for each pair. Its order means nothing, but is the same everywhere.
+/// Equal for equal terms, in every thread and process and on every machine. Two different terms have equal digests with
+/// the probability of a random collision, 2^-128 for each pair. The order means nothing, but is the same everywhere.
 struct TermDigest {
   std::uint64_t high = 0, low = 0;
   auto operator<=>(const TermDigest&) const = default;
 };
 
-/// Takes in words, two at a time, and digests of parts; the order counts. The steps are those of MurmurHash3_x64_128
-/// (Appleby, public domain); on words instead of bytes, so that the order of bytes of the machine does not matter.
+/// Computes a digest of words, two at a time, and of digests of parts; the order counts. The steps are those of
+/// MurmurHash3_x64_128 (Appleby, public domain), on words instead of bytes, so that the machine's byte order does not
+/// matter.
 class TermDigester {
  public:
-  /// `kind` sets apart nodes of different kinds with the same parts.
+  /// `kind` makes terms of different kinds with the same parts differ.
   explicit TermDigester(std::uint64_t kind) { add(kind, 0); }
 
   void add(const TermDigest& part) { add(part.high, part.low); }
@@ -46,7 +47,7 @@ class TermDigester {
   }
 
  private:
-  // The first eight bytes, the first the lowest.
+  // The first eight bytes as a word; the first byte is the lowest.
   static std::uint64_t word(std::string_view bytes) {
     std::uint64_t result = 0;
     for (std::size_t i = 0; i < bytes.size() && i < 8; ++i)

@@ -14,14 +14,14 @@ namespace {
 
 using Arguments = std::span<const Term>;
 
-// The body below all of a term's lambdas.
+// The body below all of a term's outer lambdas.
 const Term& below_lambdas(const Term& term) {
   const Term* at = &term;
   while (at->kind() == Term::Kind::lambda) at = &at->body();
   return *at;
 }
 
-// A lambda, or a name that is a function: it waits for an argument.
+// Whether the term waits for an argument: a lambda, or a name of function type.
 bool is_open(const Term& term) {
   return term.kind() == Term::Kind::lambda || term.type().kind() == Type::Kind::function;
 }
@@ -55,7 +55,7 @@ Term argument(Arguments a, Evaluation&) {
   return Term::null();
 }
 
-// The continuation of a part: the rest of the term as a function of the part.
+// The continuation of a part: the term as a function of that part.
 Term lacking(Arguments a, Evaluation&) {
   if (a[1].is_null() || !a[0].closed() || !a[1].closed()) return Term::null();
   const char* hint = a[1].type() == Type::location() ? "v" : "x";

@@ -15,7 +15,7 @@ struct Type::Node {
   Kind kind;
   std::string name;
   int index = 0;
-  std::vector<Type> parts;  // of a list its element; of a function the argument and the result
+  std::vector<Type> parts;  // the element of a list; `from` and `to` of a function
   bool polymorphic = false;
 };
 
@@ -49,7 +49,7 @@ Type Type::function(Type from, Type to) {
 
 Type Type::variable(int index) { return Type(std::make_shared<const Node>(Node{Kind::variable, {}, index, {}, true})); }
 
-// The built-in types are one node each, so that comparing them is comparing addresses.
+// Each built-in type is one node, so that it is compared by address.
 #define CONTINUA_BUILT_IN_TYPE(function, name)                                                  \
   const Type& Type::function() {                                                                \
     static const Type type(std::make_shared<const Node>(Node{Kind::base, name, 0, {}, false})); \

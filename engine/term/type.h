@@ -1,6 +1,6 @@
-// Types of terms: e (object), loc (place or region), t (truth value, event description), num, text, lists a*, functions
-// a -> b, and `term`, the dynamic type: a term of any type, about which nothing is checked at load (a stack slot that
-// holds commands of various shapes). SEMANTICS.md §2.
+// Types of terms: e (object), loc (place or region), t (truth value, event description), num, text, lists a*,
+// functions a -> b, and `term`, the dynamic type: a term of any type, which is not checked at load (a stack slot for
+// commands of various shapes). SEMANTICS.md §2.
 #pragma once
 
 #include <cstddef>
@@ -39,15 +39,15 @@ class Type {
   const Type& to() const;           ///< REQUIRES function
   int index() const;                ///< REQUIRES variable
 
-  /// True when a type variable occurs in it.
+  /// Whether the type contains a type variable.
   bool polymorphic() const;
 
   bool operator==(const Type& other) const;
 
   /// "e -> (loc -> t)*"; arrows associate to the right, `*` binds tightest; variables print as 'a, 'b, ….
   std::string text() const;
-  /// Reads the notation that text() writes. `entity` and `location` are other names of e and loc. An unknown name is an
-  /// error; `extra` are base types beyond the built-in ones. Errors name the column, the first being `first_column`.
+  /// Reads the notation of text(). `entity` and `location` are other names of e and loc. An unknown name is an error;
+  /// `extra`: base types besides the built-in ones. Errors name the column; the first column is `first_column`.
   static Result<Type> parse(std::string_view text, const std::vector<std::string>& extra = {},
                             std::size_t first_column = 1);
 
@@ -57,8 +57,8 @@ class Type {
   std::shared_ptr<const Node> node_;
 };
 
-/// May a value of the one type stand where the other is expected? `term` and type variables go with everything, and
-/// `region` goes with `loc` both ways: whether a place has an extent is seen from its value (term/raising.h).
+/// Whether a value of one type may stand in a place of the other. `term` and type variables are consistent with every
+/// type. `region` and `loc` are consistent: the value shows whether a place has an extent (term/raising.h).
 bool consistent(const Type& a, const Type& b);
 
 }  // namespace continua

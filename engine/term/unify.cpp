@@ -7,7 +7,7 @@
 namespace continua {
 namespace {
 
-// Types of a term can grow exponentially with its length when written for that purpose.
+// Terms can be written whose types grow exponentially with the length of the term.
 constexpr std::size_t most_steps = 100000;
 
 Type renewed(const Type& type, std::map<int, Type>& renewals, Unifier& unifier) {

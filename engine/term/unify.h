@@ -1,4 +1,4 @@
-// Unification of types with `term` as the dynamic type: it goes with everything and tells nothing about it.
+// Unification of types. The dynamic type `term` unifies with every type and adds no knowledge about it.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace continua {
 
-/// The unknown types of one term, and everything known of them. Bounded: past a number of steps it gives up, no types
-/// unify any more and all is `term`.
+/// The unknown types of one term, and the knowledge about them. Bounded: past a number of steps it gives up; then no
+/// types unify any more and every type resolves to `term`.
 class Unifier {
  public:
   /// An unknown type.
@@ -17,14 +17,14 @@ class Unifier {
   /// `type` with an unknown type for each of its variables.
   Type instance(const Type& type);
 
-  /// Makes the two types one, where that can be. False keeps everything learnt until then.
+  /// Unifies the two types. On false, knowledge gained before the conflict stays.
   bool unify(const Type& a, const Type& b);
 
-  /// `type`, or the type known for it when it is an unknown; its parts are not looked at.
+  /// `type`, or its known value if it is an unknown; its parts are not resolved.
   Type known(const Type& type) const;
-  /// `type` with all known parts; an unknown becomes `term`.
+  /// `type` with its unknowns resolved; those still unknown become `term`.
   Type resolved(const Type& type);
-  /// The type as a message to a person says it: "num", "a list", "a function from e to t", "anything".
+  /// The type in words, for messages: "num", "a list", "a function from e to t", "anything".
   std::string described(const Type& type);
 
   bool gave_up() const;
@@ -36,8 +36,8 @@ class Unifier {
   std::size_t steps_ = 0;
 };
 
-/// Type of something of type `function` applied to something of type `argument`; none where the first is no function,
-/// or takes another type. A `term`, or a type variable, may be a function: then the result is `term`.
+/// The type of an application; none if `function` is not a function type or takes another argument. If `function` is
+/// `term` or a type variable, the result is `term`, because the value may be a function.
 std::optional<Type> result_type(const Type& function, const Type& argument);
 
 }  // namespace continua

@@ -41,7 +41,7 @@ class Writer {
         }
     }
     for (const auto& part : syntax.parts)
-      if (part.end > 0) term.parts.push_back(this->term(part));  // an operator is no operand
+      if (part.end > 0) term.parts.push_back(this->term(part));  // an operator is not an operand
     return term;
   }
 
@@ -59,7 +59,7 @@ class Writer {
     }
   }
 
-  // A name right before its parentheses, and nothing around it.
+  // Whether it is a name right before its parentheses, without parentheses around the whole.
   bool is_call(const Syntax& syntax) const {
     const auto& function = syntax.parts.front();
     const auto open = function.begin + function.name.size();
@@ -67,7 +67,7 @@ class Writer {
            text_.substr(function.begin, function.name.size()) == function.name && text_[open] == '(';
   }
 
-  // \x y. body is one lambda for each variable; those after the first are no terms of the text: they have no end.
+  // \x y. body is one lambda for each variable. The lambdas after the first are not terms of the text and have no end.
   WrittenTerm lambda(const Syntax& syntax, WrittenTerm term) const {
     term.kind = WrittenTerm::Kind::lambda;
     const Syntax* inner = &syntax;

@@ -1,4 +1,4 @@
-// Terms as they are written, where nothing declares the types of their names: readers of logs walk them.
+// The structure of a written term, without declared types of its names: for readers of logs.
 #pragma once
 
 #include <string>
@@ -19,10 +19,10 @@ struct WrittenTerm {
     list,    ///< parts: the elements
     call,    ///< name(a, b); name; parts: the arguments
     lambda,  ///< \x y. body; binders; parts: the body
-    other,   ///< null, a truth, operators between operands, a function that is no name; parts: their operands
+    other,   ///< null, a truth, operators between operands, a function that is not a name; parts: its operands
   };
   Kind kind = Kind::other;
-  std::string written;  ///< its text
+  std::string written;  ///< the text of the term
   std::string name;
   double number = 0;
   Place place;
@@ -30,13 +30,13 @@ struct WrittenTerm {
   std::vector<WrittenTerm> parts;  ///< from left to right
 };
 
-/// Reads the notation of term_text.h. The errors are those of parse_term, without those of unknown names and types.
+/// Reads the notation of term_text.h. Errors are those of parse_term(), except errors of unknown names and of types.
 Result<WrittenTerm> read_written_term(std::string_view text);
 
 /// The last place in the term, from left to right; nullptr if there is none.
 const Place* last_place(const WrittenTerm& term);
 
-/// Whether `name` stands in `text` as a whole word. The text may be any number of terms with other text between them.
+/// Whether `text` contains `name` as a whole word. The text may be several terms with other text between them.
 bool mentions(std::string_view text, std::string_view name);
 
 }  // namespace continua

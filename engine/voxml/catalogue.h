@@ -1,5 +1,5 @@
-// Voxemes from VoxML documents as they are published: XML with a root VoxML and the elements Entity, Lex, Type,
-// Habitat, Afford_Str, Embodiment and Attributes, in any order and each of them optional but Entity and Lex/Pred.
+// Reads voxemes from VoxML documents as they are published: XML with a root VoxML and the elements Entity, Lex, Type,
+// Habitat, Afford_Str, Embodiment and Attributes, in any order. All are optional except Entity and Lex/Pred.
 #pragma once
 
 #include <map>
@@ -15,22 +15,22 @@ namespace continua {
 
 struct ReadVoxeme {
   Voxeme voxeme;
-  /// At "path:line": elements and attributes that are unknown and formulas that cannot be read; both are kept, as text,
-  /// in Voxeme::others.
+  /// Unknown elements and attributes, and formulas that cannot be read, at "path:line". They are kept, as text, in
+  /// Voxeme::others.
   std::vector<Error> notes;
 };
 
-/// Text in US-ASCII, UTF-8, UTF-16 or ISO 8859-1, by its marks and its XML declaration, before which comments may
-/// stand. Prefixes of namespaces are passed over. The error, at "path:line", names the text that is no XML, or no
-/// VoxML.
+/// Reads a document in US-ASCII, UTF-8, UTF-16 or ISO 8859-1, by its byte order mark and its XML declaration; comments
+/// may stand before the declaration. Namespace prefixes are ignored. The error, at "path:line", names the part that is
+/// not XML, or not VoxML.
 Result<ReadVoxeme> read_voxeme(std::string_view text, const std::string& path);
 
-/// Is it XML with a root VoxML, as far as its beginning tells?
+/// Whether the text begins like XML with a root VoxML.
 bool looks_like_voxeme(std::string_view text);
 
 struct ReadCatalogue;
 
-/// Voxemes by name.
+/// Voxemes by entity and predicate.
 class Catalogue {
  public:
   /// Replaces the voxeme of the same entity and predicate.
@@ -38,13 +38,13 @@ class Catalogue {
 
   /// The voxeme, or nullptr.
   const Voxeme* find(Voxeme::Entity entity, std::string_view predicate) const;
-  /// That of an object of the scene: by its own name, else by its type; nullptr if it has none.
+  /// The voxeme of an object of the scene: by its own name, else by its type; nullptr if it has none.
   const Voxeme* for_object(std::string_view name, std::string_view type) const;
 
-  /// By entity and predicate.
+  /// All voxemes, by entity and predicate.
   const std::map<std::pair<Voxeme::Entity, std::string>, Voxeme>& voxemes() const { return voxemes_; }
 
-  /// Of the documents that were read and their paths below the folder; empty without any.
+  /// Digest of the documents and their paths below the folder; empty without documents.
   const std::string& digest() const { return digest_; }
 
  private:
@@ -57,11 +57,11 @@ class Catalogue {
 struct ReadCatalogue {
   Catalogue catalogue;
   std::vector<Error> problems;  ///< of documents that were left out
-  std::vector<Error> notes;     ///< those of the documents, and where a later one replaces an earlier one
-  std::size_t documents = 0;    ///< that were read
+  std::vector<Error> notes;     ///< of the documents, and of voxemes that replace earlier ones
+  std::size_t documents = 0;    ///< number of documents read
 };
 
-/// Every *.xml below `folder`, in the order of their paths; nothing where there is no such folder.
+/// Reads every *.xml below `folder`, in the order of their paths. Without such a folder the result is empty.
 ReadCatalogue read_catalogue(const std::string& folder);
 
 std::string_view name_of(Voxeme::Entity entity);

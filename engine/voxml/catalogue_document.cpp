@@ -28,7 +28,7 @@ bool same_letters(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return (x | 0x20) == (y | 0x20); });
 }
 
-// Between commas.
+// The items between commas.
 std::vector<std::string> items(std::string_view text) {
   std::vector<std::string> items;
   while (!text.empty()) {
@@ -104,7 +104,7 @@ class DocumentReader {
     return false;
   }
 
-  // Whether the attribute declares a namespace, or names a schema of it.
+  // Whether the attribute declares a namespace or a schema.
   static bool is_of_xml(std::string_view attribute) {
     return attribute == "xmlns" || attribute.starts_with("xmlns:") || attribute.starts_with("xsi:") ||
            attribute.starts_with("xml:");
@@ -116,7 +116,7 @@ class DocumentReader {
     keep(path + (path.empty() ? "" : "/") + attribute.name(), trimmed(attribute.value()));
   }
 
-  // The value of an element: in the attribute that its kind has for it, else its text.
+  // The value of an element: the attribute for it, else its text.
   std::string value_of(const pugi::xml_node& node, std::string_view attribute_name) const {
     for (const auto attribute : node.attributes())
       if (same_letters(without_prefix(attribute.name()), attribute_name) && !is_of_xml(attribute.name()))
@@ -154,8 +154,8 @@ class DocumentReader {
   }
 
   struct Kind {
-    const char* attribute;  ///< holds the value of an element of this kind
-    Take take;              ///< nullptr: it is kept as text
+    const char* attribute;  // the attribute with the value of such an element
+    Take take;              // nullptr: the value is kept as text
   };
 
   static bool is_clause(const Kind& kind) { return std::string_view(kind.attribute) == "Name"; }
@@ -163,7 +163,7 @@ class DocumentReader {
     return is_clause(kind) && same_letters(without_prefix(attribute.name()), "Value");
   }
 
-  // Elements that only hold others.
+  // Elements that only contain others.
   static bool is_group(const std::string& path) {
     constexpr std::array<std::string_view, 12> groups = {
         "Lex",        "Type",       "Type/Components",   "Type/Args",         "Type/Body",

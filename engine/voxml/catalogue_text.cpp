@@ -41,7 +41,7 @@ std::string from_utf16(std::string_view text, bool little) {
       first_half = 0;
       continue;
     }
-    if (first_half != 0) add(utf8, first_half);  // alone it is no character, and refused since the result is no UTF-8
+    if (first_half != 0) add(utf8, first_half);  // half a surrogate pair: not a character, so refused as invalid UTF-8
     first_half = (unit & 0xFC00) == 0xD800 ? unit : 0;
     if (first_half == 0) add(utf8, unit);
   }
@@ -56,7 +56,7 @@ std::string lower(std::string_view text) {
   return lower;
 }
 
-// The encoding named by the XML declaration, in lower case; empty without a declaration.
+// The encoding in the XML declaration, in lower case; empty without one.
 std::string declared(std::string_view text) {
   const auto begin = text.find("<?xml");
   if (begin == text.npos) return "";

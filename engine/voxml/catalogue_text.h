@@ -1,4 +1,4 @@
-// The text of an XML document in UTF-8, from any encoding that is read.
+// Converts the text of an XML document to UTF-8.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace continua {
 
-/// Without byte order mark. The error, at "path:line", is the first byte that the document's encoding does not have;
-/// one that is not known is taken for UTF-8.
+/// The text in UTF-8, without byte order mark. An unknown encoding is taken for UTF-8. The error, at "path:line", is
+/// the first byte that is invalid in the document's encoding.
 Result<std::string> utf8_of_xml(std::string_view text, const std::string& path);
 
 }  // namespace continua

@@ -20,7 +20,7 @@ std::string joined(const std::vector<Expression>& expressions, std::string_view 
   return text;
 }
 
-// An operand of ^ or !: an expression that binds less tightly stands in brackets.
+// Prints an operand of ^ or !, in brackets if it is itself joined by ^ or |.
 std::string operand(const Expression& expression) {
   const bool loose = expression.kind == Kind::both || expression.kind == Kind::either;
   return loose ? "(" + print(expression) + ")" : print(expression);
@@ -40,7 +40,7 @@ std::vector<Expression> parts(const Expression& expression) {
   return expression.kind == Kind::both ? expression.arguments : std::vector{expression};
 }
 
-// Expressions between commas or semicolons.
+// Reads expressions with commas or semicolons between them.
 Result<std::vector<Expression>> list(ExpressionReader& reader) {
   std::vector<Expression> all;
   do {
@@ -51,7 +51,7 @@ Result<std::vector<Expression>> list(ExpressionReader& reader) {
   return all;
 }
 
-// H, H2, H_2, H[2], H_[2]: the number of the habitat, empty of a bare H; nothing if it names none.
+// The number of a habitat H, H2, H_2, H[2] or H_[2]; empty for a bare H; nothing if it is not a habitat.
 std::optional<std::string> habitat_number(const Expression& expression) {
   if (expression.kind != Kind::name || !expression.name.starts_with('H')) return std::nullopt;
   std::string_view rest = std::string_view(expression.name).substr(1);
@@ -61,7 +61,7 @@ std::optional<std::string> habitat_number(const Expression& expression) {
   return std::string(rest);
 }
 
-// The rest of a step after "while(" or "if(".
+// Reads the rest of a step after "while(" or "if(".
 Result<Subevent> guarded(ExpressionReader& reader, When when) {
   Subevent subevent{when, {}, {}};
   auto inside = list(reader);

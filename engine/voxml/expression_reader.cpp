@@ -16,7 +16,7 @@ using Kind = Expression::Kind;
 constexpr int deepest = 100;
 constexpr std::string_view space = " \t\r\n\f\v";
 
-// How signs that have several spellings are written, longer ones before their beginnings.
+// Signs with their spellings. A spelling stands before the spellings that it begins with.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 15> spellings = {{
     {"!", "!"},
     {"!", "¬"},
@@ -43,7 +43,8 @@ bool begins_sign(std::string_view text) {
                      [&](const auto& spelling) { return text.starts_with(spelling.second); });
 }
 
-// Bytes of the first character of a name, or 0: letters of any script, digits, `_`, and inside of it `.` and `-`.
+// Length in bytes of the character if a name can contain it, else 0: letters of any script, digits, `_`, `-`, at the
+// beginning `+`, later `.`.
 std::size_t name_character(std::string_view text, bool first) {
   if (text.empty()) return 0;
   const char c = text[0];
@@ -108,7 +109,7 @@ Error ExpressionReader::expected(std::string_view what) const {
 
 Result<Expression> ExpressionReader::expression() { return joined(Kind::either); }
 
-// Operands of | or, more tightly, of ^.
+// Operands of | or of ^, which binds more tightly.
 Result<Expression> ExpressionReader::joined(Kind kind) {
   const bool either = kind == Kind::either;
   Expression all{kind, "", {}};

@@ -11,7 +11,7 @@ namespace continua {
 
 class ExpressionReader {
  public:
-  /// A lenient one reads closing brackets that are missing at the end, or before a ']', as if they were there.
+  /// A lenient reader accepts missing closing brackets at the end, or before a ']'.
   ExpressionReader(std::string_view text, bool lenient) : text_(text), lenient_(lenient) {}
 
   Result<Expression> expression();
@@ -19,11 +19,11 @@ class ExpressionReader {
   /// Reads a sign if it comes next: a bracket, `,` `;` `:` `=`, or "!", "^", "|" and "->" in any of their spellings.
   bool take(std::string_view sign);
   bool comes(std::string_view sign) const { return sign_length(sign) > 0; }
-  /// Reads a word if it comes next and a bracket follows it: the `while` of while(…).
+  /// Reads a word and its bracket if both come next: the `while(` of while(…).
   bool take_opening(std::string_view word);
   /// Reads this closing bracket.
   Outcome close(std::string_view bracket);
-  /// Skips any closing brackets.
+  /// Reads all closing brackets that come next.
   void skip_closing();
   bool at_end() const { return rest().empty(); }
 

@@ -35,8 +35,8 @@ class ProgramCheck {
     if (step.event != Expression{}) event(step.event);
   }
 
-  // Is it used with as many arguments as it has, or, where its first is an agent, with one less? A list at the end,
-  // a:T[], is any number of them.
+  // Checks the number of arguments. An agent, declared first, may be left out; a list at the end, a:T[], is any number
+  // of arguments. `fewer`: arguments that this use leaves out.
   void count(const Expression& call, const Voxeme& voxeme, std::size_t fewer) {
     const auto& declared = voxeme.arguments;
     const bool agent = !declared.empty() && declared.front().type == "agent";
@@ -75,7 +75,7 @@ class ProgramCheck {
     const bool right = arguments.size() == 2 && arguments[1].kind == Kind::text;
     const auto steps = right ? parse_subevents(arguments[1].name) : Error{};
     if (!steps) return problem(call, "expected repeat(2,'swap(y,z)')");
-    // Documents nest steps two deep at most.
+    // No document nests repetitions.
     for (const auto& step : *steps)
       if (step.event.name == "repeat")
         problem(step.event, "repeats within what is repeated");
@@ -94,7 +94,7 @@ class ProgramCheck {
     for (const auto& argument : each.arguments) place(argument);
   }
 
-  // near(z), a place by something
+  // Checks a place such as near(z), which leaves out the thing that is there.
   void place(const Expression& each) {
     if (each.kind != Kind::call) return;
     if (each.name == "loc" && each.arguments.size() == 1) return;

@@ -1,5 +1,5 @@
 // A voxeme: the spatial meaning of a word for an object, program, attribute, relation or function (VoxML; Pustejovsky
-// and Krishnaswamy 2016). A value, as its document has it.
+// and Krishnaswamy 2016). A value with the contents of its document.
 #pragma once
 
 #include <map>
@@ -48,8 +48,8 @@ struct Voxeme {
   bool movable = false;
   std::vector<std::string> attributes;  ///< Attributes/Attrs
 
-  /// Every other element with text, by its path below VoxML: "Type/Class" → "config", "Type/Constr" → "X(x) > X(y)",
-  /// "Type/Referent" → "x"; unknown ones as well.
+  /// All other elements with text, also unknown ones, by their path below VoxML: "Type/Class" → "config", "Type/Constr"
+  /// → "X(x) > X(y)", "Type/Referent" → "x".
   std::map<std::string, std::string> others;
 };
 
