@@ -134,8 +134,9 @@ std::vector<PushdownRule> PushdownSystem::fire(const PushdownControl& control, i
   return rules;
 }
 
-// The control after the operation. Parts of a step without work are left out.
-int PushdownSystem::after_operation(const Control& control, std::size_t transition, const Entry& entry, int letter) {
+// The control once the operation is done. Parts that would do nothing are left out.
+int PushdownSystem::after_operation(const PushdownControl& control, std::size_t transition, const Entry& entry,
+                                    int letter) {
   const bool settles = machine_->epsilon_always || entry.operation->is_rewrite();
   if (entry.rejected || machine_->transitions[transition].effects.empty())
     return entering(control.configuration, entry.state, letter, settles);
@@ -158,9 +159,7 @@ int PushdownSystem::entering(const Configuration& configuration, StateIndex to, 
   return add(std::move(next));
 }
 
-// The rule for the remaining work of a control. Effects and the entry of a state read the topmost symbol and may end
-// with a rewrite; the other motions go down the stack symbol by symbol.
-PushdownRule PushdownSystem::carry_on(const Control& control, int symbol) {
+PushdownRule PushdownSystem::carry_on(const PushdownControl& control, int symbol) {
   switch (control.motion) {
     case Motion::none:
       break;
@@ -225,11 +224,11 @@ PushdownRule PushdownSystem::moved(const Change& change, const Configuration& be
     completing.then = then;
     return {add(std::move(completing)), {}, {}};
   }
-  // The symbols below do not matter here; any symbol can represent them.
+  // The symbol below does not matter here: any symbol may stand for it.
   return operated(change, single.push(at(symbol).symbol, 0), false, 1, then);
 }
 
-// The rule from the operation on a real stack. Its lowest `below` symbols only represent the unseen rest.
+// The operation on a real stack, whose lowest `below` symbols only stand for unseen ones.
 PushdownRule PushdownSystem::operated(const Change& change, const Stack& stack, bool bottom, std::size_t below,
                                       int then) {
   Configuration before;

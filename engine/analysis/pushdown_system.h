@@ -70,8 +70,10 @@ class PushdownSystem {
   /// The rules for a letter or `epsilon`, in file order of the transitions. The reference holds until the next call.
   const std::vector<PushdownRule>& rules(int control, int symbol, int letter);
 
-  /// Whether the transition is complete and the next may begin. Only then state() is a state of the machine.
-  bool ready(int control) const { return controls_[static_cast<std::size_t>(control)].motion == Motion::none; }
+  /// A transition is complete, the next may begin; `state` is then the machine's.
+  bool ready(int control) const {
+    return controls_[static_cast<std::size_t>(control)].motion == PushdownControl::Motion::none;
+  }
   StateIndex state(int control) const { return controls_[static_cast<std::size_t>(control)].configuration.state; }
   /// Whether the symbol is the bottom symbol of the stack with the values that the machine declares.
   bool is_bare_bottom(int symbol) const { return symbol == bare_bottom_; }
@@ -81,34 +83,8 @@ class PushdownSystem {
   bool overflowed() const { return overflowed_; }
 
  private:
-  enum class Motion {
-    none,        ///< no work is left
-    effects,     ///< performs the transition's effects, then enters `to`
-    entry,       ///< enters `to`
-    popping,     ///< pops `count` more symbols
-    flushing,    ///< pops to the bottom, which `symbol` replaces
-    until,       ///< pops down to a symbol equal to `symbol`
-    completing,  ///< applies `change`, which pops `symbol` first, with the symbol below in sight
-  };
-  struct Control {
-    Configuration configuration;  ///< without a stack
-    Motion motion = Motion::none;
-    std::size_t transition = 0;
-    StateIndex to = 0;
-    int letter = epsilon;  ///< the value of `input` in effects
-    bool settles = true;   ///< ε-transitions are tried now: always, or after a rewrite
-    std::size_t count = 0;
-    Symbol symbol;
-    Change change;
-    int then = 0;  ///< the control after popping, flushing, until, completing
-  };
-  struct StackSymbol {
-    Symbol symbol;
-    bool bottom = false;
-  };
-
-  int add(Control control);
-  int add(StackSymbol symbol);
+  int add(PushdownControl control);
+  int add(PushdownSymbol symbol);
   std::vector<PushdownRule> find_rules(int control, int symbol, int letter);
   std::vector<PushdownRule> fire(const PushdownControl& control, int symbol, int letter);
   PushdownRule carry_on(const PushdownControl& control, int symbol);

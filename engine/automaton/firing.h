@@ -1,6 +1,6 @@
-// The parts of a step: the applicable transitions, the change of the topmost symbol, the effects of the transition and
-// of the state it enters. Each part sees only the head of the configuration, that is state, topmost symbol and
-// registers, and ends with at most one change of the stack. So a step can be done on a real stack
+// The parts of a step: the applicable transitions, the effect of one of them on the topmost symbol, the other effects
+// of the transition and of the state that it enters. Each part sees the head of the configuration alone (state, topmost
+// symbol and registers) and ends with at most one change of the stack. So a part can be carried out on a real stack
 // (automaton/stepper.h), on many (automaton/exploration.h) or on an unknown one (analysis/acceptance.h).
 #pragma once
 
@@ -37,11 +37,17 @@ struct Entry {
   double margin = std::numeric_limits<double>::infinity();
 };
 
-/// A step under way: a configuration and its input, or several alternative inputs of which one is taken.
+/// A configuration and the inputs under which things happen: one, or alternatives of which one is taken.
+/// The input that brought a step about, also once it is used up; empty and nullopt: there was none.
+struct InputOrigin {
+  std::vector<int> sources;  ///< serials, ascending
+  std::optional<double> now_s;
+};
+
 class Firing {
  public:
-  /// `rules`: the functions that terms may call. `inputs`: none for ε; the first counts until one is taken. `account`
-  /// receives the events; without it no texts are made. All must outlive the firing.
+  /// `rules`: the functions behind names. `inputs`: none for ε; the first counts until one is taken. `account` takes
+  /// the events; without one nothing is put into words. All must outlive the firing.
   Firing(const Machine& machine, const RuleTable& rules, Configuration configuration, std::span<const Input> inputs,
          const Facts& facts, std::vector<StepEvent>* account)
       : machine_(machine),
@@ -56,17 +62,17 @@ class Firing {
   const Configuration& configuration() const { return configuration_; }
   Configuration take() && { return std::move(configuration_); }
 
-  /// The transitions that take one of the inputs, or the ε-transitions if there is no input. No transition takes an
-  /// input of confidence 0.
+  /// The transitions that take one of the inputs, or without inputs the ε-transitions. No transition takes an input of
+  /// confidence 0.
   Applicable applicable();
   /// Fires a transition: its gates, its operation, its effects, the entry of the state. Returns whether ε-transitions
   /// are to be tried now. Returns nothing and changes nothing if the gates refuse one another in a circle.
   std::optional<bool> fire(const Chosen& chosen, Applicable found, int step);
-  /// The input is used up; only ε-transitions follow.
+  /// The input is used up: only ε-transitions follow.
   void forget_input();
 
   Term value(const Term& term);
-  /// The value of a term and its sources: those of the cells it reads, and the input under way.
+  /// A value, with the inputs it came from: those of all values read, and the one under way.
   Cell compute(const Term& term);
 
   // The parts of fire(), for callers that keep the stack elsewhere.
@@ -103,14 +109,11 @@ class Firing {
   const RuleTable& rules_;
   Configuration configuration_;
   std::span<const Input> inputs_;
-  const Input* input_ = nullptr;
-  // Serials of the input under way and of those it draws on, and its time. They stay after forget_input(). Empty and
-  // nullopt: there was no input.
-  std::vector<int> sources_;  // ascending
-  std::optional<double> now_s_;
+  const Input* input_ = nullptr;  ///< null once it is used up
+  InputOrigin origin_;
   Facts facts_;
   std::vector<StepEvent>* account_;
-  std::vector<int> because_;  ///< sources of the value being computed, ascending
+  std::vector<int> because_;  ///< inputs behind the value being computed, ascending
   Change rewrite_;
   Term moment_;  ///< value of the name of the moment that was looked up last
 };

@@ -21,13 +21,13 @@ constexpr std::size_t most_parts = 1000;
 // "those blocks on those plates" is one command for each pair; the bound keeps the product small.
 constexpr std::size_t most_commands = 100;
 
-// A term and the sources of its value.
+/// A term and the inputs that it draws on.
 struct Value {
   Term term;
   std::vector<By> by;
 };
 
-// The result of a sentence: its meaning with a variable for each open argument, the outermost first.
+/// The meaning of a sentence, in which variables stand for open parts, the outermost first.
 struct Answer {
   struct Open {
     Gap gap;
@@ -48,7 +48,7 @@ std::vector<By> together(const std::vector<By>& a, const std::vector<By>& b) {
   return all;
 }
 
-// Joins the answers for several objects into one: the list of their meanings, with the gaps of the first.
+// Answers for several objects as one answer: the list of their terms, below the same gaps.
 Answer together(std::vector<Answer> answers) {
   std::vector<Term> meanings;
   for (const auto& each : answers) {
@@ -121,7 +121,7 @@ class Interpreter {
     return Term::lambda(variable.name(), variable.type(), abstracted(term, variable));
   }
 
-  // The arguments that the reading itself lacks become the innermost gaps, inside the gaps of its phrases.
+  // Gaps of the reading itself are open below all gaps of its phrases.
   Answer sentence(Term term) {
     std::vector<Answer::Open> own;
     while (term.type().kind() == Type::Kind::function) {
@@ -197,7 +197,7 @@ class Interpreter {
     };
   }
 
-  // Elements are computed from first to last. The objects of one command are in focus for the next.
+  // From the first element to the last. The objects of one command are in focus for the next.
   Meaning list(const Term& term) {
     std::vector<Meaning> elements;
     for (const auto& each : term.elements()) elements.push_back(meaning_of(each, Type::term()));
@@ -251,9 +251,10 @@ class Interpreter {
         term, [this, term] { return referring_.meant_by_noun(term); }, Type::term());
   }
 
-  // A phrase gives its value to the rest of the sentence. A plural gives its list if the rest can take a list; else
-  // the rest is done for each object. With a gap the rest is captured: it is done with a variable, and the meaning
-  // waits for its value. Words that the reading uses in two places ("push the block to the left") are found once.
+  // A phrase gives its value to the rest of the sentence. Several values that are meant together are given as a list
+  // where a list can be used; else the rest is done for each. Where nothing or too much is meant, the rest is captured:
+  // it is done with a variable, and the meaning waits for a value of that variable.
+  // A phrase that the reading uses in two places ("push the block to the left") is found once.
   Meaning phrase(const Term& term, std::function<Meant()> find, const Type& wanted) {
     auto& known = found_[term];
     if (!known || times_said(term) != 1) known = std::make_shared<Found>();
@@ -320,7 +321,7 @@ class Interpreter {
     return meant;
   }
 
-  // The meaning found for a phrase, and the variable that stands for it if the phrase has a gap.
+  // The meaning found for a phrase, and the variable that stands for it where it is open.
   struct Found {
     bool done = false;
     Meant meant;
@@ -333,10 +334,10 @@ class Interpreter {
   Facts facts_;
   const Meanings& meanings_;
   const RaisingRules& raising_;
-  std::unordered_map<Term, std::shared_ptr<Found>, Term::Hash> found_;
-  std::unordered_map<Term, std::size_t, Term::Hash> occurrences_;
-  std::unordered_map<Term, std::shared_ptr<std::optional<Value>>, Term::Hash> each_now_;  // like Found::now, for lists
-  std::set<std::string> names_;         // names in use, which no new variable may have
+  std::unordered_map<Term, std::shared_ptr<Found>, TermHash> found_;
+  std::unordered_map<Term, std::size_t, TermHash> occurrences_;
+  std::unordered_map<Term, std::shared_ptr<std::optional<Value>>, TermHash> each_now_;  // as Found::now, of a list
+  std::set<std::string> names_;         // taken, so that no variable has them
   std::vector<Term> enclosing_;         // variables of the lambdas around
   std::vector<std::string> spoken_of_;  // objects mentioned since the command began
   std::size_t commands_ = 1;            // number of times that the rest of the sentence is being done

@@ -1,4 +1,4 @@
-// Tests conditions with nested noun phrases on objects. The search behind refer() (language/reference.h).
+// Whether conditions with noun phrases inside hold of objects: the search behind reference (language/reference.h).
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,8 @@ struct Fitting {
   std::vector<RuledOut> ruled_out;
 };
 
-/// Finds the objects that fit a noun phrase and the noun phrases inside it; one search for each outermost phrase. The
-/// work is bounded: past the bound no condition is true.
+/// Finds the objects that a noun phrase fits: one search for a noun phrase and all those inside it. The work is
+/// bounded; past the bound, nothing more is true.
 class NounPhraseSearch {
  public:
   /// `pointed_W` counts for nested deictic noun phrases. `context` and `meanings` must outlive the search.
@@ -35,7 +35,7 @@ class NounPhraseSearch {
   /// From now on superlatives compare only these objects.
   void compare(const std::vector<const ObjectState*>& objects);
 
-  /// `term` with the values of its pro-forms; pro-forms of source `other` stay.
+  /// `term` with the values of its pro-forms; those that mean "other" stay.
   Term resolved(const Term& term) const;
 
   /// How near the nearest decision was, metres.
@@ -50,15 +50,15 @@ class NounPhraseSearch {
   const Meanings& meanings_;
   std::optional<Vec3> pointed_W_;
   Sides sides_;
-  std::optional<Term> compared_;                                   // objects of type e*; empty: all objects
-  std::unordered_map<Term, std::vector<Term>, Term::Hash> found_;  // by [noun phrase, `about`]
+  std::optional<Term> compared_;                                 // e*; none: all there is
+  std::unordered_map<Term, std::vector<Term>, TermHash> found_;  // by [noun phrase, the object it is said about]
   std::size_t work_ = 0;
   int depth_ = 0;
   double margin_ = std::numeric_limits<double>::infinity();
 };
 
-/// Moves the objects that pointing speaks against to `ruled_out` and sorts the others, the likeliest first; returns the
-/// densities of these. Lowers `margin` to the movement, in metres, that would change the outcome.
+/// Drops from `fitting` the objects that pointing speaks against, the likeliest first; returns the densities of those
+/// that stay. Lowers `margin` to the distance from another outcome.
 std::vector<double> keep_pointed(const Vec3& pointed_W, Fitting& fitting, double& margin);
 
 }  // namespace continua

@@ -15,16 +15,16 @@ inline constexpr const char* deixis = "δ";
 inline constexpr const char* iconic = "α";
 
 struct Move {
-  std::string kind;                  ///< δ, ω, α, N, V, P, y, n or another of the lexicon's; empty: not understood
-  std::vector<std::string> words;    ///< of speech: those of this move
-  std::vector<Reading> readings;     ///< of speech: the likeliest first
-  std::size_t chosen = 0;            ///< the reading that was interpreted
-  Interpretation interpretation;     ///< of that reading
-  Term meaning;                      ///< a term that a machine can evaluate; null if nothing was understood
-  Reference reference;               ///< of a noun phrase, preferably an open one; or of pointing
-  std::vector<Term> nouns;           ///< e -> t: its nouns in the order of the words, "red block" before "block"
-  std::vector<std::string> unknown;  ///< words near it that the lexicon does not have
-  std::vector<std::string> unused;   ///< known words near it that fit nowhere
+  std::string kind;                   ///< δ, ω, α, N, V, P, y, n or another of the lexicon's; empty: not understood
+  std::vector<std::string> words;     ///< of speech: those of this move
+  std::vector<Reading> readings;      ///< of speech: the likeliest first
+  std::size_t chosen = 0;             ///< the reading that was interpreted
+  Interpretation interpretation;      ///< of that reading
+  Term meaning;                       ///< a term that a machine can evaluate; null if nothing was understood
+  Reference reference;                ///< of a noun phrase, preferably an open one; or of pointing
+  std::vector<Term> nouns;            ///< e -> t: its nouns in the order of the words, "red block" before "block"
+  std::vector<std::string> unknown;   ///< words near it that the lexicon does not have
+  std::vector<std::string> unused;    ///< known words near it that fit nowhere
   std::vector<std::string> left_out;  ///< words of its sentence that are unknown or fit nowhere
 };
 

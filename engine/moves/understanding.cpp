@@ -22,15 +22,32 @@ std::vector<std::string> words_at(const Utterance& utterance, const std::vector<
   return words;
 }
 
-// The words of a fragment, with the skipped words up to the next fragment; for the first also those before it.
+// The words from the end of the fragment before to the beginning of the next: the fragment owns the words skipped
+// around it.
 WordSpan surroundings(const Utterance& utterance, std::size_t fragment) {
   const auto& fragments = utterance.fragments;
   return {fragment == 0 ? 0 : fragments[fragment].words.begin,
           fragment + 1 == fragments.size() ? utterance.words.size() : fragments[fragment + 1].words.begin};
 }
 
-// The noun phrase that matters most: the first, in the order of the words, without a value; else the last. Resolutions
-// are in the opposite order, from the last argument to the first.
+// The words of the sentences that the fragment is a part of.
+WordSpan sentence_of(const Utterance& utterance, std::size_t fragment) {
+  const auto& words = utterance.fragments[fragment].words;
+  const auto& ends = utterance.ends;
+  const auto begin = std::upper_bound(ends.begin(), ends.end(), words.begin);
+  const auto end = std::lower_bound(ends.begin(), ends.end(), words.end);
+  return {begin == ends.begin() ? 0 : *(begin - 1), end == ends.end() ? utterance.words.size() : *end};
+}
+
+std::vector<std::string> left_out_in(const Utterance& utterance, WordSpan span) {
+  auto places = utterance.unknown;
+  places.insert(places.end(), utterance.unused.begin(), utterance.unused.end());
+  std::sort(places.begin(), places.end());
+  return words_at(utterance, places, span);
+}
+
+// The noun phrase that matters most: the one that is asked about first, else the last of the words. Referents are
+// looked for from the last argument to the first.
 const Resolution* noun_phrase(const Interpretation& interpretation) {
   const Resolution *open = nullptr, *last = nullptr;
   for (const auto& resolution : interpretation.resolutions) {
@@ -41,7 +58,7 @@ const Resolution* noun_phrase(const Interpretation& interpretation) {
   return open ? open : last;
 }
 
-// The condition that a question asks about ("which block is red?"): the only argument of its program.
+// The thing asked for by "which block is red?": a condition that stands as a program's argument.
 std::optional<Term> asked_for(const Reading& reading) {
   const auto arguments = reading.term.spine().arguments;
   const bool is_condition = arguments.size() == 1 && arguments[0].closed() &&
@@ -49,7 +66,7 @@ std::optional<Term> asked_for(const Reading& reading) {
   return is_condition && reading.term.type() == Type::truth() ? std::optional(arguments[0]) : std::nullopt;
 }
 
-// Whether a noun only describes another one, as "cup" in "the block behind the cup".
+// Whether a noun only helps to describe another: "the block behind the cup".
 bool is_nested(const Phrase& noun, const Reading& reading) {
   const auto inside = [](const WordSpan& a, const WordSpan& b) {
     return a.begin >= b.begin && a.end <= b.end && a.size() < b.size();
@@ -62,8 +79,8 @@ bool is_nested(const Phrase& noun, const Reading& reading) {
   });
 }
 
-// Collects the properties of the thing itself from a condition, in the order of the words: red and block for "the
-// leftmost red block behind the cup".
+// The attributes that a condition gives to the thing itself, in the order of its words: for "the leftmost red block
+// behind the cup" red and block.
 void collect_attributes(const Term& condition, std::vector<Term>& attributes) {
   if (condition.kind() == Term::Kind::constant) attributes.push_back(condition);
   if (condition.kind() == Term::Kind::lambda) return collect_attributes(condition.body(), attributes);
@@ -92,7 +109,7 @@ Term attributes_in(const Term& condition) {
 
 }  // namespace
 
-// The noun of a phrase, without its adjectives and the words after it; null if it has none ("the blue one").
+// The noun of a phrase, without its adjectives and the words behind it; null if it has none ("the blue one").
 Term Understanding::noun_in(const WordSpan& words, const Utterance& utterance) const {
   static const Type modifier = Type::function(property(), property());
   const auto has_type = [](const Type& type) {
@@ -117,8 +134,7 @@ bool Understanding::is_topic(const Term& term) const {
   return says(term, Proform::Source::topic, language_.lexicon->operators);
 }
 
-// The possible meanings of "one" from the nouns before the word `before`; for each noun: with its adjectives, then
-// alone.
+// The nouns before a word that "one" can stand for, each with its adjectives, then alone.
 std::vector<std::vector<Term>> Understanding::nouns(const Reading& reading, const Utterance& utterance,
                                                     std::size_t before) const {
   std::map<std::size_t, std::vector<Term>> found;
@@ -135,7 +151,7 @@ std::vector<std::vector<Term>> Understanding::nouns(const Reading& reading, cons
   return nouns;
 }
 
-// The context with the nouns said before "one" in the same reading as topics: "the white cup … the blue one".
+// "the white cup … the blue one": the antecedent of "one" stands just before.
 Context Understanding::within(const Reading& reading, const Utterance& utterance, Context context) const {
   for (const auto& phrase : reading.phrases) {
     if (!is_topic(phrase.term)) continue;
@@ -145,8 +161,8 @@ Context Understanding::within(const Reading& reading, const Utterance& utterance
   return context;
 }
 
-// Replaces words that the lexicon defines by their definitions, which the machine can evaluate. A question with a
-// condition stays, because its referents answer it.
+// In terms that the machine knows: words for attributes are the lexicon's. A condition that a question asks about is
+// replaced by its referents.
 Term Understanding::in_machine_terms(const Term& meaning) const {
   const auto arguments = meaning.spine().arguments;
   if (!arguments.empty() && arguments[0].type() == property()) return meaning;

@@ -27,9 +27,9 @@ struct Pair {
 
 }  // namespace
 
-// The null term has no node, so that it costs nothing.
-struct Term::Node {
-  Kind kind;
+// The null term has no node at all, so that making one costs nothing.
+struct TermNode {
+  Term::Kind kind;
   Type type;
   std::variant<bool, double, std::string, Place, int, Name, Binder, Pair, std::vector<Term>> held;
   TermDigest digest;

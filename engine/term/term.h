@@ -1,10 +1,10 @@
-// Terms, the language of conditions, stack contents, commands and the log. Immutable values that share structure, with
+// Terms: the form of conditions, stack contents, commands and the log. Immutable values that share structure, with
 // numbered binders (de Bruijn indices), so that alpha-equivalent terms are equal. SEMANTICS.md §2.
 //
-// Every node carries a digest of all that counts for equality, computed from the digests of its parts. So terms are
-// compared and hashed in constant time, as with hash-consing. But hash-consing needs a table of all nodes, which is
-// shared and locked, and its addresses differ from run to run. Digests need no table, and equal terms have equal
-// digests in every thread and process.
+// Every node carries a digest of all that counts for equality, made from those of its parts when it is built. So terms
+// are compared and hashed in constant time, as by hash-consing. A table of all nodes would be shared and locked, and
+// its addresses would differ from run to run; content addressing needs none, and equal terms have equal keys in every
+// thread and process.
 #pragma once
 
 #include <array>
@@ -67,8 +67,8 @@ class Term {
   static Term bound(int index, Type type);
   /// `hint`: the name to print for the variable; equality ignores it.
   static Term lambda(std::string hint, Type variable, Term body);
-  /// Null if the types do not fit (result_type() in unify.h): `function` is not a function, or takes another type. Null
-  /// and terms of type `term` may be applied to anything.
+  /// Null where the types do not go together (result_type() in unify.h): the first term is no function, or takes
+  /// another type than the argument's. Null itself and a term of type `term` may be applied to anything.
   static Term apply(Term function, Term argument);
   static Term list(std::vector<Term> elements, Type element);
 
@@ -99,19 +99,15 @@ class Term {
   const TermDigest& digest() const;
   /// Equal digests. O(1), as is the hash.
   bool operator==(const Term& other) const { return node_ == other.node_ || digest() == other.digest(); }
-  std::size_t hash() const { return static_cast<std::size_t>(digest().low); }
-  struct Hash {
-    std::size_t operator()(const Term& term) const { return term.hash(); }
-  };
-  /// Whether it is the same node, with the same hints and types too.
+  /// The very same node: hints and types are the same too.
   bool same_node(const Term& other) const { return node_ == other.node_; }
 
   /// Whether every bound variable is bound inside the term.
   bool closed() const { return reach() == 0; }
   /// Number of enclosing lambdas that its bound variables need; 0 if closed.
   int reach() const;
-  /// Height and (saturating) number of nodes of the written-out tree; a text counts by its length. Code that builds
-  /// terms in a loop must bound both: with shared structure a small term can print endlessly.
+  /// Height and (saturating) number of nodes of the written-out tree, a text counting by its length. A loop that builds
+  /// terms must bound both: shared structure makes it easy to build a small thing that prints endlessly.
   std::size_t depth() const;
   std::size_t size() const;
 
