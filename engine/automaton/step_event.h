@@ -97,6 +97,7 @@ struct RefusedInput {
 /// A part of the machine that cannot be carried out as written, such as an ε-cycle.
 struct Trouble {
   std::string message;
+  bool endless = false;  ///< ε-transitions went on and on, so the step did not come to its end
 };
 
 using StepEvent = std::variant<Fired, MadeSymbol, Rewrote, Applied, Said, Gestured, Acted, Remembered, Taught,

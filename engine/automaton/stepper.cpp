@@ -140,7 +140,7 @@ void Stepper::settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* a
   std::vector<std::size_t> path;  // path[i] is the transition that led away from seen[i]
   const auto id = [&](std::size_t transition) { return machine_->transitions[transition].id; };
   const auto trouble = [&](std::string message) {
-    if (account) account->push_back(Trouble{std::move(message)});
+    if (account) account->push_back(Trouble{std::move(message), true});
   };
   std::size_t free_from = 0;  // no draw was made since this step
   for (;;) {

@@ -23,6 +23,19 @@ Stepped explored(EngineState state, ExplorationStep step) {
   return {std::move(state), std::move(step.events), std::move(others), 0};
 }
 
+const Trouble* endless(const std::vector<StepEvent>& events) {
+  for (const auto& event : events)
+    if (const auto* trouble = std::get_if<Trouble>(&event); trouble && trouble->endless) return trouble;
+  return nullptr;
+}
+
+// A step that does not come to its end is as if it had not been taken: its input is refused.
+Stepped undone(EngineState before, const Trouble& trouble, std::span<const Input> inputs) {
+  const RefusedInput refused{
+      before.configuration.state, inputs.front().symbol, trouble.message, {}, inputs.size()};
+  return {std::move(before), {trouble, refused}, {}, 0};
+}
+
 Stepped stepped_with(const Engine& engine, EngineState state, std::span<const Input> inputs,
                      const WorldSnapshot& world) {
   const Facts facts = facts_of(state, world);
@@ -30,8 +43,27 @@ Stepped stepped_with(const Engine& engine, EngineState state, std::span<const In
     auto step = engine.explorer.step(state.exploration, inputs, facts);
     return explored(std::move(state), std::move(step));
   }
+  const auto chooser = state.chooser;
   auto step = engine.stepper.step(state.configuration, inputs, facts, state.chooser);
+  if (const auto* trouble = endless(step.events)) {
+    state.chooser = chooser;
+    return undone(std::move(state), *trouble, inputs);
+  }
   return stepped(std::move(state), std::move(step));
+}
+
+bool is_refused(const Stepped& stepped) {
+  return !stepped.events.empty() && std::holds_alternative<RefusedInput>(stepped.events.back());
+}
+
+// Tells the machine that an input was refused, with all that the input carries. Nothing happens if no transition takes
+// that either.
+Stepped told_of_refusal(const Engine& engine, Stepped stepped, Input refused, const WorldSnapshot& world) {
+  refused.symbol = refused_symbol;
+  auto answer = stepped_with(engine, stepped.after, std::span(&refused, 1), world);
+  if (is_refused(answer)) return stepped;
+  answer.events.insert(answer.events.begin(), stepped.events.begin(), stepped.events.end());
+  return answer;
 }
 
 }  // namespace
@@ -57,6 +89,7 @@ Stepped step(const Engine& engine, EngineState state, std::span<const Input> inp
   }
   if (offered.empty()) return {std::move(state), {}, {}, 0};
   Stepped stepped = stepped_with(engine, std::move(state), offered, world);
+  if (is_refused(stepped)) stepped = told_of_refusal(engine, std::move(stepped), offered.front(), world);
   stepped.taken = which.front();
   for (const auto& event : stepped.events)
     if (const auto* fired = std::get_if<Fired>(&event); fired && fired->input) {

@@ -8,6 +8,9 @@
 
 namespace continua {
 
+/// The symbol of the input that follows an input which was refused.
+inline constexpr const char* refused_symbol = "refused";
+
 struct Stepped {
   EngineState after;
   std::vector<StepEvent> events;    ///< of the configuration that decides the avatar's behaviour

@@ -96,7 +96,7 @@ const Row sentences[] = {
      R"(slide(the(\x. silver(x) and spoon(x)), near(the(\x. plate(x)))))"},
     {"on the plate place the cup", R"(put(the(\x. cup(x)), on(the(\x. plate(x)))))"},
     {"is the fork in the cup", R"(whether(located_roughly(the(\x. fork(x)), in(the(\x. cup(x))))))"},
-    {"don't touch the cup", "no"},
+    {"don't touch the cup", "forbid(reach(the(\\x. cup(x))))"},
     {"look at the red thing", R"(look_at(the(\x. red(x))))"},
     {"the middle cup", R"(the(\x. middle(\y. cup(y), x)))"},
     {"stop. Put the cup down.", R"(stop; ungrasp(the(\x. cup(x))))"},
