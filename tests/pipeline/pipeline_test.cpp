@@ -42,8 +42,8 @@ WorldSnapshot world() {
 
 // Plays events and gives the consequences as words.
 struct Play {
-  Play() {
-    auto loaded = parse_machine(machine_text, "m.json", WorldFacts::signature());
+  explicit Play(const char* text = machine_text) {
+    auto loaded = parse_machine(text, "m.json", WorldFacts::signature());
     if (!loaded) FAIL(loaded.error().text());
     pipeline.emplace(std::make_shared<const Machine>(std::move(*loaded)), nullptr, Perspective::avatar);
     state.emplace(pipeline->begin({Choice::unique, Random(1), {}, 0}, snapshot).after);
@@ -102,6 +102,20 @@ TEST_CASE("a tick goes from what the human did to what the avatar says and does"
   Play play;
   CHECK(play.point(0.28) == "belief point 0.5; \"This?\"; belief this 0.5; reach far_one");
   CHECK(play.say("Yes!") == "grasp(far_one)");
+}
+
+TEST_CASE("a step that does not end is undone, and the machine can say that an input was refused") {
+  Play play(R"json({
+    "machine": 1, "name": "m", "start": "Wait", "choice": "unique", "epsilon": "always", "slots": { "n": "num" },
+    "transitions": [
+      { "id": "round", "from": "Wait", "on": "speech round", "to": "Round", "push": { "n": "1" }, "do": [ { "say": "Off." } ] },
+      { "id": "on", "from": "Round", "on": null, "to": "Round" },
+      { "id": "lost", "from": "Wait", "on": "refused", "when": "said = 'round'", "to": "Wait", "do": [ { "say": "No." } ] },
+      { "id": "well", "from": "Wait", "on": "speech well", "to": "Wait", "do": [ { "say": "Well." } ] } ] })json");
+  CHECK(play.say("round") == "an ε-cycle that changes nothing: on; \"No.\"");
+  CHECK(play.state->configuration.stack.depth() == 1);
+  CHECK(play.say("other") == "no transition takes speech other");
+  CHECK(play.say("well") == "\"Well.\"");
 }
 
 TEST_CASE("an utterance equal to the last is not said again where the machine says so") {
