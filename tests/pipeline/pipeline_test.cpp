@@ -114,7 +114,7 @@ TEST_CASE("a step that does not end is undone, and the machine can say that an i
       { "id": "well", "from": "Wait", "on": "speech well", "to": "Wait", "do": [ { "say": "Well." } ] } ] })json");
   CHECK(play.say("round") == "an ε-cycle that changes nothing: on; \"No.\"");
   CHECK(play.state->configuration.stack.depth() == 1);
-  CHECK(play.say("other") == "no transition takes speech other");
+  CHECK(play.say("other") == "no transition from Wait takes 'speech other'");
   CHECK(play.say("well") == "\"Well.\"");
 }
 
