@@ -31,8 +31,7 @@ const Trouble* endless(const std::vector<StepEvent>& events) {
 
 // A step that does not come to its end is as if it had not been taken: its input is refused.
 Stepped undone(EngineState before, const Trouble& trouble, std::span<const Input> inputs) {
-  const RefusedInput refused{
-      before.configuration.state, inputs.front().symbol, trouble.message, {}, inputs.size()};
+  const RefusedInput refused{before.configuration.state, inputs.front().symbol, trouble.message, {}, inputs.size()};
   return {std::move(before), {trouble, refused}, {}, 0};
 }
 
