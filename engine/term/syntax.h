@@ -1,4 +1,5 @@
-// The structure of a term's text, before its types are known. For parser, elaboration and written_term only.
+// The structure of a term's text, before its types are known. For parser, elaboration, written_term and term_structure
+// only.
 #pragma once
 
 #include <cstddef>

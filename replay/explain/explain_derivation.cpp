@@ -8,6 +8,7 @@
 #include "continua/replay/explain/explain_term.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
+#include "continua/term/term_structure.h"
 
 namespace continua {
 namespace {
@@ -18,7 +19,7 @@ class Derivation {
 
   // The tree of `term` as record `at` has it.
   Json of(const std::string& term, const std::string& type, std::size_t at, const std::set<std::string>& open) {
-    Json node{{"term", term}, {"type", type.empty() ? Json() : Json(type)}};
+    Json node{{"term", term}, {"structure", term_structure(term)}, {"type", type.empty() ? Json() : Json(type)}};
     const bool room = ++nodes_ < most_nodes && deep_ < deepest;
     const Deeper deeper(deep_);
     if (const auto made = application(term, at); made && room) return applied(std::move(node), *made, open);
@@ -164,6 +165,7 @@ Json derivation_of(ExplainScope& scope) {
   if (log::is<log::Reading>(kind)) term = text_of(record, "meaning");
   if (log::is<log::Act>(kind) && !derivation.application(term, n) && was_taught(scope, term_parts(last_result).head, n))
     return {{"term", term},
+            {"structure", term_structure(term)},
             {"type", nullptr},
             {"how", "taught"},
             {"children", Json::array({derivation.of(last_result, "", n, {})})}};

@@ -8,7 +8,8 @@
 namespace continua {
 
 /// The term that the scope's record is about (an act's program, the turn's last composition, a term of the stack) as a
-/// tree, or null where there is none. A node is {"term", "type": text or null, and
+/// tree, or null where there is none. A node is {"term", "structure": the term taken apart (term_structure.h), "type":
+/// text or null, and
 ///  "how": `application` (then "n", "rule" and two "children": function, argument),
 ///         `abstraction` (a lambda over its one child, with an open part),
 ///         `parts` (no application is in the log: the machine put the children together; "origin" says since when it

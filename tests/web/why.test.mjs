@@ -3,6 +3,8 @@ import assert from 'node:assert/strict';
 import {copyFileSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
+import {walk} from '../../web/terms/derivation.js';
+import {print} from '../../web/terms/term.js';
 import {root, serve, temporaryFolder, Visitor} from './support.mjs';
 
 const folder = temporaryFolder();
@@ -98,6 +100,20 @@ test('the derivation of an act shows what was said and what was pointed at, and 
   const {all} = events.get('dialogue_gesture');
   assert.equal(all[await visitor.n()].event.kind, 'pointing');
   assert.deepEqual(visitor.complaints, []);
+});
+
+test('every term of a derivation is printed from its structure as the log has it', async () => {
+  let terms = 0;
+  for (const [name, {all}] of events)
+    for (const {n, kind} of all) {
+      if (!['act', 'application', 'reading', 'learned'].includes(kind)) continue;
+      const told = await (await fetch(`${server.address}/api/runs/${name}/explain?n=${n}`)).json();
+      for (const {node} of walk(told.derivation)) {
+        assert.equal(print(node.structure), node.term);
+        ++terms;
+      }
+    }
+  assert.ok(terms > 200, `${terms} terms`);
 });
 
 test('the same term as λ and in continuation-passing style, step by step, by keys', async () => {

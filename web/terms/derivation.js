@@ -1,9 +1,9 @@
 // The derivation that the server tells of (replay/explain/explain_derivation.h) at three depths: in words, as terms, and in
 // continuation-passing style. Pure; knows no page.
 //
-// A node is {term, type, how, n, rule, children, origin}; its path is '' for the root, '0.1' for the second child of
-// the first.
-import {apply, lambda, name, parse, print} from './term.js';
+// A node is {term, structure, type, how, n, rule, children, origin}; its path is '' for the root, '0.1' for the second
+// child of the first.
+import {apply, lambda, literal, name, print} from './term.js';
 import {cps_apply, cps_const, states, variable} from './reduce.js';
 
 export const depths = ['gloss', 'λ', 'CPS'];
@@ -12,6 +12,9 @@ const children = (node) =>
   Array.isArray(node?.children) ? node.children.filter((one) => one && typeof one === 'object') : [];
 const textOf = (value) =>
   typeof value === 'string' ? value : value === null || value === undefined ? '' : JSON.stringify(value);
+
+/** The node's term taken apart. */
+const structureOf = (node) => node.structure ?? literal(textOf(node.term));
 
 /** [{node, path, depth}] from the root down, children in order. */
 export function walk(node, path = '', depth = 0) {
@@ -67,7 +70,7 @@ export function gloss(node) {
       .join(' + ');
   const told = links(node.origin).map(linkText);
   if (!told.length || ['machine', 'slot', 'memory'].includes(node.origin?.kind))
-    return print(parse(textOf(node.term)), {sign: 'λ'});
+    return print(structureOf(node), {sign: 'λ'});
   return told.length > 1 ? `${told[0]} (${told.slice(1).join(', ')})` : told[0];
 }
 
@@ -154,7 +157,7 @@ function opened(node, term) {
 
 const binders = (node) => {
   const found = [];
-  for (let at = parse(textOf(node.term)); at.kind === 'lambda'; at = at.body) found.push(at.name);
+  for (let at = structureOf(node); at.kind === 'lambda'; at = at.body) found.push(at.name);
   return found;
 };
 
@@ -174,7 +177,6 @@ export function typeOf(node) {
 /** The term of a node before anything in it is applied. */
 export function unreduced(node) {
   const below = children(node);
-  const own = () => parse(textOf(node.term));
   if (node.how === 'application' && below.length === 2) {
     const [f, x] = below;
     const head = unreduced(f);
@@ -183,7 +185,7 @@ export function unreduced(node) {
   if (node.how === 'abstraction' && below.length === 1)
     return binders(node).reduceRight((body, one) => lambda(one, body), unreduced(below[0]));
   if (node.how === 'taught' && below.length === 1) return unreduced(below[0]);
-  return own();
+  return structureOf(node);
 }
 
 /** A node as a computation: applications by cpsApply, all else by cpsConst. */
@@ -194,7 +196,7 @@ export function computation(node) {
     return apply(cps_apply, f, node.rule ? apply(cps_apply, apply(cps_const, name(textOf(node.rule))), x) : x);
   }
   if (node.how === 'taught' && below.length === 1) return computation(below[0]);
-  return apply(cps_const, parse(textOf(node.term)));
+  return apply(cps_const, structureOf(node));
 }
 
 // A term that waits for its argument is a function that gives a computation.
@@ -224,7 +226,7 @@ export function stepsAt(root, depth) {
   const last = all.at(-1);
   const rule = textOf(walk(root).find(({node}) => node.rule)?.node.rule);
   const raising = rule && !last.redex ? appliedBy(last.term, rule) : null;
-  const result = parse(textOf(root.term));
+  const result = structureOf(root);
   if (raising && root.how === 'application') {
     all[all.length - 1] = {...last, redex: raising, rule};
     all.push({term: haskell ? apply(variable('k'), result) : result, redex: null, rule: ''});
@@ -236,7 +238,7 @@ export function stepsAt(root, depth) {
 export function line(node, depth) {
   if (depth === 'gloss') return {text: gloss(node), type: ''};
   const term = textOf(node.term);
-  if (depth === 'λ') return {text: print(parse(term), {sign: 'λ'}), type: shownType(typeOf(node))};
+  if (depth === 'λ') return {text: print(structureOf(node), {sign: 'λ'}), type: shownType(typeOf(node))};
   if (node.how === 'application')
     return {
       text: node.rule ? `cpsApply m (cpsApply (cpsConst ${textOf(node.rule)}) n)` : 'cpsApply m n',
@@ -244,9 +246,9 @@ export function line(node, depth) {
     };
   if (isHole(node)) return {text: `cpsConst ${term}`, type: compType(node.type)};
   if (node.how === 'abstraction') return {text: `λ ${binders(node).join(' ')} → …`, type: shownType(typeOf(node))};
-  const parsed = parse(term);
-  const simple = parsed.kind !== 'apply' && parsed.kind !== 'lambda';
-  return {text: `cpsConst ${simple ? term : `(${print(parsed, {sign: 'λ'})})`}`, type: compType(node.type)};
+  const structure = structureOf(node);
+  const simple = structure.kind !== 'apply' && structure.kind !== 'lambda';
+  return {text: `cpsConst ${simple ? term : `(${print(structure, {sign: 'λ'})})`}`, type: compType(node.type)};
 }
 
 const hows = {
