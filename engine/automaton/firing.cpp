@@ -223,7 +223,7 @@ bool Firing::perform_one(const Learn& learn) {
   if (name.value.kind() != Term::Kind::text || value.value.is_null()) return false;
   auto inputs = name.because;
   merge(value.because, inputs);
-  note(Taught{learn.of, name.value.text_value(), std::move(value.value), std::move(inputs)});
+  note(Taught{learn.of, name.value.text_value(), std::move(value.value), std::move(inputs), learn.fixed});
   return false;
 }
 bool Firing::perform_one(const Forget& forget) {

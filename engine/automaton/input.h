@@ -42,7 +42,7 @@ struct Input {
   Term named;      ///< (e -> t)*: the nouns of the words, each with its adjectives, then alone
   Term next;       ///< text: the kind of the utterance's next move after this one; null if there is none
   Term unknown;    ///< text*: words near it that the lexicon does not have
-  Term left_out;   ///< text*: words of its sentence that are unknown or fit nowhere
+  Term left_out;   ///< text*: words of its sentence that are unknown, misheard or fit nowhere
 };
 
 /// A term of an input, with the name and type under which machines know it.

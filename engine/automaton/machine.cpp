@@ -1,6 +1,7 @@
 #include "continua/automaton/machine.h"
 
 #include <algorithm>
+#include <array>
 
 namespace continua {
 
@@ -8,7 +9,10 @@ Term empty_value(const Type& type) {
   return type.kind() == Type::Kind::list ? Term::list({}, type.element()) : Term::null();
 }
 
-std::string name_of(Lesson lesson) { return lesson == Lesson::gesture ? "gesture" : "word"; }
+std::string name_of(Lesson lesson) {
+  constexpr std::array names{"gesture", "word", "noun"};
+  return names[static_cast<std::size_t>(lesson)];
+}
 
 namespace {
 

@@ -88,14 +88,15 @@ struct Act {
 struct Remember {
   std::vector<std::pair<std::size_t, Term>> registers;
 };
-/// The kinds of lessons: the meaning of a gesture, the acts of a word.
-enum class Lesson { gesture, word };
+/// The kinds of lessons: the meaning of a gesture, the acts of a word, the things that a noun is said of.
+enum class Lesson { gesture, word, noun };
 std::string name_of(Lesson lesson);
 
 struct Learn {
   Lesson of = Lesson::gesture;
-  Term name;   ///< a text
-  Term value;  ///< the meaning of the gesture, or the acts of the word as a list
+  Term name;           ///< a text
+  Term value;          ///< the meaning of the gesture, the acts of the word as a list, or the noun's condition, e -> t
+  bool fixed = false;  ///< of a word: its acts keep their objects
 };
 struct Forget {
   std::optional<Lesson> of;  ///< nullopt: all that was learned
@@ -207,9 +208,10 @@ struct MoveKind {
 
 /// The context in which speech is understood, besides the world: terms over slots and registers.
 struct ContextTerms {
-  std::optional<Term> focus;  ///< e*: objects being talked about, the most salient first
-  std::optional<Term> among;  ///< e*: the objects of the question
-  std::optional<Term> topic;  ///< (e -> t)*: the nouns that "one" can stand for, the likeliest first
+  std::optional<Term> focus;    ///< e*: objects being talked about, the most salient first
+  std::optional<Term> among;    ///< e*: the objects of the question
+  std::optional<Term> topic;    ///< (e -> t)*: the nouns that "one" can stand for, the likeliest first
+  std::optional<Term> handled;  ///< e*: objects that the avatar acted on, the latest first
 };
 
 /// Time windows of fusion, in seconds (perception/fusion.h).

@@ -78,8 +78,9 @@ struct Remembered {
 struct Taught {
   Lesson of = Lesson::gesture;
   std::string name;
-  Term value;  ///< the meaning of the gesture, or the acts of the word as a list
+  Term value;  ///< the meaning of the gesture, the acts of the word as a list, or the noun's condition
   std::vector<int> because;
+  bool fixed = false;  ///< of a word: its acts keep their objects; otherwise these become arguments
 };
 struct Forgotten {
   std::optional<Lesson> of;  ///< nullopt: all that was learned

@@ -16,6 +16,12 @@ namespace continua {
 /// Values of names: x, l1, and [1] for a part.
 using Bindings = std::map<std::string, Term, std::less<>>;
 
+/// The earlier places of objects that acts have moved, by the names of the objects.
+struct EarlierPlaces {
+  Bindings was;         ///< before the last act that moved it: was(cup)
+  Bindings originally;  ///< before the first: originally(cup)
+};
+
 /// The avatar as the agent of programs.
 Term agent_term();
 

@@ -19,11 +19,13 @@ bool stops(const Term& program, Perspective perspective) {
 }
 
 // Records where the things that moved had been before the act.
-void remember_places(const ActUnderWay& act, const WorldSnapshot& world, Bindings& was) {
+void remember_places(const ActUnderWay& act, const WorldSnapshot& world, EarlierPlaces& earlier) {
   for (const auto& object : world.objects) {
     const auto before = act.before.find(object.name);
-    if (before != act.before.end() && (object.p_WO - before->second).norm() > contact_m)
-      was[object.name] = act.places_before.at(object.name);
+    if (before == act.before.end() || (object.p_WO - before->second).norm() <= contact_m) continue;
+    const auto& place = act.places_before.at(object.name);
+    earlier.was[object.name] = place;
+    earlier.originally.emplace(object.name, place);
   }
 }
 
@@ -64,7 +66,7 @@ std::optional<PerformanceEvent> Performer::next(Performance& performance, const 
     if (auto* gesture = std::get_if<AvatarCommand>(&waiting)) return GestureCommand{std::move(*gesture)};
     performance.doing = under_way(std::get<AskedAct>(std::move(waiting)), world);
     const Circumstances circumstances(perspective_, world, performance.doing->brought);
-    PerformanceTurn(catalogue_, circumstances, *performance.doing).begin(performance.was);
+    PerformanceTurn(catalogue_, circumstances, *performance.doing).begin(performance.earlier);
   }
   ActUnderWay& doing = *performance.doing;
   if (doing.in_flight) return std::nullopt;
@@ -74,7 +76,7 @@ std::optional<PerformanceEvent> Performer::next(Performance& performance, const 
     return *std::move(step);
   }
   // Movements while the body comes to a stop belong to the stopped act.
-  if (!stops(doing.end.act.program, perspective_)) remember_places(doing, world, performance.was);
+  if (!stops(doing.end.act.program, perspective_)) remember_places(doing, world, performance.earlier);
   ActEnd end = std::move(doing.end);
   performance.doing.reset();
   return end;
@@ -88,7 +90,7 @@ void Performer::give_up(Performance& performance, const WorldSnapshot& world) co
     performance.given_up.push_back(std::move(end));
   };
   if (performance.doing) {
-    remember_places(*performance.doing, world, performance.was);
+    remember_places(*performance.doing, world, performance.earlier);
     stop(std::move(performance.doing->end));
     performance.doing.reset();
   }

@@ -85,7 +85,7 @@ struct Performance {
   std::optional<ActUnderWay> doing;
   bool stopping = false;  ///< a waiting act stops the body
   std::deque<ActEnd> given_up;
-  Bindings was;      ///< object → its place before the last act that moved it
+  EarlierPlaces earlier;
   int commands = 0;  ///< number of the latest command
 
   bool idle() const { return waiting.empty() && !doing && given_up.empty(); }

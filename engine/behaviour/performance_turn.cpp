@@ -69,21 +69,22 @@ void PerformanceTurn::fail(Reason reason) {
   act_.ending = true;
 }
 
-void PerformanceTurn::begin(const Bindings& was) { perform(resolved(act_.end.act.program, was), false); }
+void PerformanceTurn::begin(const EarlierPlaces& earlier) { perform(resolved(act_.end.act.program, earlier), false); }
 
-// Replaces was(cup) and loc(cup) by places in any program.
-Term PerformanceTurn::resolved(const Term& term, const Bindings& was) const {
+// Replaces was(cup), originally(cup) and loc(cup) by places in any program. What was never moved is where it was.
+Term PerformanceTurn::resolved(const Term& term, const EarlierPlaces& earlier) const {
   if (term.kind() != Term::Kind::apply) return term;
   const auto [head, arguments] = term.spine();
   const auto name = name_of(term);
-  if ((name == "was" || name == "loc") && arguments.size() == 1 && is_thing(arguments[0])) {
+  if ((name == "was" || name == "originally" || name == "loc") && arguments.size() == 1 && is_thing(arguments[0])) {
     const auto& thing = arguments[0].name();
-    if (const auto found = was.find(thing); name == "was" && found != was.end()) return found->second;
+    const auto& places = name == "was" ? earlier.was : earlier.originally;
+    if (const auto found = places.find(thing); name != "loc" && found != places.end()) return found->second;
     if (const auto* object = world().find(thing)) return place_term(*object, world());
     return term;
   }
   Term whole = head;
-  for (const auto& each : arguments) whole = Term::apply(whole, resolved(each, was));
+  for (const auto& each : arguments) whole = Term::apply(whole, resolved(each, earlier));
   return whole;
 }
 

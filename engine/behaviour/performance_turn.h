@@ -17,8 +17,8 @@ class PerformanceTurn {
   PerformanceTurn(const Catalogue* catalogue, const Circumstances& circumstances, ActUnderWay& act)
       : catalogue_(catalogue), circumstances_(circumstances), act_(act) {}
 
-  /// Begins the act's program. `was`: the earlier places of things.
-  void begin(const Bindings& was);
+  /// Begins the act's program. The places that was(…) and originally(…) mean are `earlier`.
+  void begin(const EarlierPlaces& earlier);
   /// The next step, its command without id; nothing at the end of the act, whose outcome is in `end`.
   std::optional<ActStep> step();
 
@@ -31,7 +31,7 @@ class PerformanceTurn {
   void define(const Expression& event);
   void repeat(const Expression& event);
   std::optional<Bindings> bind(const Voxeme& voxeme, const Term& program, bool documented);
-  Term resolved(const Term& term, const Bindings& was) const;
+  Term resolved(const Term& term, const EarlierPlaces& earlier) const;
   Term fixed_place(const Term& thing, const Term& place) const;
 
   void advance();

@@ -92,6 +92,7 @@ class View {
   Term affordance(const ObjectState& object, const std::string& what) const;
   Term obstacle(const Term& program) const;
   Term offset(const ObjectState& object, const std::string& side) const;
+  Term displaced(const ObjectState& object, const std::string& side, double by_m) const;
   Term is_learned(const std::string& name) const;
   Term meaning_of(const std::string& name) const;
 
@@ -246,6 +247,14 @@ Term View::offset(const ObjectState& object, const std::string& side) const {
   return Term::number(on_grid((object.p_WO - world_->table.center()).dot(side_W(*named, perspective_))));
 }
 
+Term View::displaced(const ObjectState& object, const std::string& side, double by_m) const {
+  const auto named = relation_named(side);
+  if (!named || !is_side(*named)) return Term::null();
+  Vec3 p_W = object.p_WO + by_m * side_W(*named, perspective_);
+  p_W.z() = object.bounds_W().min.z();
+  return point(on_grid(p_W));
+}
+
 Term View::is_learned(const std::string& name) const {
   const auto* learned = evaluation_.facts().learned;
   return Term::truth(learned && learned->knows(name));
@@ -256,6 +265,7 @@ Term View::meaning_of(const std::string& name) const {
   if (!learned) return Term::null();
   if (const auto gesture = learned->gestures.find(name); gesture != learned->gestures.end())
     return evaluation_.value(gesture->second);
+  if (const auto noun = learned->nouns.find(name); noun != learned->nouns.end()) return evaluation_.value(noun->second);
   const auto program = learned->programs.find(name);
   return program == learned->programs.end() ? Term::null() : evaluation_.value(program->second.acts);
 }
@@ -321,6 +331,9 @@ std::pair<Rules, Signature> facts_of(Perspective perspective, const Catalogue* v
           {"closest", "e -> loc -> loc", seen([](const View& view, Arguments a) { return view.closest(a[0], a[1]); })},
           {"offset", "e -> text -> num", of_object([](const View& view, const ObjectState& o, Arguments a) {
              return view.offset(o, a[1].text_value());
+           })},
+          {"displaced", "e -> text -> num -> loc", of_object([](const View& view, const ObjectState& o, Arguments a) {
+             return view.displaced(o, a[1].text_value(), a[2].number_value());
            })},
           {"affords", "e -> text -> t", of_object([](const View& view, const ObjectState& o, Arguments a) {
              return view.affordance(o, a[1].text_value());

@@ -42,6 +42,13 @@ Reading with(const Term& part, const Term& meant, Reading reading) {
   return reading;
 }
 
+// Whether the arguments of a reading's term are two clauses: "if the plate is empty, put the cup on it".
+bool are_clauses(const std::vector<Term>& arguments) {
+  return arguments.size() == 2 && std::all_of(arguments.begin(), arguments.end(), [](const Term& clause) {
+           return consistent(clause.type(), Type::truth());
+         });
+}
+
 Reading with_it(Reading reading, const Operators& operators) {
   const auto says_it = [&](const Phrase& phrase) {
     const auto* proform = proform_of(phrase.term, operators);
@@ -50,8 +57,14 @@ Reading with_it(Reading reading, const Operators& operators) {
   const auto& phrases = reading.phrases;
   if (std::count_if(phrases.begin(), phrases.end(), says_it) != 1) return reading;
   const Phrase it = *std::find_if(phrases.begin(), phrases.end(), says_it);
-  if (!smallest_around(it.words, reading)) return reading;
-  const auto* antecedent = last_before(it.words.begin, reading, [](const Phrase&) { return true; });
+  const auto clauses = reading.term.spine().arguments;
+  const bool nested = smallest_around(it.words, reading) != nullptr;
+  if (!nested && !are_clauses(clauses)) return reading;
+  const auto* antecedent = last_before(it.words.begin, reading, [&](const Phrase& phrase) {
+    return nested || std::none_of(clauses.begin(), clauses.end(), [&](const Term& clause) {
+             return contains(clause, it.term) && contains(clause, phrase.term);
+           });
+  });
   if (!antecedent) return reading;
   const Term meant = antecedent->term;
   std::erase_if(reading.phrases, says_it);

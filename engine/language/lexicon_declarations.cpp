@@ -10,8 +10,9 @@ namespace continua {
 namespace {
 
 constexpr NamedValue<Proform::Source> proform_sources[] = {
-    {Proform::Source::focus, "focus"}, {Proform::Source::pointed, "pointed"}, {Proform::Source::topic, "topic"},
-    {Proform::Source::other, "other"}, {Proform::Source::avatar, "avatar"},   {Proform::Source::human, "human"},
+    {Proform::Source::focus, "focus"},     {Proform::Source::pointed, "pointed"}, {Proform::Source::topic, "topic"},
+    {Proform::Source::other, "other"},     {Proform::Source::avatar, "avatar"},   {Proform::Source::human, "human"},
+    {Proform::Source::handled, "handled"},
 };
 
 }  // namespace

@@ -12,9 +12,9 @@
 namespace continua {
 namespace {
 
-const std::vector<std::string> sections = {"about",    "categories", "names",  "define",     "determiners",
-                                           "proforms", "words",      "skip",   "attributes", "plural",
-                                           "unary",    "examples",   "sample", "learned",    "unknown"};
+const std::vector<std::string> sections = {"about",  "categories", "names",      "define",  "determiners", "proforms",
+                                           "words",  "skip",       "attributes", "plural",  "unary",       "examples",
+                                           "sample", "learned",    "unknown",    "numbers", "nouns"};
 
 }  // namespace
 
@@ -43,6 +43,8 @@ Lexicon LexiconReader::read() {
   read_rules();
   lexicon_.learned = read_name_templates("learned");
   lexicon_.unknown = read_name_templates("unknown");
+  lexicon_.nouns = read_name_templates("nouns");
+  lexicon_.numbers = read_name_templates("numbers");
   read_sample();
   if (reader_.sound()) read_examples();
   return std::move(lexicon_);

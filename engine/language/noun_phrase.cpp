@@ -85,11 +85,12 @@ Term NounPhraseSearch::resolved(const Term& term) const {
     const auto* proform = proform_of(part, *meanings_.operators);
     if (!proform) return std::nullopt;
     switch (proform->source) {
-      case Proform::Source::focus: {
-        if (part.type().kind() != Type::Kind::list)
-          return context_.focus.empty() ? Term::null() : Term::entity(context_.focus.front());
+      case Proform::Source::focus:
+      case Proform::Source::handled: {
+        const auto& named = *objects_of(proform->source, context_);
+        if (part.type().kind() != Type::Kind::list) return named.empty() ? Term::null() : Term::entity(named.front());
         std::vector<Term> objects;
-        for (const auto& each : context_.focus) objects.push_back(Term::entity(each));
+        for (const auto& each : named) objects.push_back(Term::entity(each));
         return Term::list(std::move(objects), Type::entity());
       }
       case Proform::Source::pointed:

@@ -34,6 +34,7 @@ struct Proform {
               ///< phrase, except the object that the outer phrase describes
     avatar,   ///< you
     human,    ///< me
+    handled,  ///< the objects that the avatar acted on, the latest first; a constant of type e*, for conditions
   };
   Source source = Source::focus;
 };

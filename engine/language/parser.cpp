@@ -1,262 +1,115 @@
 #include "continua/language/parser.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "continua/core/words.h"
-#include "continua/language/chart.h"
-#include "continua/language/reduction.h"
-#include "continua/term/substitution.h"
+#include "continua/language/segment.h"
 
 namespace continua {
 namespace {
 
-// Costs of an utterance besides the costs of its readings.
-constexpr double cost_of_fragment = 2, cost_of_missing = 1, cost_of_unused = 4;
-
-// Readings that cost more than the cheapest by a larger difference are left out.
-constexpr double largest_difference = 0.5;
-
-// The atom of an entry that can stand alone, and the arguments that the entry still lacks.
-struct Root {
-  const Atom* atom = nullptr;
-  std::vector<Type> missing;  // in the order in which its term takes them
+// The treatment of unknown words.
+enum class Unknown {
+  left_out,
+  names,     // of what the human is about to name
+  repaired,  // to words that are spelt or heard almost like them, left out where there is none
 };
 
-std::optional<Root> root_of(const Chart::Entry& entry, const Atoms& atoms) {
-  if (entry.unary > 0) return std::nullopt;
-  Root root;
-  const Category* category = &entry.category;
-  for (; !category->is_atom(); category = &category->result()) {
-    const auto& argument = category->argument();
-    if (category->slash() != Category::Slash::forward || !category->composes() || !argument.is_atom())
-      return std::nullopt;
-    const auto& atom = atoms.find(argument.name().text())->second;
-    if (!atom.open) return std::nullopt;
-    root.missing.push_back(atom.types.front());
-  }
-  root.atom = &atoms.find(category->name().text())->second;
-  return root.atom->move.empty() ? std::nullopt : std::optional(root);
-}
-
-// The term with a lambda for each missing argument.
-Term opened(Term term, const std::vector<Type>& missing) {
-  const auto count = static_cast<int>(missing.size());
-  for (int i = 0; i < count; ++i) {
-    const bool is_lambda = term.kind() == Term::Kind::lambda;
-    const auto variable = Term::bound(count - 1 - i, missing[static_cast<std::size_t>(i)]);
-    term = is_lambda ? instantiate(term.body(), variable) : Term::apply(term, variable);
-  }
-  term = normal(term);
-  for (auto type = missing.rbegin(); type != missing.rend(); ++type) term = Term::lambda("x", *type, term);
-  return term;
-}
-
-// A part of an utterance without sentence ends and unknown words.
-class Segment {
+// Collects the words of an utterance, and reads them segment by segment.
+class Hearing {
  public:
-  Segment(const std::vector<Chart::Word>& words, const std::vector<std::size_t>& positions,
-          const Vocabulary& vocabulary)
-      : words_(words), positions_(positions), vocabulary_(vocabulary), chart_(words, vocabulary) {}
+  Hearing(const Vocabulary& vocabulary, Unknown unknown) : vocabulary_(vocabulary), unknown_(unknown) {}
 
-  void read_into(Utterance& utterance) {
-    cover();
-    for (std::size_t at = 0; at < words_.size();) {
-      const auto& step = best_[at];
-      if (step.fragment)
-        utterance.fragments.push_back(fragment(at, step.end, utterance.unused));
-      else if (step.unused)
-        utterance.unused.push_back(positions_[at]);
-      at = step.end;
+  Utterance read(const std::vector<SpokenWord>& spoken) {
+    for (const auto& word : spoken) {
+      if (word.comma)
+        add_comma();
+      else
+        add_word(word.text);
+      if (word.ends_after) {
+        end_segment();
+        end_sentence();
+      }
     }
+    end_segment();
+    if (utterance_.ends.empty() || utterance_.ends.back() < utterance_.words.size()) end_sentence();
+    return std::move(utterance_);
   }
 
  private:
-  struct Step {
-    double cost = std::numeric_limits<double>::infinity();
-    std::size_t end = 0;
-    bool fragment = false, unused = false;
-  };
+  void add_comma() {
+    if (!words_.empty()) add({",", false, {}});
+    after_name_ = false;
+  }
 
-  // Finds, from the last word to the first, the cheapest way to cover the words from there on.
-  void cover() {
-    best_.assign(words_.size() + 1, Step());
-    best_.back().cost = 0;
-    const auto offer = [&](std::size_t begin, Step step) {
-      step.cost += best_[step.end].cost;
-      if (step.cost < best_[begin].cost) best_[begin] = step;
-    };
-    for (std::size_t begin = words_.size(); begin-- > 0;) {
-      for (auto end = chart_.last_end(begin); end > begin; --end)
-        if (const auto cost = cost_of(begin, end)) offer(begin, {*cost + cost_of_fragment, end, true, false});
-      for (const auto& [count, cost, known] : chart_.skippable(begin))
-        offer(begin, {cost, begin + count, false, !known});
-      offer(begin, {is_comma(begin) ? 0 : cost_of_unused, begin + 1, false, !is_comma(begin)});
+  void add_word(const std::string& text) {
+    utterance_.words.push_back(text);
+    const auto place = utterance_.words.size() - 1;
+    auto number = vocabulary_.as_number(text);
+    const bool known = vocabulary_.knows(text) || !number.senses.empty();
+    const bool name = !known && unknown_ == Unknown::names;
+    const auto meant = known || unknown_ != Unknown::repaired ? std::nullopt : vocabulary_.resembling(text);
+    if (meant) {
+      add({*meant, false, {}});
+      utterance_.repaired.push_back(place);
+    } else if (known) {
+      add({text, false, std::move(number)});
+    } else {
+      utterance_.unknown.push_back(place);
+      if (name) add_name(text);
+      if (!name && !words_.empty()) words_.back().before_unknown = true;
     }
+    after_name_ = name;
   }
 
-  std::optional<double> cost_of(std::size_t begin, std::size_t end) const {
-    std::optional<double> least;
-    for (const auto number : chart_.at(begin, end)) {
-      const auto& entry = chart_.entry(number);
-      const auto root = root_of(entry, vocabulary_.lexicon().atoms);
-      if (!root) continue;
-      const double cost = entry.cost + cost_of_missing * static_cast<double>(root->missing.size());
-      if (!least || cost < *least) least = cost;
-    }
-    return least;
+  // Neighbouring unknown words are one name.
+  void add_name(const std::string& text) {
+    if (!after_name_) return add({text, false, vocabulary_.as_name(text)});
+    words_.back().text += " " + text;
+    words_.back().name = vocabulary_.as_name(words_.back().text);
+    utterance_.unknown.pop_back();
   }
 
-  // The readings that lack the fewest arguments, the cheapest first. Words that the cheapest leaves out go to `unused`.
-  Fragment fragment(std::size_t begin, std::size_t end, std::vector<std::size_t>& unused) const {
-    struct Found {
-      std::size_t number;
-      Root root;
-    };
-    std::vector<Found> found;
-    for (const auto number : chart_.at(begin, end))
-      if (auto root = root_of(chart_.entry(number), vocabulary_.lexicon().atoms)) found.push_back({number, *root});
-    std::size_t least = std::numeric_limits<std::size_t>::max();
-    for (const auto& each : found) least = std::min(least, each.root.missing.size());
-    std::erase_if(found, [&](const Found& each) { return each.root.missing.size() > least; });
-    std::stable_sort(found.begin(), found.end(), [&](const Found& a, const Found& b) {
-      return chart_.entry(a.number).cost < chart_.entry(b.number).cost;
-    });
-    collect_unused(found.front().number, unused);
-    Fragment result{span(begin, end), {}};
-    for (const auto& each : found) {
-      const bool likely =
-          chart_.entry(each.number).cost <= chart_.entry(found.front().number).cost + largest_difference;
-      if (likely && result.readings.size() < most_readings) add_reading(result.readings, each.number, each.root);
-    }
-    return result;
+  void add(Chart::Word word) {
+    words_.push_back(std::move(word));
+    positions_.push_back(utterance_.words.size() - 1);
   }
 
-  void add_reading(std::vector<Reading>& readings, std::size_t number, const Root& root) const {
-    const auto& entry = chart_.entry(number);
-    Reading reading;
-    reading.term = with_nice_variables(opened(entry.term, root.missing));
-    reading.category = entry.category.text();
-    reading.move = root.atom->move;
-    reading.cost = entry.cost + cost_of_missing * static_cast<double>(root.missing.size());
-    const bool known = std::any_of(readings.begin(), readings.end(), [&](const Reading& other) {
-      return other.term == reading.term && other.move == reading.move;
-    });
-    if (known) return;
-    collect_phrases(number, reading);
-    collect_senses(number, reading);
-    std::stable_sort(reading.phrases.begin(), reading.phrases.end(), [](const Phrase& a, const Phrase& b) {
-      return a.words.begin != b.words.begin ? a.words.begin < b.words.begin : a.words.size() > b.words.size();
-    });
-    readings.push_back(std::move(reading));
+  void end_segment() {
+    if (!words_.empty()) read_segment(words_, positions_, vocabulary_, utterance_);
+    words_.clear();
+    positions_.clear();
+    after_name_ = false;
   }
 
-  void collect_phrases(std::size_t number, Reading& reading) const {
-    const auto& entry = chart_.entry(number);
-    if (entry.rule != Chart::Rule::skip && entry.category.is_atom() &&
-        vocabulary_.lexicon().atoms.find(entry.category.name().text())->second.phrase) {
-      const auto words = span(entry.words.begin, entry.words.end);
-      const bool known = std::any_of(reading.phrases.begin(), reading.phrases.end(), [&](const Phrase& other) {
-        return other.words.begin == words.begin && other.words.end == words.end && other.term == entry.term;
-      });
-      const bool meant = occurs(entry.term, reading.term);
-      if (!meant && entry.term.type() == Type::entity()) return;  // taken back: "the cup, I mean the plate"
-      if (!known && meant) reading.phrases.push_back({with_nice_variables(entry.term), words});
-    }
-    if (entry.rule == Chart::Rule::word) return;
-    collect_phrases(entry.left, reading);
-    if (entry.right != entry.left) collect_phrases(entry.right, reading);
-  }
+  void end_sentence() { utterance_.ends.push_back(utterance_.words.size()); }
 
-  void collect_senses(std::size_t number, Reading& reading) const {
-    const auto& entry = chart_.entry(number);
-    if (entry.rule == Chart::Rule::word) {
-      const auto words = text_of(entry.words);
-      return reading.senses.push_back({words, entry.category.text(), with_nice_variables(entry.term), entry.cost});
-    }
-    collect_senses(entry.left, reading);
-    if (entry.right != entry.left) collect_senses(entry.right, reading);
-    if (entry.rule == Chart::Rule::unary) reading.rules.push_back(entry.changed_by->name);
-    if (entry.rule != Chart::Rule::skip) return;
-    const auto& passed_by = chart_.entry(entry.left);
-    const WordSpan passed{passed_by.words.end, entry.words.end};
-    for (const auto& skippable : chart_.skippable(passed.begin))
-      if (skippable.known && skippable.count == passed.size())
-        return reading.senses.push_back({text_of(passed), "", Term::null(), skippable.cost});
-  }
-
-  std::string text_of(const WordSpan& span) const {
-    std::string words;
-    for (auto at = span.begin; at < span.end; ++at) words += (words.empty() ? "" : " ") + words_[at].text;
-    return words;
-  }
-
-  void collect_unused(std::size_t number, std::vector<std::size_t>& unused) const {
-    const auto& entry = chart_.entry(number);
-    if (entry.rule == Chart::Rule::word) return;
-    collect_unused(entry.left, unused);
-    if (entry.right != entry.left) collect_unused(entry.right, unused);
-    if (entry.rule != Chart::Rule::skip) return;
-    const auto passed = chart_.entry(entry.left).words.end;
-    for (const auto& skippable : chart_.skippable(passed))
-      if (passed + skippable.count == entry.words.end) {
-        if (!skippable.known) unused.push_back(positions_[passed]);
-        return;
-      }
-  }
-
-  bool is_comma(std::size_t at) const { return words_[at].text == ","; }
-
-  // The span of the utterance's words for words [begin, end) of the segment, without commas at the end.
-  WordSpan span(std::size_t begin, std::size_t end) const {
-    while (end > begin + 1 && is_comma(end - 1)) --end;
-    return {positions_[begin], positions_[end - 1] + 1};
-  }
-
-  const std::vector<Chart::Word>& words_;
-  const std::vector<std::size_t>& positions_;
   const Vocabulary& vocabulary_;
-  Chart chart_;
-  std::vector<Step> best_;
+  Unknown unknown_;
+  Utterance utterance_;
+  std::vector<Chart::Word> words_;  // of the segment
+  std::vector<std::size_t> positions_;
+  bool after_name_ = false;
 };
 
-// The treatment of unknown words.
-enum class Unknown { left_out, names };
-
-Utterance read(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabulary, Unknown unknown) {
-  Utterance utterance;
-  std::vector<Chart::Word> words;
-  std::vector<std::size_t> positions;
-  const auto end_segment = [&] {
-    if (!words.empty()) Segment(words, positions, vocabulary).read_into(utterance);
-    words.clear();
-    positions.clear();
-  };
-  bool after_name = false;
-  for (const auto& word : spoken) {
-    if (!word.comma) utterance.words.push_back(word.text);
-    const bool known = word.comma ? !words.empty() : vocabulary.knows(word.text);
-    const bool name = !known && !word.comma && unknown == Unknown::names;
-    if (name && after_name) {
-      words.back().text += " " + word.text;
-      words.back().name = vocabulary.as_name(words.back().text);
-    } else if (known || name) {
-      words.push_back({word.text, false, name ? vocabulary.as_name(word.text) : WordEntry()});
-      positions.push_back(utterance.words.size() - 1);
-    } else if (!word.comma && !words.empty()) {
-      words.back().before_unknown = true;
-    }
-    if (!known && !word.comma && !(name && after_name)) utterance.unknown.push_back(utterance.words.size() - 1);
-    after_name = name && !word.ends_after;
-    if (word.ends_after) {
-      end_segment();
-      utterance.ends.push_back(utterance.words.size());
-    }
+// Without words that are said twice in a row, as speakers do who start again: "on the, on the plate".
+std::vector<SpokenWord> without_repeats(const std::vector<SpokenWord>& spoken) {
+  constexpr std::size_t longest_repeat = 4;  // words
+  std::vector<SpokenWord> heard;
+  for (std::size_t at = 0; at < spoken.size();) {
+    const auto repeats = [&](std::size_t count) {
+      const auto from = spoken.begin() + static_cast<std::ptrdiff_t>(at);
+      const auto to = from + static_cast<std::ptrdiff_t>(count);
+      return at + 2 * count <= spoken.size() && std::equal(from, to, to, [](const SpokenWord& a, const SpokenWord& b) {
+               return a.text == b.text && !a.ends_after && !a.comma;
+             });
+    };
+    std::size_t count = longest_repeat;
+    while (count > 0 && !repeats(count)) --count;
+    if (count == 0) heard.push_back(spoken[at]);
+    at += std::max<std::size_t>(count, 1);
   }
-  end_segment();
-  if (utterance.ends.empty() || utterance.ends.back() < utterance.words.size())
-    utterance.ends.push_back(utterance.words.size());
-  return utterance;
+  return heard;
 }
 
 bool is_in_fragment(std::size_t word, const Utterance& utterance) {
@@ -265,21 +118,67 @@ bool is_in_fragment(std::size_t word, const Utterance& utterance) {
   });
 }
 
+// Unknown words become names if each of them finds a place in a fragment.
+bool takes_names(const Utterance& named) {
+  return std::all_of(named.unknown.begin(), named.unknown.end(),
+                     [&](std::size_t word) { return is_in_fragment(word, named); });
+}
+
+bool holds_any(const std::vector<std::size_t>& places, WordSpan span) {
+  return std::any_of(places.begin(), places.end(),
+                     [&](std::size_t place) { return place >= span.begin && place < span.end; });
+}
+
+// Leaves of the fragments within the sentence only the longest, the first of equals, if words of it were lost.
+void keep_longest(WordSpan sentence, Utterance& utterance) {
+  if (!holds_any(utterance.unknown, sentence) && !holds_any(utterance.unused, sentence)) return;
+  const auto is_within = [&](const Fragment& fragment) {
+    return fragment.words.begin >= sentence.begin && fragment.words.end <= sentence.end;
+  };
+  auto& all = utterance.fragments;
+  const auto first = std::find_if(all.begin(), all.end(), is_within);
+  const auto last = std::find_if_not(first, all.end(), is_within);
+  if (first == last) return;
+  const auto longest = std::max_element(
+      first, last, [](const Fragment& a, const Fragment& b) { return a.words.size() < b.words.size(); });
+  for (auto each = first; each != last; ++each)
+    for (auto word = each->words.begin; each != longest && word < each->words.end; ++word)
+      if (!holds_any(utterance.unused, {word, word + 1}) && !holds_any(utterance.unknown, {word, word + 1}))
+        utterance.unused.push_back(word);
+  std::sort(utterance.unused.begin(), utterance.unused.end());
+  Fragment kept = std::move(*longest);
+  all.insert(all.erase(first, last), std::move(kept));
+}
+
+// Unknown words are names if they can be, else words that they resemble.
+Utterance read(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabulary) {
+  Utterance utterance = Hearing(vocabulary, Unknown::left_out).read(spoken);
+  if (!utterance.unknown.empty()) {
+    auto named = Hearing(vocabulary, Unknown::names).read(spoken);
+    if (!vocabulary.lexicon().unknown.empty() && takes_names(named)) {
+      named.unknown.clear();
+      utterance = std::move(named);
+    } else if (auto repaired = Hearing(vocabulary, Unknown::repaired).read(spoken); !repaired.repaired.empty()) {
+      utterance = std::move(repaired);
+    }
+  }
+  return utterance;
+}
+
+std::size_t lost_words(const Utterance& utterance) { return utterance.unknown.size() + utterance.unused.size(); }
+
 }  // namespace
 
-// Unknown words become names if each of them finds a place in a fragment; else they are left out.
 Utterance read(std::string_view text, const Vocabulary& vocabulary) {
   bool cut = false;
   const auto spoken = words_of(text, most_words, &cut);
-  Utterance utterance = read(spoken, vocabulary, Unknown::left_out);
-  if (!utterance.unknown.empty() && !vocabulary.lexicon().unknown.empty()) {
-    auto named = read(spoken, vocabulary, Unknown::names);
-    const bool taken = std::all_of(named.unknown.begin(), named.unknown.end(),
-                                   [&](std::size_t word) { return is_in_fragment(word, named); });
-    if (taken) {
-      named.unknown.clear();
-      utterance = std::move(named);
-    }
+  Utterance utterance = read(spoken, vocabulary);
+  if (const auto heard = without_repeats(spoken); lost_words(utterance) > 0 && heard.size() < spoken.size())
+    if (auto again = read(heard, vocabulary); lost_words(again) < lost_words(utterance)) utterance = std::move(again);
+  std::size_t begin = 0;
+  for (const auto end : std::vector(utterance.ends)) {
+    keep_longest({begin, end}, utterance);
+    begin = end;
   }
   utterance.cut = cut;
   return utterance;

@@ -10,10 +10,9 @@ namespace continua {
 
 /// The words of an utterance that are read; further ones are cut.
 inline constexpr std::size_t most_words = 200;
-/// The most readings of a fragment.
-inline constexpr std::size_t most_readings = 6;
 
-/// Reads any text. Words that are not understood are listed in `unknown` and `unused`.
+/// Reads any text. Words that are not understood are listed in `unknown` and `unused`, misheard ones in `repaired`.
+/// Where a sentence has any, its longest fragment alone is kept: pieces of what was not understood are no moves.
 Utterance read(std::string_view text, const Vocabulary& vocabulary);
 
 }  // namespace continua

@@ -106,6 +106,11 @@ Reference refer(const Term& condition, const Determiner& determiner, const Conte
   return reference;
 }
 
+const std::vector<std::string>* objects_of(Proform::Source source, const Context& context) {
+  if (source == Proform::Source::focus) return &context.focus;
+  return source == Proform::Source::handled ? &context.handled : nullptr;
+}
+
 Reference refer_to_pointed(const Context& context) {
   Reference reference;
   Fitting fitting;

@@ -23,12 +23,13 @@ struct Showing {
 
 /// The context in which an utterance or a gesture is understood. REQUIRES a world.
 struct Context {
-  Facts facts;                     ///< with the world
-  std::optional<Vec3> pointed_W;   ///< where the human points, on the table
-  std::vector<Showing> showings;   ///< pointings of an utterance; if there are any, they replace pointed_W
-  std::vector<std::string> focus;  ///< objects being talked about, the most salient first
-  std::vector<std::string> among;  ///< if not empty: the question was about these only
-  std::vector<Term> topics;        ///< possible meanings of "one", of type e -> t, the likeliest first
+  Facts facts;                       ///< with the world
+  std::optional<Vec3> pointed_W;     ///< where the human points, on the table
+  std::vector<Showing> showings;     ///< pointings of an utterance; if there are any, they replace pointed_W
+  std::vector<std::string> focus;    ///< objects being talked about, the most salient first
+  std::vector<std::string> among;    ///< if not empty: the question was about these only
+  std::vector<std::string> handled;  ///< objects that the avatar acted on, the latest first
+  std::vector<Term> topics;          ///< possible meanings of "one", of type e -> t, the likeliest first
 };
 
 /// How the constants of words are evaluated: facts of the world are rules, definitions of the lexicon are looked up.
@@ -71,6 +72,9 @@ struct Reference {
 /// - The work is bounded; past the bound no condition is true.
 /// - If everything moves by less than half of the margin, the referents stay the same.
 Reference refer(const Term& condition, const Determiner& determiner, const Context& context, const Meanings& meanings);
+
+/// The objects of the context that a pro-form of this source lists; nullptr if it means none.
+const std::vector<std::string>* objects_of(Proform::Source source, const Context& context);
 
 /// Referents of pointing alone.
 Reference refer_to_pointed(const Context& context);

@@ -36,6 +36,8 @@ By by_of(Proform::Source source) {
     case Proform::Source::avatar:
     case Proform::Source::human:
       return By::presence;
+    case Proform::Source::handled:
+      return By::focus;
   }
   return By::words;
 }
@@ -171,8 +173,8 @@ Meant Referring::by_proform(const Term& phrase, const Proform& proform, std::siz
   meant.resolution.words = words_of(phrase, occurrence);
   meant.resolution.by = by_of(proform.source);
   meant.plural = type.kind() == Type::Kind::list;
-  if (meant.plural && proform.source == Proform::Source::focus) {
-    for (const auto& object : context_.focus) meant.values.push_back(Term::entity(object));
+  if (const auto* objects = meant.plural ? objects_of(proform.source, context_) : nullptr) {
+    for (const auto& object : *objects) meant.values.push_back(Term::entity(object));
   } else if (const auto value = single_value(proform, type, context)) {
     meant.values.push_back(*value);
   }
@@ -199,6 +201,8 @@ std::optional<Term> Referring::single_value(const Proform& proform, const Type& 
       return Term::entity("avatar");
     case Proform::Source::human:
       return Term::entity("human");
+    case Proform::Source::handled:
+      return std::nullopt;
   }
   return std::nullopt;
 }

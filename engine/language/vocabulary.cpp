@@ -1,12 +1,19 @@
 #include "continua/language/vocabulary.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
+#include "continua/core/located_json.h"
 #include "continua/core/words.h"
 #include "continua/language/reduction.h"
 
 namespace continua {
 namespace {
+
+// A word that resembles another has at most one mistake in so many letters: "nife" and "knife", not "snack" and
+// "black". Short words resemble each other by chance.
+constexpr std::size_t letters_in_one_mistake = 3, fewest_letters = 4;
 
 // The words for a value: "light_blue" is said "light blue".
 std::string spoken(const std::string& value) {
@@ -35,6 +42,25 @@ Vocabulary::Vocabulary(std::shared_ptr<const Lexicon> lexicon, const WorldSnapsh
         add_value(attribute, {value->second});
     }
   }
+  note_said_of_scene(world);
+}
+
+// The words for the values that objects have, with their synonyms and plurals.
+void Vocabulary::note_said_of_scene(const WorldSnapshot& world) {
+  const auto note = [&](const WordAttribute& attribute, const std::string& value) {
+    const auto word = spoken(value);
+    if (word.empty() || word.find(' ') != std::string::npos) return;
+    for (const auto& made : attribute.words) said_of_scene_.insert(made.plural ? plural(word) : word);
+  };
+  for (const auto& attribute : lexicon_->attributes)
+    for (const auto& object : world.objects) {
+      const auto value = object.attributes.find(attribute.name);
+      if (value == object.attributes.end()) continue;
+      note(attribute, value->second);
+      for (const auto& group : attribute.values)
+        if (std::find(group.begin(), group.end(), value->second) != group.end())
+          for (const auto& synonym : group) note(attribute, synonym);
+    }
 }
 
 void Vocabulary::learn(const std::string& name, const Type& type) {
@@ -45,11 +71,45 @@ void Vocabulary::learn(const std::string& name, const Type& type) {
   for (auto& sense : as_name(name).senses) add_word(name, std::move(sense));
 }
 
+void Vocabulary::learn_noun(const std::string& name, const Term& condition) {
+  // "plate" may be taught for a thing that is none: the constant must not be that of the lexicon.
+  auto constant_name = name;
+  while (!names_.emplace(constant_name, condition.type()).second) constant_name += "_taught";
+  definitions_.emplace(constant_name, condition);
+  const auto constant = Term::constant(constant_name, condition.type());
+  for (const auto& made : lexicon_->nouns)
+    if (made.type == condition.type()) add_word(name, {made.category, applied(made.term, constant), made.cost});
+  for (auto& sense : as_name(name).senses) add_word(name, std::move(sense));
+}
+
 WordEntry Vocabulary::as_name(const std::string& words) const {
   WordEntry entry;
   for (const auto& made : lexicon_->unknown)
     entry.senses.push_back({made.category, applied(made.term, Term::text(words)), made.cost});
   return entry;
+}
+
+WordEntry Vocabulary::as_number(const std::string& word) const {
+  WordEntry entry;
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return entry;
+  for (const auto& made : lexicon_->numbers)
+    entry.senses.push_back({made.category, applied(made.term, Term::number(value)), made.cost});
+  return entry;
+}
+
+std::optional<std::string> Vocabulary::resembling(const std::string& word) const {
+  std::optional<std::string> nearest;
+  std::size_t best = word.size();
+  for (const auto& each : said_of_scene_) {
+    const auto distance = edit_distance(word, each);
+    const auto letters = std::max(word.size(), each.size());
+    if (distance > best || letters < fewest_letters || letters_in_one_mistake * distance > letters) continue;
+    nearest = distance < best ? std::optional(each) : std::nullopt;
+    best = distance;
+  }
+  return nearest;
 }
 
 const WordEntry* Vocabulary::find(std::string_view words) const {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ class Vocabulary {
   /// lexicon has already keeps its other senses. REQUIRES that the name has not been learned before.
   void learn(const std::string& name, const Type& type);
 
+  /// Makes a noun that the human taught a word, by the lexicon's `nouns` templates. `condition`: e -> t.
+  void learn_noun(const std::string& name, const Term& condition);
+
   const Lexicon& lexicon() const { return *lexicon_; }
   /// The entry of a word, or of several words with spaces between them; nullptr if there is none.
   const WordEntry* find(std::string_view words) const;
@@ -26,6 +30,11 @@ class Vocabulary {
   std::set<std::string> words() const;
   /// The senses of unknown words as a name that the human is about to give.
   WordEntry as_name(const std::string& words) const;
+  /// The senses of a number in digits, by the lexicon's `numbers` templates; none if the word is no number.
+  WordEntry as_number(const std::string& word) const;
+  /// The word for a thing of the scene or for one of its attributes that is spelt most like this unknown one; none if
+  /// none resembles it, or two do equally.
+  std::optional<std::string> resembling(const std::string& word) const;
   /// Whether the word is an entry, or a part of an entry of several words.
   bool knows(std::string_view word) const { return parts_.contains(word); }
   /// Number of words of the longest entry.
@@ -43,12 +52,14 @@ class Vocabulary {
   void add_word(const std::string& word, WordSense sense);
   void add_parts(std::string_view words);
   std::string plural(const std::string& word) const;
+  void note_said_of_scene(const WorldSnapshot& world);
 
   std::shared_ptr<const Lexicon> lexicon_;
   WordTable scene_words_;  ///< words from attributes and learned names, with the lexicon's senses of the same words
   Signature names_;
   std::map<std::string, Term, std::less<>> definitions_;
   std::set<std::string, std::less<>> parts_;
+  std::set<std::string> said_of_scene_;  ///< single words for what the objects of the scene are
   std::size_t most_words_ = 1;
 };
 

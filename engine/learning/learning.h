@@ -37,8 +37,11 @@ Result<std::vector<Term>> applied(const Program& program, const std::vector<Term
 struct Learned {
   std::map<std::string, Term, std::less<>> gestures;     ///< recognisers' name of the gesture → its meaning
   std::map<std::string, Program, std::less<>> programs;  ///< word → its program
+  std::map<std::string, Term, std::less<>> nouns;        ///< word → what it is said of: \x. x = block1
 
-  bool knows(std::string_view name) const { return gestures.contains(name) || programs.contains(name); }
+  bool knows(std::string_view name) const {
+    return gestures.contains(name) || programs.contains(name) || nouns.contains(name);
+  }
   /// Adds or replaces the program of a name. Error: the program would lead back to itself.
   Outcome learn_program(const std::string& name, Program program);
   /// Expands an act: a taught program is replaced by its acts, these again, and so on; other acts stay. Errors: those

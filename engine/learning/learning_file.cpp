@@ -39,13 +39,14 @@ class LearningReader {
   LearningReader(const DocumentReader& document, const Signature& names) : document_(document), names_(names) {}
 
   Learned read(const Item& root) {
-    if (!root.expect_object("what was learned", {"learned", "gestures", "programs"})) return learned_;
+    if (!root.expect_object("what was learned", {"learned", "gestures", "programs", "nouns"})) return learned_;
     root.expect_version("learned", 1);
     // Terms may use every taught name: if the names have problems, terms are not read.
     const auto programs = taught(root.member("programs"), "programs", "acts");
     const auto gestures = taught(root.member("gestures"), "gestures", "means");
     if (document_.sound()) read_programs(programs);
     if (document_.sound()) read_gestures(gestures);
+    if (document_.sound()) read_nouns(taught(root.member("nouns"), "nouns", "means"));
     return learned_;
   }
 
@@ -99,6 +100,15 @@ class LearningReader {
     }
   }
 
+  void read_nouns(const std::vector<Taught>& nouns) {
+    static const auto condition = Type::function(Type::entity(), Type::truth());
+    for (const auto& each : nouns) {
+      const auto term = read_term(each);
+      if (term && !consistent(term->type(), condition)) each.term.mismatch("a condition such as \\x. x = block1");
+      if (term && consistent(term->type(), condition)) learned_.nouns.emplace(each.name, *term);
+    }
+  }
+
   // A name that is not declared is an object, perhaps of another scene.
   std::optional<Term> read_term(const Taught& taught) {
     auto known = names_;
@@ -144,7 +154,8 @@ std::string print_learned(const Learned& learned) {
   Json gestures = Json::object(), programs = Json::object();
   for (const auto& [name, meaning] : learned.gestures) gestures[name] = {{"means", print(meaning)}};
   for (const auto& [name, program] : learned.programs) programs[name] = {{"acts", print(program)}};
-  const Json root{{"learned", 1}, {"gestures", std::move(gestures)}, {"programs", std::move(programs)}};
+  Json root{{"learned", 1}, {"gestures", std::move(gestures)}, {"programs", std::move(programs)}};
+  for (const auto& [name, condition] : learned.nouns) root["nouns"][name] = {{"means", print(condition)}};
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -22,10 +22,15 @@ bool ends_effects(const Effect& effect) {
 }
 
 std::optional<Lesson> read_lesson(const Item& lesson) {
-  const bool gesture = lesson.member("gesture").exists(), word = lesson.member("word").exists();
-  if (gesture != word) return gesture ? Lesson::gesture : Lesson::word;
-  lesson.problem(fmt::format("found {}, expected one of gesture, word", gesture ? "both" : "none"));
-  return std::nullopt;
+  std::optional<Lesson> found;
+  for (const auto of : {Lesson::gesture, Lesson::word, Lesson::noun}) {
+    if (!lesson.member(name_of(of)).exists()) continue;
+    if (found) lesson.problem(fmt::format("found {} and {}, expected one of them", name_of(*found), name_of(of)));
+    if (found) return std::nullopt;
+    found = of;
+  }
+  if (!found) lesson.problem("found none, expected one of gesture, word, noun");
+  return found;
 }
 
 }  // namespace
@@ -96,12 +101,14 @@ std::optional<Learn> EffectReader::learn(const Item& lesson) const {
   if (!of) return std::nullopt;
   const bool word = *of == Lesson::word;
   if (const auto other = lesson.member(word ? "means" : "acts"); other.exists())
-    other.problem_at_key(word ? "a word stands for \"acts\"" : "a gesture has \"means\"");
+    other.problem_at_key(word ? "a word stands for \"acts\"" : fmt::format("a {} has \"means\"", name_of(*of)));
   const auto name = terms_.term(lesson.member(name_of(*of)), Type::text_type());
   const auto value = word ? terms_.term(lesson.required("acts", "a list of acts, a term"), Type::list(Type::term()))
-                          : terms_.term(lesson.required("means", "what the gesture means, a term"), Type::term());
+                          : terms_.term(lesson.required("means", "the meaning, a term"), Type::term());
   if (!name || !value) return std::nullopt;
-  return Learn{*of, *name, *value};
+  const auto fixed = lesson.member("fixed");
+  if (fixed.exists() && !word) fixed.problem_at_key("only a word has acts whose objects may be fixed");
+  return Learn{*of, *name, *value, fixed.truth(false)};
 }
 
 std::optional<Forget> EffectReader::forget(const Item& lesson) const {

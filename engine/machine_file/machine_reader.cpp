@@ -36,7 +36,8 @@ ContextTerms read_context(const Item& item, bool has_lexicon, const TermReader& 
   const auto nouns = Type::list(Type::function(Type::entity(), Type::truth()));
   return {.focus = terms.term(item.member("focus"), objects),
           .among = terms.term(item.member("among"), objects),
-          .topic = terms.term(item.member("topic"), nouns)};
+          .topic = terms.term(item.member("topic"), nouns),
+          .handled = terms.term(item.member("handled"), objects)};
 }
 
 class MachineReader {

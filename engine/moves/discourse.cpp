@@ -38,6 +38,7 @@ Discourse discourse_of(const Stepper& stepper, const Configuration& configuratio
   };
   discourse.context.focus = names(value(terms.focus, discourse.focus));
   discourse.context.among = names(value(terms.among, discourse.among));
+  discourse.context.handled = names(value(terms.handled, discourse.handled));
   if (const auto topics = value(terms.topic, discourse.topic); topics.kind() == Term::Kind::list)
     discourse.context.topics = topics.elements();
   return discourse;

@@ -1,4 +1,5 @@
-// The words known in a run: those of the lexicon and the scene, and names of programs that the human taught.
+// The words known in a run: those of the lexicon and the scene, and names of programs and of things that the human
+// taught.
 #pragma once
 
 #include <map>
@@ -15,12 +16,13 @@ struct KnownWords {
   std::shared_ptr<const Vocabulary> untaught;  ///< of the lexicon and the scene
   std::shared_ptr<const Vocabulary> all;       ///< with the names of `taught`
   std::map<std::string, Program, std::less<>> taught;
+  std::map<std::string, Term, std::less<>> nouns;  ///< taught too
 };
 
 /// `world`: the scene with the words for its objects.
 KnownWords known_words(const std::shared_ptr<const Lexicon>& lexicon, const WorldSnapshot& world);
 
-/// The words after these lessons; the same vocabularies if no program was taught or forgotten.
+/// The words after these lessons; the same vocabularies if no word was taught or forgotten.
 KnownWords with_taught(KnownWords words, const Learned& learned);
 
 }  // namespace continua

@@ -25,7 +25,8 @@ struct Move {
   std::vector<Term> nouns;            ///< e -> t: its nouns in the order of the words, "red block" before "block"
   std::vector<std::string> unknown;   ///< words near it that the lexicon does not have
   std::vector<std::string> unused;    ///< known words near it that fit nowhere
-  std::vector<std::string> left_out;  ///< words of its sentence that are unknown or fit nowhere
+  std::vector<std::string> repaired;  ///< unknown words near it that were read as words which resemble them
+  std::vector<std::string> left_out;  ///< words of its sentence that are unknown, misheard or fit nowhere
 };
 
 }  // namespace continua

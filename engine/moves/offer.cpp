@@ -13,7 +13,7 @@ namespace {
 
 double understood_share(const Utterance& utterance) {
   const auto words = static_cast<double>(utterance.words.size());
-  const auto lost = static_cast<double>(utterance.unknown.size() + utterance.unused.size());
+  const auto lost = static_cast<double>(utterance.unknown.size() + utterance.unused.size() + utterance.repaired.size());
   return words > 0 && !utterance.fragments.empty() ? (words - lost) / words : 1;
 }
 
@@ -46,6 +46,9 @@ std::vector<int> because_of(const Offer& offer, const InputEvent& event, const D
   if (!offer.move.readings.empty())
     for (const auto& [name, program] : learned.programs)
       if (contains(offer.move.readings[offer.move.chosen].term, Term::constant(name, program.type()))) add(name);
+  if (!offer.move.readings.empty())
+    for (const auto& [name, condition] : learned.nouns)
+      if (contains(offer.move.readings[offer.move.chosen].term, Term::constant(name, condition.type()))) add(name);
   std::sort(because.begin(), because.end());
   because.erase(std::unique(because.begin(), because.end()), because.end());
   return because;

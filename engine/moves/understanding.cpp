@@ -42,6 +42,7 @@ WordSpan sentence_of(const Utterance& utterance, std::size_t fragment) {
 std::vector<std::string> left_out_in(const Utterance& utterance, WordSpan span) {
   auto places = utterance.unknown;
   places.insert(places.end(), utterance.unused.begin(), utterance.unused.end());
+  places.insert(places.end(), utterance.repaired.begin(), utterance.repaired.end());
   std::sort(places.begin(), places.end());
   return words_at(utterance, places, span);
 }
@@ -206,6 +207,7 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
   const auto around = surroundings(utterance, fragment);
   move.unknown = words_at(utterance, utterance.unknown, around);
   move.unused = words_at(utterance, utterance.unused, around);
+  move.repaired = words_at(utterance, utterance.repaired, around);
   move.left_out = left_out_in(utterance, sentence_of(utterance, fragment));
   return move;
 }

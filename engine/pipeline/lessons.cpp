@@ -18,9 +18,15 @@ Outcome learn(const Taught& taught, const Machine& machine, Learned& learned) {
     learned.gestures.insert_or_assign(taught.name, taught.value);
     return std::nullopt;
   }
+  if (taught.of == Lesson::noun) {
+    if (!consistent(taught.value.type(), Type::function(Type::entity(), Type::truth())) || taught.value.is_null())
+      return Error{"", fmt::format("{} is no condition on things", print(taught.value))};
+    learned.nouns.insert_or_assign(taught.name, taught.value);
+    return std::nullopt;
+  }
   if (is_taken(taught.name, machine)) return Error{"", fmt::format("{} means something else", in_quotes(taught.name))};
   if (taught.value.kind() != Term::Kind::list) return Error{"", fmt::format("{} is no list", print(taught.value))};
-  auto program = composed(taught.value.elements());
+  auto program = taught.fixed ? Result<Program>(Program{taught.value}) : composed(taught.value.elements());
   if (!program) return program.error();
   return learned.learn_program(taught.name, *std::move(program));
 }
@@ -46,6 +52,7 @@ std::vector<StepEvent> forgotten(const Forgotten& event, Learned& learned) {
     }
   };
   forget(Lesson::gesture, learned.gestures, [](const Term& meaning) { return meaning; });
+  forget(Lesson::noun, learned.nouns, [](const Term& condition) { return condition; });
   forget(Lesson::word, learned.programs, [](const Program& program) { return program.acts; });
   return events;
 }

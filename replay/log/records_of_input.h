@@ -175,7 +175,7 @@ struct Reading {
   std::optional<std::vector<RuledOut>> ruled_out;
   std::optional<std::string> sides;
   std::optional<Margin> margin;
-  std::optional<std::vector<std::string>> unknown, unused;
+  std::optional<std::vector<std::string>> unknown, unused, repaired;
   std::vector<std::int64_t> because;
   std::optional<std::int64_t> alternative;
   std::optional<double> confidence;
@@ -214,6 +214,8 @@ struct Reading {
         field("margin", &Reading::margin, Says::aside, "Of a pointing: how near the choice of objects was, or null."),
         field("unknown", &Reading::unknown, Says::how, "Words that the lexicon does not have."),
         field("unused", &Reading::unused, Says::how, "Words that belong to no move."),
+        field("repaired", &Reading::repaired, Says::how,
+              "Unknown words that were read as words of the scene which resemble them; `entries` has these."),
         field("because", &Reading::because, Says::aside, "The inputs that contributed.").as("record"),
         field("alternative", &Reading::alternative, Says::how,
               "Of an n-best list: its place in the list; 0 is the event's own text."),

@@ -167,6 +167,7 @@ log::Reading record_of(const Understood& understood, const InputRecords& inputs)
   if (record.referents && move.readings.empty()) add_reference(move.reference, record);
   if (!move.unknown.empty()) record.unknown = move.unknown;
   if (!move.unused.empty()) record.unused = move.unused;
+  if (!move.repaired.empty()) record.repaired = move.repaired;
   record.because = records_of(understood.because, inputs);
   if (!understood.alternative) return record;
   record.alternative = static_cast<std::int64_t>(*understood.alternative);

@@ -35,6 +35,10 @@ TEST_CASE("it, inside of a noun phrase, is the noun phrase before it") {
        "the(\\x. block(x) and located(x, behind(the(\\y. cup(y)))))]))"},
       {"is the cup left of the block behind it",
        "whether(located_roughly(the(\\x. cup(x)), left(the(\\x. block(x) and located(x, behind(the(\\y. cup(y))))))))"},
+      // of another clause
+      {"if the plate is empty put the knife on it",
+       "if_now(whether_is(the(\\x. plate(x)), not some(scene, \\y. located(y, in(the(\\x. plate(x)))) or located(y, "
+       "on(the(\\x. plate(x)))))), put(the(\\x. knife(x)), on(the(\\x. plate(x)))))"},
       // left to the focus
       {"take the cup behind it", "grasp(the(\\x. cup(x) and located(x, behind(it))))"},
       {"put the knife in front of it", "put(the(\\x. knife(x)), in_front(it))"},
@@ -52,6 +56,10 @@ TEST_CASE("other, after a thing of the same kind in the same sentence, is not th
       {"put the red block on the left on the other one",
        "put(the(\\x. red(x) and leftmost(\\y. block(y), x)), "
        "on(the(\\x. x != the(\\y. red(y) and leftmost(\\z. block(z), y)) and one(x))))"},
+      // of another clause
+      {"if the plate is empty put the knife on it",
+       "if_now(whether_is(the(\\x. plate(x)), not some(scene, \\y. located(y, in(the(\\x. plate(x)))) or located(y, "
+       "on(the(\\x. plate(x)))))), put(the(\\x. knife(x)), on(the(\\x. plate(x)))))"},
       // left to the focus
       {"put the knife in the other cup", "put(the(\\x. knife(x)), in(the(\\x. other(x) and cup(x))))"},
       {"put the other cup next to the white cup",

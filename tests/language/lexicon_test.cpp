@@ -55,7 +55,7 @@ const Row rows[] = {
     {"volume(x) > 1", "volume(x)", "found a function from e to num"},
     {"\"definite\": true", "\"definite\": 1", "a.json:4:37: found 1, expected true or false"},
     {"\"focus\"", "\"fokus\"",
-     "found 'fokus', expected focus, pointed, topic, other, avatar or human (did you mean 'focus'?)"},
+     "found 'fokus', expected focus, pointed, topic, other, avatar, human or handled (did you mean 'focus'?)"},
     {"[\"S\", \"stop\"]", "[\"S/\", \"stop\"]", "a.json:6:34: found nothing more, expected a category, in 'S/'"},
     {"[\"S\", \"stop\"]", "[\"T\", \"stop\"]", "a.json:6:32: found 'T', expected a category, in 'T'"},
     {"[\"S\", \"stop\"]", "[\"S\", \"it\"]", "a.json:6:37: "},

@@ -258,3 +258,21 @@ TEST_CASE("what is wrong with a file of what was learned is told with its place"
     CHECK(learned_text(text) == expected);
   }
 }
+
+TEST_CASE("taught nouns are written and read back") {
+  const std::string text = R"json({
+  "learned": 1,
+  "gestures": {},
+  "programs": {},
+  "nouns": {
+    "bob": {
+      "means": "\\x. x = block1"
+    }
+  }
+}
+)json";
+  CHECK(learned_text(text) == text);
+  CHECK(parse_learned(text, "l.json", names()).value().knows("bob"));
+  CHECK(learned_text(R"({"learned":1,"nouns":{"bob":{"means":"block1"}}})") ==
+        "l.json:1:38: found 'block1', expected a condition such as \\x. x = block1");
+}

@@ -20,6 +20,9 @@ const char* machine_text = R"json({
   "transitions": [
     { "id": "teach", "from": "A", "on": "speech teach", "to": "A", "do": [
       { "learn": { "gesture": "'claw'", "means": "grasp(cup)" } }, { "learn": { "word": "'raise up'", "acts": "acts" } } ] },
+    { "id": "noun", "from": "A", "on": "speech noun", "to": "A", "do": [
+      { "learn": { "noun": "'bob'", "means": "\\x: e. x = knife" } }, { "learn": { "word": "'tidy'", "acts": "acts", "fixed": true } },
+      { "learn": { "noun": "'bad'", "means": "knife" } },      { "forget": { "noun": "'bob'" } } ] },
     { "id": "again", "from": "A", "on": "speech again", "to": "A", "do": [{ "learn": { "gesture": "'claw'", "means": "lift(cup)" } }] },
     { "id": "bad", "from": "A", "on": "speech bad", "to": "A", "do": [
       { "learn": { "word": "'hoist'", "acts": "acts" } }, { "learn": { "word": "'size'", "acts": "acts" } },
@@ -81,6 +84,15 @@ TEST_CASE("what is taught is known from then on, until it is forgotten") {
   play.say("teach");
   CHECK(play.say("all") == "- gesture claw: grasp(cup)\n- word raise up: \\x. [grasp(x), lift(x)]\n");
   CHECK(play.state->learned == Learned());
+}
+
+TEST_CASE("a noun is taught by a condition, and the acts of a word may keep their objects") {
+  Play play;
+  const auto told = play.say("noun");
+  CHECK(told.find("+ noun bob: \\x. x = knife") != std::string::npos);
+  CHECK(told.find("+ word tidy: [grasp(cup), lift(cup)]") != std::string::npos);
+  CHECK(told.find("'bad' is not learned: knife is no condition on things") != std::string::npos);
+  CHECK(told.find("- noun bob: \\x. x = knife") != std::string::npos);
 }
 
 TEST_CASE("what cannot be learned is told, and nothing is learned by it") {

@@ -1,0 +1,227 @@
+#include "continua/language/segment.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "continua/language/reduction.h"
+#include "continua/term/substitution.h"
+
+namespace continua {
+namespace {
+
+// Costs of an utterance besides the costs of its readings.
+constexpr double cost_of_fragment = 2, cost_of_missing = 1, cost_of_unused = 4;
+
+// Readings that cost more than the cheapest by a larger difference are left out.
+constexpr double largest_difference = 0.5;
+
+// The atom of an entry that can stand alone, and the arguments that the entry still lacks.
+struct Root {
+  const Atom* atom = nullptr;
+  std::vector<Type> missing;  // in the order in which its term takes them
+};
+
+std::optional<Root> root_of(const Chart::Entry& entry, const Atoms& atoms) {
+  if (entry.unary > 0) return std::nullopt;
+  Root root;
+  const Category* category = &entry.category;
+  for (; !category->is_atom(); category = &category->result()) {
+    const auto& argument = category->argument();
+    if (category->slash() != Category::Slash::forward || !category->composes() || !argument.is_atom())
+      return std::nullopt;
+    const auto& atom = atoms.find(argument.name().text())->second;
+    if (!atom.open) return std::nullopt;
+    root.missing.push_back(atom.types.front());
+  }
+  root.atom = &atoms.find(category->name().text())->second;
+  return root.atom->move.empty() ? std::nullopt : std::optional(root);
+}
+
+// The term with a lambda for each missing argument.
+Term opened(Term term, const std::vector<Type>& missing) {
+  const auto count = static_cast<int>(missing.size());
+  for (int i = 0; i < count; ++i) {
+    const bool is_lambda = term.kind() == Term::Kind::lambda;
+    const auto variable = Term::bound(count - 1 - i, missing[static_cast<std::size_t>(i)]);
+    term = is_lambda ? instantiate(term.body(), variable) : Term::apply(term, variable);
+  }
+  term = normal(term);
+  for (auto type = missing.rbegin(); type != missing.rend(); ++type) term = Term::lambda("x", *type, term);
+  return term;
+}
+
+class Segment {
+ public:
+  Segment(const std::vector<Chart::Word>& words, const std::vector<std::size_t>& positions,
+          const Vocabulary& vocabulary)
+      : words_(words), positions_(positions), vocabulary_(vocabulary), chart_(words, vocabulary) {}
+
+  void read_into(Utterance& utterance) {
+    cover();
+    for (std::size_t at = 0; at < words_.size();) {
+      const auto& step = best_[at];
+      if (step.fragment)
+        utterance.fragments.push_back(fragment(at, step.end, utterance.unused));
+      else if (step.unused)
+        utterance.unused.push_back(positions_[at]);
+      at = step.end;
+    }
+  }
+
+ private:
+  struct Step {
+    double cost = std::numeric_limits<double>::infinity();
+    std::size_t end = 0;
+    bool fragment = false, unused = false;
+  };
+
+  // Finds, from the last word to the first, the cheapest way to cover the words from there on.
+  void cover() {
+    best_.assign(words_.size() + 1, Step());
+    best_.back().cost = 0;
+    const auto offer = [&](std::size_t begin, Step step) {
+      step.cost += best_[step.end].cost;
+      if (step.cost < best_[begin].cost) best_[begin] = step;
+    };
+    for (std::size_t begin = words_.size(); begin-- > 0;) {
+      for (auto end = chart_.last_end(begin); end > begin; --end)
+        if (const auto cost = cost_of(begin, end)) offer(begin, {*cost + cost_of_fragment, end, true, false});
+      for (const auto& [count, cost, known] : chart_.skippable(begin))
+        offer(begin, {cost, begin + count, false, !known});
+      offer(begin, {is_comma(begin) ? 0 : cost_of_unused, begin + 1, false, !is_comma(begin)});
+    }
+  }
+
+  std::optional<double> cost_of(std::size_t begin, std::size_t end) const {
+    std::optional<double> least;
+    for (const auto number : chart_.at(begin, end)) {
+      const auto& entry = chart_.entry(number);
+      const auto root = root_of(entry, vocabulary_.lexicon().atoms);
+      if (!root) continue;
+      const double cost = entry.cost + cost_of_missing * static_cast<double>(root->missing.size());
+      if (!least || cost < *least) least = cost;
+    }
+    return least;
+  }
+
+  // The readings that lack the fewest arguments, the cheapest first. Words that the cheapest leaves out go to `unused`.
+  Fragment fragment(std::size_t begin, std::size_t end, std::vector<std::size_t>& unused) const {
+    struct Found {
+      std::size_t number;
+      Root root;
+    };
+    std::vector<Found> found;
+    for (const auto number : chart_.at(begin, end))
+      if (auto root = root_of(chart_.entry(number), vocabulary_.lexicon().atoms)) found.push_back({number, *root});
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    for (const auto& each : found) least = std::min(least, each.root.missing.size());
+    std::erase_if(found, [&](const Found& each) { return each.root.missing.size() > least; });
+    std::stable_sort(found.begin(), found.end(), [&](const Found& a, const Found& b) {
+      return chart_.entry(a.number).cost < chart_.entry(b.number).cost;
+    });
+    collect_unused(found.front().number, unused);
+    Fragment result{span(begin, end), {}};
+    for (const auto& each : found) {
+      const bool likely =
+          chart_.entry(each.number).cost <= chart_.entry(found.front().number).cost + largest_difference;
+      if (likely && result.readings.size() < most_readings) add_reading(result.readings, each.number, each.root);
+    }
+    return result;
+  }
+
+  void add_reading(std::vector<Reading>& readings, std::size_t number, const Root& root) const {
+    const auto& entry = chart_.entry(number);
+    Reading reading;
+    reading.term = with_nice_variables(opened(entry.term, root.missing));
+    reading.category = entry.category.text();
+    reading.move = root.atom->move;
+    reading.cost = entry.cost + cost_of_missing * static_cast<double>(root.missing.size());
+    const bool known = std::any_of(readings.begin(), readings.end(), [&](const Reading& other) {
+      return other.term == reading.term && other.move == reading.move;
+    });
+    if (known) return;
+    collect_phrases(number, reading);
+    collect_senses(number, reading);
+    std::stable_sort(reading.phrases.begin(), reading.phrases.end(), [](const Phrase& a, const Phrase& b) {
+      return a.words.begin != b.words.begin ? a.words.begin < b.words.begin : a.words.size() > b.words.size();
+    });
+    readings.push_back(std::move(reading));
+  }
+
+  void collect_phrases(std::size_t number, Reading& reading) const {
+    const auto& entry = chart_.entry(number);
+    if (entry.rule != Chart::Rule::skip && entry.category.is_atom() &&
+        vocabulary_.lexicon().atoms.find(entry.category.name().text())->second.phrase) {
+      const auto words = span(entry.words.begin, entry.words.end);
+      const bool known = std::any_of(reading.phrases.begin(), reading.phrases.end(), [&](const Phrase& other) {
+        return other.words.begin == words.begin && other.words.end == words.end && other.term == entry.term;
+      });
+      const bool meant = occurs(entry.term, reading.term);
+      if (!meant && entry.term.type() == Type::entity()) return;  // taken back: "the cup, I mean the plate"
+      if (!known && meant) reading.phrases.push_back({with_nice_variables(entry.term), words});
+    }
+    if (entry.rule == Chart::Rule::word) return;
+    collect_phrases(entry.left, reading);
+    if (entry.right != entry.left) collect_phrases(entry.right, reading);
+  }
+
+  void collect_senses(std::size_t number, Reading& reading) const {
+    const auto& entry = chart_.entry(number);
+    if (entry.rule == Chart::Rule::word) {
+      const auto words = text_of(entry.words);
+      return reading.senses.push_back({words, entry.category.text(), with_nice_variables(entry.term), entry.cost});
+    }
+    collect_senses(entry.left, reading);
+    if (entry.right != entry.left) collect_senses(entry.right, reading);
+    if (entry.rule == Chart::Rule::unary) reading.rules.push_back(entry.changed_by->name);
+    if (entry.rule != Chart::Rule::skip) return;
+    const auto& passed_by = chart_.entry(entry.left);
+    const WordSpan passed{passed_by.words.end, entry.words.end};
+    for (const auto& skippable : chart_.skippable(passed.begin))
+      if (skippable.known && skippable.count == passed.size())
+        return reading.senses.push_back({text_of(passed), "", Term::null(), skippable.cost});
+  }
+
+  std::string text_of(const WordSpan& span) const {
+    std::string words;
+    for (auto at = span.begin; at < span.end; ++at) words += (words.empty() ? "" : " ") + words_[at].text;
+    return words;
+  }
+
+  void collect_unused(std::size_t number, std::vector<std::size_t>& unused) const {
+    const auto& entry = chart_.entry(number);
+    if (entry.rule == Chart::Rule::word) return;
+    collect_unused(entry.left, unused);
+    if (entry.right != entry.left) collect_unused(entry.right, unused);
+    if (entry.rule != Chart::Rule::skip) return;
+    const auto passed = chart_.entry(entry.left).words.end;
+    for (const auto& skippable : chart_.skippable(passed))
+      if (passed + skippable.count == entry.words.end) {
+        if (!skippable.known) unused.push_back(positions_[passed]);
+        return;
+      }
+  }
+
+  bool is_comma(std::size_t at) const { return words_[at].text == ","; }
+
+  // The span of the utterance's words for words [begin, end) of the segment, without commas at the end.
+  WordSpan span(std::size_t begin, std::size_t end) const {
+    while (end > begin + 1 && is_comma(end - 1)) --end;
+    return {positions_[begin], positions_[end - 1] + 1};
+  }
+
+  const std::vector<Chart::Word>& words_;
+  const std::vector<std::size_t>& positions_;
+  const Vocabulary& vocabulary_;
+  Chart chart_;
+  std::vector<Step> best_;
+};
+
+}  // namespace
+
+void read_segment(const std::vector<Chart::Word>& words, const std::vector<std::size_t>& positions,
+                  const Vocabulary& vocabulary, Utterance& utterance) {
+  Segment(words, positions, vocabulary).read_into(utterance);
+}
+
+}  // namespace continua
