@@ -112,8 +112,8 @@ TEST_CASE("the headline tells what the avatar did and what it is due to") {
        "mean? The yellow block?”; it gestures point(block1)."},
       {"talk/n_best",
        {},
-       "At 1.0 s the avatar asks “Which cup do you mean? The white cup?”, because the human said “put the knife in "
-       "the cup” (1.0 s, alternative 1): “cup” may mean cup or cup_blue."},
+       "At 1.0 s the avatar asks “Which cup do you mean? The white cup?”, because the human said “but the knife in "
+       "the cup” (1.0 s): “cup” may mean cup or cup_blue."},
       {"paper/disambiguation", step(3),
        "At 3.0 s Choose goes to Choose by the transition ‘no, the next’, step 3, because the human said “No.” (3.0 s) "
        "after “Take the block.” (1.0 s)."},
