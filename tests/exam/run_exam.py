@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""Holds an exam: replays utterances without physics and compares the avatar's acts and answers with expectations.
+
+  tests/exam/run_exam.py build/continua tests/exam/EXAM.jsonl [--all]
+
+An exam has a JSON object a line: {"id", "scene", "say": [turns], "expect"}. A turn is a text, or a list of parts in the
+order of their times: texts, {"point": [x, y]} and {"gesture": NAME, "direction": …}. `expect` is "nothing", or an object
+with any of `acts` ("put knife on plate", in order; a list where one of several will do; the end may be left out: "put
+knife"), `acts_any_order`, `no_act`, `asks` (the last answer is a question) and `says` (one of these texts is in the
+answer to the last turn). Prints each line that went otherwise, and the share of right ones by the letters of their ids.
+--all prints the right ones too. Ends with status 1 if one is wrong.
+"""
+import collections
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+VERBS = {"grasp": "take", "slide": "push", "ungrasp": "let_go", "turn_by": "turn", "reach": "point"}
+SECONDS_BETWEEN_TURNS, SECONDS_BETWEEN_PARTS = 15, 0.6
+
+
+def events_of(part):
+    if isinstance(part, str):
+        yield {"kind": "speech", "text": part}
+    elif "point" in part:
+        target = {"hand": "right", "target": part["point"]}
+        yield {"kind": "gesture", "name": "point", "phase": "start", **target}
+        yield {"kind": "pointing", **target}
+    else:
+        direction = {"direction": part["direction"]} if "direction" in part else {}
+        yield {"kind": "gesture", "name": part["gesture"], "phase": "start", **direction}
+
+
+def write_trace(item, path):
+    with open(path, "w", encoding="utf-8") as trace:
+        print(json.dumps({"kind": "trace", "version": 1, "scene": item["scene"], "machine": "interaction"}), file=trace)
+        for i, turn in enumerate(item["say"]):
+            for k, part in enumerate(turn if isinstance(turn, list) else [turn]):
+                t = round(1 + SECONDS_BETWEEN_TURNS * i + SECONDS_BETWEEN_PARTS * k, 3)
+                for event in events_of(part):
+                    print(json.dumps({"t": t, **event}), file=trace)
+
+
+SIDES = {"left": "left", "right": "right", "in_front": "front", "behind": "back"}
+
+
+def act_in_words(program):
+    """put(knife, on(plate)) as "put knife on plate"; a point or a region as "at", a side of the thing itself or of
+    someone as that side: push(cup, behind(cup)) as "push cup back"."""
+    words = re.findall(r"-?[\w.]+|<", program)
+    said = [VERBS.get(words[0], words[0]), *words[1:2]]
+    place = words[2:]
+    if "<" in place:
+        return " ".join([*said, "at"])
+    if place[0:1] and place[0] in SIDES and place[1] in (words[1], "human", "avatar"):
+        return " ".join([*said, SIDES[place[0]]])
+    if said[0] == "push" and place == ["near", "human"]:
+        return " ".join([*said, "front"])
+    return " ".join([*said, *place])
+
+
+def read_run(path, last_turn_s):
+    """The acts that were done, and the avatar's words since the last turn."""
+    acts, answers = [], []
+    with open(path, encoding="utf-8") as log:
+        for record in map(json.loads, log):
+            kind = record["kind"]
+            if kind == "utterance" and record["t"] >= last_turn_s:
+                answers.append(record["text"])
+            elif kind == "act" and "step" not in record and record["status"] == "done" and record["program"] != "stop":
+                acts.append(act_in_words(record["program"]))
+    return acts, answers
+
+
+def is_wanted(wanted, act):
+    choices = wanted if isinstance(wanted, list) else [wanted]
+    return any(act == choice or act.startswith(choice + " ") for choice in choices)
+
+
+def fault(item, acts, answers):
+    """What is wrong; empty if nothing is."""
+    expect = {"no_act": True} if item["expect"] == "nothing" else item["expect"]
+    wanted = expect.get("acts", expect.get("acts_any_order"))
+    if expect.get("no_act") and acts:
+        return "expected no act"
+    if wanted is not None:
+        rest = list(acts)
+        for each in wanted:
+            found = next((act for act in rest if is_wanted(each, act)), None)
+            if found is None or ("acts" in expect and found != rest[0]):
+                return f"expected {wanted}"
+            rest.remove(found)
+        if rest:
+            return f"expected {wanted}"
+    if expect.get("asks") and not (answers and answers[-1].endswith("?")):
+        return "expected a question"
+    said = " ".join(answers).lower()
+    if "says" in expect and not any(text.lower() in said for text in expect["says"]):
+        return f"expected one of {expect['says']}"
+    return ""
+
+
+def main():
+    program, exam = sys.argv[1:3]
+    right, count = collections.Counter(), collections.Counter()
+    with open(exam, encoding="utf-8") as lines:
+        items = [json.loads(line) for line in lines if line.strip()]
+    with tempfile.TemporaryDirectory() as folder:
+        traces = [os.path.join(folder, item["id"] + ".trace.jsonl") for item in items]
+        for item, trace in zip(items, traces):
+            write_trace(item, trace)
+        command = [program, "replay", *traces, "--no-physics", "-o", folder + "/"]
+        subprocess.run(command, capture_output=True, check=False)
+        for item, trace in zip(items, traces):
+            last_turn_s = 1 + SECONDS_BETWEEN_TURNS * (len(item["say"]) - 1)
+            acts, answers = read_run(trace.replace(".trace.", ".run."), last_turn_s)
+            part = re.match(r"[a-z]+", item["id"]).group()
+            wrong = fault(item, acts, answers)
+            count[part] += 1
+            right[part] += not wrong
+            if wrong or "--all" in sys.argv:
+                print(f"{item['id']}: {item['say']}\n  {wrong or 'right'}: did {acts}, said {answers}")
+    for part in count:
+        print(f"{part}: {right[part]} of {count[part]}, {100 * right[part] / count[part]:.0f} %")
+    sys.exit(right != count)
+
+
+if __name__ == "__main__":
+    main()
