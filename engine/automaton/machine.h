@@ -216,7 +216,7 @@ struct ContextTerms {
 
 /// Time windows of fusion, in seconds (perception/fusion.h).
 struct FusionTimes {
-  double before_s = 2, after_s = 1, lateness_s = 0;
+  double before_s = 2, after_s = 1, lateness_s = 0, pause_s = 0;
 };
 
 struct Machine {

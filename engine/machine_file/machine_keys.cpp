@@ -16,7 +16,7 @@ constexpr KindOfObject kinds[] = {
      "$schema machine name about start accept choice epsilon rewrite_below minimum_confidence "
      "repeat_utterances perspective lexicon gestures phrases fusion context moves ignore programs parameters "
      "slots bottom memory inputs define wordings beliefs states transitions implied examples"},
-    {"fusion", "before after lateness"},
+    {"fusion", "before after lateness pause"},
     {"a context", "focus among topic handled"},
     {"a parameter", "value until about"},
     {"a slot", "type persists about"},

@@ -23,8 +23,10 @@ constexpr double longest_wait_s = 60;
 std::optional<FusionTimes> read_fusion(const Item& item) {
   if (!item.exists() || !expect_kind(item, "fusion")) return std::nullopt;
   FusionTimes times;
-  for (auto [key, time_s] :
-       {std::pair("before", &times.before_s), {"after", &times.after_s}, {"lateness", &times.lateness_s}})
+  for (auto [key, time_s] : {std::pair("before", &times.before_s),
+                             {"after", &times.after_s},
+                             {"lateness", &times.lateness_s},
+                             {"pause", &times.pause_s}})
     *time_s = item.member(key).number("seconds", *time_s, 0, longest_wait_s);
   return times;
 }

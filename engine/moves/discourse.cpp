@@ -46,6 +46,7 @@ Discourse discourse_of(const Stepper& stepper, const Configuration& configuratio
 
 std::vector<int> sources(const Move& move, int serial, const Discourse& discourse) {
   std::set<int> because = {serial};
+  add(because, discourse.pieces);
   for (const auto& resolution : move.interpretation.resolutions) {
     add(because, resolution.by, discourse);
     if (resolution.showing) add(because, discourse.shown[*resolution.showing]);
@@ -56,6 +57,7 @@ std::vector<int> sources(const Move& move, int serial, const Discourse& discours
 
 std::vector<int> sources(const Applying& applying, int serial, const Discourse& discourse) {
   std::set<int> because = {serial};
+  add(because, discourse.pieces);
   for (const auto by : applying.by) {
     add(because, by, discourse);
     if (by == Resolution::By::pointed)

@@ -13,6 +13,7 @@ struct Discourse {
   Context context;
   std::vector<int> focus, among, topic, handled;  ///< serials of the inputs that these came from
   std::vector<std::vector<int>> shown;            ///< serials of the inputs of each of the context's showings
+  std::vector<int> pieces;                        ///< serials of inputs with earlier words of the utterance
 };
 
 /// The machine's `context`, evaluated in the configuration. Pointing is left out.

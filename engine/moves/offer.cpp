@@ -65,9 +65,11 @@ Offer complete(Offer offer, const InputEvent& event, const Discourse& discourse,
 }
 
 // Understands the offer's fragment of the utterance.
-Offer understood(Offer offer, const ReadSpeech& speech, const std::vector<ShownWords>& shown, const Dialogue& now) {
+Offer understood(Offer offer, const Ensemble& ensemble, const Dialogue& now) {
+  const auto& speech = speech_of(offer, ensemble);
   auto discourse = discourse_of(offer.input, now);
-  for (const auto& [words, pointing] : shown) {
+  discourse.pieces = ensemble.percept.pieces;
+  for (const auto& [words, pointing] : shown_words(speech, ensemble, now.window)) {
     discourse.context.showings.push_back({words, pointing.place_W});
     discourse.shown.push_back(pointing.serials);
   }
@@ -93,7 +95,7 @@ Offer heard(const Ensemble& ensemble, std::size_t alternative, const Dialogue& n
   if (speech.utterance.fragments.empty())
     offer.move = now.understanding->not_understood(speech.utterance);
   else
-    offer = understood(std::move(offer), speech, shown, now);
+    offer = understood(std::move(offer), ensemble, now);
   if (is_one_of_several && !finds_all(offer.move.interpretation)) offer.input.confidence *= share_of_unseen;
   return offer;
 }
@@ -147,7 +149,7 @@ std::optional<Offer> next_offer(const Offer& taken, const Ensemble& ensemble, co
   if (taken.fragment + 1 >= speech.utterance.fragments.size()) return std::nullopt;
   Offer offer = taken;
   ++offer.fragment;
-  return understood(std::move(offer), speech, shown_words(speech, ensemble, now.window), now);
+  return understood(std::move(offer), ensemble, now);
 }
 
 }  // namespace continua

@@ -1,7 +1,9 @@
 #include "continua/moves/readings.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "continua/core/words.h"
 #include "continua/perception/speech_times.h"
 
 namespace continua {
@@ -15,8 +17,20 @@ ReadSpeech read_speech(InputEvent event, const Understanding& understanding) {
     speech.demonstratives.push_back(words);
     speech.takers.push_back({times[words.begin].from, times[words.end - 1].until, needs});
   }
+  speech.until = time_of(event, speech.utterance.words).until;
   speech.event = std::move(event);
   return speech;
+}
+
+// The number of things said: moves, and words that belong to none.
+std::size_t parts(const Readings& readings) {
+  const auto& utterance = readings.alternatives.front().utterance;
+  return utterance.fragments.size() + utterance.unknown.size() + utterance.unused.size();
+}
+
+bool is_whole(const Fragment& fragment) {
+  const auto& term = fragment.readings.front().term;
+  return term.closed() && term.type() == Type::truth();
 }
 
 }  // namespace
@@ -28,6 +42,21 @@ std::shared_ptr<const Readings> readings_of(const InputEvent& speech, const Unde
   for (std::size_t k = 0; k <= speech.alternatives.size(); ++k)
     readings.alternatives.push_back(read_speech(alternative(speech, k), understanding));
   return std::make_shared<const Readings>(std::move(readings));
+}
+
+bool is_unfinished(const ReadSpeech& speech) {
+  const auto spoken = words_of(speech.event.text);
+  if (spoken.empty() || spoken.back().ends_after) return false;
+  const auto& [words, fragments, unknown, unused, repaired, ends, cut] = speech.utterance;
+  if (cut || fragments.empty() || !is_whole(fragments.back())) return !cut;
+  const std::size_t begin = ends.size() < 2 ? 0 : ends[ends.size() - 2];
+  const auto is_last = [begin](std::size_t word) { return word >= begin; };
+  return std::any_of(unknown.begin(), unknown.end(), is_last) || std::any_of(unused.begin(), unused.end(), is_last);
+}
+
+bool reads_as_one(const Readings& first, const Readings& second, const Readings& whole) {
+  const auto before = parts(first), after = parts(second), together = parts(whole);
+  return together < before + after || (before == 0 && together == after);
 }
 
 std::vector<ShownWords> shown_words(const ReadSpeech& speech, const Ensemble& ensemble, const FusionWindow& window) {

@@ -15,6 +15,7 @@ struct ReadSpeech {
   Utterance utterance;
   std::vector<WordSpan> demonstratives;  ///< the words that pointing can go with
   std::vector<Taker> takers;             ///< the same words in time
+  SimTime until;                         ///< the end of its words
 };
 
 struct Readings {
@@ -25,6 +26,13 @@ struct Readings {
 /// The readings of `speech`. Returns `known` unless it is null or the vocabulary has changed.
 std::shared_ptr<const Readings> readings_of(const InputEvent& speech, const Understanding& understanding,
                                             std::shared_ptr<const Readings> known = nullptr);
+
+/// Whether the last sentence may go on: it does not end with a mark, and is no whole sentence, such as "put the knife" or
+/// "the red one".
+bool is_unfinished(const ReadSpeech& speech);
+
+/// Whether the words of two utterances, read as a whole, make fewer moves or lose fewer words than apart.
+bool reads_as_one(const Readings& first, const Readings& second, const Readings& whole);
 
 /// A pointing and its words, counted in the words of the utterance.
 struct ShownWords {

@@ -15,6 +15,7 @@ struct FusionWindow {
   double before_s = 2;
   double after_s = 1;
   double lateness_s = 0;  ///< how long events wait for earlier ones that come late; 0: events arrive in order
+  double pause_s = 0;     ///< how long an unfinished sentence waits for its next piece; 0: it does not wait
 };
 
 /// A part of an utterance that pointing can give content to: a demonstrative, or a noun phrase around one.

@@ -1,6 +1,7 @@
 #include "continua/perception/fusion.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -31,9 +32,16 @@ std::optional<SimTime> last_need(const std::vector<Taker>& takers) {
   return last;
 }
 
-// The time at which speech is complete with its present bindings.
-SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixis>>& bound,
-                    const FusionWindow& window) {
+// The time until which an unfinished sentence waits for its next piece.
+SimTime last_piece(const Percept& speech, const FusionWindow& window) { return speech.spoken + seconds(window.pause_s); }
+
+bool waits_for_words(const Percept& speech, const FusionWindow& window) {
+  return speech.unfinished && window.pause_s > 0;
+}
+
+// The time at which the pointings of speech are complete.
+SimTime all_pointed_at(const Percept& speech, const std::vector<std::optional<Deixis>>& bound,
+                       const FusionWindow& window) {
   const auto last = last_need(speech.takers);
   if (!last) return speech.event.t;
   const SimTime latest = std::max(speech.event.t, *last + seconds(window.after_s));
@@ -44,6 +52,13 @@ SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixi
     at = std::max(at, settled_at(*bound[i]));
   }
   return std::min(at, latest);
+}
+
+// The time at which speech is complete with its present bindings.
+SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixis>>& bound,
+                    const FusionWindow& window) {
+  const SimTime at = all_pointed_at(speech, bound, window);
+  return waits_for_words(speech, window) ? std::max(at, last_piece(speech, window)) : at;
 }
 
 }  // namespace
@@ -72,14 +87,14 @@ void Fusion::arrive(Arrival arrival) {
   arrived_.insert(after, std::move(arrival));
 }
 
-std::vector<Ensemble> Fusion::release(SimTime now) {
+std::vector<Ensemble> Fusion::release(SimTime now, const Joining& joining) {
   std::vector<Ensemble> released;
   const SimTime until = now - lateness();
   for (;;) {
     const auto complete = next_complete();
     const auto next = next_arrival();
     if (next && *next <= until && (!complete || *next <= *complete))
-      process_next();
+      process_next(joining);
     else if (complete && *complete <= until)
       now_ = std::max(now_, *complete);
     else
@@ -92,7 +107,7 @@ std::vector<Ensemble> Fusion::release(SimTime now) {
 }
 
 // Processes all arrivals of the earliest time.
-void Fusion::process_next() {
+void Fusion::process_next(const Joining& joining) {
   const SimTime t = *next_arrival();
   now_ = std::max(now_, t);
   while (next_arrival() == t) {
@@ -104,11 +119,26 @@ void Fusion::process_next() {
     }
     auto& percept = std::get<Percept>(arrival);
     if (percept.deixis) gestures_.push_back(*percept.deixis);
+    if (joining && percept.event.modality == Modality::speech) percept = joined(std::move(percept), joining);
     const auto after = std::upper_bound(waiting_.begin(), waiting_.end(), percept,
                                         [](const Percept& a, const Percept& b) { return order(a) < order(b); });
     waiting_.insert(after, std::move(percept));
   }
   forget();
+}
+
+// Joins speech with the unfinished sentence that waits for it, if there is one.
+Percept Fusion::joined(Percept speech, const Joining& joining) {
+  const auto goes_on = [&](const Percept& first) {
+    return first.event.modality == Modality::speech && waits_for_words(first, window_) &&
+           speech.event.t <= last_piece(first, window_);
+  };
+  const auto first = std::find_if(waiting_.rbegin(), waiting_.rend(), goes_on);
+  if (first == waiting_.rend()) return speech;
+  auto whole = joining(*first, speech);
+  if (!whole) return speech;
+  waiting_.erase(std::next(first).base());
+  return *std::move(whole);
 }
 
 std::optional<SimTime> Fusion::next_arrival() const {
@@ -234,9 +264,9 @@ void Fusion::forget() {
   track_.forget_before(before - seconds(longest_dropout_s));
 }
 
-std::vector<Ensemble> Fusion::release_all() {
+std::vector<Ensemble> Fusion::release_all(const Joining& joining) {
   std::vector<Ensemble> released;
-  while (next_arrival()) process_next();
+  while (next_arrival()) process_next(joining);
   while (!waiting_.empty()) {
     const auto parts = plan().parts;
     const auto first = std::find_if(parts.begin(), parts.end(), [](const Plan::Part& part) { return !part.taken; });
@@ -246,7 +276,9 @@ std::vector<Ensemble> Fusion::release_all() {
 }
 
 bool Fusion::waits(int serial) const {
-  const auto is_up_to = [&](const Percept& percept) { return percept.serial <= serial; };
+  const auto is_up_to = [&](const Percept& percept) {
+    return std::min(percept.serial, percept.pieces.empty() ? percept.serial : percept.pieces.front()) <= serial;
+  };
   return std::any_of(waiting_.begin(), waiting_.end(), is_up_to) ||
          std::any_of(arrived_.begin(), arrived_.end(), [&](const Arrival& arrival) {
            const auto* percept = std::get_if<Percept>(&arrival);

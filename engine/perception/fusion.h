@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -25,7 +26,13 @@ struct Percept {
   std::optional<Deixis> deixis;                        ///< of a gesture that points
   std::vector<Taker> takers;                           ///< of speech
   std::shared_ptr<const Readings> readings = nullptr;  ///< of speech, if the machine has a lexicon
+  bool unfinished = false;                             ///< of speech: its sentence may go on
+  SimTime spoken = {};                                 ///< of speech: the end of its words
+  std::vector<int> pieces = {};                        ///< serials of earlier inputs whose words it goes on with
 };
+
+/// Makes one percept of two pieces of a sentence; none if they do not read as one.
+using Joining = std::function<std::optional<Percept>(const Percept& first, const Percept& second)>;
 
 /// A percept with its pointings, complete and ready to be understood.
 struct Ensemble {
@@ -43,6 +50,8 @@ struct Ensemble {
 /// - A pointing gesture waits until `after` past its end for speech that takes it, and is then released alone. It is
 /// not
 ///   released if speech takes it. Speech can still take it within `before` after it was released alone.
+/// - An unfinished sentence also waits for its next piece, until `pause` past its end. Words that begin until then are
+///   joined with it, and the whole may be unfinished again.
 /// - Every other percept is complete when it arrives.
 /// - A complete percept also releases the waiting percepts that began before it, in order of time, as they are: the
 ///   human has gone on. Exceptions: a waiting pointing stays if speech takes it, waiting speech is not released by a
@@ -66,11 +75,11 @@ class Fusion {
   /// Receives a pointing sample that arrived at `now`. A sample never waits. Returns false as receive() does.
   bool sample(const InputEvent& event, int serial, SimTime now);
 
-  /// Releases the ensembles that are complete at `now`, in order.
-  std::vector<Ensemble> release(SimTime now);
+  /// Releases the ensembles that are complete at `now`, in order. Without `joining` all sentences stay apart.
+  std::vector<Ensemble> release(SimTime now, const Joining& joining = {});
 
   /// Releases all waiting percepts, in order, as they are.
-  std::vector<Ensemble> release_all();
+  std::vector<Ensemble> release_all(const Joining& joining = {});
 
   /// Whether an input up to this serial waits.
   bool waits(int serial) const;
@@ -100,7 +109,8 @@ class Fusion {
   SimTime lateness() const { return SimTime::from_seconds(window_.lateness_s); }
   bool is_too_late(SimTime t, SimTime now) const;
   void arrive(Arrival arrival);
-  void process_next();
+  void process_next(const Joining& joining);
+  Percept joined(Percept speech, const Joining& joining);
   std::optional<SimTime> next_arrival() const;
   std::optional<SimTime> next_complete() const;
   Plan plan() const;

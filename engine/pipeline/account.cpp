@@ -6,7 +6,8 @@ namespace continua {
 
 Attended account_of(const Ensemble& ensemble, const FusionWindow& window) {
   const auto& percept = ensemble.percept;
-  Attended attended{percept.serial, percept.event.t, ensemble.at, {}};
+  Attended attended{percept.serial, percept.event.t, ensemble.at, {}, percept.pieces, {}};
+  if (!percept.pieces.empty()) attended.text = percept.event.text;
   if (!percept.readings) return attended;
   const auto& speech = percept.readings->alternatives.front();
   const auto begin = speech.utterance.words.begin();

@@ -60,6 +60,8 @@ struct Attended {
   int serial = 0;
   SimTime arrived, at;
   std::vector<Bound> bound;
+  std::vector<int> pieces;  ///< serials of earlier inputs whose words it goes on with
+  std::string text;         ///< the words of all pieces; empty if there is only one
 };
 
 /// The understanding of an input, or of one move of an utterance. Its applications follow, then the automaton's

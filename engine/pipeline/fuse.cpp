@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "continua/perception/pieces.h"
+#include "continua/pipeline/perceive.h"
+
 namespace continua {
 namespace {
 
@@ -15,6 +18,19 @@ EngineState with_complete(EngineState state, std::vector<Ensemble> ensembles) {
   state.complete.insert(state.complete.end(), std::make_move_iterator(ensembles.begin()),
                         std::make_move_iterator(ensembles.end()));
   return state;
+}
+
+// Pieces of one sentence: read as a whole, they say at least as much as apart.
+Joining joining_of(const Engine& engine, const EngineState& state) {
+  const auto understanding = understanding_of(engine, state);
+  if (!understanding) return {};
+  return [understanding = *understanding](const Percept& first, const Percept& second) -> std::optional<Percept> {
+    Percept whole = heard(joined(first.event, second.event), second.serial, understanding);
+    if (!reads_as_one(*first.readings, *second.readings, *whole.readings)) return std::nullopt;
+    whole.pieces = first.pieces;
+    whole.pieces.push_back(first.serial);
+    return whole;
+  };
 }
 
 }  // namespace
@@ -32,16 +48,16 @@ Result<EngineState> fuse(const Engine& engine, EngineState state, Percept percep
         "", fmt::format("it came {} s late; expected within {} s", (now - event.t).seconds(), state.fusion.latest_s())};
   if (event.modality == Modality::pointing) state.fusion.sample(event, serial, now);
   // Without fusion nothing waits.
-  return engine.machine->fusion ? released(std::move(state), now) : released_all(std::move(state));
+  return engine.machine->fusion ? released(engine, std::move(state), now) : released_all(engine, std::move(state));
 }
 
-EngineState released(EngineState state, SimTime now) {
-  auto ensembles = state.fusion.release(now);
+EngineState released(const Engine& engine, EngineState state, SimTime now) {
+  auto ensembles = state.fusion.release(now, joining_of(engine, state));
   return with_complete(std::move(state), std::move(ensembles));
 }
 
-EngineState released_all(EngineState state) {
-  auto ensembles = state.fusion.release_all();
+EngineState released_all(const Engine& engine, EngineState state) {
+  auto ensembles = state.fusion.release_all(joining_of(engine, state));
   return with_complete(std::move(state), std::move(ensembles));
 }
 

@@ -13,9 +13,9 @@ Fusion first_fusion(const Engine& engine, const WorldSnapshot& world);
 Result<EngineState> fuse(const Engine& engine, EngineState state, Percept percept, SimTime now);
 
 /// The state with all ensembles that are complete at `now` in EngineState::complete.
-EngineState released(EngineState state, SimTime now);
+EngineState released(const Engine& engine, EngineState state, SimTime now);
 /// The state with all waiting percepts in EngineState::complete.
-EngineState released_all(EngineState state);
+EngineState released_all(const Engine& engine, EngineState state);
 
 /// Takes the first of EngineState::complete, read with the words that are known now. REQUIRES that there is one.
 Ensemble take_complete(const Engine& engine, EngineState& state);

@@ -21,16 +21,24 @@ std::string symbol_of(const Engine& engine, const EngineState& state, const Inpu
   return symbol_of(event, gestures_of(engine), state.learned);
 }
 
+Percept heard(const InputEvent& event, int serial, const Understanding& understanding) {
+  Percept percept{serial, event, {}, {}};
+  percept.readings = readings_of(event, understanding);
+  const auto& speech = percept.readings->alternatives.front();
+  percept.takers = speech.takers;
+  percept.unfinished = is_unfinished(speech);
+  percept.spoken = speech.until;
+  return percept;
+}
+
 Result<Percept> perceive(const Engine& engine, const EngineState& state, const InputEvent& event, int serial) {
   const double least = engine.machine->minimum_confidence;
   if (!is_confident(event, least))
     return Error{"", fmt::format("confidence {} is below the machine's minimum of {}", event.confidence, least)};
-  Percept percept{serial, event, {}, {}};
   const auto understanding = understanding_of(engine, state);
-  if (event.modality == Modality::speech && understanding) {
-    percept.readings = readings_of(event, *understanding);
-    percept.takers = percept.readings->alternatives.front().takers;
-  } else if (event.modality == Modality::gesture &&
+  if (event.modality == Modality::speech && understanding) return heard(event, serial, *understanding);
+  Percept percept{serial, event, {}, {}};
+  if (event.modality == Modality::gesture &&
              kind_of(event, *engine.machine, gestures_of(engine), state.learned) == deixis) {
     // A pointing gesture without a place points where the hand does.
     if (!place_of(event) && state.pointed && goes_on(*state.pointed, event.t, engine.window))

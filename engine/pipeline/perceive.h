@@ -12,6 +12,9 @@ namespace continua {
 /// The symbol under which the machine knows the event.
 std::string symbol_of(const Engine& engine, const EngineState& state, const InputEvent& event);
 
+/// Speech with its readings. `serial` names the event.
+Percept heard(const InputEvent& event, int serial, const Understanding& understanding);
+
 /// `serial` names the event. The error is the sentence of a refusal: the recogniser is not sure enough.
 Result<Percept> perceive(const Engine& engine, const EngineState& state, const InputEvent& event, int serial);
 

@@ -55,7 +55,7 @@ Tick Pipeline::receive(const EngineState& before, const InputEvent& event, const
   return tick;
 }
 
-Tick Pipeline::wake(const EngineState& before, SimTime now) const { return {released(before, now), {}}; }
+Tick Pipeline::wake(const EngineState& before, SimTime now) const { return {released(engine_, before, now), {}}; }
 
 // Understands. Each move of an utterance is understood in the dialogue that the moves before it have left.
 Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) const {
@@ -133,7 +133,7 @@ Tick Pipeline::tick(const EngineState& before, const InputEvent& event, const Wo
 }
 
 Tick Pipeline::settle(const EngineState& before, const WorldSnapshot& world) const {
-  return attend_all({released_all(before), {}}, world);
+  return attend_all({released_all(engine_, before), {}}, world);
 }
 
 Tick Pipeline::attend_all(Tick all, const WorldSnapshot& world) const {

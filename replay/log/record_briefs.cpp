@@ -38,7 +38,7 @@ std::string Input::brief() const {
 
 // "there: pointed at [0.1,-0.15]", "nothing is pointed at, after 2.05 s"
 std::string Percept::brief() const {
-  std::string text;
+  std::string text = joined ? fmt::format("\"{}\"", *joined) : "";
   for (const auto& [words, deixis] : bound)
     text += fmt::format("{}{}: pointed at {}", text.empty() ? "" : ", ", words, compact(Json(deixis.place)));
   if (text.empty()) text = "nothing is pointed at";

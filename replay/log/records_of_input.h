@@ -66,16 +66,18 @@ struct BoundPointing {
 struct Percept {
   double waited_s = 0;
   std::vector<BoundPointing> bound;
+  std::optional<std::string> joined;
   std::vector<std::int64_t> because;
 
   static constexpr Kind kind{.name = "percept",
-                             .when = "An input is attended to together with pointings, or had to wait for one.",
+                             .when = "An input is attended to together with pointings or earlier words, or had to wait.",
                              .decision = Decision::yes,
                              .brief_adds = ": pointed at, nothing is pointed at, after s"};
   static constexpr auto fields() {
     return std::tuple{
         field("waited_s", &Percept::waited_s, Says::where, "Time since the input began.").as("seconds").briefly(),
         field("bound", &Percept::bound, Says::what, "The pointings, each with its words.").briefly(),
+        field("joined", &Percept::joined, Says::what, "The words of all inputs that make one utterance.").briefly(),
         field("because", &Percept::because, Says::aside, "The inputs that contributed.").as("record")};
   }
   std::string brief() const;

@@ -148,7 +148,9 @@ std::optional<std::vector<std::string>> referents_of(const Move& move) {
 log::Percept record_of(const Attended& attended, const InputRecords& inputs) {
   log::Percept record;
   record.waited_s = (attended.at - attended.arrived).seconds();
-  std::set<int> because = {attended.serial};
+  std::set<int> because = {attended.pieces.begin(), attended.pieces.end()};
+  because.insert(attended.serial);
+  if (!attended.pieces.empty()) record.joined = attended.text;
   for (const auto& [words, pointing] : attended.bound) {
     record.bound.push_back({joined(words), record_of(pointing)});
     because.insert(pointing.serials.begin(), pointing.serials.end());
