@@ -25,6 +25,7 @@ std::span<const Carried> carried_terms() {
       Carried{"referents", "e*", &Input::referents, true},
       Carried{"named", "(e -> t)*", &Input::named, true},
       Carried{"next", "text", &Input::next, true},
+      Carried{"previous", "text", &Input::previous, true},
       Carried{"unknown", "text*", &Input::unknown, true},
       Carried{"left_out", "text*", &Input::left_out, true},
   };

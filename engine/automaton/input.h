@@ -41,6 +41,7 @@ struct Input {
   Term referents;  ///< e*: possible objects of the noun phrase or the pointing, the likeliest first
   Term named;      ///< (e -> t)*: the nouns of the words, each with its adjectives, then alone
   Term next;       ///< text: the kind of the utterance's next move after this one; null if there is none
+  Term previous;   ///< text: the kind of its move before this one; null if this is the first
   Term unknown;    ///< text*: words near it that the lexicon does not have
   Term left_out;   ///< text*: words of its sentence that are unknown, misheard or fit nowhere
 };

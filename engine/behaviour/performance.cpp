@@ -69,6 +69,10 @@ std::optional<PerformanceEvent> Performer::next(Performance& performance, const 
     PerformanceTurn(catalogue_, circumstances, *performance.doing).begin(performance.earlier);
   }
   ActUnderWay& doing = *performance.doing;
+  if (doing.accepted && !doing.begun && !doing.ending) {
+    doing.begun = true;
+    return ActBegun{doing.end.act};
+  }
   if (doing.in_flight) return std::nullopt;
   const Circumstances circumstances(perspective_, world, doing.brought);
   if (auto step = PerformanceTurn(catalogue_, circumstances, doing).step()) {
@@ -106,8 +110,10 @@ void Performer::give_up(Performance& performance, const WorldSnapshot& world) co
 }
 
 void Performer::reported(Performance& performance, const ActReport& report) const {
-  if (!performance.doing || performance.doing->in_flight != report.id || report.status == Status::started) return;
+  if (!performance.doing || performance.doing->in_flight != report.id) return;
   ActUnderWay& doing = *performance.doing;
+  doing.accepted = true;
+  if (report.status == Status::started) return;
   doing.in_flight.reset();
   if (doing.ending) return;
   ActEnd& end = doing.end;

@@ -51,7 +51,12 @@ struct GestureCommand {
   AvatarCommand command;
 };
 
-using PerformanceEvent = std::variant<ActStep, ActEnd, GestureCommand>;
+/// The body has accepted the first command of an act: nothing speaks against it now.
+struct ActBegun {
+  AskedAct act;
+};
+
+using PerformanceEvent = std::variant<ActStep, ActBegun, ActEnd, GestureCommand>;
 
 /// A program under way: its subevents and the progress in them.
 struct ProgramFrame {
@@ -72,6 +77,8 @@ struct ActUnderWay {
   int steps = 0;
   int subevents = 0;             ///< so far, against endless programs
   std::optional<int> in_flight;  ///< id of the command under way
+  bool accepted = false;         ///< the body has begun a command that did not fail at once
+  bool begun = false;            ///< ActBegun was told
   bool ending = false;
   std::string held_before;
   std::map<std::string, Vec3> before;  ///< positions of things at the beginning

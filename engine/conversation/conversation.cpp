@@ -103,14 +103,12 @@ Thought Conversation::obey(Tick tick) {
   return {now_, std::move(tick.events)};
 }
 
-// Advances the world to `t` or to the end of an act, so that the consequences of the act begin at once.
+// Advances the world to `t`, or to the beginning or end of an act, so that its consequences begin at once.
 WorldReport Conversation::let_world_go_on(SimTime t) {
   auto report = body_.advance(t);
-  const bool ended = std::any_of(report.acts.begin(), report.acts.end(),
-                                 [](const ActReport& act) { return act.status != ActReport::Status::started; });
-  if (ended) untold_ = report.acts;
+  untold_ = report.acts;
   now_ = report.until;
-  settled_ = settled_ || !ended;
+  settled_ = settled_ || untold_.empty();
   return report;
 }
 

@@ -58,9 +58,17 @@ void Chart::look_up(const std::vector<Word>& words) {
       if (!entry) continue;
       words_[begin].back().push_back(entry);
       if (entry->skip) skippable_[begin].push_back({count, *entry->skip});
+      if (entry->aside) add_aside(words, begin, count, *entry->aside);
     }
     if (words[begin].before_unknown) skippable_[begin].push_back({1, cost_of_lost, false});
   }
+}
+
+// An aside goes on to the next comma, or to the end; nothing but an aside is no utterance.
+void Chart::add_aside(const std::vector<Word>& words, std::size_t begin, std::size_t opening, double cost) {
+  auto end = begin + opening;
+  while (end < words.size() && words[end].text != ",") ++end;
+  if (begin > 0 || end < words.size()) skippable_[begin].push_back({end - begin, cost, true, true});
 }
 
 void Chart::fill(std::size_t begin, std::size_t end) {
@@ -75,8 +83,8 @@ void Chart::fill(std::size_t begin, std::size_t end) {
     const auto &lefts = at(begin, middle), &rights = at(middle, end);
     for (const auto left : lefts)
       for (const auto right : rights) combine(left, right);
-    for (const auto& [count, cost, known] : skippable_[middle])
-      if (middle + count == end && (cost == 0 || !known))
+    for (const auto& [count, cost, known, aside] : skippable_[middle])
+      if (middle + count == end && !aside && (cost == 0 || !known))
         for (const auto left : lefts)
           candidates_.push_back(
               {entries_[left].category, entries_[left].cost + cost + cost_of_passing, Rule::skip, left, left});

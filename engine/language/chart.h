@@ -53,8 +53,10 @@ class Chart {
     std::size_t count;  ///< words
     double cost;
     bool known = true;  ///< the lexicon allows leaving it out; false: it has lost the word that it belonged to
+    bool aside = false;  ///< with unknown words among them
   };
-  /// The words that may be left out from `begin` on; inside a phrase, only those that cost nothing or are not `known`.
+  /// The words that may be left out from `begin` on; inside a phrase, only
+  /// those that cost nothing or are not `known`, and no asides.
   const std::vector<Skippable>& skippable(std::size_t begin) const { return skippable_[begin]; }
 
  private:
@@ -67,6 +69,7 @@ class Chart {
   };
 
   void look_up(const std::vector<Word>& words);
+  void add_aside(const std::vector<Word>& words, std::size_t begin, std::size_t opening, double cost);
   void fill(std::size_t begin, std::size_t end);
   void combine(std::size_t left, std::size_t right);
   void add_candidates();

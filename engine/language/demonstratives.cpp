@@ -1,7 +1,6 @@
 #include "continua/language/demonstratives.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace continua {
 namespace {
@@ -11,17 +10,14 @@ bool is_shown(const Term& term, const Operators& operators) {
   return proform && proform->source == Proform::Source::pointed;
 }
 
-// Whether a part of the term asks for pointing.
+// Whether a part of the term asks for pointing; a thing inside it that is pointed at by itself does not count.
 bool asks(const Term& term, const Operators& operators) {
-  if (is_shown(term, operators)) return true;
+  if (is_shown(term, operators)) return !(term.type() == Type::entity());
   switch (term.kind()) {
     case Term::Kind::lambda:
       return asks(term.body(), operators);
-    case Term::Kind::apply: {
-      const auto* determiner = determiner_of(term, operators);
-      return (determiner && determiner->deictic) || asks(term.function(), operators) ||
-             asks(term.argument(), operators);
-    }
+    case Term::Kind::apply:
+      return !is_shown_thing(term, operators) && (asks(term.function(), operators) || asks(term.argument(), operators));
     case Term::Kind::list:
       return std::any_of(term.elements().begin(), term.elements().end(),
                          [&](const Term& each) { return asks(each, operators); });
@@ -31,20 +27,34 @@ bool asks(const Term& term, const Operators& operators) {
 }
 
 bool takes_pointing(const Phrase& phrase, const Reading& reading, const Operators& operators) {
-  if (phrase.term == reading.term && phrase.term.type() == Type::function(Type::entity(), Type::truth())) return true;
-  if (is_shown(phrase.term, operators)) return true;
-  const auto* determiner = determiner_of(phrase.term, operators);
-  return determiner && (determiner->definite || asks(phrase.term, operators));
+  const Term& term = phrase.term;
+  if (term == reading.term && term.type() == Type::function(Type::entity(), Type::truth())) return true;
+  if (const auto* proform = proform_of(term, operators))
+    return proform->source == Proform::Source::pointed ||
+           (proform->source == Proform::Source::focus && term.type() == Type::entity());
+  const auto* determiner = determiner_of(term, operators);
+  return determiner && (determiner->definite || determiner->deictic || asks(term, operators));
 }
 
 }  // namespace
 
+bool is_shown_thing(const Term& phrase, const Operators& operators) {
+  const auto* determiner = determiner_of(phrase, operators);
+  return determiner ? determiner->deictic : is_shown(phrase, operators) && phrase.type() == Type::entity();
+}
+
 std::vector<Demonstrative> demonstratives(const Reading& reading, const Operators& operators) {
   std::vector<Demonstrative> found;
-  for (const auto& phrase : reading.phrases) {
-    const bool inside = !found.empty() && phrase.words.begin < found.back().words.end;
-    if (!inside && takes_pointing(phrase, reading, operators))
-      found.push_back({phrase.words, asks(phrase.term, operators)});
+  std::size_t end = 0;  // of the outermost phrase so far
+  for (const auto& [term, words] : reading.phrases) {
+    if (!takes_pointing({term, words}, reading, operators)) continue;
+    const bool by_itself = is_shown_thing(term, operators);
+    if (words.begin < end) {
+      if (!by_itself || words.begin == found.back().words.begin) continue;
+      found.back().words.end = std::min(found.back().words.end, words.begin);
+    }
+    found.push_back({words, by_itself || asks(term, operators)});
+    end = std::max(end, words.end);
   }
   return found;
 }

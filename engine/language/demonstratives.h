@@ -13,8 +13,12 @@ struct Demonstrative {
   bool needs = false;  ///< asks for pointing: there, that cup; if false, pointing can tell which is meant: the cup, cup
 };
 
-/// The demonstratives of a reading, in the order of their words, none inside another: definite noun phrases, other noun
-/// phrases that ask for pointing, a noun alone, and pro-forms of source `pointed`.
+/// The demonstratives of a reading, in the order of their words: definite noun phrases, other noun phrases that ask for
+/// pointing, a noun alone, and pro-forms of source `pointed` or `focus`. A thing inside another that is pointed at by
+/// itself cuts the outer one short: "the block between", "this", "this".
 std::vector<Demonstrative> demonstratives(const Reading& reading, const Operators& operators);
+
+/// Whether the phrase is a thing that is pointed at by itself: this, that cup.
+bool is_shown_thing(const Term& phrase, const Operators& operators);
 
 }  // namespace continua

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -317,6 +318,7 @@ class Interpreter {
           spoken_of_.push_back(value.name());
           referring_.named(value.name());
         }
+    result_.resolutions.insert(result_.resolutions.end(), meant.within.begin(), meant.within.end());
     result_.resolutions.push_back(meant.resolution);
     return meant;
   }
@@ -352,13 +354,15 @@ Interpretation interpret(const Reading& reading, const std::vector<std::string>&
 }
 
 std::size_t preferred(const std::vector<Interpretation>& interpretations) {
-  // How loosely the words had to be taken: whether a phrase fits nothing, then the loosest sense of sides.
+  // How loosely the words had to be taken: whether a phrase fits nothing, whether a pointing is missed, then the
+  // loosest sense of sides.
   const auto stretched = [](const Interpretation& one) {
     const bool in_vain =
         std::any_of(one.gaps.begin(), one.gaps.end(), [](const Gap& gap) { return gap.why == Gap::Why::none; });
+    const bool unshown = std::any_of(one.gaps.begin(), one.gaps.end(), [](const Gap& gap) { return gap.unshown; });
     Sides most = Sides::exact;
     for (const auto& resolution : one.resolutions) most = std::max(most, resolution.reference.sides);
-    return std::pair(in_vain, in_vain ? Sides::exact : most);
+    return std::tuple(in_vain, unshown, in_vain ? Sides::exact : most);
   };
   const auto least = std::min_element(interpretations.begin(), interpretations.end(),
                                       [&](const auto& a, const auto& b) { return stretched(a) < stretched(b); });

@@ -24,6 +24,7 @@ struct Gap {
   Type type = Type::entity();
   std::vector<std::string> choices;  ///< why == several: the referents, likeliest first
   std::string words;                 ///< of the noun, without its determiner ("blue plate"); empty if unsaid
+  bool unshown = false;              ///< a demonstrative without a pointing: "this one"
 };
 
 /// How a noun phrase or pro-form was understood, for the log.
@@ -67,8 +68,8 @@ Interpretation interpret(const Reading& reading, const std::vector<std::string>&
                          const Context& context, const Meanings& meanings, const RaisingRules& raising);
 
 /// Index of the preferred interpretation among the readings of one fragment. Interpretations in which every noun phrase
-/// fits something win; among them the strictest sense of Sides; ties go to the earlier. So the world decides whether
-/// "the block on the plate" is one thing, or a thing and a place.
+/// fits something win; among them those that miss no pointing, then the strictest sense of Sides; ties go to the
+/// earlier. So the world decides whether "the block on the plate" is one thing, or a thing and a place.
 std::size_t preferred(const std::vector<Interpretation>& interpretations);
 
 }  // namespace continua

@@ -26,7 +26,8 @@ struct WordSense {
 /// A word, or several with spaces between them.
 struct WordEntry {
   std::vector<WordSense> senses;
-  std::optional<double> skip;  ///< the cost of leaving it out; empty if it must not be left out
+  std::optional<double> skip;   ///< the cost of leaving it out; empty if it must not be left out
+  std::optional<double> aside;  ///< the cost of leaving it out with all words up to the next comma or the end
 };
 
 /// How a value of an attribute becomes a word. The word's term is `term` applied to the value's constant.

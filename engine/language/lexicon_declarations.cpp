@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "continua/language/lexicon_reader.h"
+#include "continua/language/spellings.h"
 #include "continua/language/reduction.h"
 #include "continua/term/evaluate.h"
 #include "continua/term/read_type.h"
@@ -48,7 +49,7 @@ void LexiconReader::read_atoms() {
 void LexiconReader::read_names() {
   for (const auto& [names, item] : members_of("names", "names with their types")) {
     const auto type = read_type(item);
-    for (const auto& name : alternatives(names)) declare(item, name, type);
+    for (const auto& name : spellings(names)) declare(item, name, type);
   }
   for (const auto& [name, item] : members_of("define", "definitions"))
     if (item.expect_object("a definition", {"type", "term", "compared", "about"}))

@@ -4,6 +4,7 @@
 #include "continua/language/lexicon_reader.h"
 #include "continua/language/parser.h"
 #include "continua/language/reduction.h"
+#include "continua/language/spellings.h"
 #include "continua/term/read_type.h"
 
 namespace continua {
@@ -96,7 +97,8 @@ LexiconExample read_example(const Item& item, const Signature& names) {
   example.where = item.where();
   constexpr const char* sentences = "a sentence or a list of some";
   const auto say = item.required("say", sentences);
-  example.say = say.is_list() ? say.texts("sentences") : std::vector{say.text(sentences)};
+  for (const auto& text : say.is_list() ? say.texts("sentences") : std::vector{say.text(sentences)})
+    for (auto& sentence : spellings(text)) example.say.push_back(std::move(sentence));
   if (const auto reading = item.member("reading"); reading.exists())
     example.reading = read_example_term(reading, names);
   example.readings = read_example_terms(item.member("readings"), names);

@@ -14,7 +14,7 @@ namespace {
 
 const std::vector<std::string> sections = {"about",  "categories", "names",      "define",  "determiners", "proforms",
                                            "words",  "skip",       "attributes", "plural",  "unary",       "examples",
-                                           "sample", "learned",    "unknown",    "numbers", "nouns"};
+                                           "sample", "learned",    "unknown",    "numbers", "nouns", "asides"};
 
 }  // namespace
 
@@ -66,18 +66,6 @@ std::vector<Item> LexiconReader::elements_of(const std::string& section, const c
 
 void problem_with_quote(const Item& item, const Error& error) {
   item.problem_in_text(byte_of_column(error), fmt::format("{}, in {}", error.sentence, in_quotes(item.text("a term"))));
-}
-
-std::vector<std::string> alternatives(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at <= text.size();) {
-    const auto end = std::min(text.find('|', at), text.size());
-    const auto part = text.substr(at, end - at);
-    const auto from = part.find_first_not_of(' '), to = part.find_last_not_of(' ');
-    parts.push_back(from == std::string::npos ? std::string() : part.substr(from, to + 1 - from));
-    at = end + 1;
-  }
-  return parts;
 }
 
 namespace {

@@ -57,7 +57,4 @@ class LexiconReader {
 /// Notes the error of a parser that read the item's text; the sentence quotes the text.
 void problem_with_quote(const Item& item, const Error& error);
 
-/// `text` split at each '|', without spaces around the parts.
-std::vector<std::string> alternatives(const std::string& text);
-
 }  // namespace continua

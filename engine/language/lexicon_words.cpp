@@ -3,6 +3,7 @@
 
 #include "continua/core/words.h"
 #include "continua/language/lexicon_reader.h"
+#include "continua/language/spellings.h"
 #include "continua/term/read_type.h"
 
 namespace continua {
@@ -63,13 +64,15 @@ void LexiconReader::read_words() {
       if (const auto term = read_term(parts[1], *category, std::nullopt))
         read.push_back({*category, *term, read_cost(sense.element(2))});
     }
-    for (const auto& word : alternatives(key)) {
+    for (const auto& word : spellings(key)) {
       auto& all = entry(senses, word).senses;
       all.insert(all.end(), read.begin(), read.end());
     }
   }
   for (const auto& [key, cost] : members_of("skip", "words that may be left out"))
-    for (const auto& word : alternatives(key)) entry(cost, word).skip = read_cost(cost);
+    for (const auto& word : spellings(key)) entry(cost, word).skip = read_cost(cost);
+  for (const auto& [key, cost] : members_of("asides", "words that begin an aside"))
+    for (const auto& word : spellings(key)) entry(cost, word).aside = read_cost(cost);
 }
 
 void LexiconReader::read_attributes() {
@@ -93,7 +96,7 @@ void LexiconReader::read_attributes() {
     }
     for (const auto& value : item.member("values").elements("values")) {
       std::vector<std::string> group;
-      for (const auto& text : alternatives(value.text("a value and its synonyms, with | between them")))
+      for (const auto& text : spellings(value.text("a value and its synonyms, with | between them")))
         if (!words_of(text).empty()) group.push_back(text);
       if (group.empty())
         value.problem("there is no word in this value");

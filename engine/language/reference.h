@@ -19,6 +19,7 @@ namespace continua {
 struct Showing {
   WordSpan words;
   Vec3 place_W = Vec3::Zero();  ///< on the table
+  bool is_gesture = true;       ///< false: the hand only stayed there
 };
 
 /// The context in which an utterance or a gesture is understood. REQUIRES a world.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "continua/language/nearest.h"
 #include "continua/language/noun_phrase.h"
 #include "continua/language/pointing.h"
 #include "continua/term/substitution.h"
@@ -40,6 +41,16 @@ By by_of(Proform::Source source) {
       return By::focus;
   }
   return By::words;
+}
+
+// `term` with `by` in place of the first `part`.
+Term first_replaced(const Term& term, const Term& part, const Term& by) {
+  bool done = false;
+  return rewritten(term, [&](const Term& each) -> std::optional<Term> {
+    if (done || !(each == part)) return std::nullopt;
+    done = true;
+    return by;
+  });
 }
 
 }  // namespace
@@ -92,8 +103,10 @@ Meant Referring::meant_by_noun(const Term& noun) const {
 }
 
 // If the words fit more than one object, a pointing that goes with "the cup" tells which.
-Meant Referring::by_determiner(const Term& phrase, const Term& condition, Determiner determiner,
+Meant Referring::by_determiner(const Term& phrase, const Term& noun, Determiner determiner,
                                std::size_t occurrence) const {
+  std::vector<Resolution> within;
+  const Term condition = with_shown(phrase, noun, occurrence, within);
   const Context context = context_of(phrase, occurrence);
   if (determiner.deictic && !context.pointed_W && is_anything(condition))
     return undefined(phrase, determiner, occurrence);
@@ -104,7 +117,22 @@ Meant Referring::by_determiner(const Term& phrase, const Term& condition, Determ
     determiner.deictic = true;
     reference = found(condition, determiner, context);
   }
-  return chosen(phrase, std::move(reference), determiner, words_of(condition, occurrence), context, occurrence);
+  if (determiner.definite && !is_plural(determiner) && !(determiner.deictic && context.pointed_W))
+    reference = nearest_to_landmark(std::move(reference), condition, context, meanings_);
+  Meant meant = chosen(phrase, std::move(reference), determiner, words_of(noun, occurrence), context, occurrence);
+  meant.within = std::move(within);
+  return meant;
+}
+
+// Whether a pointing gesture goes with "it", and means a thing that the command does not name otherwise. A hand that
+// only rests somewhere does not tell what "it" means.
+bool Referring::shows_another(const Term& phrase, std::size_t occurrence) const {
+  const auto showing = showing_of(phrase, occurrence);
+  if (!showing || !context_.showings[*showing].is_gesture) return false;
+  const auto pointed = refer_to_pointed(context_of(phrase, occurrence)).referents;
+  return !pointed.empty() &&
+         is_pointed_at(context_.showings[*showing].place_W, *context_.facts.world->find(pointed.front().object)) &&
+         std::find(named_.begin(), named_.end(), pointed.front().object) == named_.end();
 }
 
 // "that" without pointing means the first object in focus; a plural is left open.
@@ -118,7 +146,7 @@ Meant Referring::undefined(const Term& phrase, const Determiner& determiner, std
     meant.values.push_back(Term::entity(context_.focus.front()));
     meant.resolution.value = meant.values.front();
   } else {
-    meant.gap = Gap{Gap::Why::unsaid, meant.plural ? Type::list(Type::entity()) : Type::entity(), {}, ""};
+    meant.gap = Gap{Gap::Why::unsaid, meant.plural ? Type::list(Type::entity()) : Type::entity(), {}, "", true};
   }
   return meant;
 }
@@ -141,6 +169,7 @@ Meant Referring::chosen(const Term& phrase, Reference reference, const Determine
   } else if (found > least && determiner.definite && !all) {
     meant.gap = Gap{Gap::Why::several, type, {}, std::move(noun)};
     for (const auto& each : reference.referents) meant.gap->choices.push_back(each.object);
+    meant.gap->unshown = determiner.deictic && !context.pointed_W;
   } else {
     // "another one on it" prefers objects that the command has not named otherwise.
     auto likeliest = reference.referents;
@@ -159,7 +188,8 @@ Meant Referring::by_proform(const Term& phrase, const Proform& proform, std::siz
   const Type& type = phrase.type();
   const Context context = context_of(phrase, occurrence);
   const bool shown_place = proform.source == Proform::Source::pointed && context.pointed_W;
-  if (shown_place && consistent(type, Type::entity())) {
+  const bool shown_thing = proform.source == Proform::Source::focus && shows_another(phrase, occurrence);
+  if ((shown_place || shown_thing) && consistent(type, Type::entity())) {
     Determiner shown;
     shown.definite = shown.deictic = true;
     return chosen(phrase, refer_to_pointed(context), shown, "", context, occurrence);
@@ -274,16 +304,51 @@ std::string Referring::words_of(const Term& phrase, std::size_t occurrence) cons
                                   words_.begin() + static_cast<std::ptrdiff_t>(span->end), " "));
 }
 
-// The pointing that shares most words with the phrase.
+// The things within these words that are pointed at by themselves.
+std::vector<Phrase> Referring::shown_inside(const WordSpan& span) const {
+  std::vector<Phrase> inside;
+  for (const auto& each : reading_.phrases)
+    if (each.words.begin > span.begin && each.words.end <= span.end && each.term.closed() &&
+        is_shown_thing(each.term, *meanings_.operators))
+      inside.push_back(each);
+  return inside;
+}
+
+// The condition with those things inside the phrase that are pointed at: "the block between (block1) and (block2)".
+Term Referring::with_shown(const Term& phrase, Term condition, std::size_t occurrence,
+                           std::vector<Resolution>& within) const {
+  const auto span = span_of(phrase, occurrence);
+  if (!span || context_.showings.empty()) return condition;
+  for (const auto& [thing, words] : shown_inside(*span)) {
+    const auto number = uses_before(thing, words.begin);
+    if (!showing_of(thing, number) || !contains(condition, thing)) continue;
+    Meant inner = meant(thing, number);
+    if (inner.values.size() != 1) continue;
+    condition = first_replaced(condition, thing, inner.values.front());
+    within.push_back(std::move(inner.resolution));
+  }
+  return condition;
+}
+
+std::size_t Referring::uses_before(const Term& phrase, std::size_t word) const {
+  return static_cast<std::size_t>(
+      std::count_if(reading_.phrases.begin(), reading_.phrases.end(),
+                    [&](const Phrase& each) { return each.term == phrase && each.words.begin < word; }));
+}
+
+// The pointing that shares most words with the phrase, and does not belong to a thing inside it.
 std::optional<std::size_t> Referring::showing_of(const Term& phrase, std::size_t occurrence) const {
   const auto span = span_of(phrase, occurrence);
   if (!span) return std::nullopt;
+  const auto inside = shown_inside(*span);
   std::optional<std::size_t> best;
   std::size_t most = 0;
   for (std::size_t i = 0; i < context_.showings.size(); ++i) {
     const auto& words = context_.showings[i].words;
     const auto begin = std::max(words.begin, span->begin), end = std::min(words.end, span->end);
     if (end <= begin || end - begin <= most) continue;
+    const auto is_around = [&](const Phrase& thing) { return thing.words.begin <= words.begin; };
+    if (std::any_of(inside.begin(), inside.end(), is_around)) continue;
     most = end - begin;
     best = i;
   }

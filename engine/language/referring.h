@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "continua/language/demonstratives.h"
 #include "continua/language/interpretation.h"
 
 namespace continua {
@@ -16,8 +17,9 @@ struct Meant {
   std::vector<Term> values;
   bool plural = false;  ///< all values are meant together
   std::optional<Gap> gap;
-  Resolution resolution;  ///< its value is null if there is a gap
-  std::string there;      ///< for a pointed place: the object that stands there, or empty
+  Resolution resolution;           ///< its value is null if there is a gap
+  std::vector<Resolution> within;  ///< of things inside the phrase that are pointed at by themselves
+  std::string there;               ///< for a pointed place: the object that stands there, or empty
 };
 
 class Referring {
@@ -47,7 +49,7 @@ class Referring {
  private:
   const Determiner* determiner(const Term& term) const;
   const Proform* proform(const Term& term) const;
-  Meant by_determiner(const Term& phrase, const Term& condition, Determiner determiner, std::size_t occurrence) const;
+  Meant by_determiner(const Term& phrase, const Term& noun, Determiner determiner, std::size_t occurrence) const;
   Meant undefined(const Term& phrase, const Determiner& determiner, std::size_t occurrence) const;
   Meant by_proform(const Term& phrase, const Proform& proform, std::size_t occurrence) const;
   Meant chosen(const Term& phrase, Reference reference, const Determiner& determiner, std::string noun,
@@ -61,6 +63,10 @@ class Referring {
   std::optional<WordSpan> span_of(const Term& phrase, std::size_t occurrence) const;
   std::string words_of(const Term& phrase, std::size_t occurrence) const;
   std::optional<std::size_t> showing_of(const Term& phrase, std::size_t occurrence) const;
+  bool shows_another(const Term& phrase, std::size_t occurrence) const;
+  std::size_t uses_before(const Term& phrase, std::size_t word) const;
+  std::vector<Phrase> shown_inside(const WordSpan& span) const;
+  Term with_shown(const Term& phrase, Term condition, std::size_t occurrence, std::vector<Resolution>& within) const;
   Context context_of(const Term& phrase, std::size_t occurrence) const;
 
   const Reading& reading_;

@@ -64,6 +64,8 @@ class Segment {
         utterance.fragments.push_back(fragment(at, step.end, utterance.unused));
       else if (step.unused)
         utterance.unused.push_back(positions_[at]);
+      else if (step.aside)
+        know_all(at, step.end, utterance.unknown);
       at = step.end;
     }
   }
@@ -72,7 +74,7 @@ class Segment {
   struct Step {
     double cost = std::numeric_limits<double>::infinity();
     std::size_t end = 0;
-    bool fragment = false, unused = false;
+    bool fragment = false, unused = false, aside = false;
   };
 
   // Finds, from the last word to the first, the cheapest way to cover the words from there on.
@@ -85,11 +87,18 @@ class Segment {
     };
     for (std::size_t begin = words_.size(); begin-- > 0;) {
       for (auto end = chart_.last_end(begin); end > begin; --end)
-        if (const auto cost = cost_of(begin, end)) offer(begin, {*cost + cost_of_fragment, end, true, false});
-      for (const auto& [count, cost, known] : chart_.skippable(begin))
-        offer(begin, {cost, begin + count, false, !known});
-      offer(begin, {is_comma(begin) ? 0 : cost_of_unused, begin + 1, false, !is_comma(begin)});
+        if (const auto cost = cost_of(begin, end)) offer(begin, {*cost + cost_of_fragment, end, true, false, false});
+      for (const auto& [count, cost, known, aside] : chart_.skippable(begin))
+        offer(begin, {cost, begin + count, false, !known, aside});
+      offer(begin, {is_comma(begin) ? 0 : cost_of_unused, begin + 1, false, !is_comma(begin), false});
     }
+  }
+
+  // Unknown words of an aside are not missed.
+  void know_all(std::size_t begin, std::size_t end, std::vector<std::size_t>& unknown) const {
+    std::erase_if(unknown, [&](std::size_t place) {
+      return place >= positions_[begin] && (end == positions_.size() || place <= positions_[end]);
+    });
   }
 
   std::optional<double> cost_of(std::size_t begin, std::size_t end) const {
@@ -104,7 +113,7 @@ class Segment {
     return least;
   }
 
-  // The readings that lack the fewest arguments, the cheapest first. Words that the cheapest leaves out go to `unused`.
+  // The cheapest readings, all of which lack equally many arguments. Words that the cheapest leaves out go to `unused`.
   Fragment fragment(std::size_t begin, std::size_t end, std::vector<std::size_t>& unused) const {
     struct Found {
       std::size_t number;
@@ -113,9 +122,13 @@ class Segment {
     std::vector<Found> found;
     for (const auto number : chart_.at(begin, end))
       if (auto root = root_of(chart_.entry(number), vocabulary_.lexicon().atoms)) found.push_back({number, *root});
-    std::size_t least = std::numeric_limits<std::size_t>::max();
-    for (const auto& each : found) least = std::min(least, each.root.missing.size());
-    std::erase_if(found, [&](const Found& each) { return each.root.missing.size() > least; });
+    const auto cost_of = [&](const Found& each) {
+      return chart_.entry(each.number).cost + cost_of_missing * static_cast<double>(each.root.missing.size());
+    };
+    const auto cheapest = std::min_element(found.begin(), found.end(),
+                                           [&](const Found& a, const Found& b) { return cost_of(a) < cost_of(b); });
+    const auto lacking = cheapest->root.missing.size();
+    std::erase_if(found, [&](const Found& each) { return each.root.missing.size() != lacking; });
     std::stable_sort(found.begin(), found.end(), [&](const Found& a, const Found& b) {
       return chart_.entry(a.number).cost < chart_.entry(b.number).cost;
     });

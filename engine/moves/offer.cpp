@@ -70,7 +70,7 @@ Offer understood(Offer offer, const Ensemble& ensemble, const Dialogue& now) {
   auto discourse = discourse_of(offer.input, now);
   discourse.pieces = ensemble.percept.pieces;
   for (const auto& [words, pointing] : shown_words(speech, ensemble, now.window)) {
-    discourse.context.showings.push_back({words, pointing.place_W});
+    discourse.context.showings.push_back({words, pointing.place_W, pointing.gesture});
     discourse.shown.push_back(pointing.serials);
   }
   offer.move = now.understanding->understood(speech.utterance, offer.fragment, discourse.context);
@@ -78,7 +78,9 @@ Offer understood(Offer offer, const Ensemble& ensemble, const Dialogue& now) {
   offer.input.symbol = name_of(Modality::speech) + " " + offer.move.kind;
   const auto& fragments = speech.utterance.fragments;
   const auto next = offer.fragment + 1;
-  offer.input.next = next < fragments.size() ? Term::text(fragments[next].readings.front().move) : Term::null();
+  const auto kind_at = [&](std::size_t at) { return Term::text(fragments[at].readings.front().move); };
+  offer.input.next = next < fragments.size() ? kind_at(next) : Term::null();
+  offer.input.previous = offer.fragment > 0 ? kind_at(offer.fragment - 1) : Term::null();
   return offer;
 }
 

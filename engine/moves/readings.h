@@ -27,8 +27,8 @@ struct Readings {
 std::shared_ptr<const Readings> readings_of(const InputEvent& speech, const Understanding& understanding,
                                             std::shared_ptr<const Readings> known = nullptr);
 
-/// Whether the last sentence may go on: it does not end with a mark, and is no whole sentence, such as "put the knife" or
-/// "the red one".
+/// Whether the last sentence may go on: it does not end with a mark, and is no whole sentence, such as "put the knife"
+/// or "the red one".
 bool is_unfinished(const ReadSpeech& speech);
 
 /// Whether the words of two utterances, read as a whole, make fewer moves or lose fewer words than apart.

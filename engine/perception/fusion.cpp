@@ -33,7 +33,9 @@ std::optional<SimTime> last_need(const std::vector<Taker>& takers) {
 }
 
 // The time until which an unfinished sentence waits for its next piece.
-SimTime last_piece(const Percept& speech, const FusionWindow& window) { return speech.spoken + seconds(window.pause_s); }
+SimTime last_piece(const Percept& speech, const FusionWindow& window) {
+  return speech.spoken + seconds(window.pause_s);
+}
 
 bool waits_for_words(const Percept& speech, const FusionWindow& window) {
   return speech.unfinished && window.pause_s > 0;

@@ -5,8 +5,9 @@
 
 namespace continua {
 
-/// The words of both events, at the times at which they were spoken. Of n-best lists each alternative is joined with the
-/// other event's first; the whole is as certain as its less certain piece. REQUIRES speech, `first` before `second`.
+/// The words of both events, at the times at which they were spoken. Of n-best lists each alternative is joined with
+/// the other event's first; the whole is as certain as its less certain piece. REQUIRES speech, `first` before
+/// `second`.
 InputEvent joined(const InputEvent& first, const InputEvent& second);
 
 }  // namespace continua

@@ -1,23 +1,35 @@
 #include "continua/pipeline/acting.h"
 
+#include <type_traits>
 #include <utility>
 
 namespace continua {
 
-std::string symbol_of(const ActEnd& end) { return "act " + name_of(end.status); }
+namespace {
 
-Input to_input(const ActEnd& end, int serial, SimTime now) {
+// The end of an act, or its beginning; nothing if the event is neither.
+std::optional<ActEnd> news_of(const PerformanceEvent& event) {
+  if (const auto* begun = std::get_if<ActBegun>(&event)) return ActEnd{.act = begun->act, .status = ActStatus::started};
+  if (const auto* end = std::get_if<ActEnd>(&event)) return *end;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string symbol_of(const ActEnd& news) { return "act " + name_of(news.status); }
+
+Input to_input(const ActEnd& news, int serial, SimTime now) {
   Input input;
   input.serial = serial;
-  input.because = end.act.because;
-  input.symbol = symbol_of(end);
+  input.because = news.act.because;
+  input.symbol = symbol_of(news);
   input.now_s = now.seconds();
-  input.act = end.act.program;
-  if (end.reason.empty()) return input;
-  input.reason = Term::text(words_of(end.reason));
-  input.why = Term::text(name_of(end.reason.code));
+  input.act = news.act.program;
+  if (news.reason.empty()) return input;
+  input.reason = Term::text(words_of(news.reason));
+  input.why = Term::text(name_of(news.reason.code));
   std::vector<Term> objects;
-  for (const auto& object : end.reason.objects) objects.push_back(Term::entity(object));
+  for (const auto& object : news.reason.objects) objects.push_back(Term::entity(object));
   input.concerned = Term::list(std::move(objects), Type::entity());
   return input;
 }
@@ -25,9 +37,13 @@ Input to_input(const ActEnd& end, int serial, SimTime now) {
 Performed perform(const Engine& engine, EngineState state, const WorldSnapshot& world) {
   Tick tick{std::move(state), {}};
   while (const auto next = engine.performer.next(tick.after.performance, world)) {
-    std::visit([&](const auto& event) { tick.events.push_back(event); }, *next);
-    const auto* end = std::get_if<ActEnd>(&*next);
-    if (end && engine.machine->knows_input(symbol_of(*end))) return {std::move(tick), *end};
+    std::visit(
+        [&](const auto& event) {
+          if constexpr (std::is_constructible_v<EngineEvent, decltype(event)>) tick.events.push_back(event);
+        },
+        *next);
+    const auto news = news_of(*next);
+    if (news && engine.machine->knows_input(symbol_of(*news))) return {std::move(tick), news};
   }
   return {std::move(tick), std::nullopt};
 }

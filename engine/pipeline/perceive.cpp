@@ -39,7 +39,7 @@ Result<Percept> perceive(const Engine& engine, const EngineState& state, const I
   if (event.modality == Modality::speech && understanding) return heard(event, serial, *understanding);
   Percept percept{serial, event, {}, {}};
   if (event.modality == Modality::gesture &&
-             kind_of(event, *engine.machine, gestures_of(engine), state.learned) == deixis) {
+      kind_of(event, *engine.machine, gestures_of(engine), state.learned) == deixis) {
     // A pointing gesture without a place points where the hand does.
     if (!place_of(event) && state.pointed && goes_on(*state.pointed, event.t, engine.window))
       percept.event.target_W = state.pointed->place_W;

@@ -21,7 +21,7 @@ namespace {
 
 // The machine may answer the end of an act with another act. The bound stops acts that answer each other without time
 // passing.
-constexpr int most_ends = 100;
+constexpr int most_news = 100;
 
 }  // namespace
 
@@ -95,19 +95,19 @@ Pipeline::Answered Pipeline::answer(EngineState state, std::span<const Input> in
   return {std::move(tick), taken};
 }
 
-// Acts until the body has to report. The end of an act may be an input.
+// Acts until the body has to report. The beginning and the end of an act may be inputs.
 Tick Pipeline::act(EngineState state, const WorldSnapshot& world) const {
   Tick tick{std::move(state), {}};
-  for (int ends = 1;; ++ends) {
-    auto [performed, end] = perform(engine_, std::move(tick.after), world);
+  for (int inputs = 1;; ++inputs) {
+    auto [performed, news] = perform(engine_, std::move(tick.after), world);
     tick.then(std::move(performed));
-    if (!end) return tick;
-    if (ends > most_ends) {
-      tick.events.push_back(StepEvent(Trouble{fmt::format("more than {} acts end at once", most_ends)}));
+    if (!news) return tick;
+    if (inputs > most_news) {
+      tick.events.push_back(StepEvent(Trouble{fmt::format("more than {} acts begin or end at once", most_news)}));
       return tick;
     }
-    const Input input = to_input(*end, ++tick.after.inputs, world.t);
-    tick.events.push_back(Perceived{input.serial, input.symbol, end->act.number});
+    const Input input = to_input(*news, ++tick.after.inputs, world.t);
+    tick.events.push_back(Perceived{input.serial, input.symbol, news->act.number});
     tick.then(answer(std::move(tick.after), {&input, 1}, world).tick);
   }
 }

@@ -78,7 +78,7 @@ WorldReport PhysicsBody::advance(SimTime t) {
   return report;
 }
 
-/// Begins the acts that need not wait. True if an act has ended.
+/// Begins the acts that need not wait. True if an act has begun or ended.
 bool PhysicsBody::begin_acts(WorldReport& report) {
   const SimTime t = std::max(now_, told_until_);
   const auto announced = [](const AvatarCommand& command) { return effect_of(command.what) == ActEffect::announced; };
@@ -90,19 +90,19 @@ bool PhysicsBody::begin_acts(WorldReport& report) {
   }
   if (std::any_of(waiting_.begin(), waiting_.end(), is_stop)) {
     begin_stop(report, t);
-    if (finish_act(report, t)) return true;
+    finish_act(report, t);
+    return true;
   }
-  while (!waiting_.empty()) {
-    const AvatarCommand command = waiting_.front();
-    if (avatar_.busy()) {
-      if (!avatar_.may_be_superseded() || !is_gesture(command.what)) return false;
-      report.acts.push_back({act_id_, t, ActReport::Status::done, 0, {ReasonCode::superseded}});
-    }
-    waiting_.pop_front();
-    begin_act(command, report, t);
-    if (finish_act(report, t)) return true;
+  if (waiting_.empty()) return !report.acts.empty();
+  const AvatarCommand command = waiting_.front();
+  if (avatar_.busy()) {
+    if (!avatar_.may_be_superseded() || !is_gesture(command.what)) return !report.acts.empty();
+    report.acts.push_back({act_id_, t, ActReport::Status::done, 0, {ReasonCode::superseded}});
   }
-  return false;
+  waiting_.pop_front();
+  begin_act(command, report, t);
+  finish_act(report, t);
+  return true;
 }
 
 /// Cancels everything before the last stop, and begins that stop.

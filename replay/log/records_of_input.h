@@ -69,10 +69,11 @@ struct Percept {
   std::optional<std::string> joined;
   std::vector<std::int64_t> because;
 
-  static constexpr Kind kind{.name = "percept",
-                             .when = "An input is attended to together with pointings or earlier words, or had to wait.",
-                             .decision = Decision::yes,
-                             .brief_adds = ": pointed at, nothing is pointed at, after s"};
+  static constexpr Kind kind{
+      .name = "percept",
+      .when = "An input is attended to together with pointings or earlier words, or had to wait.",
+      .decision = Decision::yes,
+      .brief_adds = ": pointed at, nothing is pointed at, after s"};
   static constexpr auto fields() {
     return std::tuple{
         field("waited_s", &Percept::waited_s, Says::where, "Time since the input began.").as("seconds").briefly(),

@@ -43,14 +43,14 @@ void Recorder::engine(const std::vector<EngineEvent>& events, SimTime t) {
   next_.measured = false;
 }
 
-// The end of an act is an input that no line of the trace tells; when it comes is measured.
+// The beginning and the end of an act are inputs that no line of the trace tells; when they come is measured.
 void Recorder::one(const Perceived& perceived) {
   if (perceived.act) {
     const RecordedAct& act = acts_.at(perceived.act);
     const Json event{
         {"kind", "act"}, {"act", perceived.act}, {"program", act.program}, {"status", name_of(act.status)}};
     next_.measured = true;
-    next_.cause = act.ended;
+    next_.cause = act.latest;
     latest_input_ = write(log::Input{std::nullopt, event, perceived.symbol});
     next_.cause = latest_input_;
   }
@@ -97,7 +97,7 @@ void Recorder::write_act(int number, log::Act record, SimTime t) {
   auto& act = acts_.at(number);
   record.act = number;
   if (record.program.empty()) record.program = act.program;
-  act.ended = log_.write(record, t, act.record);
+  act.latest = log_.write(record, t, act.record);
 }
 
 void Recorder::one(const ActStep& step) {

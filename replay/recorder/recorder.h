@@ -19,7 +19,7 @@ struct RecordedAct {
   int record = 0;  ///< in which it was asked for
   std::string program;
   ActStatus status = ActStatus::started;
-  int ended = 0;  ///< record in which it ended
+  int latest = 0;  ///< record of its latest news
 };
 
 class Recorder {

@@ -6,8 +6,8 @@
 An exam has a JSON object a line: {"id", "scene", "say": [turns], "expect"}. A turn is a text, or a list of parts in the
 order of their times: texts, {"point": [x, y]} and {"gesture": NAME, "direction": …}. `expect` is "nothing", or an object
 with any of `acts` ("put knife on plate", in order; a list where one of several will do; the end may be left out: "put
-knife"), `acts_any_order`, `no_act`, `asks` (the last answer is a question) and `says` (one of these texts is in the
-answer to the last turn). Prints each line that went otherwise, and the share of right ones by the letters of their ids.
+knife"), `acts_any_order`, `no_act`, `asks` (the last answer is a question), `says` (one of these texts is in the
+answer to the last turn) and `one_of` (a list of expectations, one of which will do). Prints each line that went otherwise, and the share of right ones by the letters of their ids.
 --all prints the right ones too. Ends with status 1 if one is wrong.
 """
 import collections
@@ -63,16 +63,18 @@ def act_in_words(program):
 
 
 def read_run(path, last_turn_s):
-    """The acts that were done, and the avatar's words since the last turn."""
-    acts, answers = [], []
+    """The acts that were done, all that the avatar said, and its words since the last turn."""
+    acts, said, answers = [], [], []
     with open(path, encoding="utf-8") as log:
         for record in map(json.loads, log):
             kind = record["kind"]
-            if kind == "utterance" and record["t"] >= last_turn_s:
-                answers.append(record["text"])
+            if kind == "utterance":
+                said.append(record["text"])
+                if record["t"] >= last_turn_s:
+                    answers.append(record["text"])
             elif kind == "act" and "step" not in record and record["status"] == "done" and record["program"] != "stop":
                 acts.append(act_in_words(record["program"]))
-    return acts, answers
+    return acts, said, answers
 
 
 def is_wanted(wanted, act):
@@ -80,9 +82,13 @@ def is_wanted(wanted, act):
     return any(act == choice or act.startswith(choice + " ") for choice in choices)
 
 
-def fault(item, acts, answers):
-    """What is wrong; empty if nothing is."""
-    expect = {"no_act": True} if item["expect"] == "nothing" else item["expect"]
+def fault(expect, acts, answers):
+    """Says what is wrong; empty if nothing is."""
+    if expect == "nothing":
+        expect = {"no_act": True}
+    if "one_of" in expect:
+        faults = [fault(each, acts, answers) for each in expect["one_of"]]
+        return "" if "" in faults else "; or ".join(faults)
     wanted = expect.get("acts", expect.get("acts_any_order"))
     if expect.get("no_act") and acts:
         return "expected no act"
@@ -105,7 +111,7 @@ def fault(item, acts, answers):
 
 def main():
     program, exam = sys.argv[1:3]
-    right, count = collections.Counter(), collections.Counter()
+    right, count, utterances = collections.Counter(), collections.Counter(), collections.Counter()
     with open(exam, encoding="utf-8") as lines:
         items = [json.loads(line) for line in lines if line.strip()]
     with tempfile.TemporaryDirectory() as folder:
@@ -116,15 +122,17 @@ def main():
         subprocess.run(command, capture_output=True, check=False)
         for item, trace in zip(items, traces):
             last_turn_s = 1 + SECONDS_BETWEEN_TURNS * (len(item["say"]) - 1)
-            acts, answers = read_run(trace.replace(".trace.", ".run."), last_turn_s)
+            acts, said, answers = read_run(trace.replace(".trace.", ".run."), last_turn_s)
             part = re.match(r"[a-z]+", item["id"]).group()
-            wrong = fault(item, acts, answers)
+            wrong = fault(item["expect"], acts, answers)
+            utterances.update(said)
             count[part] += 1
             right[part] += not wrong
             if wrong or "--all" in sys.argv:
                 print(f"{item['id']}: {item['say']}\n  {wrong or 'right'}: did {acts}, said {answers}")
     for part in count:
         print(f"{part}: {right[part]} of {count[part]}, {100 * right[part] / count[part]:.0f} %")
+    print(f"\"Okay.\" is {utterances['Okay.']} of {utterances.total()} utterances")
     sys.exit(right != count)
 
 
