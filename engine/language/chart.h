@@ -52,7 +52,7 @@ class Chart {
   struct Skippable {
     std::size_t count;  ///< words
     double cost;
-    bool known = true;  ///< the lexicon allows leaving it out; false: it has lost the word that it belonged to
+    bool known = true;   ///< the lexicon allows leaving it out; false: it has lost the word that it belonged to
     bool aside = false;  ///< with unknown words among them
   };
   /// The words that may be left out from `begin` on; inside a phrase, only

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "continua/language/lexicon_reader.h"
-#include "continua/language/spellings.h"
 #include "continua/language/reduction.h"
+#include "continua/language/spellings.h"
 #include "continua/term/evaluate.h"
 #include "continua/term/read_type.h"
 

@@ -31,8 +31,7 @@ const ObjectState* landmark_of(const Term& condition, const Context& context, co
     if (head.kind() != Term::Kind::constant || head.interned_name() != located || arguments.size() != 2)
       return std::nullopt;
     const auto place = arguments[1].spine();
-    const auto relation =
-        place.head.kind() == Term::Kind::constant ? relation_named(place.head.name()) : std::nullopt;
+    const auto relation = place.head.kind() == Term::Kind::constant ? relation_named(place.head.name()) : std::nullopt;
     if (relation && is_about_distance(*relation) && place.arguments.size() == 1)
       landmarks.push_back(place.arguments[0]);
     return part;

@@ -13,8 +13,8 @@ inline constexpr double hand_sd_m = 0.024;
 inline constexpr double astray_per_m2 = 1.0 / 300;
 
 /// An object is not meant if its density is less than this share of the highest one. A hand that means it nevertheless
-/// would have to stray toward the likeliest object by 3 standard deviations or more.
-inline constexpr double least_share = 1e-2;
+/// would have to stray toward the likeliest object by 2.4 standard deviations or more.
+inline constexpr double least_share = 0.05;
 
 /// Likelihood of pointing there when the object is meant: a density over the table, 1/m². It is the sum of
 /// `astray_per_m2` and a normal distribution around the centre of the object's footprint. The variance along each axis

@@ -154,6 +154,8 @@ class Avatar {
     body_.advance(SimTime{});
   }
   const std::string& held() { return held_ = body_.snapshot().held; }
+  /// The programs that the body has begun, in order.
+  const std::string& begun() const { return begun_; }
 
  private:
   void tell(const ActStep& step, std::vector<std::string>& told) {
@@ -163,6 +165,9 @@ class Avatar {
                                           : " for a place";
     told.push_back(print(step.program) + next + (step.command ? "" : " [" + words_of(step.reason) + "]"));
     if (step.command) under_way_ = step.command;
+  }
+  void tell(const ActBegun& begun, std::vector<std::string>&) {
+    begun_ += (begun_.empty() ? "" : ", ") + print(begun.act.program);
   }
   void tell(const ActEnd& end, std::vector<std::string>& told) {
     told.push_back(fmt::format("{}: {}{}", print(end.act.program), name_of(end.status),
@@ -177,7 +182,7 @@ class Avatar {
   KinematicBody body_;
   std::map<Capability, ActReport::Status> answers_;
   std::optional<AvatarCommand> under_way_;
-  std::string held_;
+  std::string held_, begun_;
   int acts_ = 0;
 };
 
@@ -189,6 +194,20 @@ TEST_CASE("a program is performed by its subevents, down to what the body does")
   CHECK(Avatar().does("grasp(cup)") == "grasp(cup), grasp(cup): done");
   CHECK(Avatar().does("lift(cup)") == "lift(cup), lift(cup): done");
   CHECK(Avatar().does("slide(cup, left(plate))") == "slide(cup, left(plate)), slide(cup, left(plate)): done");
+}
+
+TEST_CASE("an act has begun once the body has accepted its first command, and never if that failed at once") {
+  Avatar avatar;
+  avatar.does("put(cup, on(plate))");
+  CHECK(avatar.begun() == "put(cup, on(plate))");
+  avatar.answers(Capability::grasp, ActReport::Status::unreachable);
+  avatar.does("put(block, on(plate))");
+  avatar.does("put(cup, on(plate))");  // is there already: nothing begins
+  CHECK(avatar.begun() == "put(cup, on(plate))");
+  avatar.answers(Capability::grasp, ActReport::Status::done);
+  avatar.answers(Capability::move, ActReport::Status::blocked);
+  avatar.does("put(knife, on(plate))");
+  CHECK(avatar.begun() == "put(cup, on(plate)), put(knife, on(plate))");
 }
 
 TEST_CASE("a loop without an event of its own is ended by carrying the thing to its place") {

@@ -59,7 +59,7 @@ const Row sentences[] = {
     {"put the other cup there", R"(put(the(\x. other(x) and cup(x)), there))"},
     {"take the spoon out of the cup", R"(grasp(the(\x. spoon(x) and located(x, in(the(\y. cup(y)))))))"},
     {"grab the ball and drop it in the bowl", R"(grasp(the(\x. ball(x))); put(it, in(the(\x. bowl(x)))))"},
-    {"hold on, not that one, the blue one", R"(wait; no; the(\x. blue(x) and one(x)))"},
+    {"hold on, not that one, the blue one", R"(wait; not_that(that(\x. one(x))); the(\x. blue(x) and one(x)))"},
     {"okay now put the red cube on top of the green cube",
      R"(yes; put(the(\x. red(x) and block(x)), on(the(\x. green(x) and block(x)))))"},
     {"put the fork, the knife and the spoon on the plate",

@@ -72,3 +72,25 @@ TEST_CASE("pointings go with the words of the alternative that is asked about") 
   CHECK(words(1) == "that ");
   CHECK(words(2).empty());
 }
+
+TEST_CASE("a sentence may go on unless it is whole or ends with a mark") {
+  const Reader reader;
+  const std::pair<const char*, bool> table[] = {
+      {"put the knife", true},       {"the red one", true},    {"take the knife", false},     {"put the knife.", false},
+      {"put that cup there", false}, {"the frobnicate", true}, {"take the zork knife", true}, {"", false}};
+  for (const auto& [words, unfinished] : table) {
+    CAPTURE(words);
+    CHECK(is_unfinished(readings_of(said(words), reader.understanding())->alternatives[0]) == unfinished);
+  }
+}
+
+TEST_CASE("two pieces read as one if they make fewer moves or lose fewer words") {
+  const Reader reader;
+  const auto read = [&](const std::string& words) { return readings_of(said(words), reader.understanding()); };
+  const auto as_one = [&](const std::string& first, const std::string& second) {
+    return reads_as_one(*read(first), *read(second), *read(first + " " + second));
+  };
+  CHECK(as_one("put that cup", "behind the plate"));
+  CHECK(as_one("the red", "block"));
+  CHECK_FALSE(as_one("the knife", "yes"));
+}

@@ -220,3 +220,41 @@ TEST_CASE("a gesture at the time of a word is received before both are released"
   CHECK(fusion.receive(gesture(3, 1, "point"), at(1)));
   CHECK(brief(fusion.release(at(1))) == "1.00 there [3]; 1.00 posack");
 }
+
+namespace {
+
+// Two utterances, the first of which may go on; joined as one that may not.
+std::string in_pieces(double second_s, FusionWindow w) {
+  Percept first = speech(1, 1, {{"the", 1, 1.2}, {"cup", 1.2, 1.5}});
+  first.unfinished = true;
+  first.spoken = at(1.5);
+  Percept second = speech(2, second_s, {{"behind", second_s, second_s + 0.4}});
+  second.spoken = at(second_s + 0.4);
+  Fusion fusion(w, around_table);
+  std::vector<Ensemble> all;
+  const Joining joining = [](const Percept& a, const Percept& b) {
+    Percept whole = b;
+    whole.event.t = a.event.t;
+    whole.event.text = a.event.text + " " + b.event.text;
+    whole.pieces = {a.serial};
+    return whole;
+  };
+  const auto release = [&](SimTime now) {
+    for (auto& each : fusion.release(now, joining)) all.push_back(std::move(each));
+  };
+  REQUIRE(fusion.receive(first, at(1)));
+  release(at(1));
+  while (fusion.due() && *fusion.due() < second.event.t) release(*fusion.due());
+  REQUIRE(fusion.receive(second, second.event.t));
+  release(second.event.t);
+  while (const auto due = fusion.due()) release(*due);
+  return brief(all);
+}
+
+}  // namespace
+
+TEST_CASE("an unfinished sentence waits for its next piece as long as the window says") {
+  CHECK(in_pieces(2.4, {2, 1, 0, 1}) == "2.40 the cup behind");
+  CHECK(in_pieces(2.6, {2, 1, 0, 1}) == "2.50 the cup [-]; 2.60 behind");
+  CHECK(in_pieces(2.4, {2, 1, 0, 0}) == "1.00 the cup [-]; 2.40 behind");
+}

@@ -1,0 +1,38 @@
+// The clearly nearest of several things.
+#include "continua/language/nearest.h"
+
+#include "support/catch.h"
+#include "support/small_talk.h"
+
+using namespace continua;
+
+namespace {
+
+// A plate in the middle of the table, and two blocks left of it at these distances.
+std::string meant(const std::string& condition, double first_m, double second_m) {
+  SmallTalk talk;
+  const Vec3 size(0.06, 0.06, 0.06);
+  talk.world.objects = {thing("plate", "plate", "", {0.06, 0.06, 0.02}, 0, 0),
+                        thing("far", "block", "red", size, -second_m, 0),
+                        thing("near", "block", "green", size, -first_m, 0)};
+  const Term phrase = talk.read("the(" + condition + ")");
+  std::string names;
+  const auto all = nearest_to_landmark(talk.refer(phrase), phrase.argument(), talk.context, talk.meanings());
+  for (const auto& each : all.referents) names += (names.empty() ? "" : " ") + each.object;
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("of several things on a side the clearly nearest is meant") {
+  const std::string left = "\\x. block(x) and located(x, left(the(\\y. plate(y))))";
+  CHECK(meant(left, 0.15, 0.3) == "near");
+  CHECK(meant(left, 0.2, 0.3) == "near");
+  CHECK(meant(left, 0.25, 0.3) == "far near");
+}
+
+TEST_CASE("a thing that is on no side of one landmark has no nearest") {
+  CHECK(meant("\\x. block(x)", 0.1, 0.3) == "far near");
+  CHECK(meant("\\x. block(x) and located(x, left(the(\\y. plate(y)))) and located(x, left(the(\\z. plate(z))))", 0.1,
+              0.3) == "far near");
+}
