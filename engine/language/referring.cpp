@@ -304,6 +304,16 @@ std::string Referring::words_of(const Term& phrase, std::size_t occurrence) cons
                                   words_.begin() + static_cast<std::ptrdiff_t>(span->end), " "));
 }
 
+// The noun phrases outside these words that a part of the condition repeats: its antecedents.
+std::vector<Phrase> Referring::antecedents_in(const Term& condition, const WordSpan& span) const {
+  std::vector<Phrase> antecedents;
+  for (const auto& each : reading_.phrases)
+    if ((each.words.end <= span.begin || each.words.begin >= span.end) && each.term.closed() &&
+        determiner_of(each.term, *meanings_.operators) && contains(condition, each.term))
+      antecedents.push_back(each);
+  return antecedents;
+}
+
 // The things within these words that are pointed at by themselves.
 std::vector<Phrase> Referring::shown_inside(const WordSpan& span) const {
   std::vector<Phrase> inside;
@@ -314,12 +324,15 @@ std::vector<Phrase> Referring::shown_inside(const WordSpan& span) const {
   return inside;
 }
 
-// The condition with those things inside the phrase that are pointed at: "the block between (block1) and (block2)".
+// The condition with those things inside the phrase, and those antecedents, that are pointed at: "the block between
+// (block1) and (block2)", "the other purple one".
 Term Referring::with_shown(const Term& phrase, Term condition, std::size_t occurrence,
                            std::vector<Resolution>& within) const {
   const auto span = span_of(phrase, occurrence);
   if (!span || context_.showings.empty()) return condition;
-  for (const auto& [thing, words] : shown_inside(*span)) {
+  auto shown = shown_inside(*span);
+  for (auto& each : antecedents_in(condition, *span)) shown.push_back(std::move(each));
+  for (const auto& [thing, words] : shown) {
     const auto number = uses_before(thing, words.begin);
     if (!showing_of(thing, number) || !contains(condition, thing)) continue;
     Meant inner = meant(thing, number);

@@ -66,6 +66,7 @@ class Referring {
   bool shows_another(const Term& phrase, std::size_t occurrence) const;
   std::size_t uses_before(const Term& phrase, std::size_t word) const;
   std::vector<Phrase> shown_inside(const WordSpan& span) const;
+  std::vector<Phrase> antecedents_in(const Term& condition, const WordSpan& span) const;
   Term with_shown(const Term& phrase, Term condition, std::size_t occurrence, std::vector<Resolution>& within) const;
   Context context_of(const Term& phrase, std::size_t occurrence) const;
 

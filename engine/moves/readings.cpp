@@ -15,7 +15,7 @@ ReadSpeech read_speech(InputEvent event, const Understanding& understanding) {
   const auto times = word_times(event, speech.utterance.words);
   for (const auto& [words, needs] : understanding.demonstratives(speech.utterance)) {
     speech.demonstratives.push_back(words);
-    speech.takers.push_back({times[words.begin].from, times[words.end - 1].until, needs});
+    speech.takers.push_back({times[words.begin].from, times[words.end - 1].until, needs, event.t});
   }
   speech.until = time_of(event, speech.utterance.words).until;
   speech.event = std::move(event);

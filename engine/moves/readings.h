@@ -1,4 +1,5 @@
-// Readings of speech. Each of the recogniser's alternatives is read once, when the event is perceived.
+// Readings of speech. Each of the recogniser's alternatives is read when the event is perceived, and again only when a
+// word was learned since or another piece of the sentence came.
 #pragma once
 
 #include <memory>

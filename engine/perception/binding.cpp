@@ -22,16 +22,15 @@ Cost operator+(const Cost& a, const Cost& b) {
 std::int64_t bounded(std::int64_t us) { return std::min<std::int64_t>(us, 1'000'000'000'000); }
 
 bool go_together(const Taker& taker, const Deixis& pointing, const FusionWindow& window) {
-  return pointing.until + SimTime::from_seconds(window.before_s) >= taker.from &&
+  return pointing.until + SimTime::from_seconds(window.before_s) >= taker.begun.value_or(taker.from) &&
          pointing.from <= taker.until + SimTime::from_seconds(window.after_s);
 }
 
 Cost cost_without(const Taker& taker) { return {taker.needs ? 1 : 0, taker.needs ? 0 : 1, 0, 0, 0}; }
 
 Cost cost_of(const Taker& taker, const Deixis& pointing) {
-  const auto gap = std::max({taker.from.us - pointing.until.us, pointing.from.us - taker.until.us, std::int64_t{0}});
   const auto middles = std::abs(taker.from.us + taker.until.us - pointing.from.us - pointing.until.us);
-  return {0, 0, bounded(gap), pointing.gesture ? 0 : 1, bounded(middles)};
+  return {0, 0, bounded(gap_us(taker, pointing)), pointing.gesture ? 0 : 1, bounded(middles)};
 }
 
 // The indices of the pointings in order of time.
@@ -47,6 +46,10 @@ std::vector<std::size_t> in_order(const std::vector<Deixis>& pointings) {
 }
 
 }  // namespace
+
+std::int64_t gap_us(const Taker& taker, const Deixis& pointing) {
+  return std::max({taker.from.us - pointing.until.us, pointing.from.us - taker.until.us, std::int64_t{0}});
+}
 
 std::vector<std::optional<std::size_t>> assign(const std::vector<Taker>& takers, const std::vector<Deixis>& pointings,
                                                const FusionWindow& window) {

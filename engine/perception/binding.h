@@ -1,6 +1,7 @@
 // Assigns pointings to words.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -10,7 +11,7 @@
 namespace continua {
 
 /// The time window of a machine's `fusion`, in seconds. A pointing goes with a word if it ends at most `before` before
-/// the word begins and begins at most `after` after the word ends.
+/// the word's utterance begins and begins at most `after` after the word ends.
 struct FusionWindow {
   double before_s = 2;
   double after_s = 1;
@@ -18,11 +19,15 @@ struct FusionWindow {
   double pause_s = 0;     ///< how long an unfinished sentence waits for its next piece; 0: it does not wait
 };
 
-/// A part of an utterance that pointing can give content to: a demonstrative, or a noun phrase around one.
+/// A part of an utterance that pointing can give content to: a demonstrative, a definite noun phrase, a noun alone.
 struct Taker {
   SimTime from, until;  ///< of its words
   bool needs = false;   ///< means nothing without pointing: here, this one; false: pointing only helps: the cup
+  std::optional<SimTime> begun = {};  ///< the beginning of its utterance; none: its own
 };
+
+/// The time between the pointing and the words, in µs; 0 if they overlap.
+std::int64_t gap_us(const Taker& taker, const Deixis& pointing);
 
 /// Assigns pointings to takers within the window: each pointing to one taker at most, and later pointings to later
 /// takers. Criteria, in order: the most needing takers with a pointing; the most other takers with one; the smallest

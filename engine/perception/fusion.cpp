@@ -32,6 +32,15 @@ std::optional<SimTime> last_need(const std::vector<Taker>& takers) {
   return last;
 }
 
+// Whether the pointing of a taker was made with other words that have none: "put the cup" [pointing] "here".
+bool is_of_others(std::size_t taker, const Percept& speech, const std::vector<std::optional<Deixis>>& bound) {
+  const Deixis& pointing = *bound[taker];
+  if (gap_us(speech.takers[taker], pointing) == 0) return false;
+  for (std::size_t i = 0; i < bound.size(); ++i)
+    if (!bound[i] && gap_us(speech.takers[i], pointing) == 0) return true;
+  return false;
+}
+
 // The time until which an unfinished sentence waits for its next piece.
 SimTime last_piece(const Percept& speech, const FusionWindow& window) {
   return speech.spoken + seconds(window.pause_s);
@@ -50,7 +59,7 @@ SimTime all_pointed_at(const Percept& speech, const std::vector<std::optional<De
   SimTime at = std::max(speech.event.t, *last);
   for (std::size_t i = 0; i < bound.size(); ++i) {
     if (!speech.takers[i].needs) continue;
-    if (!bound[i]) return latest;
+    if (!bound[i] || is_of_others(i, speech, bound)) return latest;
     at = std::max(at, settled_at(*bound[i]));
   }
   return std::min(at, latest);

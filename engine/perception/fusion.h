@@ -45,8 +45,8 @@ struct Ensemble {
 ///
 /// - An utterance is complete when every taker that needs a pointing has one and the last such taker has been spoken
 ///   (perception/speech_times.h): until then a better pointing may come. A fixation counts from settled_at() on.
-/// - An utterance that lacks a pointing waits until none can come any more, `after` past the end of its last needing
-///   taker, and is then released without it.
+/// - An utterance that lacks a pointing, or has one that was made with other words of it, waits until none can come any
+///   more, `after` past the end of its last needing taker, and is then released as it is.
 /// - A pointing gesture waits until `after` past its end for speech that takes it, and is then released alone. It is
 /// not
 ///   released if speech takes it. Speech can still take it within `before` after it was released alone.

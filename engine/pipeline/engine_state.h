@@ -58,7 +58,7 @@ struct Bound {
 /// The engine attends to an input with its pointings. The events that follow are consequences.
 struct Attended {
   int serial = 0;
-  SimTime arrived, at;
+  SimTime happened, at;  ///< the beginning of the input, and the time at which it was complete
   std::vector<Bound> bound;
   std::vector<int> pieces;  ///< serials of earlier inputs whose words it goes on with
   std::string text;         ///< the words of all pieces; empty if there is only one

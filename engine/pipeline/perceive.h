@@ -9,7 +9,7 @@
 
 namespace continua {
 
-/// The symbol under which the machine knows the event.
+/// The event as a symbol, for the log: speech by its words. Machines with a lexicon know the moves of speech instead.
 std::string symbol_of(const Engine& engine, const EngineState& state, const InputEvent& event);
 
 /// Speech with its readings. `serial` names the event.

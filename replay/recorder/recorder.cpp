@@ -61,7 +61,7 @@ void Recorder::one(const Attended& attended) {
   next_.cause = std::nullopt;
   if (const auto record = input_record_.find(attended.serial); record != input_record_.end())
     next_.cause = record->second;
-  if (attended.bound.empty() && attended.at == attended.arrived) return;
+  if (attended.bound.empty() && attended.at == attended.happened) return;
   next_.cause = write(record_of(attended, input_record_));
 }
 

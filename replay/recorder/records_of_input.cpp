@@ -147,7 +147,7 @@ std::optional<std::vector<std::string>> referents_of(const Move& move) {
 
 log::Percept record_of(const Attended& attended, const InputRecords& inputs) {
   log::Percept record;
-  record.waited_s = (attended.at - attended.arrived).seconds();
+  record.waited_s = (attended.at - attended.happened).seconds();
   std::set<int> because = {attended.pieces.begin(), attended.pieces.end()};
   because.insert(attended.serial);
   if (!attended.pieces.empty()) record.joined = attended.text;

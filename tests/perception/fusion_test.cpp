@@ -221,6 +221,19 @@ TEST_CASE("a gesture at the time of a word is received before both are released"
   CHECK(brief(fusion.release(at(1))) == "1.00 there [3]; 1.00 posack");
 }
 
+TEST_CASE("a pointing made with other words waits for one that is made with the word") {
+  const auto cup_here = speech(1, 2, {{"put", 2, 2.2}, {"cup", 2.2, 2.6}, {"here", 3, 3.3}});
+  CHECK(fused({cup_here, gesture(2, 2.3, "point", 2.5), gesture(3, 3.8, "point", 4)}) == "3.80 put cup here [2] [3]");
+  CHECK(fused({cup_here, gesture(2, 2.3, "point", 2.5)}) == "4.30 put cup here [-] [2]");
+}
+
+TEST_CASE("a pointing shortly before an utterance goes with any of its words") {
+  auto there = speech(1, 2, {{"put", 2, 2.3}, {"it", 2.3, 2.5}, {"there", 4.5, 5}});
+  CHECK(fused({there, gesture(2, 1.6, "point", 1.8)}) == "2.80 point; 6.00 put it there [-]");
+  for (auto& taker : there.takers) taker.begun = at(2);
+  CHECK(fused({there, gesture(2, 1.6, "point", 1.8)}) == "5.00 put it there [2]");
+}
+
 namespace {
 
 // Two utterances, the first of which may go on; joined as one that may not.
