@@ -7,6 +7,7 @@
 #include "continua/automaton/condition.h"
 #include "continua/automaton/stack_operation.h"
 #include "continua/automaton/wording.h"
+#include "continua/term/raising.h"
 
 namespace continua {
 namespace {
@@ -130,9 +131,32 @@ Change Firing::change(const Operation& operation) {
   return change;
 }
 
-// Empties a cell whose value is not of the slot's type. A term of type `term` can have a value of any type.
+// A value, or each element of a list, lifted to the type by the raising rules; each is an application for the account.
+std::optional<Term> Firing::lifted(const Type& type, const Cell& cell) {
+  if (!rules_.raising()) return std::nullopt;
+  if (type.kind() == Type::Kind::list && cell.value.kind() == Term::Kind::list) {
+    std::vector<Term> elements;
+    for (const auto& each : cell.value.elements()) {
+      const auto element =
+          fits(each, type.element()) ? std::optional(each) : lifted(type.element(), {each, cell.because});
+      if (!element) return std::nullopt;
+      elements.push_back(*element);
+    }
+    return Term::list(std::move(elements), type.element());
+  }
+  auto evaluation = evaluate();
+  const auto up = raised(cell.value, type, *rules_.raising(), evaluation);
+  if (!up) return std::nullopt;
+  const auto rule = std::find_if(rules_.raising()->begin(), rules_.raising()->end(),
+                                 [&](const RaisingRule& each) { return each.name == up->rule; });
+  note(Applied{{rule->by, cell.value, up->term, up->rule}, cell.because});
+  return up->term;
+}
+
+// Lifts the value to the slot's type, or empties the cell if no rule can. A slot of type `term` takes every value.
 Cell Firing::of_type(const Type& type, const std::string& name, Cell cell) {
-  if (cell.value.is_null() || consistent(type, cell.value.type())) return cell;
+  if (fits(cell.value, type)) return cell;
+  if (auto up = lifted(type, cell)) return {*std::move(up), std::move(cell.because)};
   note(Trouble{
       fmt::format("{} is no {}, and {} takes no other: it is left empty", print(cell.value), type.text(), name)});
   return {empty_value(type), std::move(cell.because)};

@@ -92,6 +92,7 @@ class Firing {
   const Term* read(const Cell& cell);
   bool perform_and_rewrite(const std::vector<Effect>& effects);
   Cell of_type(const Type& type, const std::string& name, Cell cell);
+  std::optional<Term> lifted(const Type& type, const Cell& cell);
   void note(StepEvent event);
 
   // Each returns whether the effect was a rewrite; its change is then in `rewrite_`.

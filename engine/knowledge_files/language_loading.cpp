@@ -107,6 +107,13 @@ std::vector<Error> check_meanings(const GestureCatalogue& gestures, const std::s
   return problems;
 }
 
+Result<RaisingRules> load_raising(const DataPaths& data) {
+  const auto path = data.knowledge / "raising.json";
+  std::error_code unknown;
+  if (!fs::exists(path, unknown)) return RaisingRules();
+  return load_raising(path.lexically_normal().string(), names_of_terms());
+}
+
 Result<Machine> load_machine(const std::string& path, const DataPaths& data, const std::string& language,
                              const std::string& where) {
   const auto known = data.knowledge / "lexicon";
@@ -114,7 +121,9 @@ Result<Machine> load_machine(const std::string& path, const DataPaths& data, con
     return Error{where,
                  fmt::format("there is no language {}{}; expected the name of a folder in {}", in_quotes(language),
                              did_you_mean(language, folders_in(known)), known.lexically_normal().string())};
-  return load_machine(path, WorldFacts::signature(), phrases_folder(data), language);
+  const auto raising = load_raising(data);
+  if (!raising) return raising.error();
+  return load_machine(path, WorldFacts::signature(), phrases_folder(data), language, *raising);
 }
 
 Result<Language> load_language(const DataPaths& data, const Machine& machine) {
@@ -133,10 +142,7 @@ Result<Language> load_language(const DataPaths& data, const Machine& machine) {
     if (!gestures) return gestures.error();
     language.gestures = *std::move(gestures);
   }
-  const auto raising = data.knowledge / "raising.json";
-  std::error_code unknown;
-  if (!fs::exists(raising, unknown)) return language;
-  auto rules = load_raising(raising.lexically_normal().string(), names_of_terms());
+  auto rules = load_raising(data);
   if (!rules) return rules.error();
   language.raising = *std::move(rules);
   return language;

@@ -17,6 +17,9 @@ namespace continua {
 /// world.
 Signature names_of_terms();
 
+/// The raising rules of this data; none without a file of them.
+Result<RaisingRules> load_raising(const DataPaths& data);
+
 /// Loads a machine with the phrases of this data, in `language` instead of its own unless that is empty. `path` and
 /// errors as in machine_file/machine_loader.h; `where`: the error's place if there is no such language.
 Result<Machine> load_machine(const std::string& path, const DataPaths& data, const std::string& language = "",

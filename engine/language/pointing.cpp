@@ -22,6 +22,9 @@ Aim aim(const Vec3& pointed_W, const ObjectState& object) {
   return {offset.x(), offset.y(), variance(extent.x()), variance(extent.y())};
 }
 
+// The distance from the object's centre in standard deviations.
+double deviations(const Aim& at) { return std::sqrt(at.x * at.x / at.variance_x + at.y * at.y / at.variance_y); }
+
 // An upper bound a·d + b·d² for the change of the density's logarithm when the offset changes by d.
 struct Steepness {
   double a, b;
@@ -43,12 +46,12 @@ double movement(double gap, const Steepness& of) {
 
 double pointing_density(const Vec3& pointed_W, const ObjectState& object) {
   const Aim at = aim(pointed_W, object);
-  const double square = at.x * at.x / at.variance_x + at.y * at.y / at.variance_y;
+  const double square = deviations(at) * deviations(at);
   return std::exp(-square / 2) / (full_turn * std::sqrt(at.variance_x * at.variance_y)) + astray_per_m2;
 }
 
 bool is_pointed_at(const Vec3& pointed_W, const ObjectState& object) {
-  return pointing_density(pointed_W, object) > 2 * astray_per_m2;
+  return deviations(aim(pointed_W, object)) <= farthest_aim;
 }
 
 double pointing_margin(const Vec3& pointed_W, const ObjectState& a, const ObjectState& b, double ratio) {
@@ -57,8 +60,9 @@ double pointing_margin(const Vec3& pointed_W, const ObjectState& a, const Object
 }
 
 double pointing_margin(const Vec3& pointed_W, const ObjectState& object) {
-  const double gap = std::log(pointing_density(pointed_W, object) / (2 * astray_per_m2));
-  return movement(gap, steepness(aim(pointed_W, object)));
+  const Aim at = aim(pointed_W, object);
+  // If place and object both move by m, the offset changes by up to 2m.
+  return std::abs(deviations(at) - farthest_aim) * std::sqrt(std::min(at.variance_x, at.variance_y)) / 2;
 }
 
 }  // namespace continua

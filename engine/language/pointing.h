@@ -21,7 +21,11 @@ inline constexpr double least_share = 0.05;
 /// is the hand's plus the aim's; the standard deviation of the aim is a third of half the object's extent.
 double pointing_density(const Vec3& pointed_W, const ObjectState& object);
 
-/// Whether the place is near the object, whatever other objects there are: the object is likelier meant than a stray.
+/// Beyond so many standard deviations from the object's centre, along either axis, a pointing means a place: of those
+/// that mean the object one in ninety is farther (a normal distribution in two dimensions).
+inline constexpr double farthest_aim = 3;
+
+/// Whether the place is near the object, whatever other objects there are.
 bool is_pointed_at(const Vec3& pointed_W, const ObjectState& object);
 
 /// The distance in metres that the place and the objects may move before density(a) / density(b) reaches `ratio`.

@@ -88,7 +88,7 @@ Remember EffectReader::remember(const Item& registers) const {
       std::vector<std::string> known;
       for (const auto& each : declared_.memory) known.push_back(each.name);
       item.problem_at_key(item.unknown("register", name, known));
-    } else if (const auto term = terms_.term(item, declared_.memory[entry->second].type)) {
+    } else if (const auto term = terms_.content(item, declared_.memory[entry->second].type)) {
       remember.registers.emplace_back(entry->second, *term);
     }
   }

@@ -34,7 +34,7 @@ std::vector<Content> read_contents(const Item& item, bool lists, const Machine& 
     const auto& type = declared.slots[*slot].type;
     Content content{*slot, std::nullopt};
     if (!member.item.json().is_null()) {
-      content.term = terms.term(member.item, lists ? Type::list(type) : type);
+      content.term = lists ? terms.term(member.item, Type::list(type)) : terms.content(member.item, type);
       if (!content.term) continue;
     }
     contents.push_back(std::move(content));

@@ -45,10 +45,10 @@ ContextTerms read_context(const Item& item, bool has_lexicon, const TermReader& 
 class MachineReader {
  public:
   MachineReader(const LocatedJson& document, const Signature& facts, const std::string& phrases,
-                const std::string& language)
+                const std::string& language, const RaisingRules& raising)
       : language_(language),
         root_(reader_.root(document)),
-        terms_(facts),
+        terms_(facts, &raising),
         states_(root_),
         operations_(machine_, terms_, states_),
         phrases_(reader_, terms_, phrases),
@@ -158,8 +158,8 @@ class MachineReader {
 }  // namespace
 
 ReadMachine read_machine(const LocatedJson& document, const Signature& facts, const std::string& phrases,
-                         const std::string& language) {
-  return MachineReader(document, facts, phrases, language).read();
+                         const std::string& language, const RaisingRules& raising) {
+  return MachineReader(document, facts, phrases, language, raising).read();
 }
 
 }  // namespace continua

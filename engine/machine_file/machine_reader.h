@@ -7,6 +7,7 @@
 
 #include "continua/automaton/machine.h"
 #include "continua/core/located_json.h"
+#include "continua/term/raising.h"
 
 namespace continua {
 
@@ -17,8 +18,8 @@ struct ReadMachine {
 };
 
 /// `facts`: the names that terms may use besides the term language. `phrases`: the folder of phrase files. `language`
-/// replaces the names of the machine's lexicon and phrases unless it is empty.
+/// replaces the names of the machine's lexicon and phrases unless it is empty. `raising`: see load_machine().
 ReadMachine read_machine(const LocatedJson& document, const Signature& facts, const std::string& phrases,
-                         const std::string& language);
+                         const std::string& language, const RaisingRules& raising);
 
 }  // namespace continua

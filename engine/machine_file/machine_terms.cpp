@@ -88,7 +88,8 @@ class DefinitionReader {
 
 }  // namespace
 
-TermReader::TermReader(const Signature& facts) : facts_(facts), scope_(term_signature()) {
+TermReader::TermReader(const Signature& facts, const RaisingRules* raising)
+    : facts_(facts), scope_(term_signature()), raising_(raising) {
   scope_.insert(facts_.begin(), facts_.end());
   scope_.insert(moment_signature().begin(), moment_signature().end());
 }
@@ -119,6 +120,15 @@ void TermReader::declare(const Item& at, const std::string& name, const Type& ty
 
 std::optional<Term> TermReader::term(const Item& item, const Type& expected) const {
   return part(item, 0, item.text("a term"), expected, "");
+}
+
+std::optional<Term> TermReader::content(const Item& item, const Type& type) const {
+  const auto text = item.text("a term");
+  if (raising_ && item.is_text() && !parse_term(text, scope_, type))
+    for (const auto& rule : *raising_)
+      if (consistent(rule.to, type))
+        if (auto lower = parse_term(text, scope_, rule.from)) return *std::move(lower);
+  return term(item, type);
 }
 
 std::optional<Term> TermReader::part(const Item& item, std::size_t from, const std::string& text, const Type& expected,

@@ -9,6 +9,7 @@
 
 #include "continua/automaton/machine.h"
 #include "continua/core/document_reader.h"
+#include "continua/term/raising.h"
 
 namespace continua {
 
@@ -16,7 +17,8 @@ namespace continua {
 class TermReader {
  public:
   /// Its names are those of the term language, of the moment (FORMAT.md) and of `facts`, the facts of the world.
-  explicit TermReader(const Signature& facts);
+  /// `raising` must outlive the reader.
+  explicit TermReader(const Signature& facts, const RaisingRules* raising = nullptr);
 
   /// A reader with the names of the term language and `programs` only, for terms without a moment and a world.
   static TermReader of_programs(const Signature& programs);
@@ -28,6 +30,8 @@ class TermReader {
 
   /// A term of the type; nothing if the item is absent or, after a problem, if it is not such a term.
   std::optional<Term> term(const Item& item, const Type& expected) const;
+  /// The content of a slot or register of the type: a term of that type, or of one that a raising rule lifts to it.
+  std::optional<Term> content(const Item& item, const Type& type) const;
   /// A text with terms in braces.
   std::optional<Template> text_template(const Item& item) const { return text_template(item, ""); }
 
@@ -49,6 +53,7 @@ class TermReader {
   std::optional<Wording> wording(const Item& item) const;
 
   Signature facts_, scope_;  ///< scope_: every name that a term may use
+  const RaisingRules* raising_ = nullptr;
 };
 
 }  // namespace continua

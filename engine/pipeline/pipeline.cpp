@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "continua/perception/ray_cast.h"
 #include "continua/pipeline/account.h"
 #include "continua/pipeline/acting.h"
 #include "continua/pipeline/behave.h"
@@ -35,7 +36,8 @@ Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world, Learned learne
 }
 
 // Perceives and fuses.
-Tick Pipeline::receive(const EngineState& before, const InputEvent& event, const WorldSnapshot& world) const {
+Tick Pipeline::receive(const EngineState& before, const InputEvent& told, const WorldSnapshot& world) const {
+  const InputEvent event = with_target(told, world);
   const SimTime now = std::max(event.t, world.t);
   Tick tick{before, {}};
   EngineState& state = tick.after;

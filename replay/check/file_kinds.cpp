@@ -89,8 +89,11 @@ FileCheck check_session(std::string_view text, const std::string& path) {
 FileCheck check_machine_file(std::string_view text, const std::string& path) {
   const auto data = find_data_paths();
   const auto phrases = data ? phrases_folder(*data) : "";
-  const auto machine = parse_machine(text, path, WorldFacts::signature(), phrases);
-  if (!machine) return {check_machine(text, path, WorldFacts::signature(), phrases), {}, "", exit_impossible};
+  const auto rules = data ? load_raising(*data) : RaisingRules();
+  const auto raising = rules ? *rules : RaisingRules();
+  const auto machine = parse_machine(text, path, WorldFacts::signature(), phrases, "", raising);
+  if (!machine)
+    return {check_machine(text, path, WorldFacts::signature(), phrases, "", raising), {}, "", exit_impossible};
   return {{},
           {},
           fmt::format("machine, {}, {}", counted(machine->states.size(), "state"),

@@ -1,5 +1,8 @@
 #include "continua/replay/trace/trace_input.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "continua/replay/trace/trace_event.h"
 
 namespace continua {
@@ -29,12 +32,21 @@ void read_alternatives(const TraceFields& fields, InputEvent& event) {
   });
 }
 
-// An n-best list alone is as good as its best entry.
+// The content of an input: its own, or the surest entry of its n-best list. That entry leaves the list, so that each
+// counts once; the input is as sure as the entry unless it says so itself.
 std::string best_of(const TraceFields& fields, const char* name, InputEvent& event) {
   fields.need({name, "alternatives"});
-  if (fields.has(name) || event.alternatives.empty()) return fields.text(name);
-  if (!fields.has("confidence")) event.confidence = event.alternatives.front().confidence;
-  return event.alternatives.front().text;
+  auto& others = event.alternatives;
+  const auto own = fields.has(name) ? std::optional(fields.text(name)) : std::nullopt;
+  const auto best =
+      own ? std::find_if(others.begin(), others.end(), [&](const auto& each) { return each.text == *own; })
+          : std::max_element(others.begin(), others.end(),
+                             [](const auto& a, const auto& b) { return a.confidence < b.confidence; });
+  if (best == others.end()) return own.value_or("");
+  const auto [content, confidence] = *best;
+  if (!fields.has("confidence")) event.confidence = confidence;
+  others.erase(best);
+  return content;
 }
 
 std::string read_hand(const TraceFields& fields) { return fields.choice("hand", {"left", "right"}); }

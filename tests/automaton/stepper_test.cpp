@@ -260,6 +260,33 @@ TEST_CASE("what is of another type than its slot or register leaves it empty, an
   CHECK(troubles[0].message == "'a text' is no num, and n takes no other: it is left empty");
 }
 
+TEST_CASE("a content of another type is raised to that of its slot or register, and the raising is an application") {
+  const RaisingRules raising = {
+      {.name = "number_to_text",
+       .from = Type::number(),
+       .to = Type::text_type(),
+       .when = parse_term("\\n. n > 0", {}, Type::parse("num -> t").value()).value(),
+       .by = parse_term("\\n. text(n)", term_signature(), Type::parse("num -> text").value()).value()}};
+  Player player(R"json({"machine":1,"name":"m","start":"A","slots":{"any":"term","word":"text","all":"text*"},
+    "memory":{"r":{"type":"text"}},"transitions":[
+    {"id":"take","from":"A","on":"take","to":"A","push":{"word":"1 + 1","any":"[3, 'four']"}},
+    {"id":"list","from":"A","on":"list","to":"A","push":{"all":"any"},"do":[{"remember":{"r":"5"}}]},
+    {"id":"none","from":"A","on":"none","to":"A","push":{"word":"0 - 1"}}]})json",
+                raising);
+  player.feed("take");
+  CHECK(player.slot("word") == "'2'");
+  const auto applied = player.all<Applied>();
+  REQUIRE(applied.size() == 1);
+  CHECK(applied[0].application.rule == "number_to_text");
+  CHECK(print(applied[0].application.argument) == "2");
+  CHECK(applied[0].because == std::vector<int>{1});
+  player.feed("list");
+  CHECK(print(player.configuration().memory->at(0).value) == "'5'");
+  player.feed("none");
+  CHECK(player.slot("word") == "null");
+  CHECK(player.all<Trouble>().size() == 1);
+}
+
 TEST_CASE("to act on a list is to act on each of its programs") {
   Player player(R"json({"machine":1,"name":"m","start":"A","programs":{"go":"num -> t"},"transitions":[
     {"id":"go","from":"A","on":"go","to":"A","do":[{"act":"map([1, 2], go)"}]}]})json");

@@ -164,7 +164,7 @@ TEST_CASE("pointing alone means what is near") {
   CHECK(refer_to_pointed(talk.context).ruled_out.size() == 7);
   talk.context.pointed_W = Vec3(0.01, 0.05, 0);
   CHECK(names_of(refer_to_pointed(talk.context)) == "red1");
-  talk.context.pointed_W = Vec3(0.01, 0.07, 0);
+  talk.context.pointed_W = Vec3(0.01, 0.075, 0);
   CHECK(names_of(refer_to_pointed(talk.context)) == "red1 blue1");
   talk.context.pointed_W = Vec3(-0.33, 0.03, 0);
   CHECK(names_of(refer_to_pointed(talk.context)) == "plate");

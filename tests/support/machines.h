@@ -17,8 +17,8 @@ namespace continua {
 
 inline const Rules no_facts;
 
-inline std::shared_ptr<const Machine> machine_of(const std::string& text) {
-  auto machine = parse_machine(text, "m.json", {});
+inline std::shared_ptr<const Machine> machine_of(const std::string& text, const RaisingRules& raising = {}) {
+  auto machine = parse_machine(text, "m.json", {}, "", "", raising);
   if (!machine) FAIL(machine.error().text());
   return std::make_shared<const Machine>(std::move(*machine));
 }
@@ -28,10 +28,12 @@ class Player {
  public:
   explicit Player(const std::string& text, std::optional<Choice> choice = std::nullopt, std::uint64_t seed = 1)
       : Player(machine_of(text), choice, seed) {}
+  Player(const std::string& text, const RaisingRules& raising)
+      : Player(machine_of(text, raising), std::nullopt, 1, &raising) {}
   explicit Player(std::shared_ptr<const Machine> machine, std::optional<Choice> choice = std::nullopt,
-                  std::uint64_t seed = 1)
+                  std::uint64_t seed = 1, const RaisingRules* raising = nullptr)
       : machine_(std::move(machine)),
-        stepper_(machine_, no_facts),
+        stepper_(machine_, no_facts, raising),
         beliefs_(machine_->beliefs),
         chooser_{choice.value_or(machine_->choice), Random(seed), {}, 0} {
     take(stepper_.begin(facts(), chooser_));

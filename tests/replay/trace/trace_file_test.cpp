@@ -101,6 +101,20 @@ TEST_CASE("a list of alternatives alone counts as its best entry") {
   CHECK(input(trace, 1).name == "grab");
 }
 
+TEST_CASE("each entry of an n-best list counts once") {
+  const auto list = R"("alternatives":[{"text":"no","confidence":0.3},{"text":"yes","confidence":0.6}])";
+  const auto trace =
+      sound(header + "\n" + R"({"t":1,"kind":"speech",)" + list + "}\n" + R"({"t":1,"kind":"speech","text":"no",)" +
+            list + "}\n" + R"({"t":1,"kind":"speech","text":"no","confidence":0.9,)" + list + "}");
+  const std::vector<std::pair<std::string, double>> best = {{"yes", 0.6}, {"no", 0.3}, {"no", 0.9}};
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    CHECK(input(trace, i).text == best[i].first);
+    CHECK(input(trace, i).confidence == best[i].second);
+    REQUIRE(input(trace, i).alternatives.size() == 1);
+    CHECK(input(trace, i).alternatives[0].text == (best[i].first == "yes" ? "no" : "yes"));
+  }
+}
+
 TEST_CASE("a first line that is not a trace's is an error that shows one") {
   const std::string wanted =
       R"(; expected the first line of a trace, {"kind":"trace","version":1,"scene":…,"machine":…})";
