@@ -269,7 +269,7 @@ TEST_CASE("a content of another type is raised to that of its slot or register, 
        .by = parse_term("\\n. text(n)", term_signature(), Type::parse("num -> text").value()).value()}};
   Player player(R"json({"machine":1,"name":"m","start":"A","slots":{"any":"term","word":"text","all":"text*"},
     "memory":{"r":{"type":"text"}},"transitions":[
-    {"id":"take","from":"A","on":"take","to":"A","push":{"word":"1 + 1","any":"[3, 'four']"}},
+    {"id":"take","from":"A","on":"take","to":"A","push":{"word":"1 + 1","any":"[3, 4]"}},
     {"id":"list","from":"A","on":"list","to":"A","push":{"all":"any"},"do":[{"remember":{"r":"5"}}]},
     {"id":"none","from":"A","on":"none","to":"A","push":{"word":"0 - 1"}}]})json",
                 raising);
@@ -281,6 +281,7 @@ TEST_CASE("a content of another type is raised to that of its slot or register, 
   CHECK(print(applied[0].application.argument) == "2");
   CHECK(applied[0].because == std::vector<int>{1});
   player.feed("list");
+  CHECK(player.slot("all") == "['3', '4']");
   CHECK(print(player.configuration().memory->at(0).value) == "'5'");
   player.feed("none");
   CHECK(player.slot("word") == "null");
