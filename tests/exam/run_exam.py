@@ -13,14 +13,12 @@ answer to the last turn) and `one_of` (a list of expectations, one of which will
 import collections
 import json
 import os
-import pathlib
 import re
 import subprocess
 import sys
 import tempfile
 
 VERBS = {"grasp": "take", "slide": "push", "ungrasp": "let_go", "turn_by": "turn", "reach": "point"}
-TOLD = {"put", "push", "slide", "grasp", "lift", "ungrasp", "turn", "turn_by", "point", "reach", "look_at", "retract"}
 SECONDS_BETWEEN_TURNS, SECONDS_BETWEEN_PARTS = 15, 0.6
 
 
@@ -47,47 +45,26 @@ def write_trace(item, path):
 
 
 SIDES = {"left": "left", "right": "right", "in_front": "front", "behind": "back"}
-SCENES = pathlib.Path(__file__).parents[2] / "mjcf" / "scenes"
 
 
-def positions_in(scene):
-    """The x and y of each object at the beginning."""
-    text = (SCENES / (scene + ".xml")).read_text(encoding="utf-8")
-    bodies = re.findall(r'<body name="(\w+)" pos="(\S+) (\S+)', text)
-    return {name: (float(x), float(y)) for name, x, y in bodies}
-
-
-def direction_to(point, position):
-    x, y = point[0] - position[0], point[1] - position[1]
-    if abs(x) > abs(y):
-        return "right" if x > 0 else "left"
-    return "back" if y > 0 else "front"
-
-
-def acts_in_words(program, positions):
-    """The ways to tell an act: put(knife, on(plate)) as "put knife on plate"; a point or a region as "at", or by the
-    direction in which the thing goes; a side of the thing itself or of someone as that side: push(cup, behind(cup)) as
-    "push cup back"."""
+def act_in_words(program):
+    """put(knife, on(plate)) as "put knife on plate"; a point or a region as "at", a side of the thing itself or of
+    someone as that side: push(cup, behind(cup)) as "push cup back"."""
     words = re.findall(r"-?[\w.]+|<", program)
     said = [VERBS.get(words[0], words[0]), *words[1:2]]
     place = words[2:]
     if "<" in place:
-        ways = ["at"]
-        if place[0] == "<" and words[1] in positions:
-            ways.append(direction_to((float(place[1]), float(place[2])), positions[words[1]]))
-        return [" ".join([*said, way]) for way in ways]
+        return " ".join([*said, "at"])
     if place[0:1] and place[0] in SIDES and place[1] in (words[1], "human", "avatar"):
-        return [" ".join([*said, SIDES[place[0]]])]
+        return " ".join([*said, SIDES[place[0]]])
     if said[0] == "push" and place == ["near", "human"]:
-        return [" ".join([*said, "front"])]
-    return [" ".join([*said, *place])]
+        return " ".join([*said, "front"])
+    return " ".join([*said, *place])
 
 
-def read_run(path, scene, last_turn_s):
-    """The acts that were done, each in the ways to tell it, all that the avatar said, and its words since the last turn.
-    An act that the exams have no verb for, such as a swap, is told by the things that it moves."""
-    acts, said, answers, moves, positions = [], [], [], [], positions_in(scene)
-    before = dict(positions)
+def read_run(path, last_turn_s):
+    """The acts that were done, all that the avatar said, and its words since the last turn."""
+    acts, said, answers = [], [], []
     with open(path, encoding="utf-8") as log:
         for record in map(json.loads, log):
             kind = record["kind"]
@@ -95,23 +72,14 @@ def read_run(path, scene, last_turn_s):
                 said.append(record["text"])
                 if record["t"] >= last_turn_s:
                     answers.append(record["text"])
-            elif kind == "pose":
-                positions.update({name: pose[:2] for name, pose in record["bodies"].items()})
-            elif kind == "act" and record["status"] == "asked":
-                moves = []
-            elif kind == "act" and "step" in record and record["status"] == "done":
-                if record["program"].startswith("move("):
-                    moves.append(acts_in_words("put" + record["program"][4:], before))
-            elif kind == "act" and record["status"] == "done" and record["program"] != "stop":
-                verb = record["program"].split("(")[0]
-                acts += [acts_in_words(record["program"], before)] if verb in TOLD else moves
-                before = dict(positions)
+            elif kind == "act" and "step" not in record and record["status"] == "done" and record["program"] != "stop":
+                acts.append(act_in_words(record["program"]))
     return acts, said, answers
 
 
-def is_wanted(wanted, ways):
+def is_wanted(wanted, act):
     choices = wanted if isinstance(wanted, list) else [wanted]
-    return any((way + " ").startswith(choice + " ") for choice in choices for way in ways)
+    return any(act == choice or act.startswith(choice + " ") for choice in choices)
 
 
 def fault(expect, acts, answers):
@@ -154,14 +122,14 @@ def main():
         subprocess.run(command, capture_output=True, check=False)
         for item, trace in zip(items, traces):
             last_turn_s = 1 + SECONDS_BETWEEN_TURNS * (len(item["say"]) - 1)
-            acts, said, answers = read_run(trace.replace(".trace.", ".run."), item["scene"], last_turn_s)
+            acts, said, answers = read_run(trace.replace(".trace.", ".run."), last_turn_s)
             part = re.match(r"[a-z]+", item["id"]).group()
             wrong = fault(item["expect"], acts, answers)
             utterances.update(said)
             count[part] += 1
             right[part] += not wrong
             if wrong or "--all" in sys.argv:
-                print(f"{item['id']}: {item['say']}\n  {wrong or 'right'}: did {[ways[0] for ways in acts]}, said {answers}")
+                print(f"{item['id']}: {item['say']}\n  {wrong or 'right'}: did {acts}, said {answers}")
     for part in count:
         print(f"{part}: {right[part]} of {count[part]}, {100 * right[part] / count[part]:.0f} %")
     print(f"\"Okay.\" is {utterances['Okay.']} of {utterances.total()} utterances")
