@@ -32,7 +32,7 @@ class Chart {
   };
 
   /// Longest phrase, in words; most entries of a span, and of one category among them.
-  static constexpr std::size_t longest_span = 40, most_entries = 40, most_of_category = 8;
+  static constexpr std::size_t longest_span = 40, most_entries = 80, most_of_category = 8;
 
   /// A word of the utterance, not yet looked up.
   struct Word {
