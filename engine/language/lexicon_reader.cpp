@@ -12,9 +12,9 @@
 namespace continua {
 namespace {
 
-const std::vector<std::string> sections = {"about",  "categories", "names",      "define",  "determiners", "proforms",
-                                           "words",  "skip",       "attributes", "plural",  "unary",       "examples",
-                                           "sample", "learned",    "unknown",    "numbers", "nouns",       "asides"};
+const std::vector<std::string> sections = {
+    "about", "categories", "names",  "define",  "determiners", "proforms", "words", "skip",   "attributes", "plural",
+    "unary", "examples",   "sample", "learned", "unknown",     "numbers",  "nouns", "asides", "forms"};
 
 }  // namespace
 
@@ -40,6 +40,7 @@ Lexicon LexiconReader::read() {
   read_words();
   read_attributes();
   read_plurals();
+  read_forms();
   read_rules();
   lexicon_.learned = read_name_templates("learned");
   lexicon_.unknown = read_name_templates("unknown");

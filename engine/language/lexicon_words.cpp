@@ -125,6 +125,12 @@ void LexiconReader::read_plurals() {
     lexicon_.plurals.emplace_back(singular, plural.text("the ending of the plural"));
 }
 
+void LexiconReader::read_forms() {
+  for (const auto& [ending, others] : members_of("forms", "endings of forms of a verb"))
+    for (const auto& other : spellings(others.text("the endings of its other forms")))
+      lexicon_.forms.emplace_back(ending, other);
+}
+
 void LexiconReader::read_rules() {
   for (const auto& item : elements_of("unary", "rules that change a category")) {
     if (!item.expect_object("a rule", {"name", "from", "to", "term", "cost", "about"})) continue;

@@ -170,12 +170,22 @@ class Segment {
         return other.words.begin == words.begin && other.words.end == words.end && other.term == entry.term;
       });
       const bool meant = occurs(entry.term, reading.term);
-      if (!meant && entry.term.type() == Type::entity()) return;  // taken back: "the cup, I mean the plate"
+      if (!meant && entry.term.type() == Type::entity()) return collect_taken_back(number, reading);
       if (!known && meant) reading.phrases.push_back({with_nice_variables(entry.term), words});
     }
     if (entry.rule == Chart::Rule::word) return;
     collect_phrases(entry.left, reading);
     if (entry.right != entry.left) collect_phrases(entry.right, reading);
+  }
+
+  // Of "the cup" in "the cup, I mean the plate" only the noun is kept, for a "one" that follows.
+  void collect_taken_back(std::size_t number, Reading& reading) const {
+    const auto& entry = chart_.entry(number);
+    if (entry.category.is_atom() && entry.term.type() == property())
+      return reading.taken_back.push_back({with_nice_variables(entry.term), span(entry.words.begin, entry.words.end)});
+    if (entry.rule == Chart::Rule::word) return;
+    collect_taken_back(entry.left, reading);
+    if (entry.right != entry.left) collect_taken_back(entry.right, reading);
   }
 
   void collect_senses(std::size_t number, Reading& reading) const {

@@ -66,9 +66,25 @@ void Vocabulary::note_said_of_scene(const WorldSnapshot& world) {
 void Vocabulary::learn(const std::string& name, const Type& type) {
   names_.insert_or_assign(name, type);
   const auto constant = Term::constant(name, type);
-  for (const auto& made : lexicon_->learned)
-    if (made.type == type) add_word(name, {made.category, applied(made.term, constant), made.cost});
+  for (const auto& form : forms_of(name))
+    for (const auto& made : lexicon_->learned)
+      if (made.type == type) add_word(form, {made.category, applied(made.term, constant), made.cost});
   for (auto& sense : as_name(name).senses) add_word(name, std::move(sense));
+}
+
+// The verb in the form that was taught, and in those with other endings: capping, cap, capped. Other words keep their
+// own meaning.
+std::set<std::string> Vocabulary::forms_of(const std::string& verb) const {
+  std::set<std::string> forms = {verb};
+  const auto add_others = [&](const std::string& form) {
+    for (const auto& [ending, other] : lexicon_->forms)
+      for (const auto& [from, to] : {std::pair(ending, other), std::pair(other, ending)})
+        if (form.size() > from.size() && form.ends_with(from))
+          if (auto made = form.substr(0, form.size() - from.size()) + to; !find(made)) forms.insert(std::move(made));
+  };
+  add_others(verb);
+  for (const auto& form : std::set(forms)) add_others(form);
+  return forms;
 }
 
 void Vocabulary::learn_noun(const std::string& name, const Term& condition) {

@@ -49,6 +49,7 @@ class Vocabulary {
 
  private:
   void add_value(const WordAttribute& attribute, const std::vector<std::string>& group);
+  std::set<std::string> forms_of(const std::string& verb) const;
   void add_word(const std::string& word, WordSense sense);
   void add_parts(std::string_view words);
   std::string plural(const std::string& word) const;

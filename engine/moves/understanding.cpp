@@ -60,11 +60,11 @@ const Resolution* noun_phrase(const Interpretation& interpretation) {
 }
 
 // The thing asked for by "which block is red?": a condition that stands as a program's argument.
-std::optional<Term> asked_for(const Reading& reading) {
-  const auto arguments = reading.term.spine().arguments;
+std::optional<Term> asked_for(const Term& question) {
+  const auto arguments = question.spine().arguments;
   const bool is_condition = arguments.size() == 1 && arguments[0].closed() &&
                             arguments[0].kind() == Term::Kind::lambda && arguments[0].type() == property();
-  return is_condition && reading.term.type() == Type::truth() ? std::optional(arguments[0]) : std::nullopt;
+  return is_condition && question.type() == Type::truth() ? std::optional(arguments[0]) : std::nullopt;
 }
 
 // Whether a noun only helps to describe another: "the block behind the cup".
@@ -139,7 +139,9 @@ bool Understanding::is_topic(const Term& term) const {
 std::vector<std::vector<Term>> Understanding::nouns(const Reading& reading, const Utterance& utterance,
                                                     std::size_t before) const {
   std::map<std::size_t, std::vector<Term>> found;
-  for (const auto& phrase : reading.phrases) {
+  auto phrases = reading.phrases;
+  phrases.insert(phrases.end(), reading.taken_back.begin(), reading.taken_back.end());
+  for (const auto& phrase : phrases) {
     if (!(phrase.term.type() == property()) || phrase.words.end > before || is_nested(phrase, reading)) continue;
     const Term noun = noun_in(phrase.words, utterance);
     if (noun.is_null()) continue;
@@ -200,8 +202,10 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
     for (const auto& each : noun)
       if (std::find(move.nouns.begin(), move.nouns.end(), each) == move.nouns.end()) move.nouns.push_back(each);
   if (const auto* phrase = noun_phrase(move.interpretation)) move.reference = phrase->reference;
-  if (const auto question = asked_for(reading))
-    move.reference = refer(*question, Determiner{}, within(reading, utterance, context), meanings());
+  // In the meaning, "right of this" names the thing that is pointed at.
+  auto question = asked_for(move.interpretation.meaning);
+  if (!question) question = asked_for(reading.term);
+  if (question) move.reference = refer(*question, Determiner{}, within(reading, utterance, context), meanings());
   move.meaning = in_machine_terms(move.interpretation.meaning);
   for (auto word = part.words.begin; word < part.words.end; ++word) move.words.push_back(utterance.words[word]);
   const auto around = surroundings(utterance, fragment);
