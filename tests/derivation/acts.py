@@ -37,8 +37,18 @@ class Acts:
             self.words[record["name"]] = terms.read(record["value"])
         elif record["kind"] == "application":
             self.applications.append((terms.read(record["result"]), set(record["because"])))
+            self.add_value(*self.applications[-1])
         elif record["kind"] == "act" and record["status"] == "asked":
             self.derive(record)
+
+    def add_value(self, result, because):
+        """The result with the functions of the language computed, where it is known."""
+        try:
+            value = self.log.evaluation({}, {}).value(result)
+        except Unknown:
+            return
+        if not stacks.near(value, result):
+            self.applications.append((value, because))
 
     def derive(self, record):
         self.log.count("acts asked for")
@@ -47,17 +57,22 @@ class Acts:
         effect = self.effect_that_asks(record, program)
         way = (self.by_application(record, program) or self.by_fact(record, program)
                or self.by_instance(record, program) or self.by_word(record, program))
-        if way is None and effect in PUT_BACK:
+        if way is None and (effect in PUT_BACK or effect is None and self.puts_back(record, program)):
             way = "put back or undone"
         if way is None:
-            own = f"the effect {{act: {effect}}} of the machine gives it" if effect else "no effect is known to give it"
-            self.log.tally.underived.append((self.log.place(record), f"{record['program']}, {own}, after {self.said(record)}"))
-            way = "without derivation, by the machine's own term" if effect else "without derivation"
+            own = f"the value of the effect {{act: {effect}}}" if effect else "no known effect has this value"
+            words = sorted(self.lexicon_words(record))
+            if words:
+                own += f", perhaps computed by {', '.join(words)} of the lexicon"
+            text = f"{record['program']}, {own}, after {self.said(record)}"
+            self.log.tally.underived.append((self.log.place(record), text))
+            way = "without derivation" + ("" if effect is None else ", but the value of an effect")
         self.log.count("acts, " + way)
 
     def said(self, record):
-        return "; ".join(str(event.get("text") or event.get("name") or event.get("alternatives") or event)
-                         for event in (self.log.records[n]["event"] for n in record["because"]))
+        """The inputs that led to the act."""
+        events = [self.log.records[n]["event"] for n in record["because"]]
+        return "; ".join(str(each.get("text") or each.get("name") or each["kind"]) for each in events)
 
     def check_inputs(self, record):
         """`because` leads to inputs that came before, and the act to one of them by its causes."""
@@ -71,15 +86,34 @@ class Acts:
         if root is not None and root not in record["because"]:
             self.log.disagree(record, f"`because` lacks the input {root}, to which the causes lead")
 
+    def puts_back(self, record, program):
+        """An effect of unknown value that may put something back, and an act that puts a thing where it was."""
+        thing = evaluate.argument_of(program, 0)
+        wanted = [terms.apply(("name", "put"), [thing, ("app", ("name", where), (thing,))])
+                  for where in ("was", "originally")]
+        effects = self.effects_of(self.log.records[record["cause"]])
+        return program in wanted and any(text in PUT_BACK for text in effects)
+
+    def lexicon_words(self, record):
+        """Words in applications of the same inputs that may compute."""
+        machine = self.log.machine
+        known = set(machine.programs) | machine.objects | set(evaluate.TYPES) | set(machine.define) | set(self.words)
+        return {name for result, because in self.applications if because <= set(record["because"])
+                for name in terms.names_in(result) - known if not result[0] == "name"}
+
+    def effects_of(self, cause):
+        """The terms of the acts that a transition and the state that it enters may ask for."""
+        machine = self.log.machine
+        if cause["kind"] != "transition":
+            return []
+        effects = [*flat_effects(machine.by_id[cause["id"]].get("do")),
+                   *flat_effects(machine.states.get(cause["to"], {}).get("enter"))]
+        return [each["act"] for each in effects if "act" in each]
+
     def effect_that_asks(self, record, program):
         """The term of an effect whose value is the act, or a list that has it; None where none is known."""
-        cause = self.log.records[record["cause"]]
-        if cause["kind"] != "transition":
-            return None
-        effects = [*flat_effects(self.log.machine.by_id[cause["id"]].get("do")),
-                   *flat_effects(self.log.machine.states.get(cause["to"], {}).get("enter"))]
-        unknown = None
-        for text in (each["act"] for each in effects if "act" in each):
+        cause, unknown = self.log.records[record["cause"]], None
+        for text in self.effects_of(cause):
             try:
                 value = self.log.known(text, self.log.moment)
             except Unknown as why:
@@ -88,10 +122,11 @@ class Acts:
             if any(stacks.near(program, each) for each in self.acts_of(value)):
                 self.log.count("acts that are the value of an effect")
                 return text
-        if unknown:
+        if unknown or cause["kind"] != "transition":
             self.log.skip("effects that ask", unknown)
         else:
-            self.log.disagree(record, f"no effect of '{cause['id']}' and {cause['to']} has the value {record['program']}")
+            self.log.disagree(record, f"no effect of '{cause['id']}' or of {cause['to']} has the value "
+                                      f"{record['program']}")
         return None
 
     def acts_of(self, value):

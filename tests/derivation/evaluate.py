@@ -1,4 +1,4 @@
-"""Values of terms, by the tables of engine/term/FUNCTIONS.md. Facts of the world and words of the lexicon are not known.
+"""Values of terms, by the tables of engine/term/FUNCTIONS.md. Facts of the world and words of the lexicon are unknown.
 
 Values are normal forms. A value that is not known raises Unknown with the reason; `and`, `or` and `some` are decided
 without it where the rest decides them.
@@ -9,8 +9,9 @@ import terms
 import types_of_terms as types
 from terms import FALSE, NULL, TRUE
 
-WORLD = set("scene table held position bounds attribute volume closest located located_roughly located_loosely "
-            "as_seen_by common_place offset displaced clear fits free_place learned meaning_of affords obstacle".split())
+WORLD = set("scene table held position bounds attribute volume closest located located_roughly "
+            "located_loosely as_seen_by common_place offset displaced clear fits free_place learned meaning_of affords "
+            "obstacle".split())
 TYPES = {
     "and": "t -> t -> t", "or": "t -> t -> t", "not": "t -> t", "if": "t -> 'a -> 'a -> 'a", "=": "'a -> 'a -> t",
     "!=": "'a -> 'a -> t", "<": "num -> num -> t", "<=": "num -> num -> t", ">": "num -> num -> t",
@@ -22,7 +23,8 @@ TYPES = {
     "map": "'a* -> ('a -> 'b) -> 'b*", "filter": "'a* -> ('a -> t) -> 'a*", "some": "'a* -> ('a -> t) -> t",
     "every": "'a* -> ('a -> t) -> t", "sort_by": "'a* -> ('a -> num) -> 'a*", "contains": "'a* -> 'a -> t",
     "open": "term -> t", "missing": "term -> text", "type": "term -> text", "fill": "term -> term -> term",
-    "each": "'a* -> 'a", "lacking": "term -> term -> term", "program": "term -> text", "argument": "term -> num -> term",
+    "each": "'a* -> 'a", "lacking": "term -> term -> term", "program": "term -> text",
+    "argument": "term -> num -> term",
     "mentions": "term -> text -> t", "text": "term -> text", "place": "term -> loc", "words": "text -> text*",
     "starts_with": "text -> text -> t", "join": "text* -> text -> text", "lower": "text -> text",
     "xyz": "num -> num -> num -> loc", "box": "loc -> loc -> loc", "x": "loc -> num", "y": "loc -> num",
@@ -62,6 +64,11 @@ def place_of(low, high):
 
 def corners(place):
     return (place[1:], place[1:]) if place[0] == "point" else place[1:]
+
+
+def around(a, b):
+    (low_a, high_a), (low_b, high_b) = corners(a), corners(b)
+    return place_of(tuple(map(min, low_a, low_b)), tuple(map(max, high_a, high_b)))
 
 
 def center(place):
@@ -128,7 +135,7 @@ NUMBERS = {
     "round": lambda a: number(math.copysign(math.floor(abs(a) + 0.5), a)),
     "xyz": lambda x, y, z: ("point", x, y, z)}
 PLACES = {
-    "box": lambda a, b: place_of(*(tuple(map(choose, *ends)) for choose, ends in zip((min, max), zip(corners(a), corners(b))))),
+    "box": lambda a, b: around(a, b),
     "x": lambda p: number(center(p)[0]), "y": lambda p: number(center(p)[1]), "z": lambda p: number(center(p)[2]),
     "center": lambda p: ("point", *center(p)), "low_corner": lambda p: ("point", *corners(p)[0]),
     "high_corner": lambda p: ("point", *corners(p)[1]),
@@ -151,7 +158,7 @@ class Evaluation:
 
     def __init__(self, lookup=lambda name: None, inert=lambda name: False, type_of_name=None, raising=()):
         self.lookup, self.inert, self.raising, self.steps, self.fills = lookup, inert, raising, 0, []
-        self.name_type = type_of_name or (lambda name: types.read_type(TYPES[name]))
+        self.name_type = type_of_name or (lambda name, applied: types.read_type(TYPES[name]))
 
     def value(self, term):
         self.steps += 1
@@ -353,6 +360,8 @@ class Evaluation:
             return types.type_text(types.infer(term, self.name_type))
         except types.UnknownType as why:
             raise Unknown(f"the type of {why}") from why
+        except types.NoType as why:
+            raise Unknown("types that do not go together") from why
 
     def outer_type(self, term):
         try:
@@ -363,10 +372,7 @@ class Evaluation:
             raise Unknown("types that do not go together") from why
 
     def do_type(self, term):
-        try:
-            return ("text", self.type_text(term))
-        except types.NoType:
-            return NULL
+        return ("text", self.type_text(term))
 
     def is_open(self, term):
         if term[0] == "lam":
@@ -418,11 +424,7 @@ class Evaluation:
         return self.applied(self.value(by) if by[0] == "lam" else by, [argument])
 
     def do_lacking(self, term, part):
-        try:
-            hint = terms.Hint("x", self.type_text(part))
-        except types.NoType:
-            hint = terms.Hint("x")
-        found = terms.abstracted(term, part, hint)
+        found = terms.abstracted(term, part, terms.Hint("x", self.type_text(part)))
         if found is None:
             raise Unknown("lacking() of what does not occur")
         return found

@@ -131,10 +131,11 @@ class MachineEvaluation(evaluate.Evaluation):
     def computes_nothing(self, name):
         return name in self.machine.programs or name in self.machine.objects
 
-    def type_of(self, name):
+    def type_of(self, name, applied):
+        """An object may have the name of a word; only the word is applied."""
         if name in self.machine.programs:
             return types.read_type(self.machine.programs[name])
-        if name in self.machine.objects:
+        if name in self.machine.objects and not applied:
             return "e"
         text = evaluate.TYPES.get(name) or self.name_types.get(name)
         if text is None:

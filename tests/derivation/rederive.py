@@ -64,7 +64,7 @@ class Log:
         self.stack, self.ids, self.history, self.branches = [], [], [], None
         self.readings = moments.Readings(records)
         self.name_types, self.moment, self.offers = self.types_told(), {}, {}
-        self.left, self.latest = None, None
+        self.left, self.latest, self.named = None, None, {0}
         self.before_step, self.after_rewrite, self.pointing = None, False, False
         self.acts = Acts(self)
 
@@ -168,6 +168,11 @@ class Log:
         kept = min(base, len(expected))
         if kind not in ("flush", "pop_until") and self.ids[:kept] != ids[:kept]:
             self.disagree(record, f"{kind} keeps the symbols {self.ids[:kept]}, the log has {ids}")
+        makes = kind == "flush" or kind.startswith(("push", "rewrite")) and content is not None
+        new = ids[kept:] if makes else []
+        if self.named.intersection(new) and not self.explores:
+            self.disagree(record, f"{kind} makes new symbols, but {new} were there before")
+        self.named.update(ids)
         for own, id_ in zip(expected, ids):
             self.compare_symbol(record, own, id_)
 
@@ -396,7 +401,8 @@ class Log:
         whole = True
         for transition in fitting:
             whole &= self.compare_condition(record, transition, logged, evaluation)
-        self.count("candidate lists of which every condition was checked" if whole else "candidate lists checked in part")
+        self.count("candidate lists of which every condition was checked" if whole else
+                   "candidate lists checked in part")
 
     def compare_condition(self, record, transition, logged, evaluation):
         text = transition.get("when")
@@ -507,7 +513,8 @@ class Log:
     # Applications
 
     def on_application(self, record):
-        """Is the result the function of the argument, raised by the rule that the record names?"""
+        """Is the result the function of the argument, raised by the rule that the record names? Words that compute
+        leave an application of a name as it is; below a lambda they may have computed."""
         function, argument, result = (terms.read(record[name]) for name in ("function", "argument", "result"))
         try:
             argument = self.raised_argument(record, argument)
@@ -521,7 +528,10 @@ class Log:
         try:
             value = self.evaluation({}, {}).applied(function, [argument])
         except Unknown as why:
-            self.skip("applications", why)
+            if function[0] != "lam":
+                self.disagree(record, f"{record['function']} of {terms.text_of(argument)} is not {record['result']}")
+            else:
+                self.skip("applications", why)
             return
         self.count("applications by β-reduction and functions of the language")
         if not stacks.near(value, result):
@@ -541,7 +551,8 @@ class Log:
         return self.evaluation({}, {}).raised_by(rule, argument)
 
     def compare_types(self, record):
-        function, argument, result = (types.read_type(record["types"][name]) for name in ("function", "argument", "result"))
+        told = record["types"]
+        function, argument, result = (types.read_type(told[name]) for name in ("function", "argument", "result"))
         self.count("types of applications")
         try:
             types.unify(function, ("->", argument if record["rule"] is None else types.Variable(), result))

@@ -82,7 +82,7 @@ def type_text(type_, level=0):
 
 
 def infer(term, names, bound=()):
-    """The type of a term. names(name) gives the type of a name, or raises UnknownType."""
+    """The type of a term. names(name, applied) gives the type of a name, or raises UnknownType."""
     kind = term[0]
     if kind in ("num", "text"):
         return kind
@@ -93,7 +93,7 @@ def infer(term, names, bound=()):
     if kind == "null":
         return Variable()
     if kind == "name":
-        return names(term[1])
+        return names(term[1], False)
     if kind == "var":
         if term[1] >= len(bound):
             raise UnknownType("a free variable")
@@ -112,7 +112,8 @@ def infer(term, names, bound=()):
 
 
 def infer_application(term, names, bound):
-    type_ = found(infer(term[1], names, bound))
+    head = term[1]
+    type_ = found(names(head[1], True) if head[0] == "name" else infer(head, names, bound))
     for argument in term[2]:
         own = infer(argument, names, bound)
         if type_ == "term":
