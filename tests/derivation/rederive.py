@@ -25,7 +25,6 @@ from evaluate import Unknown
 from machine import Machine, MachineEvaluation, flat_effects, operation_of
 from terms import NULL
 
-LEFT_OUT = "logs left out: changes in mid-run or observations"
 RAISING = pathlib.Path(__file__).parents[2] / "engine" / "knowledge" / "raising.json"
 
 
@@ -568,7 +567,7 @@ def read_log(path):
 def check_log(name, records, tally, raising):
     header = records[0]
     if header.get("what_if") or header.get("variant"):
-        tally.counts[LEFT_OUT] += 1
+        tally.counts["logs left out: changes in mid-run or observations"] += 1
         return
     tally.counts["logs"] += 1
     Log(name, records, tally, raising).check()
@@ -588,6 +587,9 @@ def check_files(program, files):
         logs = [each for each in files if each not in traces]
         shown = dict(zip(replayed(program, traces, folder), traces)) if traces else {}
         for path in [*shown, *logs]:
+            if not os.path.exists(path):
+                tally.disagreements.append((shown.get(path, path), "there is no run of it"))
+                continue
             check_log(shown.get(path, path).replace(".trace.", ".run."), read_log(path), tally, raising)
     return tally
 
