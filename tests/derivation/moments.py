@@ -1,0 +1,96 @@
+"""Names of the moment: the input and its reading, as far as a run log tells them."""
+import terms
+from evaluate import Unknown
+from terms import NULL
+
+NO_POINTING, POINTED = NULL, ("opaque", "pointed (perception)")
+
+
+def names(objects):
+    return ("list", tuple(("name", each) for each in objects))
+
+
+def texts(words):
+    return ("list", tuple(("text", each) for each in words))
+
+
+def annotated(term, missing):
+    """The meaning, its outer lambdas with the types that the reading states."""
+    if term[0] == "lam" and missing:
+        return ("lam", terms.Hint(term[1].name, missing[0]["type"]), annotated(term[2], missing[1:]))
+    return term
+
+
+def of_reading(reading):
+    """What a reading says. A name that is left out is unknown."""
+    said = {"move": ("text", reading["move"]) if reading["move"] is not None else NULL}
+    missing = reading.get("missing", [])
+    said["reading"] = terms.read(reading["reading"]) if "reading" in reading else NULL
+    said["meaning"] = annotated(terms.read(reading["meaning"]), missing) if "meaning" in reading else NULL
+    said["choices"] = ("list", tuple(names(each["choices"]) for each in missing))
+    said["wanted"] = texts(each["words"] for each in missing)
+    said["referents"] = names(reading.get("referents", []))
+    if not any(reading.get(words) for words in ("unknown", "unused", "repaired")):
+        said["left_out"] = said["unknown"] = texts([])
+    return said
+
+
+def of_event(event, symbol, reading):
+    said = {"said": NULL, "gesture": NULL, "act": NULL, "target": NULL}
+    if event["kind"] == "speech":
+        said["said"] = ("text", reading["words"]) if reading and "words" in reading else ("opaque", "said (words)")
+    elif event["kind"] == "gesture":
+        said["gesture"] = ("text", event["name"])
+    elif event["kind"] == "act":
+        said["act"] = terms.read(event["program"])
+    if "ray" in event or "alternatives" in event and event["kind"] == "gesture":
+        del said["target"], said["gesture"]
+    elif "target" in event:
+        said["target"] = ("point", *map(float, event["target"]), 0.0)
+    if event["kind"] == "speech":
+        del said["target"]
+    return said
+
+
+def confidence_of(event, reading):
+    if reading and "confidence" in reading:
+        return reading["confidence"]
+    return event.get("confidence", 1.0)
+
+
+class Readings:
+    """All readings of a log: the utterance that each belongs to, and the moves before and after it."""
+
+    def __init__(self, records):
+        self.records = records
+        self.roots, self.turns = {}, {}
+        for record in records:
+            if record["kind"] == "reading":
+                root = self.input_of(record)
+                self.roots[record["n"]] = root
+                if record.get("taken", True):
+                    self.turns.setdefault(root, []).append(record)
+
+    def input_of(self, record):
+        """The number of the input that a record goes back to, or None."""
+        while record is not None and record["kind"] != "input":
+            record = self.records[record["cause"]] if "cause" in record else None
+        return record and record["n"]
+
+    def neighbour(self, reading, by):
+        """The kind of the move before or after."""
+        turn = self.turns.get(self.roots[reading["n"]], [])
+        at = next((i for i, each in enumerate(turn) if each["n"] == reading["n"]), None)
+        if at is None:
+            raise Unknown("a neighbouring move of an input that was not taken")
+        if not 0 <= at + by < len(turn):
+            return NULL
+        move = turn[at + by]["move"]
+        return NULL if move is None else ("text", move)
+
+    def offered(self, reading):
+        """All readings of an n-best list, by the number of the alternative."""
+        if "alternative" not in reading:
+            return {0: reading}
+        return {each["alternative"]: each for each in self.records
+                if each["kind"] == "reading" and each.get("cause") == reading.get("cause") and "alternative" in each}
