@@ -135,12 +135,10 @@ bool Understanding::is_topic(const Term& term) const {
   return says(term, Proform::Source::topic, language_.lexicon->operators);
 }
 
-// The nouns before a word that "one" can stand for, each with its adjectives, then alone.
+// The nouns among the phrases and before a word that "one" can stand for, each with its adjectives, then alone.
 std::vector<std::vector<Term>> Understanding::nouns(const Reading& reading, const Utterance& utterance,
-                                                    std::size_t before) const {
+                                                    const std::vector<Phrase>& phrases, std::size_t before) const {
   std::map<std::size_t, std::vector<Term>> found;
-  auto phrases = reading.phrases;
-  phrases.insert(phrases.end(), reading.taken_back.begin(), reading.taken_back.end());
   for (const auto& phrase : phrases) {
     if (!(phrase.term.type() == property()) || phrase.words.end > before || is_nested(phrase, reading)) continue;
     const Term noun = noun_in(phrase.words, utterance);
@@ -156,9 +154,11 @@ std::vector<std::vector<Term>> Understanding::nouns(const Reading& reading, cons
 
 // "the white cup … the blue one": the antecedent of "one" stands just before.
 Context Understanding::within(const Reading& reading, const Utterance& utterance, Context context) const {
+  auto said = reading.phrases;
+  said.insert(said.end(), reading.taken_back.begin(), reading.taken_back.end());
   for (const auto& phrase : reading.phrases) {
     if (!is_topic(phrase.term)) continue;
-    for (const auto& noun : nouns(reading, utterance, phrase.words.begin))
+    for (const auto& noun : nouns(reading, utterance, said, phrase.words.begin))
       context.topics.insert(context.topics.begin(), noun.begin(), noun.end());
   }
   return context;
@@ -198,7 +198,7 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
   move.interpretation = std::move(interpretations[move.chosen]);
   const auto& reading = move.readings[move.chosen];
   move.kind = reading.move;
-  for (const auto& noun : nouns(reading, utterance, part.words.end))
+  for (const auto& noun : nouns(reading, utterance, reading.phrases, part.words.end))
     for (const auto& each : noun)
       if (std::find(move.nouns.begin(), move.nouns.end(), each) == move.nouns.end()) move.nouns.push_back(each);
   if (const auto* phrase = noun_phrase(move.interpretation)) move.reference = phrase->reference;
