@@ -20,7 +20,6 @@ import sys
 import tempfile
 
 VERBS = {"grasp": "take", "slide": "push", "ungrasp": "let_go", "turn_by": "turn", "reach": "point"}
-TOLD = {"put", "push", "slide", "grasp", "lift", "ungrasp", "turn", "turn_by", "point", "reach", "look_at", "retract"}
 SECONDS_BETWEEN_TURNS, SECONDS_BETWEEN_PARTS = 15, 0.6
 
 
@@ -47,6 +46,7 @@ def write_trace(item, path):
 
 
 SIDES = {"left": "left", "right": "right", "in_front": "front", "behind": "back"}
+SIDE_OF = {"human": "front", "avatar": "back"}
 SCENES = pathlib.Path(__file__).parents[2] / "mjcf" / "scenes"
 
 
@@ -78,14 +78,14 @@ def acts_in_words(program, positions):
         return [" ".join([*said, way]) for way in ways]
     if place[0:1] and place[0] in SIDES and place[1] in (words[1], "human", "avatar"):
         return [" ".join([*said, SIDES[place[0]]])]
-    if said[0] == "push" and place == ["near", "human"]:
-        return [" ".join([*said, "front"])]
+    if said[0] == "push" and place[0:1] == ["near"] and place[1] in SIDE_OF:
+        return [" ".join([*said, SIDE_OF[place[1]]]), " ".join([*said, *place])]
     return [" ".join([*said, *place])]
 
 
 def read_run(path, scene, last_turn_s):
-    """The acts that were done, each in the ways to tell it, all that the avatar said, and its words since the last turn.
-    An act that the exams have no verb for, such as a swap, is told by the things that it moves."""
+    """The acts that were done, each in the ways to tell it and with the things that it moved, all that the avatar said,
+    and its words since the last turn."""
     acts, said, answers, moves, positions = [], [], [], [], positions_in(scene)
     before = dict(positions)
     with open(path, encoding="utf-8") as log:
@@ -101,10 +101,11 @@ def read_run(path, scene, last_turn_s):
                 moves = []
             elif kind == "act" and "step" in record and record["status"] == "done":
                 if record["program"].startswith("move("):
-                    moves.append(acts_in_words("put" + record["program"][4:], before))
+                    move = acts_in_words("put" + record["program"][4:], before)
+                    if not moves or moves[-1][0].split()[1] != move[0].split()[1]:
+                        moves.append(move)
             elif kind == "act" and record["status"] == "done" and record["program"] != "stop":
-                verb = record["program"].split("(")[0]
-                acts += [acts_in_words(record["program"], before)] if verb in TOLD else moves
+                acts.append((acts_in_words(record["program"], before), moves))
                 before = dict(positions)
     return acts, said, answers
 
@@ -114,12 +115,22 @@ def is_wanted(wanted, ways):
     return any((way + " ").startswith(choice + " ") for choice in choices for way in ways)
 
 
+def unfolded(acts):
+    """The acts with a swap told by the things that it moves."""
+    return [each for ways, moves in acts for each in (moves if ways[0].startswith("swap ") else [ways])]
+
+
 def fault(expect, acts, answers):
-    """Says what is wrong; empty if nothing is."""
+    """Says what is wrong; empty if nothing is. A swap may be expected as one act or as the moves of its things."""
+    whole = [ways for ways, _ in acts]
+    return "" if not fault_of(expect, unfolded(acts), answers) else fault_of(expect, whole, answers)
+
+
+def fault_of(expect, acts, answers):
     if expect == "nothing":
         expect = {"no_act": True}
     if "one_of" in expect:
-        faults = [fault(each, acts, answers) for each in expect["one_of"]]
+        faults = [fault_of(each, acts, answers) for each in expect["one_of"]]
         return "" if "" in faults else "; or ".join(faults)
     wanted = expect.get("acts", expect.get("acts_any_order"))
     if expect.get("no_act") and acts:
@@ -161,7 +172,7 @@ def main():
             count[part] += 1
             right[part] += not wrong
             if wrong or "--all" in sys.argv:
-                print(f"{item['id']}: {item['say']}\n  {wrong or 'right'}: did {[ways[0] for ways in acts]}, said {answers}")
+                print(f"{item['id']}: {item['say']}\n  {wrong or 'right'}: did {[ways[0] for ways, _ in acts]}, said {answers}")
     for part in count:
         print(f"{part}: {right[part]} of {count[part]}, {100 * right[part] / count[part]:.0f} %")
     print(f"\"Okay.\" is {utterances['Okay.']} of {utterances.total()} utterances")

@@ -87,7 +87,7 @@ test('a click while typing: in that blue cup', async () => {
   await beginWith(flat, {...moved, ...kinematic});
   await answered(() => type('The knife.'), 'Okay, go on.');
   await answered(() => typeAndClick('In that blue cup.', [0.29, -0.05]), 'Okay, go on.');
-  await answered(() => type('Put it there.'), 'Okay.');
+  await answered(() => type('Put it there.'), 'Okay, the knife in the blue cup.');
   await asked('put(knife, in(cup_blue))');
   await saveAsTest('in_that_blue_cup');
 });
@@ -106,7 +106,7 @@ test('a gesture that nobody knows is taught once', async () => {
   await asked('ungrasp(cup)');
   await answered(() => type('Never mind.'), 'Okay, never mind.');
   await answered(() => type('Put on the plate.'), 'What should I put there?');
-  await answered(twoFingers, 'Okay.');
+  await answered(twoFingers, 'Okay, the white cup on the white plate.');
   await asked('put(cup, on(plate))');
   await saveAsTest('one_shot_learning');
 });

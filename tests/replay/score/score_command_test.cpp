@@ -40,7 +40,7 @@ const std::string person = R"json({"kind":"trace","version":1,"scene":"place_set
 {"t":4,"kind":"speech","text":"The plate."}
 {"t":4.1,"kind":"pointing","hand":"right","target":[-0.1,-0.15]}
 {"t":4.7,"kind":"observed","channel":"action","content":"put(plate, <-0.1, -0.15, 0>)"}
-{"t":4.8,"kind":"observed","channel":"speech","content":"Okay."}
+{"t":4.8,"kind":"observed","channel":"speech","content":"Okay, the white plate there."}
 {"t":8,"kind":"end"}
 )json";
 
