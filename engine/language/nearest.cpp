@@ -9,9 +9,7 @@
 namespace continua {
 namespace {
 
-bool is_about_distance(Relation relation) {
-  return is_side(relation) || relation == Relation::near || relation == Relation::beside;
-}
+bool is_about_distance(Relation relation) { return relation == Relation::near || relation == Relation::beside; }
 
 // The landmark's name: that of a thing, or of the only thing that a noun phrase means.
 std::optional<std::string> named(const Term& landmark, const Context& context, const Meanings& meanings) {

@@ -24,14 +24,14 @@ std::string meant(const std::string& condition, double first_m, double second_m)
 
 }  // namespace
 
-TEST_CASE("of several things on a side the clearly nearest is meant") {
-  const std::string left = "\\x. block(x) and located(x, left(the(\\y. plate(y))))";
-  CHECK(meant(left, 0.15, 0.3) == "near");
-  CHECK(meant(left, 0.2, 0.3) == "near");
-  CHECK(meant(left, 0.25, 0.3) == "far near");
+TEST_CASE("of several things that are near another the clearly nearest is meant") {
+  const std::string near = "\\x. block(x) and located(x, near(the(\\y. plate(y))))";
+  CHECK(meant(near, 0.1, 0.15) == "near");
+  CHECK(meant(near, 0.11, 0.15) == "near");
+  CHECK(meant(near, 0.13, 0.15) == "far near");
 }
 
-TEST_CASE("a thing that is on no side of one landmark has no nearest") {
+TEST_CASE("without one landmark, or on its side, the nearest is no likelier") {
   CHECK(meant("\\x. block(x)", 0.1, 0.3) == "far near");
   CHECK(meant("\\x. block(x) and located(x, left(the(\\y. plate(y)))) and located(x, left(the(\\z. plate(z))))", 0.1,
               0.3) == "far near");
