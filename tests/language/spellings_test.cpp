@@ -1,6 +1,6 @@
 #include "continua/language/spellings.h"
 
-#include <catch2/catch.hpp>
+#include "support/catch.h"
 
 using continua::spellings;
 
