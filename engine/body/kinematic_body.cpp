@@ -43,6 +43,10 @@ std::vector<std::string> touched_by(const ObjectState& object, const WorldSnapsh
   return touched;
 }
 
+bool handles_things(const AvatarCommand& command) {
+  return needs_object(command.what) || command.what == Capability::ungrasp;
+}
+
 }  // namespace
 
 WorldReport KinematicBody::advance(SimTime t) {
@@ -50,28 +54,46 @@ WorldReport KinematicBody::advance(SimTime t) {
   report.until = waiting_.empty() ? std::max(world_.t, t) : world_.t;
   world_.t = report.until;
   const WorldSnapshot before = world_;
-  const auto is_stop = [](const AvatarCommand& command) { return command.what == Capability::stop; };
-  const auto last_stop = std::find_if(waiting_.rbegin(), waiting_.rend(), is_stop).base();  // after it
-  for (auto it = waiting_.begin(); it != waiting_.end(); ++it) {
-    if (it + 1 < last_stop && effect_of(it->what) != ActEffect::announced) {
-      report.acts.push_back({it->id, world_.t, Status::stopped, 0, {}});
-      continue;
-    }
-    report.acts.push_back({it->id, world_.t, Status::started, 0, {}});
+  give_up_stopped(report);
+  while (!waiting_.empty()) {
+    const AvatarCommand command = waiting_.front();
+    if (!begun_) report.acts.push_back({command.id, world_.t, Status::started, 0, {}});
+    // As in MuJoCo's world, an act begins before it has changed anything.
+    begun_ = !begun_ && handles_things(command) && accepts(command);
+    if (begun_) break;
+    waiting_.pop_front();
     const std::string held = world_.held;
-    ActReport end = act(*it);
-    end.id = it->id;
+    ActReport end = act(command);
+    end.id = command.id;
     end.t = world_.t;
-    const bool handles = needs_object(it->what) || it->what == Capability::ungrasp;
-    if (const ObjectState* object = world_.find(it->object.empty() ? held : it->object); object && handles)
-      end.touches = touched_by(*object, world_);
+    const ObjectState* object = world_.find(command.object.empty() ? held : command.object);
+    if (object && handles_things(command)) end.touches = touched_by(*object, world_);
     report.acts.push_back(std::move(end));
   }
-  waiting_.clear();
 
   auto moved = moved_since(before);
   if (!moved.bodies.empty()) report.poses.push_back(std::move(moved));
   return report;
+}
+
+void KinematicBody::give_up_stopped(WorldReport& report) {
+  const auto is_stop = [](const AvatarCommand& command) { return command.what == Capability::stop; };
+  const auto last = std::find_if(waiting_.rbegin(), waiting_.rend(), is_stop);
+  if (last == waiting_.rend()) return;
+  std::deque<AvatarCommand> kept;
+  for (auto each = waiting_.begin(); each != last.base() - 1; ++each)
+    if (effect_of(each->what) == ActEffect::announced)
+      kept.push_back(*each);
+    else
+      report.acts.push_back({each->id, world_.t, Status::stopped, 0, {}});
+  kept.insert(kept.end(), last.base() - 1, waiting_.end());
+  waiting_ = std::move(kept);
+  begun_ = false;
+}
+
+bool KinematicBody::accepts(const AvatarCommand& command) const {
+  KinematicBody trial = *this;
+  return trial.act(command).status == Status::done;
 }
 
 PoseSample KinematicBody::become(const KinematicBody& other) {
@@ -80,6 +102,7 @@ PoseSample KinematicBody::become(const KinematicBody& other) {
   world_.t = before.t;
   lying_ = other.lying_;
   waiting_.clear();
+  begun_ = false;
   return moved_since(before);
 }
 

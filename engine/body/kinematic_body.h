@@ -1,16 +1,19 @@
 // The body without physics: every act succeeds at once. With it the engine runs, and is tested, without a simulator.
 #pragma once
 
+#include <deque>
+
 #include "continua/body/body.h"
 #include "continua/body/placement.h"
 
 namespace continua {
 
-/// The next `advance` does all waiting acts in order, and time stands still meanwhile. A stop cancels the acts
-/// commanded before it since the last `advance`. Objects stay where acts leave them and never overlap. Things on or in
-/// an object move along with it. An object that fits into a hollow only on its end is stood up, and the report says so;
-/// it lies again at its next place. An act about a missing thing is `unreachable`. An act without room, onto the object
-/// itself, or with nothing in the hand is `blocked`. After either the world is as before.
+/// Acts are done in order while time stands still. An `advance` reports that an act has begun, and the next one does
+/// it; an act that is impossible begins and fails in one. A stop cancels all acts commanded before it. Objects stay
+/// where acts leave them and never overlap. Things on or in an object move along with it. An object that fits into a
+/// hollow only on its end is stood up, and the report says so; it lies again at its next place. An act about a missing
+/// thing is `unreachable`. An act without room, onto the object itself, or with nothing in the hand is `blocked`. After
+/// either the world is as before.
 class KinematicBody : public Body {
  public:
   /// With `cleared` an object comes to the exact place of its goal and pushes other things apart. A point is always
@@ -27,6 +30,10 @@ class KinematicBody : public Body {
   PoseSample become(const KinematicBody& other);
 
  private:
+  /// Takes the commands before the last stop off the queue, and reports them as stopped.
+  void give_up_stopped(WorldReport& report);
+  /// Whether the act would be done.
+  bool accepts(const AvatarCommand& command) const;
   /// Does the act. The report lacks id and time.
   ActReport act(const AvatarCommand& command);
   ActReport move(const AvatarCommand& command);
@@ -43,7 +50,8 @@ class KinematicBody : public Body {
   WorldSnapshot world_;
   Occupied occupied_;
   std::map<std::string, ObjectState> lying_;  // objects on their end, as they lay before
-  std::vector<AvatarCommand> waiting_;
+  std::deque<AvatarCommand> waiting_;
+  bool begun_ = false;  // the first of them: it was reported, and is done in the next advance
 };
 
 }  // namespace continua

@@ -125,7 +125,8 @@ class Avatar {
       if (end.status != ActReport::Status::done) end.reason = {ReasonCode::no_way};
     } else {
       body_.command(*under_way_);
-      for (const auto& report : body_.advance(SimTime{}).acts) end = report;
+      while (!body_.at_rest())
+        for (const auto& report : body_.advance(SimTime{}).acts) end = report;
     }
     under_way_.reset();
     performer_.reported(performance_, end);
@@ -151,7 +152,7 @@ class Avatar {
     drift.object = held;
     drift.goal.p_WG = p_W;
     body_.command(drift);
-    body_.advance(SimTime{});
+    while (!body_.at_rest()) body_.advance(SimTime{});
   }
   const std::string& held() { return held_ = body_.snapshot().held; }
   /// The programs that the body has begun, in order.
