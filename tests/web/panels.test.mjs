@@ -29,7 +29,7 @@ const runs = [
     stack: /symbol \d+/,
     derivation: /“that one”/,
     why: /because the human said “No, that one\.”/,
-    at: 'n=101',
+    at: 'n=122',
   },
   {
     id: 'building_blocks',
@@ -80,7 +80,7 @@ test('words and gestures that were taken as one stand together', async () => {
 });
 
 test('what was refused is drawn with the value that refused it', async () => {
-  await visitor.visit('/r/correction.physics?n=101');
+  await visitor.visit('/r/correction.physics?n=122');
   await visitor.page.waitForSelector('.edge.refused', {state: 'attached'});
   assert.match(await visitor.page.locator('.edge.refused .count').first().textContent(), / is /);
   assert.match(await at('graph-refused').innerText(), /\d+ candidates refused/);
