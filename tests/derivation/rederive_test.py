@@ -106,7 +106,7 @@ class Faults(unittest.TestCase):
                 return False
             record["refused"].remove(other)
             record["candidates"].append({"id": other["id"], "weight": 1.0})
-        self.found_everywhere("transition", falsify, 5)
+        self.found_everywhere("transition", falsify, 3)
 
     def test_candidate_that_is_refused_wrongly(self):
         def falsify(record):

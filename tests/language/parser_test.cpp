@@ -50,7 +50,7 @@ const Row sentences[] = {
     {"which cup is in front of the plate", R"(which(\x. cup(x) and located_roughly(x, in_front(the(\y. plate(y))))))"},
     {"where are the green blocks", R"(where(each(all(\x. green(x) and block(x)))))"},
     {"what is this", R"(what(this(\x. true)))"},
-    {"what's next to the bowl", R"(which_things(\x. located_roughly(x, beside(the(\y. bowl(y))))))"},
+    {"what's next to the bowl", R"(which_things(\x. found_at(beside(the(\y. bowl(y))), x)))"},
     {"the third ball from the right", R"(the(\x. ordinal(3, \y. offset(y, 'left'), \y. ball(y), x)))"},
     {"the rightmost red cup", R"(the(\x. rightmost(\y. red(y) and cup(y), x)))"},
     {"the block nearest the ball", R"(the(\x. closest_to(the(\y. ball(y)), \y. block(y), x)))"},

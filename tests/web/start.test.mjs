@@ -129,7 +129,7 @@ test('what if it had been said otherwise', async () => {
 });
 
 test('what if another transition had been taken', async () => {
-  await visitor.visit('/r/correction?n=13');
+  await visitor.visit('/r/correction?n=18');
   await at('what-if-open').click();
   await at('what-if-run').click();
   assert.match(await visitor.page.locator('.what-if .trouble').innerText(), /Change something first/);
