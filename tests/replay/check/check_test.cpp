@@ -84,14 +84,14 @@ TEST_CASE("a trace is held against the run beside it") {
       {"what it was made with", in_run(R"("arch":")", R"("arch":"another )"), "same"},
       {"no decision", in_run(R"("world":"kinematic")", R"("world":"physics")"), "same decisions"},
       {"what was said", in_run(R"("text":"Okay.")", R"("text":"Well.")"),
-       "changed: They part at 1 s (A #19, B #19): A says “Well.”, B “Okay.”"},
+       "changed: They part at 1 s (A #38, B #38): A says “Well.”, B “Okay.”"},
       {"when it was said", in_run(R"("t":1.0,"cause")", R"("t":0.5,"cause")"),
        "changed: They part at 0.5 s (A #3, B #3): reading"},
       {"another kind of record", in_run(R"("kind":"utterance")", R"("kind":"gesture")"),
-       "changed: They part at 1 s (A #19, B #19): A has gesture"},
+       "changed: They part at 1 s (A #38, B #38): A has gesture"},
       {"when an act ends",
        [](Approved& one) {
-         const auto done = one.run.rfind("{\"kind\":\"act\"");
+         const auto done = one.run.rfind("\n{\"kind\":\"act\"") + 1;
          const auto line = one.run.substr(done, one.run.find('\n', done) + 1 - done);
          std::string later = one.run;
          later.erase(done, line.size()).insert(later.rfind("{\"kind\":\"end\""), line);
@@ -101,9 +101,9 @@ TEST_CASE("a trace is held against the run beside it") {
       {"how an act ends",
        in_run(R"json("program":"put(knife, in(cup_blue))","status":"done")json",
               R"json("program":"put(knife, in(cup_blue))","status":"dropped")json"),
-       "changed: They part at 1 s (A #30, B #30): put(knife, in(cup_blue)) is dropped in A, done in B"},
+       "changed: They part at 1 s (A #46, B #46): put(knife, in(cup_blue)) is dropped in A, done in B"},
       {"a record fewer", in_run(R"("kind":"expect")", R"("kind":"other")"),
-       "changed: They part at 2 s (B #31): the expectation"},
+       "changed: They part at 2 s (B #51): the expectation"},
       {"a record more",
        in_run(R"({"kind":"end")", "{\"kind\":\"problem\"}\n{\"kind\":\"memory\",\"t\":3}\n{\"kind\":\"end\""),
        "changed: decisions differ, and where cannot be told: one.run.jsonl:"},
