@@ -355,21 +355,19 @@ class Evaluation:
 
     # Terms
 
-    def type_text(self, term):
+    def type_of(self, term, tell):
         try:
-            return types.type_text(types.infer(term, self.name_type))
+            return tell(types.infer(term, self.name_type))
         except types.UnknownType as why:
             raise Unknown(f"the type of {why}") from why
         except types.NoType as why:
             raise Unknown("types that do not go together") from why
 
+    def type_text(self, term):
+        return self.type_of(term, types.type_text)
+
     def outer_type(self, term):
-        try:
-            return types.found(types.infer(term, self.name_type))
-        except types.UnknownType as why:
-            raise Unknown(f"the type of {why}") from why
-        except types.NoType as why:
-            raise Unknown("types that do not go together") from why
+        return self.type_of(term, types.found)
 
     def do_type(self, term):
         return ("text", self.type_text(term))
