@@ -355,7 +355,7 @@ class Evaluation:
 
     # Terms
 
-    def type_of(self, term, tell):
+    def typed(self, term, tell):
         try:
             return tell(types.infer(term, self.name_type))
         except types.UnknownType as why:
@@ -364,10 +364,10 @@ class Evaluation:
             raise Unknown("types that do not go together") from why
 
     def type_text(self, term):
-        return self.type_of(term, types.type_text)
+        return self.typed(term, types.type_text)
 
     def outer_type(self, term):
-        return self.type_of(term, types.found)
+        return self.typed(term, types.found)
 
     def do_type(self, term):
         return ("text", self.type_text(term))
