@@ -123,6 +123,14 @@ Result<std::vector<Term>> applied(const Program& program, const std::vector<Term
   return body.elements();
 }
 
+const Program* Learned::program_called(std::string_view name) const {
+  if (const auto found = programs.find(name); found != programs.end()) return &found->second;
+  const auto found = std::find_if(programs.begin(), programs.end(), [&](const auto& each) {
+    return each.second.word == name;
+  });
+  return found == programs.end() ? nullptr : &found->second;
+}
+
 Outcome Learned::learn_program(const std::string& name, Program program) {
   std::set<const Program*> seen;
   if (leads_to(program, name, *this, seen))

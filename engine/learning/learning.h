@@ -13,7 +13,8 @@ namespace continua {
 
 /// An action composed of others: \x: e. \v: loc. [grasp(x), put(x, v)].
 struct Program {
-  Term acts;  ///< closed: a list of acts below lambdas over e, then over loc
+  Term acts;         ///< closed: a list of acts below lambdas over e, then over loc
+  std::string word = {};  ///< the word that the human taught for it; if empty, its name
 
   std::vector<Type> parameters() const;
   /// The type of the program's name, which is used like that of any other program: e -> loc -> t.
@@ -36,12 +37,14 @@ Result<std::vector<Term>> applied(const Program& program, const std::vector<Term
 /// All lessons: a value.
 struct Learned {
   std::map<std::string, Term, std::less<>> gestures;     ///< recognisers' name of the gesture → its meaning
-  std::map<std::string, Program, std::less<>> programs;  ///< word → its program
+  std::map<std::string, Program, std::less<>> programs;  ///< name in terms → its program; mostly the word itself
   std::map<std::string, Term, std::less<>> nouns;        ///< word → what it is said of: \x. x = block1
 
   bool knows(std::string_view name) const {
-    return gestures.contains(name) || programs.contains(name) || nouns.contains(name);
+    return gestures.contains(name) || program_called(name) || nouns.contains(name);
   }
+  /// The program of the name, or else of the word; nullptr if there is none.
+  const Program* program_called(std::string_view name) const;
   /// Adds or replaces the program of a name. Error: the program would lead back to itself.
   Outcome learn_program(const std::string& name, Program program);
   /// Expands an act: a taught program is replaced by its acts, these again, and so on; other acts stay. Errors: those

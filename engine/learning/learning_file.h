@@ -2,7 +2,8 @@
 //
 //   { "learned": 1,
 //     "gestures": { "claw": { "means": "grasp(cup)" } },
-//     "programs": { "hoist": { "acts": "\\x: e. [grasp(x), lift(x)]" } },
+//     "programs": { "hoist": { "acts": "\\x: e. [grasp(x), lift(x)]" },
+//                   "put_taught": { "word": "put", "acts": "[lift(cup)]" } },
 //     "nouns": { "bob": { "means": "\\x. x = block1" } } }
 #pragma once
 

@@ -12,7 +12,15 @@
 namespace continua {
 namespace {
 
-Outcome learn(const Taught& taught, const Machine& machine, Learned& learned) {
+// "lift" as a word of the human's must not be taken for the machine's program of that name.
+std::string name_in_terms(const std::string& word, const Machine& machine) {
+  std::string name = word;
+  while (is_taken(name, machine)) name += "_taught";
+  return name;
+}
+
+// Learns the lesson; the name of a taught word becomes its name in terms.
+Outcome learn(Taught& taught, const Machine& machine, Learned& learned) {
   if (taught.name.empty()) return Error{"", "nothing is learned without a name"};
   if (taught.of == Lesson::gesture) {
     learned.gestures.insert_or_assign(taught.name, taught.value);
@@ -24,26 +32,28 @@ Outcome learn(const Taught& taught, const Machine& machine, Learned& learned) {
     learned.nouns.insert_or_assign(taught.name, taught.value);
     return std::nullopt;
   }
-  if (is_taken(taught.name, machine)) return Error{"", fmt::format("{} means something else", in_quotes(taught.name))};
   if (taught.value.kind() != Term::Kind::list) return Error{"", fmt::format("{} is no list", print(taught.value))};
-  auto program = taught.fixed ? Result<Program>(Program{taught.value}) : composed(taught.value.elements());
+  auto program = taught.fixed ? Result<Program>(Program{taught.value, {}}) : composed(taught.value.elements());
   if (!program) return program.error();
-  return learned.learn_program(taught.name, *std::move(program));
+  auto name = name_in_terms(taught.name, machine);
+  if (name != taught.name) program->word = std::exchange(taught.name, name);
+  return learned.learn_program(name, *std::move(program));
 }
 
 std::vector<StepEvent> taught(Taught event, const Machine& machine, Learned& learned) {
+  const auto word = event.name;
   if (const auto problem = learn(event, machine, learned))
-    return {Trouble{fmt::format("{} is not learned: {}", in_quotes(event.name), problem->sentence)}};
+    return {Trouble{fmt::format("{} is not learned: {}", in_quotes(word), problem->sentence)}};
   if (event.of == Lesson::word) event.value = learned.programs.find(event.name)->second.acts;
   return {std::move(event)};
 }
 
 std::vector<StepEvent> forgotten(const Forgotten& event, Learned& learned) {
   std::vector<StepEvent> events;
-  const auto forget = [&](Lesson of, auto& known, const auto& value_of) {
+  const auto forget = [&](Lesson of, auto& known, const auto& value_of, const auto& is_called) {
     if (event.of && *event.of != of) return;
     for (auto one = known.begin(); one != known.end();) {
-      if (event.of && one->first != event.name) {
+      if (event.of && one->first != event.name && !is_called(one->second)) {
         ++one;
         continue;
       }
@@ -51,9 +61,13 @@ std::vector<StepEvent> forgotten(const Forgotten& event, Learned& learned) {
       one = known.erase(one);
     }
   };
-  forget(Lesson::gesture, learned.gestures, [](const Term& meaning) { return meaning; });
-  forget(Lesson::noun, learned.nouns, [](const Term& condition) { return condition; });
-  forget(Lesson::word, learned.programs, [](const Program& program) { return program.acts; });
+  const auto itself = [](const Term& term) { return term; };
+  const auto by_name_alone = [](const Term&) { return false; };
+  forget(Lesson::gesture, learned.gestures, itself, by_name_alone);
+  forget(Lesson::noun, learned.nouns, itself, by_name_alone);
+  forget(
+      Lesson::word, learned.programs, [](const Program& program) { return program.acts; },
+      [&](const Program& program) { return !program.word.empty() && program.word == event.name; });
   return events;
 }
 

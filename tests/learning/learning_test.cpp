@@ -165,6 +165,7 @@ TEST_CASE("laws of composed acts") {
     learned.gestures.emplace("a claw", random_acts().front());
     const auto program = composed(random_acts());
     if (program) learned.programs.emplace("do \"it\"", *program);
+    if (program) learned.programs.emplace("put_taught", Program{program->acts, "put"});
     const auto text = print_learned(learned);
     const auto read = parse_learned(text, "l.json", names());
     RC_ASSERT(read.ok());
