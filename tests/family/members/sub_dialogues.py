@@ -15,7 +15,7 @@ QUESTIONS = {"place_setting": "where is the plate", "workbench": "how many block
 WHOLE = {"place_setting": ("push the plate to the left", "push plate left"), "workbench": ("put the knife on the plate", "put knife on plate"),
          "staircase": ("put the green block in front of me", "put block4 in_front human"),
          "emre_table": ("put the knife in front of me", "put knife in_front human")}
-HALF = {"place_setting": ("push the plate", "to the left", "push plate left"), "workbench": ("put the knife", "on the plate", "put knife on plate"),
+HALF = {"place_setting": ("push the plate", "to the left", "push plate left"), "workbench": ("push the knife", "to the left", "push knife left"),
         "staircase": ("put the black block", "in front of me", "put block3 in_front human"),
         "emre_table": ("put the knife", "in front of me", "put knife in_front human")}
 SIGN = [{"gesture": "twirl"}]

@@ -6,7 +6,7 @@ SCENES = {
     "place_setting": {"thing": "knife", "name": "the knife", "icon": "knife", "shared": ("the cup", "the blue one", "cup_blue"), "icon_shared": ("cup", "the blue one", "cup_blue"),
                       "place": ("on the plate", "on plate"), "shared_place": ("in front of the cup", "the white one", "in_front cup")},
     "workbench": {"thing": "knife", "name": "the knife", "icon": "knife", "shared": ("the block", "the red one", "block_red"), "icon_shared": ("block", "the red one", "block_red"),
-                  "place": ("behind the cup", "behind cup"), "shared_place": ("behind the block", "the green one", "behind block_green")},
+                  "place": ("behind the cup", "behind cup"), "shared_place": ("in front of the block", "the green one", "in_front block_green")},
 }
 
 
@@ -39,6 +39,9 @@ def members():
     for scene, data in SCENES.items():
         for object_name, object_turns, thing in objects(scene, data):
             for action_name, action_turns, act in actions(scene, data):
-                for order, say in (("object first", object_turns + action_turns), ("action first", action_turns + object_turns)):
+                # After "put it in front of the cup" the thing is asked for first.
+                middle = 1 if action_name == "V N" else len(action_turns)
+                for order, say in (("object first", object_turns + action_turns),
+                                   ("action first", action_turns[:middle] + object_turns + action_turns[middle:])):
                     yield {"id": f"table_one {scene} {object_name}, {action_name}, {order}", "scene": scene, "say": say,
                            "expect": {"acts": [act.format(thing)]}}
