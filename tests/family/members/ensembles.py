@@ -34,25 +34,39 @@ def complementary():
         for verb in ("take", "lift"):
             for shift, turn in both(f"{verb} this", {"gesture": icon}):
                 yield f"{verb} this {icon} {scene} {shift}", scene, [turn], {"acts": [f"{verb} {thing}"]}
-        for shift, turn in both("put that there", {"gesture": icon}, {"point": things.FREE[scene]}):
+        for shift, (words, shape) in both("put that there", {"gesture": icon}):
+            turn = [words, shape, {"point": things.FREE[scene], "at": 1.9}]
             yield f"put that there {icon} {scene} {shift}", scene, [turn], {"acts": [f"put {thing} at"]}
         for direction in ("left", "right"):
             turn = [{"point": things.where(scene, thing), "at": 0}, {"say": "push it", "at": 0.6}, {"gesture": "push", "direction": direction, "at": 1.1}]
             yield f"push it {direction} {icon} {scene}", scene, [turn], {"acts": [f"push {thing} {direction}"]}
             for shift, turn in both("push it", {"gesture": "push", "direction": direction}):
                 yield f"push it {direction} {icon} {scene} {shift} named", scene, [things.UNIQUE[scene][thing], turn], {"acts": [f"push {thing} {direction}"]}
-    for shift, turn in both("lift the blocks", {"gesture": "count_two"}):
-        yield f"two blocks {shift}", "workbench", [turn], {"one_of": [{"acts": ["lift", "lift"]}, {"no_act": True, "asks": True}]}
+    for words in ("lift the blocks", "lift all blocks"):
+        for before in (0.4, 0.8):
+            turn = [{"gesture": "count_two", "at": 0}, {"say": words, "at": before}]
+            yield f"two, {words} {before}", "workbench", [turn], {"acts": ["lift", "lift"]}
 
 
 def contradictory():
     for scene, said, shown in (("place_setting", "knife", "cup"), ("place_setting", "plate", "cup_blue"), ("workbench", "knife", "cup"),
                                ("workbench", "block_red", "block_green"), ("emre_table", "knife", "plate"), ("staircase", "block7", "block5")):
         for shift, turn in both("take " + things.UNIQUE[scene][said], {"point": things.where(scene, shown)}):
-            yield f"contradictory {said} {shown} {scene} {shift}", scene, [turn], {"no_act": True, "asks": True}
-        yield f"contradictory {said} {shown} {scene} settled", scene, [turn, things.UNIQUE[scene][shown]], {"acts": ["take " + shown]}
+            # A finger that comes when the words have been answered finds the act begun.
+            asked = {"asks": True} if shift > 0 else {"no_act": True, "asks": True}
+            yield f"contradictory {said} {shown} {scene} {shift}", scene, [turn], asked
+            settled = {"acts": [*(["take " + said] if shift > 0 else []), "take " + shown]}
+            yield f"contradictory {said} {shown} {scene} {shift} settled", scene, [turn, things.UNIQUE[scene][shown]], settled
     for shift, turn in both("yes", {"gesture": "negack"}):
-        yield f"contradictory yes no {shift}", "place_setting", ["take the cup", turn], {"no_act": True, "asks": True}
+        yield f"contradictory yes no {shift}", "place_setting", ["take the cup", turn], {"asks": True}
+
+
+def timed():
+    """Words with an end, and gestures while they are spoken."""
+    for scene, thing in (("place_setting", "knife"), ("workbench", "cup"), ("emre_table", "plate")):
+        for at in (0.2, 0.6, 1.0):
+            words = {"kind": "speech", "text": "take this", "until": 2.4}
+            yield f"take this {thing} {scene} until {at}", scene, [[{"event": words, "at": 0}, {"gesture": thing, "at": at}]], {"acts": ["take " + thing]}
 
 
 def members():

@@ -7,7 +7,6 @@ BY_WORD = [
     ("place_setting", "put it on the plate", "in the blue cup", "the knife", "put knife in cup_blue"),
     ("place_setting", "put it on the plate", "behind it", "the knife", "put knife behind plate"),
     ("place_setting", "put it to the left of the plate", "to the right", "the knife", "put knife right plate"),
-    ("place_setting", "put it on the plate", "push it", None, None),
     ("place_setting", "put the knife", "the plate", "in front of you", "put plate in_front avatar"),
     ("place_setting", "put the cup", "the knife", "on the plate", "put knife on plate"),
     ("place_setting", "take the cup", "the knife", None, "take knife"),
@@ -49,10 +48,10 @@ BY_POINTING = [
 
 def members():
     for number, (scene, half, correction, answer, act) in enumerate(BY_WORD):
-        if act is None:
-            continue
-        for way, turns in (("no", ["no, " + correction]), ("mean", ["i mean " + correction]), ("no first", [["no", {"say": correction, "at": 1.2}]]),
-                           ("shaken", [[{"gesture": "negack"}, {"say": correction, "at": 1.0}]])):
+        ways = (("no", ["no, " + correction]), ("mean", ["i mean " + correction]), ("no first", [["no", {"say": correction, "at": 1.2}]]),
+                ("shaken", [[{"gesture": "negack"}, {"say": correction, "at": 1.0}]]))
+        # Two ways each, in turn.
+        for way, turns in (ways[number % 4], ways[(number + 1 + number // 4) % 4]):
             if way == "mean" and correction.split()[0] in ("lift", "push", "put"):
                 continue
             yield {"id": f"mid_corrections {scene} {number} {way}", "scene": scene, "say": [half, *turns, *([answer] if answer else [])],

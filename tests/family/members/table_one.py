@@ -36,12 +36,14 @@ def actions(scene, data):
 
 
 def members():
+    """All 96, in turn in one scene and the other."""
     for scene, data in SCENES.items():
-        for object_name, object_turns, thing in objects(scene, data):
-            for action_name, action_turns, act in actions(scene, data):
+        for i, (object_name, object_turns, thing) in enumerate(objects(scene, data)):
+            for k, (action_name, action_turns, act) in enumerate(actions(scene, data)):
                 # After "put it in front of the cup" the thing is asked for first.
                 middle = 1 if action_name == "V N" else len(action_turns)
-                for order, say in (("object first", object_turns + action_turns),
-                                   ("action first", action_turns[:middle] + object_turns + action_turns[middle:])):
-                    yield {"id": f"table_one {scene} {object_name}, {action_name}, {order}", "scene": scene, "say": say,
-                           "expect": {"acts": [act.format(thing)]}}
+                orders = {"object first": object_turns + action_turns,
+                          "action first": action_turns[:middle] + object_turns + action_turns[middle:]}
+                order = list(orders)[(i + k + list(SCENES).index(scene)) % 2]
+                yield {"id": f"table_one {scene} {object_name}, {action_name}, {order}", "scene": scene, "say": orders[order],
+                       "expect": {"acts": [act.format(thing)]}}
