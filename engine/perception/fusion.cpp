@@ -25,7 +25,9 @@ bool is_one_hand(const Deixis& a, const Deixis& b) { return a.hand == b.hand || 
 bool overlap(const Deixis& a, const Deixis& b) { return a.from <= b.until && b.from <= a.until; }
 
 // The told end of the event; its beginning where none is told.
-SimTime told_end(const Percept& percept) { return std::max(percept.event.t, percept.event.until.value_or(percept.event.t)); }
+SimTime told_end(const Percept& percept) {
+  return std::max(percept.event.t, percept.event.until.value_or(percept.event.t));
+}
 
 // Whether the percept is a gesture, other than a pointing, that begins during the words.
 bool is_shown_during(const Percept& percept, const Percept& speech) {
@@ -100,9 +102,8 @@ bool lacks_pointing(const Ensemble& ensemble) {
 void put_shown_first(std::vector<Ensemble>::iterator begin, std::vector<Ensemble>::iterator end) {
   for (auto speech = begin; speech != end; ++speech) {
     if (!lacks_pointing(*speech)) continue;
-    const auto rest = std::stable_partition(std::next(speech), end, [&](const Ensemble& each) {
-      return is_shown_during(each.percept, speech->percept);
-    });
+    const auto rest = std::stable_partition(
+        std::next(speech), end, [&](const Ensemble& each) { return is_shown_during(each.percept, speech->percept); });
     std::rotate(speech, std::next(speech), rest);
     speech = std::prev(rest);
   }
