@@ -51,7 +51,7 @@ def members():
         ways = (("no", ["no, " + correction]), ("mean", ["i mean " + correction]), ("no first", [["no", {"say": correction, "at": 1.2}]]),
                 ("shaken", [[{"gesture": "negack"}, {"say": correction, "at": 1.0}]]))
         # Two ways each, in turn.
-        for way, turns in (ways[number % 4], ways[(number + 1 + number // 4) % 4]):
+        for way, turns in (ways[number % 4], ways[(number + 1 + number // 4 % 3) % 4]):
             if way == "mean" and correction.split()[0] in ("lift", "push", "put"):
                 continue
             yield {"id": f"mid_corrections {scene} {number} {way}", "scene": scene, "say": [half, *turns, *([answer] if answer else [])],
