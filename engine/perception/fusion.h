@@ -52,6 +52,8 @@ struct Ensemble {
 ///   released if speech takes it. Speech can still take it within `before` after it was released alone.
 /// - An unfinished sentence also waits for its next piece, until `pause` past its end. Words that begin until then are
 ///   joined with it, and the whole may be unfinished again.
+/// - Words are not complete before their told end. A gesture that begins during words waits for that end too; it comes
+///   after the words, or before them if they still lack a pointing.
 /// - Every other percept is complete when it arrives.
 /// - A complete percept also releases the waiting percepts that began before it, in order of time, as they are: the
 ///   human has gone on. Exceptions: a waiting pointing stays if speech takes it, waiting speech is not released by a
