@@ -8,7 +8,7 @@ PLACES = {
     "staircase": ("block7", "block6", "on the orange block", "on block5"),
     "emre_table": ("knife", "cup", "on the plate", "on plate"),
 }
-ALONE = {"place_setting": "cup_blue", "workbench": "block_green", "staircase": "block4", "emre_table": "cup"}
+ALONE = {"place_setting": "cup", "workbench": "block_green", "staircase": "block1", "emre_table": "cup"}
 
 
 def member(way, scene, turns, acts):
