@@ -119,9 +119,9 @@ class Firing {
   std::vector<StepEvent>* account_;
   std::vector<int> because_;  ///< inputs behind the value being computed, ascending
   Change rewrite_;
-  Derivation* derivation_ = nullptr;               ///< of the value being computed, if it is wanted
-  std::unordered_set<Term, TermHash> composed_;    ///< results of applications that went to the account
-  Term moment_;  ///< value of the name of the moment that was looked up last
+  Derivation* derivation_ = nullptr;             ///< of the value being computed, if it is wanted
+  std::unordered_set<Term, TermHash> composed_;  ///< results of applications that went to the account
+  Term moment_;                                  ///< value of the name of the moment that was looked up last
 };
 
 }  // namespace continua

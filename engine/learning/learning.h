@@ -47,8 +47,8 @@ struct Learned {
   }
   /// Adds or replaces the program of a name. Error: the program would lead back to itself.
   Outcome learn_program(const std::string& name, Program program);
-  /// Expands an act: a taught program is replaced by its acts, these again, and so on; other acts stay. Its applications
-  /// to things and places are added to `made`. Errors: those of applied(), more than most_acts.
+  /// Expands an act: a taught program is replaced by its acts, these again, and so on; other acts stay. Its
+  /// applications to things and places are added to `made`. Errors: those of applied(), more than most_acts.
   Result<std::vector<Term>> acts_of(const Term& act, std::vector<Application>& made) const;
 
   bool operator==(const Learned&) const = default;

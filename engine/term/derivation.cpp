@@ -81,8 +81,8 @@ std::vector<Application> Derivation::of(const Term& value, std::span<const Appli
   std::sort(made.begin(), made.end());
   std::vector<Application> applications;
   for (const auto* step : made)
-    applications.push_back(
-        {told(step->function, step->binders), told(step->argument, step->binders), told(step->result, step->binders), ""});
+    applications.push_back({told(step->function, step->binders), told(step->argument, step->binders),
+                            told(step->result, step->binders), ""});
   return applications;
 }
 

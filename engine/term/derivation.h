@@ -1,7 +1,7 @@
 // The derivation of a value: the applications that it is made of (SEMANTICS.md §2: every application is a record). An
-// evaluation applies much on its way, in conditions and searches; those count here whose results are parts of its value,
-// and of no value that it read. So put(cup, was(cup)) has three applications where the cup alone was read, and none
-// where it was read as a whole.
+// evaluation applies much on its way, in conditions and searches; those count here whose results are parts of its
+// value, and of no value that it read. So put(cup, was(cup)) has three applications where the cup alone was read, and
+// none where it was read as a whole.
 #pragma once
 
 #include <span>

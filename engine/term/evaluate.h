@@ -84,8 +84,8 @@ class Evaluation {
   Evaluation(const RuleTable& rules, Lookup lookup, Facts known = {})
       : rules_(rules), lookup_(std::move(lookup)), facts_(known) {}
 
-  /// The value of a closed term. Results of lookup are evaluated too, unless they are kept. The number of steps is bounded: past the bound
-  /// the value is null and `exhausted` is set.
+  /// The value of a closed term. Results of lookup are evaluated too, unless they are kept. The number of steps is
+  /// bounded: past the bound the value is null and `exhausted` is set.
   Term value(const Term& term);
   /// Applies a function value to a value.
   Term apply(const Term& function, const Term& argument);

@@ -28,8 +28,10 @@ std::string derived(std::string_view text, const Slots& slots) {
 }  // namespace
 
 TEST_CASE("applications whose results are parts of the value are told, inner ones first") {
-  const Slots slots = {{"indicated", read("block1")}, {"content", read("put(block1, on(block4))")},
-                       {"actions", read("[\\x. put(x, on(block4))]")}, {"region", read("on(block4)")}};
+  const Slots slots = {{"indicated", read("block1")},
+                       {"content", read("put(block1, on(block4))")},
+                       {"actions", read("[\\x. put(x, on(block4))]")},
+                       {"region", read("on(block4)")}};
   const std::vector<std::pair<std::string, std::string>> rows = {
       {"put(indicated, on(block4))",
        "put @ block1 = put(block1); on @ block4 = on(block4); "
@@ -44,8 +46,7 @@ TEST_CASE("applications whose results are parts of the value are told, inner one
       {"head(actions)(block1)",
        "put @ block1 = put(block1); put(block1) @ on(block4) = put(block1, on(block4)); put(block1, on(block4))"},
       {"map([block1], \\x. on(x))", "on @ block1 = on(block1); [on(block1)]"},
-      {"\\x: e. put(x, on(x))",
-       "put @ x = put(x); on @ x = on(x); put(x) @ on(x) = put(x, on(x)); \\x. put(x, on(x))"},
+      {"\\x: e. put(x, on(x))", "put @ x = put(x); on @ x = on(x); put(x) @ on(x) = put(x, on(x)); \\x. put(x, on(x))"},
       {"fill(\\x. put(x, region), indicated)", "put(block1, on(block4))"},
       {"fill(head(actions), indicated) = null or true", "true"},
   };

@@ -8,6 +8,7 @@ PLACES = {
     "staircase": ("block7", "block6", "on the orange block", "on block5"),
     "emre_table": ("knife", "cup", "on the plate", "on plate"),
 }
+CLEARED = {"place_setting": "plate", "workbench": "plate", "staircase": "block5", "emre_table": "plate"}
 ALONE = {"place_setting": "cup", "workbench": "block_green", "staircase": "block1", "emre_table": "cup"}
 
 
@@ -24,6 +25,8 @@ def taught(scene, a, b, place, aim):
     sign = {"gesture": "two_fingers"}
     yield "gesture", [[sign], f"Grasp {first}.", [sign]], [f"take {a}"]
     yield "gesture with a command", [[sign], f"Put {first} {place}.", [sign]], [f"put {a} {aim}"]
+    yield "gesture for several acts", [[sign], f"Clear {things.UNIQUE[scene][CLEARED[scene]]}.", f"Put {first} {place}.", [sign]], [
+        f"put {a} {aim}", f"put {a} at"]
     yield "gesture for a thing", [[sign], f"Take {first}.", f"Put it {place}.", [sign]], [f"put {a} {aim}"]
 
 
