@@ -7,7 +7,7 @@
 namespace continua {
 namespace {
 
-// The applications of which the value of `text` is made, where `read_names` are values that were read.
+// The applications of which the value of `text` is made, where those of `slots` are values that were read.
 std::string derived(std::string_view text, const Slots& slots) {
   static const RuleTable rules({&term_rules()});
   Derivation derivation;
@@ -34,7 +34,7 @@ TEST_CASE("applications whose results are parts of the value are told, inner one
                        {"region", read("on(block4)")}};
   const std::vector<std::pair<std::string, std::string>> rows = {
       {"put(indicated, on(block4))",
-       "put @ block1 = put(block1); on @ block4 = on(block4); "
+       "on @ block4 = on(block4); put @ block1 = put(block1); "
        "put(block1) @ on(block4) = put(block1, on(block4)); put(block1, on(block4))"},
       {"put(indicated, region)",
        "put @ block1 = put(block1); put(block1) @ on(block4) = put(block1, on(block4)); put(block1, on(block4))"},
@@ -44,9 +44,9 @@ TEST_CASE("applications whose results are parts of the value are told, inner one
       {"if(content = null, put(block4, on(block1)), content)", "put(block1, on(block4))"},
       {"(\\c: term. c)(content)", "put(block1, on(block4))"},
       {"head(actions)(block1)",
-       "put @ block1 = put(block1); put(block1) @ on(block4) = put(block1, on(block4)); put(block1, on(block4))"},
+       "\\x. put(x, on(block4)) @ block1 = put(block1, on(block4)); put(block1, on(block4))"},
       {"map([block1], \\x. on(x))", "on @ block1 = on(block1); [on(block1)]"},
-      {"\\x: e. put(x, on(x))", "put @ x = put(x); on @ x = on(x); put(x) @ on(x) = put(x, on(x)); \\x. put(x, on(x))"},
+      {"\\x: e. put(x, on(x))", "on @ x = on(x); put @ x = put(x); put(x) @ on(x) = put(x, on(x)); \\x. put(x, on(x))"},
       {"fill(\\x. put(x, region), indicated)", "put(block1, on(block4))"},
       {"fill(head(actions), indicated) = null or true", "true"},
   };
