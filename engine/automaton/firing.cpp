@@ -126,7 +126,7 @@ Change Firing::change(const Operation& operation) {
     }
     const auto& slot = machine_.slots[content.slot];
     const bool each = operation.kind == Operation::Kind::push_each || operation.kind == Operation::Kind::rewrite_each;
-    change.contents.push_back(of_type(each ? Type::list(slot.type) : slot.type, slot.name, compute(*content.term)));
+    change.contents.push_back(of_type(each ? Type::list(slot.type) : slot.type, slot.name, derived(*content.term)));
   }
   return change;
 }
@@ -202,13 +202,18 @@ bool Firing::perform_one(const Say& say) {
     auto condition = evaluate();
     if (one.when && !condition.value(*one.when).is_true()) continue;
     Said said;
+    std::vector<Application> applications;
     for (const auto& variant : one.variants) {
       auto evaluation = evaluate();
-      if (auto words = fill_template(variant, {}, evaluation)) said.variants.push_back(std::move(*words));
+      auto words = fill_template(variant, {}, evaluation);
+      if (!words) continue;
+      said.variants.push_back(std::move(*words));
+      if (applications.empty()) applications = std::move(evaluation.applications);
     }
     if (said.variants.empty()) break;
     said.text = said.variants.front();
     said.because = because_;
+    for (auto& each : applications) note(Applied{std::move(each), because_});
     note(std::move(said));
     break;
   }
@@ -222,7 +227,7 @@ bool Firing::perform_one(const Gesture& gesture) {
 }
 bool Firing::perform_one(const Act& act) {
   if (!account_) return false;
-  auto cell = compute(act.term);
+  auto cell = derived(act.term);
   if (cell.value.kind() == Term::Kind::list) {
     for (const auto& each : cell.value.elements()) note(Acted{each, cell.because});
   } else if (!cell.value.is_null()) {
@@ -233,7 +238,7 @@ bool Firing::perform_one(const Act& act) {
 bool Firing::perform_one(const Remember& remember) {
   auto memory = *configuration_.memory;
   for (const auto& [index, term] : remember.registers) {
-    auto cell = of_type(machine_.memory[index].type, machine_.memory[index].name, compute(term));
+    auto cell = of_type(machine_.memory[index].type, machine_.memory[index].name, derived(term));
     if (!(memory[index].value == cell.value)) note(Remembered{index, cell.value});
     memory[index] = std::move(cell);
   }
@@ -273,18 +278,36 @@ Cell Firing::compute(const Term& term) {
   return cell;
 }
 
+Cell Firing::derived(const Term& term) {
+  if (!account_) return compute(term);
+  Derivation derivation;
+  derivation_ = &derivation;
+  const auto before = account_->size();
+  auto cell = compute(term);
+  derivation_ = nullptr;
+  std::vector<Application> filled;
+  for (auto event = account_->begin() + static_cast<std::ptrdiff_t>(before); event != account_->end(); ++event)
+    if (const auto* applied = std::get_if<Applied>(&*event)) filled.push_back(applied->application);
+  for (auto& application : derivation.of(cell.value, filled))
+    if (composed_.insert(application.result).second) note(Applied{std::move(application), cell.because});
+  return cell;
+}
+
 void Firing::note(StepEvent event) {
   if (account_) account_->push_back(std::move(event));
 }
 
 Evaluation Firing::evaluate() {
-  return Evaluation(
+  Evaluation evaluation(
       rules_, [this](Name name) { return look_up(name); }, facts_);
+  evaluation.derivation = derivation_;
+  return evaluation;
 }
 
 // Looks up a name and notes the sources of its value, which become the `because` of the evaluated content. The
-// evaluation copies a value before it asks for the next, so `moment_` can hold one at a time.
-const Term* Firing::look_up(Name name) {
+// evaluation copies a value before it asks for the next, so `moment_` can hold one at a time. Slots and registers hold
+// values, and a reading is what was said: it is kept, so that it means the same whenever it is understood.
+Evaluation::Held Firing::look_up(Name name) {
   using From = Binding::From;
   const auto found = machine_.bindings.find(name);
   if (found == machine_.bindings.end()) return nullptr;
@@ -301,7 +324,9 @@ const Term* Firing::look_up(Name name) {
     case From::input:
       return &(moment_ = input_ ? Term::text(input_->symbol) : Term::null());
     case From::carried:
-      return &(moment_ = input_ ? input_->*binding.carried : Term::null());
+      moment_ = input_ ? input_->*binding.carried : Term::null();
+      if (derivation_) derivation_->read(moment_);
+      return {&moment_, binding.carried == &Input::reading};
     case From::confidence:
       return &(moment_ = input_ ? Term::number(input_->confidence) : Term::null());
     case From::now:
@@ -310,9 +335,10 @@ const Term* Firing::look_up(Name name) {
   return nullptr;
 }
 
-const Term* Firing::read(const Cell& cell) {
+Evaluation::Held Firing::read(const Cell& cell) {
   merge(cell.because, because_);
-  return &cell.value;
+  if (derivation_) derivation_->read(cell.value);
+  return {&cell.value, true};
 }
 
 }  // namespace continua

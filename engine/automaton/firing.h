@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "continua/automaton/input.h"
@@ -74,6 +75,8 @@ class Firing {
   Term value(const Term& term);
   /// A value, with the inputs it came from: those of all values read, and the one under way.
   Cell compute(const Term& term);
+  /// The same; the applications that the value is made of go to the account.
+  Cell derived(const Term& term);
 
   // The parts of fire(), for callers that keep the stack elsewhere.
 
@@ -88,8 +91,8 @@ class Firing {
  private:
   void take_input(std::size_t alternative);
   Evaluation evaluate();
-  const Term* look_up(Name name);
-  const Term* read(const Cell& cell);
+  Evaluation::Held look_up(Name name);
+  Evaluation::Held read(const Cell& cell);
   bool perform_and_rewrite(const std::vector<Effect>& effects);
   Cell of_type(const Type& type, const std::string& name, Cell cell);
   std::optional<Term> lifted(const Type& type, const Cell& cell);
@@ -116,7 +119,9 @@ class Firing {
   std::vector<StepEvent>* account_;
   std::vector<int> because_;  ///< inputs behind the value being computed, ascending
   Change rewrite_;
-  Term moment_;  ///< value of the name of the moment that was looked up last
+  Derivation* derivation_ = nullptr;             ///< of the value being computed, if it is wanted
+  std::unordered_set<Term, TermHash> composed_;  ///< results of applications that went to the account
+  Term moment_;                                  ///< value of the name of the moment that was looked up last
 };
 
 }  // namespace continua

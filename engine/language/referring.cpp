@@ -85,7 +85,7 @@ bool Referring::is_noun(const Term& term) const {
     if (at.kind() == Term::Kind::lambda) continue;
     if (at.kind() != Term::Kind::constant) return at.kind() == Term::Kind::truth;
     if (proform(at) || core_signature().contains(at.name()) || meanings_.rules->find(at.interned_name())) return true;
-    const Term* definition = meanings_.lookup ? meanings_.lookup(at.interned_name()) : nullptr;
+    const Term* definition = meanings_.lookup ? meanings_.lookup(at.interned_name()).value : nullptr;
     if (!definition) return false;
     at = *definition;
     ++definitions;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "continua/core/result.h"
+#include "continua/term/evaluate.h"
 #include "continua/term/term.h"
 
 namespace continua {
@@ -31,8 +32,10 @@ inline constexpr std::size_t most_acts = 1000;                  ///< acts that o
 /// act, an act that is null or lacks an argument, too many things or points.
 Result<Program> composed(const std::vector<Term>& acts);
 
-/// The acts of the program with these things and places. Errors: a wrong number of arguments, or wrong types.
-Result<std::vector<Term>> applied(const Program& program, const std::vector<Term>& arguments);
+/// The acts of the program with these things and places; each application is added to `made`. Errors: a wrong number of
+/// arguments, or wrong types.
+Result<std::vector<Term>> applied(const Program& program, const std::vector<Term>& arguments,
+                                  std::vector<Application>& made);
 
 /// All lessons: a value.
 struct Learned {
@@ -47,9 +50,9 @@ struct Learned {
   const Program* program_called(std::string_view name) const;
   /// Adds or replaces the program of a name. Error: the program would lead back to itself.
   Outcome learn_program(const std::string& name, Program program);
-  /// Expands an act: a taught program is replaced by its acts, these again, and so on; other acts stay. Errors: those
-  /// of applied(), more than most_acts.
-  Result<std::vector<Term>> acts_of(const Term& act) const;
+  /// Expands an act: a taught program is replaced by its acts, these again, and so on; other acts stay. Its
+  /// applications to things and places are added to `made`. Errors: those of applied(), more than most_acts.
+  Result<std::vector<Term>> acts_of(const Term& act, std::vector<Application>& made) const;
 
   bool operator==(const Learned&) const = default;
 };

@@ -72,9 +72,11 @@ std::vector<StepEvent> forgotten(const Forgotten& event, Learned& learned) {
 }
 
 std::vector<StepEvent> acted(Acted event, const Learned& learned) {
-  const auto acts = learned.acts_of(event.term);
+  std::vector<Application> made;
+  const auto acts = learned.acts_of(event.term, made);
   if (!acts) return {Trouble{acts.error().sentence}};
   std::vector<StepEvent> events;
+  for (auto& application : made) events.push_back(Applied{std::move(application), event.because});
   for (const auto& act : *acts) events.push_back(Acted{act, event.because});
   return events;
 }

@@ -4,7 +4,7 @@
   tests/derivation/rederive.py PROGRAM FILE…
 
 A FILE is a run log, or a trace, which PROGRAM replays first without physics. Prints counts, every disagreement with
-file and line, and the acts that no application leads to. Ends with status 1 if there is a disagreement. README.md tells
+file and line. An act to which no application leads is one. Ends with status 1 if there is a disagreement. README.md tells
 what is covered.
 """
 import collections
@@ -33,13 +33,11 @@ class Tally:
 
     def __init__(self):
         self.counts, self.skipped = collections.Counter(), collections.Counter()
-        self.disagreements, self.underived = [], []
+        self.disagreements = []
 
     def report(self):
         for place, text in self.disagreements:
             print(f"{place}: {text}")
-        for place, text in self.underived:
-            print(f"{place}: without derivation: {text}")
         for name, count in sorted(self.counts.items()):
             print(f"{name}: {count}")
         for reason, count in self.skipped.most_common():
