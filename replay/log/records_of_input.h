@@ -12,6 +12,7 @@ struct Input {
   OrNull<std::int64_t> line;
   Json event;
   OrNull<std::string> symbol;
+  std::optional<std::int64_t> supersedes;
 
   static constexpr Kind kind{.name = "input",
                              .when = "An event was read, or an act has ended: the machine knows that end as an input.",
@@ -24,7 +25,10 @@ struct Input {
                             "The event as read, without `t`; of an act {`kind`: `act`, `act`, `program`, `status`}.")
                           .briefly()
                           .without({"t", "until", "act", "row"}),
-                      field("symbol", &Input::symbol, Says::how, "The input symbol that it became, or null.")};
+                      field("symbol", &Input::symbol, Says::how, "The input symbol that it became, or null."),
+                     field("supersedes", &Input::supersedes, Says::aside,
+                           "Of speech: the record of the words heard before it that were not final.")
+                         .as("record")};
   }
   std::string brief() const;
 };

@@ -27,6 +27,8 @@ export function lineOf(record, sample = false) {
   const {event} = record;
   switch (record.kind) {
     case 'input':
+      if (event?.kind === 'speech' && event.final === false)
+        return {who: 'human', how: 'is saying', text: `${event.text} …`, passing: true};
       if (event?.kind === 'speech')
         return {who: 'human', how: 'says', text: event.text ?? event.alternatives?.[0]?.text ?? ''};
       return event?.kind === 'gesture' ? {who: 'human', how: 'shows', text: shownGesture(event)} : null;
@@ -76,7 +78,8 @@ export function mountConversation(run) {
       {href: `/r/${encodeURIComponent(run)}?n=${n}`, target: '_blank', title: `#${n}: look at it in the inspector`},
       parts,
     );
-  function add(record, {who, how, text}) {
+  let passing = null; // the line of words that are not final, until others come
+  function add(record, {who, how, text, passing: passes}) {
     const at_end = list.scrollHeight - list.scrollTop - list.clientHeight < at_end_px;
     const status = how === 'does' && h('span', {class: 'status asked'}, act_words.asked);
     if (status) acts.set(record.act, status);
@@ -93,6 +96,10 @@ export function mountConversation(run) {
         h('time', {}, clock(record.t)),
       ),
     );
+    if (who === 'human' && how !== 'shows') {
+      passing?.remove();
+      passing = passes ? list.lastChild : null;
+    }
     if (list.childElementCount > most_lines) list.firstChild.remove();
     if (at_end) list.scrollTop = list.scrollHeight;
   }
