@@ -262,7 +262,8 @@ bool Firing::perform_one(const Attend& attend) {
   if (!account_) return false;
   auto number = compute(attend.number);
   if (number.value.kind() == Term::Kind::number)
-    note(Reattended{static_cast<int>(number.value.number_value()), origin_.now_s.value_or(0), std::move(number.because)});
+    note(Reattended{static_cast<int>(number.value.number_value()), origin_.now_s.value_or(0),
+                    std::move(number.because)});
   return false;
 }
 bool Firing::perform_one(const Rewrite& rewrite) {

@@ -95,8 +95,8 @@ void Machine::index() {
 }
 
 const Thresholds* Machine::thresholds_of(std::string_view symbol) const {
-  const auto found =
-      std::find_if(confidence.begin(), confidence.end(), [&](const auto& each) { return each.inputs.contains(symbol); });
+  const auto found = std::find_if(confidence.begin(), confidence.end(),
+                                  [&](const auto& each) { return each.inputs.contains(symbol); });
   return found == confidence.end() ? nullptr : &*found;
 }
 

@@ -246,7 +246,7 @@ struct Machine {
   std::vector<Thresholds> confidence;  ///< the first that contains an input counts
   double near_tie = 0;                 ///< alternatives whose confidences differ by less are asked about
   std::optional<GazeTimes> gaze;       ///< nullopt: nothing is ever looked at
-  std::string perspective;  ///< "human", "avatar" or empty
+  std::string perspective;             ///< "human", "avatar" or empty
 
   std::vector<Parameter> parameters;
   std::vector<Slot> slots;

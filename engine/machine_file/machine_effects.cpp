@@ -10,8 +10,8 @@
 namespace continua {
 namespace {
 
-const std::vector<std::string> effect_keys = {"say",   "phrase", "gesture", "act",          "remember",
-                                              "learn", "forget", "attend", "rewrite", "rewrite_each", "do"};
+const std::vector<std::string> effect_keys = {"say",    "phrase", "gesture", "act",          "remember", "learn",
+                                              "forget", "attend", "rewrite", "rewrite_each", "do"};
 
 // Whether the effects after this one are never performed.
 bool ends_effects(const Effect& effect) {

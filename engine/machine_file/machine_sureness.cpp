@@ -83,7 +83,8 @@ void check_sureness(const Machine& machine, const Item& root) {
                                     [&](const Transition& each) { return id.is_text() && id.json() == each.id; });
     if (found == machine.transitions.end() || !found->on || !found->on->contains("interim")) continue;
     if (const auto why = does_more(*found, machine); !why.empty())
-      item.member("on").problem(fmt::format("words that are not final ('interim') may only start a look, a reach or a point, but {}", why));
+      item.member("on").problem(
+          fmt::format("words that are not final ('interim') may only start a look, a reach or a point, but {}", why));
   }
 }
 

@@ -11,12 +11,12 @@ namespace continua {
 
 /// A stretch of time in which the eyes stayed on one object.
 struct Look {
-  std::string object;  ///< empty: on none
+  std::string object;           ///< empty: on none
   SimTime from, until;          ///< of its samples
   std::optional<SimTime> next;  ///< the first sample of the next look
   double confidence = 1;        ///< the mean over its samples
   int samples = 1;
-  int serial = 0;               ///< of the input with which it began
+  int serial = 0;  ///< of the input with which it began
 };
 
 /// An object with its salience: seconds of looking times confidence, each halved with every half-life after its end.

@@ -43,7 +43,7 @@ struct InputEvent {
   std::optional<Ray> ray;        ///< pointing, gaze
   std::optional<SimTime> until;
   double confidence = 1;  ///< 0 … 1
-  bool final = true;  ///< speech: false for words that the recogniser may still revise
+  bool final = true;      ///< speech: false for words that the recogniser may still revise
   std::vector<Word> words;
   std::vector<Alternative> alternatives;
 };

@@ -37,7 +37,7 @@ struct EngineState {
   Looked looked;  ///< the objects looked at lately, at the latest input
   /// Readings that wait until the human says whether they were meant, by number; 0: the input under way.
   std::map<int, Ensemble> doubted;
-  int doubts = 0;  ///< the number of the latest of them
+  int doubts = 0;    ///< the number of the latest of them
   Learned learned;   ///< gestures and actions that the human taught
   Lessons lessons;   ///< names learned in this run, with the inputs of their lessons
   KnownWords words;  ///< for reading speech
@@ -67,8 +67,8 @@ struct Attended {
   int serial = 0;
   SimTime happened, at;  ///< the beginning of the input, and the time at which it was complete
   std::vector<Bound> bound;
-  std::vector<int> pieces;  ///< serials of earlier inputs whose words it goes on with
-  std::string text;         ///< the words of all pieces; empty if there is only one
+  std::vector<int> pieces;   ///< serials of earlier inputs whose words it goes on with
+  std::string text;          ///< the words of all pieces; empty if there is only one
   std::vector<int> assured;  ///< serials of the inputs that made it sure, if it was asked about
 };
 

@@ -93,7 +93,8 @@ Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) con
   return tick;
 }
 
-// The offers to ask about: the one taken, if it is unsure, and those that are about as likely and lead elsewhere.
+// The offers to ask about: the one taken, if it is unsure, and those that are about as likely and lead elsewhere. One
+// that means nothing to the lexicon is no rival.
 std::vector<std::size_t> Pipeline::doubted(const EngineState& state, const std::vector<Offer>& offers,
                                            const Answered& answered, const WorldSnapshot& world) const {
   const auto& taken = offers[answered.taken].input;
@@ -101,7 +102,9 @@ std::vector<std::size_t> Pipeline::doubted(const EngineState& state, const std::
   std::vector<std::size_t> doubted{answered.taken};
   std::vector<Tick> outcomes{answered.tick};
   for (std::size_t i = 0; i < offers.size(); ++i) {
-    if (i == answered.taken || !(std::abs(offers[i].input.confidence - taken.confidence) < machine().near_tie)) continue;
+    const bool means_nothing = !machine().lexicon.empty() && offers[i].move.kind.empty();
+    const double less = std::abs(offers[i].input.confidence - taken.confidence);
+    if (i == answered.taken || means_nothing || !(less < machine().near_tie)) continue;
     Offer alone = offers[i];
     alone.input.confidence = taken.confidence;
     Tick outcome = answer(state, {alone}, world).tick;

@@ -101,7 +101,8 @@ Stepped step(const Engine& engine, EngineState state, std::span<const Input> inp
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (engine.machine->ignored.contains(inputs[i].symbol)) continue;
     if (auto why = too_unsure(*engine.machine, inputs[i].symbol, inputs[i].confidence)) {
-      if (!unsure) unsure = RefusedInput{state.configuration.state, inputs[i].symbol, *std::move(why), {}, inputs.size()};
+      if (!unsure)
+        unsure = RefusedInput{state.configuration.state, inputs[i].symbol, *std::move(why), {}, inputs.size()};
       continue;
     }
     offered.push_back(inputs[i]);

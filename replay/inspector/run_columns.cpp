@@ -278,8 +278,8 @@ class ColumnBuilder {
     all.add("kind", kind_);
     all.add("cause", cause_);
     all.add("stop", records_worth_stopping_at(run_));
-    for (const char* name : {"speech", "gesture", "pointing", "gaze", "utterance", "move", "observed", "act", "rest", "flag",
-                             "branches", "confidence", "depth"}) {
+    for (const char* name : {"speech", "gesture", "pointing", "gaze", "utterance", "move", "observed", "act", "rest",
+                             "flag", "branches", "confidence", "depth"}) {
       const auto& lane = lanes_[name];
       all.add(std::string(name) + ".n", lane.n);
       all.add(std::string(name) + ".from", lane.from);

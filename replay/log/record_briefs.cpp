@@ -44,6 +44,7 @@ std::string Percept::brief() const {
   std::string text = joined ? fmt::format("\"{}\"", *joined) : "";
   for (const auto& [words, deixis] : bound)
     text += fmt::format("{}{}: pointed at {}", text.empty() ? "" : ", ", words, compact(Json(deixis.place)));
+  if (assured) text += text.empty() ? "it was meant" : ", it was meant";
   if (text.empty()) text = "nothing is pointed at";
   return waited_s == 0 ? text : fmt::format("{}, after {} s", text, number_text(waited_s));
 }

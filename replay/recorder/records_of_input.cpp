@@ -152,6 +152,7 @@ log::Percept record_of(const Attended& attended, const InputRecords& inputs) {
   because.insert(attended.serial);
   because.insert(attended.assured.begin(), attended.assured.end());
   if (!attended.pieces.empty()) record.joined = attended.text;
+  if (!attended.assured.empty()) record.assured = true;
   for (const auto& [words, pointing] : attended.bound) {
     record.bound.push_back({joined(words), record_of(pointing)});
     because.insert(pointing.serials.begin(), pointing.serials.end());

@@ -178,7 +178,9 @@ TEST_CASE("samples count with their confidence: in the place, and in the time th
     for (auto& each : events) each.confidence = confidence;
     return events;
   };
-  const auto crossing = [&](double confidence) { return joined(stay(0.1, 1.4, confidence), {sample_at(1.42, 0.4, 0.1)}); };
+  const auto crossing = [&](double confidence) {
+    return joined(stay(0.1, 1.4, confidence), {sample_at(1.42, 0.4, 0.1)});
+  };
   CHECK(fixations_of(crossing(1)).size() == 1);
   CHECK(fixations_of(crossing(0.5)).empty());
 

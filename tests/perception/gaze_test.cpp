@@ -25,7 +25,8 @@ std::string salient(const std::vector<GazeSample>& samples, double now_s, double
   std::string text;
   for (const auto& each : track.salient(SimTime::from_seconds(now_s), 2, least)) {
     text += fmt::format("{}{} {:.2f} [", text.empty() ? "" : "; ", each.object, each.salience);
-    for (const int serial : each.serials) text += fmt::format("{}{}", serial == each.serials.front() ? "" : " ", serial);
+    for (const int serial : each.serials)
+      text += fmt::format("{}{}", serial == each.serials.front() ? "" : " ", serial);
     text += "]";
   }
   return text;

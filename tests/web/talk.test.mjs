@@ -90,7 +90,11 @@ test('what the recogniser heard becomes speech with its confidence and its other
 });
 
 test('words that are not final are told as such, and leave a passing line', () => {
-  assert.deepEqual(interimOf([{transcript: ' put the', confidence: 0}]), {kind: 'speech', text: 'put the', final: false});
+  assert.deepEqual(interimOf([{transcript: ' put the', confidence: 0}]), {
+    kind: 'speech',
+    text: 'put the',
+    final: false,
+  });
   assert.equal(interimOf([{transcript: ' ', confidence: 0}]), null);
   assert.deepEqual(lineOf({kind: 'input', event: {kind: 'speech', text: 'put the', final: false}}), {
     who: 'human',

@@ -61,6 +61,15 @@ export function lineOf(record, sample = false) {
   }
 }
 
+// Keeps the line of words that are not final until others come.
+function onePassing() {
+  let passing = null;
+  return (line) => {
+    passing?.remove();
+    passing = line;
+  };
+}
+
 /** `run`: whose records the lines lead to. */
 export function mountConversation(run) {
   const list = h('ol', {class: 'moves', tabindex: 0, 'aria-label': 'Conversation', 'data-testid': 'conversation'});
@@ -78,7 +87,7 @@ export function mountConversation(run) {
       {href: `/r/${encodeURIComponent(run)}?n=${n}`, target: '_blank', title: `#${n}: look at it in the inspector`},
       parts,
     );
-  let passing = null; // the line of words that are not final, until others come
+  const keepPassing = onePassing();
   function add(record, {who, how, text, passing: passes}) {
     const at_end = list.scrollHeight - list.scrollTop - list.clientHeight < at_end_px;
     const status = how === 'does' && h('span', {class: 'status asked'}, act_words.asked);
@@ -96,10 +105,7 @@ export function mountConversation(run) {
         h('time', {}, clock(record.t)),
       ),
     );
-    if (who === 'human' && how !== 'shows') {
-      passing?.remove();
-      passing = passes ? list.lastChild : null;
-    }
+    if (who === 'human' && how !== 'shows') keepPassing(passes ? list.lastChild : null);
     if (list.childElementCount > most_lines) list.firstChild.remove();
     if (at_end) list.scrollTop = list.scrollHeight;
   }
