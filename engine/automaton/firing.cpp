@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "continua/automaton/condition.h"
+#include "continua/automaton/looked.h"
 #include "continua/automaton/stack_operation.h"
 #include "continua/automaton/wording.h"
 #include "continua/term/raising.h"
@@ -262,6 +263,14 @@ bool Firing::perform_one(const Forget& forget) {
   note(Forgotten{forget.of, forget.of ? name.value.text_value() : "", Term::null(), std::move(name.because)});
   return false;
 }
+bool Firing::perform_one(const Attend& attend) {
+  if (!account_) return false;
+  auto number = compute(attend.number);
+  if (number.value.kind() == Term::Kind::number)
+    note(Reattended{static_cast<int>(number.value.number_value()), origin_.now_s.value_or(0),
+                    std::move(number.because)});
+  return false;
+}
 bool Firing::perform_one(const Rewrite& rewrite) {
   rewrite_ = rewrite.operation.keeps_stack ? Change{&rewrite.operation, {}} : change(rewrite.operation);
   return true;
@@ -329,6 +338,10 @@ Evaluation::Held Firing::look_up(Name name) {
       return {&moment_, binding.carried == &Input::reading};
     case From::confidence:
       return &(moment_ = input_ ? Term::number(input_->confidence) : Term::null());
+    case From::looked_at:
+      if (!facts_.looked) return &(moment_ = Term::null());
+      merge(facts_.looked->because, because_);
+      return &(moment_ = facts_.looked->objects);
     case From::now:
       return &(moment_ = origin_.now_s ? Term::number(*origin_.now_s) : Term::null());
   }

@@ -104,6 +104,7 @@ class Firing {
   bool perform_one(const Act& act);
   bool perform_one(const Remember& remember);
   bool perform_one(const Learn& learn);
+  bool perform_one(const Attend& attend);
   bool perform_one(const Forget& forget);
   bool perform_one(const Rewrite& rewrite);
   bool perform_one(const Group& group);

@@ -27,6 +27,11 @@ struct Input {
   Term why;        ///< text: the code of that reason
   Term concerned;  ///< e*: the objects and participants that the reason is about, the most important first
 
+  // Of the input `unsure`: the readings that the recogniser is not sure of, the surest first.
+  Term doubted;           ///< num*: their numbers, for the effect `attend`
+  Term doubted_words;     ///< text*: their words; '' for gestures
+  Term doubted_meanings;  ///< term*: their meanings; the kind of the move if it has no other
+
   // Moves of another avatar that was observed after this input (Machine::implied).
   Term observed_speech;    ///< text: its latest utterance
   Term observed_gestures;  ///< term*

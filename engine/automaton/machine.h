@@ -102,6 +102,10 @@ struct Forget {
   std::optional<Lesson> of;  ///< nullopt: all that was learned
   Term name;                 ///< a text
 };
+/// Attends to an input that waits, as if it were sure.
+struct Attend {
+  Term number;  ///< a number: an element of Input::doubted, or 0 for the present input
+};
 struct Rewrite {
   Operation operation;
 };
@@ -112,7 +116,7 @@ struct Group {
 /// An effect of a transition, or of entering a state.
 struct Effect {
   std::optional<Term> when;
-  std::variant<Say, Gesture, Act, Remember, Learn, Forget, Rewrite, Group> what;
+  std::variant<Say, Gesture, Act, Remember, Learn, Forget, Attend, Rewrite, Group> what;
 };
 
 struct Gate {
@@ -193,7 +197,7 @@ struct Exits {
 
 /// The source of a name's value in the machine's terms (FORMAT.md).
 struct Binding {
-  enum class From { slot, memory, definition, in_state, input, carried, confidence, now };
+  enum class From { slot, memory, definition, in_state, input, carried, confidence, now, looked_at };
   From from = From::slot;
   std::size_t index = 0;  ///< of the slot or register
   Term definition;
@@ -219,6 +223,17 @@ struct FusionTimes {
   double before_s = 2, after_s = 1, lateness_s = 0, pause_s = 0;
 };
 
+/// The confidences below which inputs are confirmed and ignored.
+struct Thresholds {
+  SymbolSet inputs;
+  double confirm = 0, ignore = 0;
+};
+
+/// The salience of looks: seconds times confidence, halved with each half-life after the look.
+struct GazeTimes {
+  double half_life_s = 2, least = 0.2;  ///< objects of less salience do not count
+};
+
 struct Machine {
   std::string name;
   std::string document;  ///< the file, compact JSON
@@ -228,7 +243,10 @@ struct Machine {
   bool rewrite_below = false;
   bool repeats_utterances = true;
   double minimum_confidence = 0;
-  std::string perspective;  ///< "human", "avatar" or empty
+  std::vector<Thresholds> confidence;  ///< the first that contains an input counts
+  double near_tie = 0;                 ///< alternatives whose confidences differ by less are asked about
+  std::optional<GazeTimes> gaze;       ///< nullopt: nothing is ever looked at
+  std::string perspective;             ///< "human", "avatar" or empty
 
   std::vector<Parameter> parameters;
   std::vector<Slot> slots;
@@ -260,6 +278,8 @@ struct Machine {
 
   /// Whether the input set of some transition names the symbol.
   bool knows_input(std::string_view symbol) const;
+  /// The thresholds of an input; nullptr if it has none.
+  const Thresholds* thresholds_of(std::string_view symbol) const;
   /// Fills `bindings`, `exits`, `landmark` and `landmarks` once everything else is complete.
   void index();
 };

@@ -88,6 +88,12 @@ struct Forgotten {
   Term value;  ///< the forgotten lesson, once it is known
   std::vector<int> because;
 };
+/// A waiting input of this number is to be attended to now, as if it were sure.
+struct Reattended {
+  int number = 0;
+  double now_s = 0;
+  std::vector<int> because;
+};
 struct RefusedInput {
   StateIndex state = 0;
   std::string input;   ///< the first input offered
@@ -102,6 +108,6 @@ struct Trouble {
 };
 
 using StepEvent = std::variant<Fired, MadeSymbol, Rewrote, Applied, Said, Gestured, Acted, Remembered, Taught,
-                               Forgotten, RefusedInput, Trouble>;
+                               Forgotten, Reattended, RefusedInput, Trouble>;
 
 }  // namespace continua

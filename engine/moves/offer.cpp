@@ -54,6 +54,14 @@ std::vector<int> because_of(const Offer& offer, const InputEvent& event, const D
   return because;
 }
 
+// Inputs that made an unsure one sure contribute to all that comes of it.
+void add_assured(const Ensemble& ensemble, std::vector<int>& because) {
+  const auto& assured = ensemble.percept.assured;
+  because.insert(because.end(), assured.begin(), assured.end());
+  std::sort(because.begin(), because.end());
+  because.erase(std::unique(because.begin(), because.end()), because.end());
+}
+
 // Completes the offer after its move is understood.
 Offer complete(Offer offer, const InputEvent& event, const Discourse& discourse, const Dialogue& now) {
   carry(offer.move, offer.input);
@@ -75,6 +83,7 @@ Offer understood(Offer offer, const Ensemble& ensemble, const Dialogue& now) {
   }
   offer.move = now.understanding->understood(speech.utterance, offer.fragment, discourse.context);
   offer = complete(std::move(offer), speech.event, discourse, now);
+  add_assured(ensemble, offer.input.because);
   offer.input.symbol = name_of(Modality::speech) + " " + offer.move.kind;
   const auto& fragments = speech.utterance.fragments;
   const auto next = offer.fragment + 1;
@@ -131,7 +140,9 @@ Offer seen(const Ensemble& ensemble, std::size_t alternative, const Dialogue& no
   } else if (const Term says = said_by(event, now); !says.is_null()) {
     offer.move = now.understanding->shown(says, offer.move.kind, discourse.context);
   }
-  return complete(std::move(offer), event, discourse, now);
+  offer = complete(std::move(offer), event, discourse, now);
+  add_assured(ensemble, offer.input.because);
+  return offer;
 }
 
 }  // namespace

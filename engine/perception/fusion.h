@@ -29,6 +29,8 @@ struct Percept {
   bool unfinished = false;                             ///< of speech: its sentence may go on
   SimTime spoken = {};                                 ///< of speech: the end of its words
   std::vector<int> pieces = {};                        ///< serials of earlier inputs whose words it goes on with
+  bool again = false;  ///< it is attended to a second time, in the state in which the first time left the dialogue
+  std::vector<int> assured = {};  ///< serials of the inputs that made an unsure one sure; empty: it was not asked about
 };
 
 /// Makes one percept of two pieces of a sentence; none if they do not read as one.

@@ -12,6 +12,7 @@ struct Input {
   OrNull<std::int64_t> line;
   Json event;
   OrNull<std::string> symbol;
+  std::optional<std::int64_t> supersedes;
 
   static constexpr Kind kind{.name = "input",
                              .when = "An event was read, or an act has ended: the machine knows that end as an input.",
@@ -24,7 +25,10 @@ struct Input {
                             "The event as read, without `t`; of an act {`kind`: `act`, `act`, `program`, `status`}.")
                           .briefly()
                           .without({"t", "until", "act", "row"}),
-                      field("symbol", &Input::symbol, Says::how, "The input symbol that it became, or null.")};
+                      field("symbol", &Input::symbol, Says::how, "The input symbol that it became, or null."),
+                      field("supersedes", &Input::supersedes, Says::aside,
+                            "Of speech: the record of the words heard before it that were not final.")
+                          .as("record")};
   }
   std::string brief() const;
 };
@@ -67,18 +71,22 @@ struct Percept {
   double waited_s = 0;
   std::vector<BoundPointing> bound;
   std::optional<std::string> joined;
+  std::optional<bool> assured;
   std::vector<std::int64_t> because;
 
   static constexpr Kind kind{
       .name = "percept",
       .when = "An input is attended to together with pointings or earlier words, or had to wait.",
       .decision = Decision::yes,
-      .brief_adds = ": pointed at, nothing is pointed at, after s"};
+      .brief_adds = ": pointed at, nothing is pointed at, it was meant, after s"};
   static constexpr auto fields() {
     return std::tuple{
         field("waited_s", &Percept::waited_s, Says::where, "Time since the input began.").as("seconds").briefly(),
         field("bound", &Percept::bound, Says::what, "The pointings, each with its words.").briefly(),
         field("joined", &Percept::joined, Says::what, "The words of all inputs that make one utterance.").briefly(),
+        field("assured", &Percept::assured, Says::what,
+              "True: it was not sure, it was asked about, and the human has said that it was meant.")
+            .briefly(),
         field("because", &Percept::because, Says::aside, "The inputs that contributed.").as("record")};
   }
   std::string brief() const;

@@ -150,7 +150,9 @@ log::Percept record_of(const Attended& attended, const InputRecords& inputs) {
   record.waited_s = (attended.at - attended.happened).seconds();
   std::set<int> because = {attended.pieces.begin(), attended.pieces.end()};
   because.insert(attended.serial);
+  because.insert(attended.assured.begin(), attended.assured.end());
   if (!attended.pieces.empty()) record.joined = attended.text;
+  if (!attended.assured.empty()) record.assured = true;
   for (const auto& [words, pointing] : attended.bound) {
     record.bound.push_back({joined(words), record_of(pointing)});
     because.insert(pointing.serials.begin(), pointing.serials.end());

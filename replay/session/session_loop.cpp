@@ -94,7 +94,7 @@ Situation SessionLoop::situation() const {
 
 void SessionLoop::take(const TraceEvent& event, const InputEvent& input) {
   if (!ready()) return;
-  const bool sample = input.modality == Modality::pointing;
+  const bool sample = input.modality == Modality::pointing || input.modality == Modality::gaze;
   if (following_ && (following_->at_once() || !sample)) {
     follow_observed();
     following_->begin(conversation_.state(), input);

@@ -79,7 +79,7 @@ const std::vector<EventKind>& kinds() {
   using Fields = TraceFields;
   static const std::vector<EventKind> table = {
       {"speech",
-       {"happened", "text", "until", "confidence", "words", "alternatives"},
+       {"happened", "text", "final", "until", "confidence", "words", "alternatives"},
        [](const Fields& fields, SimTime t, const Json&) -> What { return read_speech(fields, t); },
        put_input_event},
       {"gesture",
@@ -89,6 +89,10 @@ const std::vector<EventKind>& kinds() {
       {"pointing",
        {"happened", "hand", "target", "ray", "until", "confidence"},
        [](const Fields& fields, SimTime t, const Json&) -> What { return read_pointing(fields, t); },
+       put_input_event},
+      {"gaze",
+       {"happened", "target", "ray", "until", "confidence"},
+       [](const Fields& fields, SimTime t, const Json&) -> What { return read_gaze(fields, t); },
        put_input_event},
       {"observed",
        {"channel", "content"},

@@ -61,6 +61,14 @@ std::string TraceFields::choice(const char* name, const std::vector<std::string>
   return {};
 }
 
+bool TraceFields::truth(const char* name, bool otherwise) const {
+  const Json* value = find(name);
+  if (!value) return otherwise;
+  if (value->is_boolean()) return value->get<bool>();
+  wrong(name, "true or false");
+  return otherwise;
+}
+
 std::optional<double> TraceFields::number(const char* name, double least, double most) const {
   const Json* value = find(name);
   if (!value) return std::nullopt;

@@ -60,6 +60,7 @@ void put_text(Json& json, const char* name, const std::string& text) {
 
 void put_input(Json& json, const InputEvent& event) {
   if (event.modality == Modality::speech) json["text"] = event.text;
+  if (!event.final) json["final"] = false;
   if (event.modality == Modality::gesture) json["name"] = event.name;
   put_text(json, "hand", event.hand);
   put_text(json, "direction", event.direction);
@@ -94,6 +95,7 @@ InputEvent read_speech(const TraceFields& fields, SimTime t) {
   read_signal(fields, event);
   read_alternatives(fields, event);
   event.text = best_of(fields, "text", event);
+  event.final = fields.truth("final", true);
   fields.for_each("words", [&](const TraceFields& word) {
     word.need({"text"});
     word.need({"t"});
@@ -117,18 +119,16 @@ InputEvent read_gesture(const TraceFields& fields, SimTime t) {
   return event;
 }
 
-InputEvent read_pointing(const TraceFields& fields, SimTime t) {
-  InputEvent event;
-  event.t = t;
-  event.modality = Modality::pointing;
-  read_signal(fields, event);
-  event.hand = read_hand(fields);
+namespace {
+
+// The place that a hand or the eyes are directed at.
+void read_direction(const TraceFields& fields, InputEvent& event) {
   fields.need({"target", "ray"});
   event.target_W = fields.vector("target", 2, trace_coordinate_limit_m);
   if (const Json* ray = fields.find("ray")) {
     if (!ray->is_object()) {
       fields.wrong("ray", "an object with 'from' and 'direction'");
-      return event;
+      return;
     }
     fields.within("ray", [&](const TraceFields& parts) {
       parts.need({"from"});
@@ -139,6 +139,26 @@ InputEvent read_pointing(const TraceFields& fields, SimTime t) {
       if (from && direction) event.ray = Ray{*from, *direction};
     });
   }
+}
+
+}  // namespace
+
+InputEvent read_pointing(const TraceFields& fields, SimTime t) {
+  InputEvent event;
+  event.t = t;
+  event.modality = Modality::pointing;
+  read_signal(fields, event);
+  event.hand = read_hand(fields);
+  read_direction(fields, event);
+  return event;
+}
+
+InputEvent read_gaze(const TraceFields& fields, SimTime t) {
+  InputEvent event;
+  event.t = t;
+  event.modality = Modality::gaze;
+  read_signal(fields, event);
+  read_direction(fields, event);
   return event;
 }
 
