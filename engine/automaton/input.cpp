@@ -13,6 +13,8 @@ std::span<const Carried> carried_terms() {
       Carried{"why", "text", &Input::why},
       Carried{"concerned", "e*", &Input::concerned},
       Carried{"gesture", "text", &Input::gesture},
+      Carried{"sign", "text", &Input::sign, true},
+      Carried{"sign_at", "num", &Input::sign_at, true},
       Carried{"observed_speech", "text", &Input::observed_speech},
       Carried{"observed_gestures", "term*", &Input::observed_gestures},
       Carried{"observed_acts", "term*", &Input::observed_acts},

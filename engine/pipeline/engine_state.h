@@ -13,6 +13,7 @@
 #include "continua/automaton/exploration.h"
 #include "continua/behaviour/performance.h"
 #include "continua/learning/learning.h"
+#include "continua/learning/shapes.h"
 #include "continua/moves/known_words.h"
 #include "continua/moves/offer.h"
 #include "continua/perception/pointed.h"
@@ -31,10 +32,12 @@ struct EngineState {
   std::deque<Ensemble> complete;  ///< ensembles to attend to, in order
   std::string last_utterance;
   std::optional<Pointed> pointed;
-  Learned learned;   ///< gestures and actions that the human taught
-  Lessons lessons;   ///< names learned in this run, with the inputs of their lessons
-  KnownWords words;  ///< for reading speech
-  int inputs = 0;    ///< number of inputs so far; the serial of the latest
+  Learned learned;           ///< gestures and actions that the human taught
+  ShownShapes shapes;        ///< of the gestures shown last
+  std::optional<Sign> sign;  ///< the taught gesture that was shown last
+  Lessons lessons;           ///< names learned in this run, with the inputs of their lessons
+  KnownWords words;          ///< for reading speech
+  int inputs = 0;            ///< number of inputs so far; the serial of the latest
   Performance performance;
   int acts = 0;  ///< number of acts requested so far; the number of the latest
 

@@ -1,5 +1,6 @@
 #include "continua/pipeline/lessons.h"
 
+#include <algorithm>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -12,10 +13,11 @@
 namespace continua {
 namespace {
 
-Outcome learn(const Taught& taught, const Machine& machine, Learned& learned) {
+Outcome learn(const Taught& taught, const Machine& machine, const Seen& seen, Learned& learned) {
   if (taught.name.empty()) return Error{"", "nothing is learned without a name"};
   if (taught.of == Lesson::gesture) {
     learned.gestures.insert_or_assign(taught.name, taught.value);
+    if (const auto shape = seen.shapes.find(taught.name); !shape.empty()) learned.learn_shape(taught.name, shape);
     return std::nullopt;
   }
   if (taught.of == Lesson::noun) {
@@ -31,19 +33,21 @@ Outcome learn(const Taught& taught, const Machine& machine, Learned& learned) {
   return learned.learn_program(taught.name, *std::move(program));
 }
 
-std::vector<StepEvent> taught(Taught event, const Machine& machine, Learned& learned) {
-  if (const auto problem = learn(event, machine, learned))
+std::vector<StepEvent> taught(Taught event, const Machine& machine, const Seen& seen, Learned& learned) {
+  if (const auto problem = learn(event, machine, seen, learned))
     return {Trouble{fmt::format("{} is not learned: {}", in_quotes(event.name), problem->sentence)}};
   if (event.of == Lesson::word) event.value = learned.programs.find(event.name)->second.acts;
   return {std::move(event)};
 }
 
-std::vector<StepEvent> forgotten(const Forgotten& event, Learned& learned) {
+std::vector<StepEvent> forgotten(const Forgotten& event, const Seen& seen, Learned& learned) {
   std::vector<StepEvent> events;
+  std::vector<std::string> names = {event.name};
+  if (event.of == Lesson::gesture) names = of_one_shape(event.name, learned, seen.limits);
   const auto forget = [&](Lesson of, auto& known, const auto& value_of) {
     if (event.of && *event.of != of) return;
     for (auto one = known.begin(); one != known.end();) {
-      if (event.of && one->first != event.name) {
+      if (event.of && std::find(names.begin(), names.end(), one->first) == names.end()) {
         ++one;
         continue;
       }
@@ -52,6 +56,7 @@ std::vector<StepEvent> forgotten(const Forgotten& event, Learned& learned) {
     }
   };
   forget(Lesson::gesture, learned.gestures, [](const Term& meaning) { return meaning; });
+  std::erase_if(learned.shapes, [&](const auto& one) { return !learned.gestures.contains(one.first); });
   forget(Lesson::noun, learned.nouns, [](const Term& condition) { return condition; });
   forget(Lesson::word, learned.programs, [](const Program& program) { return program.acts; });
   return events;
@@ -72,16 +77,17 @@ bool is_taken(const std::string& name, const Machine& machine) {
          machine.bindings.contains(Name(name)) || machine.tables.contains(name);
 }
 
-std::vector<StepEvent> with_lessons(std::vector<StepEvent> events, const Machine& machine, Learned& learned) {
+std::vector<StepEvent> with_lessons(std::vector<StepEvent> events, const Machine& machine, const Seen& seen,
+                                    Learned& learned) {
   std::vector<StepEvent> all;
   const auto add = [&](std::vector<StepEvent> some) {
     all.insert(all.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
   };
   for (auto& event : events) {
     if (auto* lesson = std::get_if<Taught>(&event))
-      add(taught(std::move(*lesson), machine, learned));
+      add(taught(std::move(*lesson), machine, seen, learned));
     else if (const auto* lost = std::get_if<Forgotten>(&event))
-      add(forgotten(*lost, learned));
+      add(forgotten(*lost, seen, learned));
     else if (auto* act = std::get_if<Acted>(&event))
       add(acted(std::move(*act), learned));
     else

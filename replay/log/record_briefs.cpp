@@ -30,7 +30,10 @@ std::string Input::brief() const {
   const auto of = text_in(event, "kind");
   const auto part = [this](const char* key) { return text_in(event, key); };
   if (of == "speech") return fmt::format("“{}”", part("text"));
-  if (of == "gesture") return joined({part("hand"), part("name"), part("direction"), part("phase")});
+  if (of == "gesture") {
+    const bool has_shape = part("name").empty() && event.contains("features");
+    return joined({part("hand"), has_shape ? "unnamed" : part("name"), part("direction"), part("phase")});
+  }
   if (of == "pointing") return joined({"pointing", part("hand"), part("target")});
   if (of == "observed") return joined({"observed", part("channel"), part("content")});
   return compact(event);
