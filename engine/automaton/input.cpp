@@ -16,6 +16,8 @@ std::span<const Carried> carried_terms() {
       Carried{"doubted", "num*", &Input::doubted},
       Carried{"doubted_words", "text*", &Input::doubted_words},
       Carried{"doubted_meanings", "term*", &Input::doubted_meanings},
+      Carried{"sign", "text", &Input::sign, true},
+      Carried{"sign_at", "num", &Input::sign_at, true},
       Carried{"observed_speech", "text", &Input::observed_speech},
       Carried{"observed_gestures", "term*", &Input::observed_gestures},
       Carried{"observed_acts", "term*", &Input::observed_acts},

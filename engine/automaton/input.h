@@ -20,6 +20,8 @@ struct Input {
   Term target;   ///< loc: where it points
   Term said;     ///< text: its words
   Term gesture;  ///< text: the name of the gesture
+  Term sign;     ///< text: the taught gesture that was shown last, this one or an earlier one
+  Term sign_at;  ///< num: when that was, seconds
   Term pointed;  ///< loc: where the human pointed last, if that was just now
 
   Term act;        ///< t: at the end of an act, its program

@@ -134,6 +134,11 @@ const Program* Learned::program_called(std::string_view name) const {
   return found == programs.end() ? nullptr : &found->second;
 }
 
+void Learned::learn_shape(const std::string& gesture, const Shape& shape) {
+  auto& exemplars = shapes[gesture];
+  if (std::find(exemplars.begin(), exemplars.end(), shape) == exemplars.end()) exemplars.push_back(shape);
+}
+
 Outcome Learned::learn_program(const std::string& name, Program program) {
   std::set<const Program*> seen;
   if (leads_to(program, name, *this, seen))

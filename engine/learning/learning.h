@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "continua/core/result.h"
+#include "continua/core/shape.h"
 #include "continua/term/evaluate.h"
 #include "continua/term/term.h"
 
@@ -39,7 +40,9 @@ Result<std::vector<Term>> applied(const Program& program, const std::vector<Term
 
 /// All lessons: a value.
 struct Learned {
-  std::map<std::string, Term, std::less<>> gestures;     ///< recognisers' name of the gesture → its meaning
+  std::map<std::string, Term, std::less<>> gestures;  ///< recognisers' name of the gesture → its meaning
+  /// Name of a gesture → its exemplars, the shapes that it had when it was taught (learning/shapes.h).
+  std::map<std::string, std::vector<Shape>, std::less<>> shapes;
   std::map<std::string, Program, std::less<>> programs;  ///< name in terms → its program; mostly the word itself
   std::map<std::string, Term, std::less<>> nouns;        ///< word → what it is said of: \x. x = block1
 
@@ -48,6 +51,8 @@ struct Learned {
   }
   /// The program of the name, or else of the word; nullptr if there is none.
   const Program* program_called(std::string_view name) const;
+  /// Adds an exemplar, unless the gesture has it already. REQUIRES !shape.empty().
+  void learn_shape(const std::string& gesture, const Shape& shape);
   /// Adds or replaces the program of a name. Error: the program would lead back to itself.
   Outcome learn_program(const std::string& name, Program program);
   /// Expands an act: a taught program is replaced by its acts, these again, and so on; other acts stay. Its

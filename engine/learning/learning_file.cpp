@@ -43,7 +43,7 @@ class LearningReader {
     root.expect_version("learned", 1);
     // Terms may use every taught name: if the names have problems, terms are not read.
     const auto programs = taught(root.member("programs"), "programs", {"acts", "word"});
-    const auto gestures = taught(root.member("gestures"), "gestures", {"means"});
+    const auto gestures = taught(root.member("gestures"), "gestures", {"means", "shapes"});
     if (document_.sound()) read_programs(programs);
     if (document_.sound()) read_gestures(gestures);
     if (document_.sound()) read_nouns(taught(root.member("nouns"), "nouns", {"means"}));
@@ -98,7 +98,22 @@ class LearningReader {
       const auto term = read_term(each);
       if (term && term->is_null()) each.term.problem("found null, expected what the gesture means");
       if (term) learned_.gestures.emplace(each.name, *term);
+      for (const auto& shape : each.entry.member("shapes").elements("shapes")) read_shape(each.name, shape);
     }
+  }
+
+  void read_shape(const std::string& gesture, const Item& shape) {
+    std::vector<double> numbers;
+    for (const auto& number : shape.elements("numbers")) {
+      if (number.json().is_number())
+        numbers.push_back(number.json().get<double>());
+      else
+        number.mismatch("a number");
+    }
+    if (numbers.empty())
+      shape.mismatch("a list of one number or more");
+    else
+      learned_.learn_shape(gesture, Shape(std::move(numbers)));
   }
 
   void read_nouns(const std::vector<Taught>& nouns) {
@@ -154,6 +169,8 @@ std::string print(const Program& program) {
 std::string print_learned(const Learned& learned) {
   Json gestures = Json::object(), programs = Json::object();
   for (const auto& [name, meaning] : learned.gestures) gestures[name] = {{"means", print(meaning)}};
+  for (const auto& [name, exemplars] : learned.shapes)
+    for (const auto& shape : exemplars) gestures[name]["shapes"].push_back(shape.numbers());
   for (const auto& [name, program] : learned.programs) {
     programs[name] = {{"acts", print(program)}};
     if (!program.word.empty()) programs[name]["word"] = program.word;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "continua/core/shape.h"
 #include "continua/core/sim_time.h"
 #include "continua/world/geometry.h"
 
@@ -39,6 +40,7 @@ struct InputEvent {
   std::string hand;              ///< gesture, pointing: "left", "right" or empty
   std::string direction;         ///< gesture: "left", "up", … or empty
   std::string phase;             ///< gesture: "start", "stop", "stroke"
+  Shape features;                ///< gesture: its form, by any embedding of the recogniser's; may be empty
   std::optional<Vec3> target_W;  ///< gesture, pointing, gaze: the intended point of the table
   std::optional<Ray> ray;        ///< pointing, gaze
   std::optional<SimTime> until;

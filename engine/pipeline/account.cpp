@@ -22,7 +22,7 @@ std::vector<EngineEvent> account_of(const std::vector<Offer>& offers, std::size_
   std::vector<EngineEvent> events;
   const auto tell = [&](std::size_t k) {
     const auto& offer = offers[k];
-    if (offer.move.kind.empty() && offer.move.words.empty()) return;
+    if (offer.move.kind.empty() && offer.move.words.empty() && !offer.move.shape) return;
     events.push_back(Understood{offer.move, offer.input.because,
                                 offers.size() > 1 ? std::optional(offer.alternative) : std::nullopt,
                                 offer.input.confidence, k == taken});

@@ -55,7 +55,9 @@ Tick behave(const Engine& engine, EngineState state, StepEvent event) {
 
 Tick behave(const Engine& engine, Stepped stepped) {
   Tick tick{std::move(stepped.after), {}};
-  for (auto& event : with_lessons(std::move(stepped.events), *engine.machine, tick.after.learned))
+  const auto* gestures = gestures_of(engine);
+  const Seen seen{tick.after.shapes, gestures ? gestures->shapes : ShapeLimits()};
+  for (auto& event : with_lessons(std::move(stepped.events), *engine.machine, seen, tick.after.learned))
     tick.then(behave(engine, std::move(tick.after), std::move(event)));
   tick.events.insert(tick.events.end(), std::make_move_iterator(stepped.others.begin()),
                      std::make_move_iterator(stepped.others.end()));

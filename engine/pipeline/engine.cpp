@@ -54,6 +54,7 @@ Dialogue dialogue_of(const Engine& engine, EngineState& state, const WorldSnapsh
           .lessons = state.lessons,
           .window = engine.window,
           .gestures = gestures_of(engine),
+          .sign = state.sign,
           .understanding = understanding_of(engine, state)};
 }
 

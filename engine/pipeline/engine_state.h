@@ -14,6 +14,7 @@
 #include "continua/automaton/looked.h"
 #include "continua/behaviour/performance.h"
 #include "continua/learning/learning.h"
+#include "continua/learning/shapes.h"
 #include "continua/moves/known_words.h"
 #include "continua/moves/offer.h"
 #include "continua/perception/gaze.h"
@@ -39,6 +40,8 @@ struct EngineState {
   std::map<int, Ensemble> doubted;
   int doubts = 0;    ///< the number of the latest of them
   Learned learned;   ///< gestures and actions that the human taught
+  ShownShapes shapes;        ///< of the gestures shown last
+  std::optional<Sign> sign;  ///< the taught gesture that was shown last
   Lessons lessons;   ///< names learned in this run, with the inputs of their lessons
   KnownWords words;  ///< for reading speech
   int inputs = 0;    ///< number of inputs so far; the serial of the latest

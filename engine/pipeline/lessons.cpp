@@ -1,5 +1,6 @@
 #include "continua/pipeline/lessons.h"
 
+#include <algorithm>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -20,10 +21,11 @@ std::string name_in_terms(const std::string& word, const Machine& machine) {
 }
 
 // Learns the lesson; the name of a taught word becomes its name in terms.
-Outcome learn(Taught& taught, const Machine& machine, Learned& learned) {
+Outcome learn(Taught& taught, const Machine& machine, const Seen& seen, Learned& learned) {
   if (taught.name.empty()) return Error{"", "nothing is learned without a name"};
   if (taught.of == Lesson::gesture) {
     learned.gestures.insert_or_assign(taught.name, taught.value);
+    if (const auto shape = seen.shapes.find(taught.name); !shape.empty()) learned.learn_shape(taught.name, shape);
     return std::nullopt;
   }
   if (taught.of == Lesson::noun) {
@@ -40,20 +42,30 @@ Outcome learn(Taught& taught, const Machine& machine, Learned& learned) {
   return learned.learn_program(name, *std::move(program));
 }
 
-std::vector<StepEvent> taught(Taught event, const Machine& machine, Learned& learned) {
+std::vector<StepEvent> taught(Taught event, const Machine& machine, const Seen& seen, Learned& learned) {
   const auto word = event.name;
-  if (const auto problem = learn(event, machine, learned))
+  if (const auto problem = learn(event, machine, seen, learned))
     return {Trouble{fmt::format("{} is not learned: {}", in_quotes(word), problem->sentence)}};
   if (event.of == Lesson::word) event.value = learned.programs.find(event.name)->second.acts;
   return {std::move(event)};
 }
 
-std::vector<StepEvent> forgotten(const Forgotten& event, Learned& learned) {
+// The names of what is to be forgotten: those of a gesture of one shape, and that of a word in terms.
+std::vector<std::string> names_of(const Forgotten& event, const Seen& seen, const Learned& learned) {
+  if (event.of == Lesson::gesture) return of_one_shape(event.name, learned, seen.limits);
+  std::vector<std::string> names = {event.name};
+  for (const auto& [name, program] : learned.programs)
+    if (event.of == Lesson::word && !program.word.empty() && program.word == event.name) names.push_back(name);
+  return names;
+}
+
+std::vector<StepEvent> forgotten(const Forgotten& event, const Seen& seen, Learned& learned) {
   std::vector<StepEvent> events;
-  const auto forget = [&](Lesson of, auto& known, const auto& value_of, const auto& is_called) {
+  const auto names = names_of(event, seen, learned);
+  const auto forget = [&](Lesson of, auto& known, const auto& value_of) {
     if (event.of && *event.of != of) return;
     for (auto one = known.begin(); one != known.end();) {
-      if (event.of && one->first != event.name && !is_called(one->second)) {
+      if (event.of && std::find(names.begin(), names.end(), one->first) == names.end()) {
         ++one;
         continue;
       }
@@ -61,13 +73,10 @@ std::vector<StepEvent> forgotten(const Forgotten& event, Learned& learned) {
       one = known.erase(one);
     }
   };
-  const auto itself = [](const Term& term) { return term; };
-  const auto by_name_alone = [](const Term&) { return false; };
-  forget(Lesson::gesture, learned.gestures, itself, by_name_alone);
-  forget(Lesson::noun, learned.nouns, itself, by_name_alone);
-  forget(
-      Lesson::word, learned.programs, [](const Program& program) { return program.acts; },
-      [&](const Program& program) { return !program.word.empty() && program.word == event.name; });
+  forget(Lesson::gesture, learned.gestures, [](const Term& meaning) { return meaning; });
+  std::erase_if(learned.shapes, [&](const auto& one) { return !learned.gestures.contains(one.first); });
+  forget(Lesson::noun, learned.nouns, [](const Term& condition) { return condition; });
+  forget(Lesson::word, learned.programs, [](const Program& program) { return program.acts; });
   return events;
 }
 
@@ -88,16 +97,17 @@ bool is_taken(const std::string& name, const Machine& machine) {
          machine.bindings.contains(Name(name)) || machine.tables.contains(name);
 }
 
-std::vector<StepEvent> with_lessons(std::vector<StepEvent> events, const Machine& machine, Learned& learned) {
+std::vector<StepEvent> with_lessons(std::vector<StepEvent> events, const Machine& machine, const Seen& seen,
+                                    Learned& learned) {
   std::vector<StepEvent> all;
   const auto add = [&](std::vector<StepEvent> some) {
     all.insert(all.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
   };
   for (auto& event : events) {
     if (auto* lesson = std::get_if<Taught>(&event))
-      add(taught(std::move(*lesson), machine, learned));
+      add(taught(std::move(*lesson), machine, seen, learned));
     else if (const auto* lost = std::get_if<Forgotten>(&event))
-      add(forgotten(*lost, learned));
+      add(forgotten(*lost, seen, learned));
     else if (auto* act = std::get_if<Acted>(&event))
       add(acted(std::move(*act), learned));
     else

@@ -29,6 +29,16 @@ std::string symbol_of(const Engine& engine, const EngineState& state, const Inpu
   return symbol_of(event, gestures_of(engine), state.learned);
 }
 
+InputEvent with_name(const Engine& engine, EngineState& state, InputEvent event) {
+  if (event.modality != Modality::gesture || event.features.empty() || event.phase == "stop") return event;
+  const auto* gestures = gestures_of(engine);
+  if (event.name.empty())
+    event.name = state.shapes.name_for(event.features, state.learned,
+                                       [&](std::string_view name) { return gestures && gestures->find(name); });
+  state.shapes.add(event.name, event.features);
+  return event;
+}
+
 Percept heard(const InputEvent& event, int serial, const Understanding& understanding) {
   Percept percept{serial, event, {}, {}};
   percept.readings = readings_of(event, understanding);

@@ -39,10 +39,10 @@ Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world, Learned learne
 
 // Perceives and fuses.
 Tick Pipeline::receive(const EngineState& before, const InputEvent& told, const WorldSnapshot& world) const {
-  const InputEvent event = with_target(told, world);
-  const SimTime now = std::max(event.t, world.t);
   Tick tick{before, {}};
   EngineState& state = tick.after;
+  const InputEvent event = with_name(engine_, state, with_target(told, world));
+  const SimTime now = std::max(event.t, world.t);
   const int serial = ++state.inputs;
   state.words = with_taught(std::move(state.words), state.learned);
   const auto symbol = symbol_of(engine_, state, event);
@@ -86,6 +86,7 @@ Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) con
     return tick;
   }
   tick.then(std::move(answered.tick));
+  if (const auto& sign = offers[answered.taken].sign) state.sign = sign;
   const auto next = [&](const Offer& last) { return next_offer(last, ensemble, dialogue_of(engine_, state, world)); };
   for (auto offer = next(offers[answered.taken]); offer; offer = next(*offer))
     tick.then(answer(std::move(state), {*offer}, world).tick);

@@ -108,6 +108,8 @@ Task Avatar::task(const WorldSnapshot& now) const {
   Task task;
   task.object = command.object;
   task.parts = command.parts;
+  task.only_parts = command.only_parts;
+  task.approach = command.approach;
   if (has_goal()) {
     Placement place = *placement(command, world, Occupied::cleared);
     if (command.goal.relation && is_side(*command.goal.relation) &&
@@ -138,8 +140,10 @@ void Avatar::decide_handling(const WorldSnapshot& world) {
   const bool in_hand = world.held == wanted.object;
   const auto held = in_hand ? grasp() : std::nullopt;
   const auto handling = plan_handling(wanted, world, means_, held, state_.attempts.tried);
-  if (!handling) return cannot({Code::too_wide, {object.name}});
+  const bool particular = wanted.only_parts || wanted.approach != Approach::any;
+  if (!handling) return cannot({particular ? Code::no_such_hold : Code::too_wide, {object.name}});
   if (!handling->reached || !reaches(act.p_WG)) {
+    if (particular && reaches(object.p_WO)) return cannot({Code::no_such_hold, {object.name}});
     if (in_hand || reaches(object.p_WO)) return cannot({Code::place_out_of_reach});
     return cannot({Code::out_of_reach, {object.name}});
   }

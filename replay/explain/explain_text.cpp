@@ -136,6 +136,7 @@ class Teller {
     else
       text += "taken as " + move;
     tell(text + "  " + numbered(reading), 2);
+    if (const auto& shape = member_of(reading, "shape"); shape.is_object()) tell(text_of(shape, "reason"), 3);
     for (const auto& one : list_of(reading, "resolved")) tell_resolved(one);
     if (const auto& ruled_out = list_of(reading, "ruled_out"); !ruled_out.empty())
       tell("not " + ruled_out_text(ruled_out, options_.all), 3);

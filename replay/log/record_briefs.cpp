@@ -32,7 +32,10 @@ std::string Input::brief() const {
   const auto is_final = event.find("final");
   const bool may_change = is_final != event.end() && *is_final == false;
   if (of == "speech") return fmt::format("“{}”{}", part("text"), may_change ? " (not final)" : "");
-  if (of == "gesture") return joined({part("hand"), part("name"), part("direction"), part("phase")});
+  if (of == "gesture") {
+    const bool has_shape = part("name").empty() && event.contains("features");
+    return joined({part("hand"), has_shape ? "unnamed" : part("name"), part("direction"), part("phase")});
+  }
   if (of == "pointing") return joined({"pointing", part("hand"), part("target")});
   if (of == "gaze") return joined({"gaze", part("target")});
   if (of == "observed") return joined({"observed", part("channel"), part("content")});

@@ -173,6 +173,31 @@ struct Sense {
   }
 };
 
+/// The comparison of a gesture's shape with taught ones.
+struct ShapeMatch {
+  std::string verdict;
+  std::optional<std::string> nearest;
+  std::optional<double> distance;
+  std::optional<std::string> rival;
+  std::optional<double> rival_distance;
+  std::int64_t of_other_length = 0;
+  std::string reason;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("verdict", &ShapeMatch::verdict, Says::what,
+              "`named` (taught under its name), `recognised`, `too far`, `contested` (like two things) or `nothing "
+              "known`."),
+        field("nearest", &ShapeMatch::nearest, Says::what, "The taught gesture with the nearest exemplar."),
+        field("distance", &ShapeMatch::distance, Says::how, "The distance of that exemplar."),
+        field("rival", &ShapeMatch::rival, Says::how, "The nearest taught gesture with another meaning."),
+        field("rival_distance", &ShapeMatch::rival_distance, Says::how, "The distance of its exemplar."),
+        field("of_other_length", &ShapeMatch::of_other_length, Says::how,
+              "Number of exemplars of another length, which are not compared."),
+        field("reason", &ShapeMatch::reason, Says::aside, "The same as a sentence.")};
+  }
+};
+
 struct Reading {
   OrNull<std::string> move;
   std::optional<std::string> words, reading, category, meaning, type;
@@ -187,6 +212,7 @@ struct Reading {
   std::optional<std::string> sides;
   std::optional<Margin> margin;
   std::optional<std::vector<std::string>> unknown, unused, repaired;
+  std::optional<ShapeMatch> shape;
   std::vector<std::int64_t> because;
   std::optional<std::int64_t> alternative;
   std::optional<double> confidence;
@@ -227,6 +253,8 @@ struct Reading {
         field("unused", &Reading::unused, Says::how, "Words that belong to no move."),
         field("repaired", &Reading::repaired, Says::how,
               "Unknown words that were read as words of the scene which resemble them; `entries` has these."),
+        field("shape", &Reading::shape, Says::how,
+              "Of a gesture with `features` that no catalogue has: how its shape compares with taught ones."),
         field("because", &Reading::because, Says::aside, "The inputs that contributed.").as("record"),
         field("alternative", &Reading::alternative, Says::how,
               "Of an n-best list: its place in the list; 0 is the event's own text."),

@@ -83,7 +83,7 @@ const std::vector<EventKind>& kinds() {
        [](const Fields& fields, SimTime t, const Json&) -> What { return read_speech(fields, t); },
        put_input_event},
       {"gesture",
-       {"happened", "name", "hand", "direction", "phase", "target", "until", "confidence", "alternatives"},
+       {"happened", "name", "hand", "direction", "phase", "target", "until", "confidence", "features", "alternatives"},
        [](const Fields& fields, SimTime t, const Json&) -> What { return read_gesture(fields, t); },
        put_input_event},
       {"pointing",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 
 namespace continua {
 namespace {
@@ -96,6 +97,17 @@ std::optional<Vec3> TraceFields::vector(const char* name, int size, double most)
     return std::nullopt;
   }
   return Vec3((*value)[0].get<double>(), (*value)[1].get<double>(), size == 2 ? 0 : (*value)[2].get<double>());
+}
+
+std::vector<double> TraceFields::numbers(const char* name) const {
+  const Json* value = find(name);
+  if (!value) return {};
+  const bool right = value->is_array() && !value->empty() &&
+                     std::all_of(value->begin(), value->end(),
+                                 [](const Json& one) { return one.is_number() && std::isfinite(one.get<double>()); });
+  if (right) return value->get<std::vector<double>>();
+  wrong(name, "an array of one number or more, each finite");
+  return {};
 }
 
 const Json* TraceFields::array_of_objects(const char* name) const {

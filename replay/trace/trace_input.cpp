@@ -35,7 +35,6 @@ void read_alternatives(const TraceFields& fields, InputEvent& event) {
 // The content of an input: its own, or the surest entry of its n-best list. That entry leaves the list, so that each
 // counts once; the input is as sure as the entry unless it says so itself.
 std::string best_of(const TraceFields& fields, const char* name, InputEvent& event) {
-  fields.need({name, "alternatives"});
   auto& others = event.alternatives;
   const auto own = fields.has(name) ? std::optional(fields.text(name)) : std::nullopt;
   const auto best =
@@ -61,7 +60,7 @@ void put_text(Json& json, const char* name, const std::string& text) {
 void put_input(Json& json, const InputEvent& event) {
   if (event.modality == Modality::speech) json["text"] = event.text;
   if (!event.final) json["final"] = false;
-  if (event.modality == Modality::gesture) json["name"] = event.name;
+  if (event.modality == Modality::gesture && !event.name.empty()) json["name"] = event.name;
   put_text(json, "hand", event.hand);
   put_text(json, "direction", event.direction);
   put_text(json, "phase", event.phase);
@@ -72,6 +71,7 @@ void put_input(Json& json, const InputEvent& event) {
   }
   if (event.until) json["until"] = event.until->seconds();
   if (event.confidence != 1) json["confidence"] = event.confidence;
+  if (!event.features.empty()) json["features"] = event.features.numbers();
   for (const auto& word : event.words) {
     Json entry;
     entry["text"] = word.text;
@@ -94,6 +94,7 @@ InputEvent read_speech(const TraceFields& fields, SimTime t) {
   event.modality = Modality::speech;
   read_signal(fields, event);
   read_alternatives(fields, event);
+  fields.need({"text", "alternatives"});
   event.text = best_of(fields, "text", event);
   event.final = fields.truth("final", true);
   fields.for_each("words", [&](const TraceFields& word) {
@@ -111,7 +112,9 @@ InputEvent read_gesture(const TraceFields& fields, SimTime t) {
   event.modality = Modality::gesture;
   read_signal(fields, event);
   read_alternatives(fields, event);
+  fields.need({"name", "alternatives", "features"});
   event.name = best_of(fields, "name", event);
+  event.features = Shape(fields.numbers("features"));
   event.hand = read_hand(fields);
   event.direction = fields.text("direction");
   event.phase = fields.choice("phase", {"start", "stop", "stroke"});

@@ -135,6 +135,7 @@ function readingFields(record) {
     record.reading && typed('says', record.reading),
     record.meaning && typed('means', record.meaning, record.type),
     objectsOf(record.missing).map((gap) => line('missing', missing(gap))),
+    record.shape && line('shape', text(record.shape.reason ?? record.shape.verdict ?? '')),
     record.referents && line('referents', names(record.referents) || 'none'),
     ['unknown', 'unused'].map((kind) => record[kind] && line(`${kind} words`, names(record[kind]))),
   ];
