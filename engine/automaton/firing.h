@@ -15,10 +15,11 @@
 
 namespace continua {
 
-/// The transitions that may fire, and those whose condition does not hold.
+/// The transitions that may fire, and those whose condition does not hold or that others outrank.
 struct Applicable {
-  std::vector<Candidate> candidates;  ///< by alternative, then in file order
-  std::vector<Refused> refused;       ///< empty without an account
+  std::vector<Candidate> candidates;  ///< those of the highest rank for their input; by alternative, then in file order
+  std::vector<Candidate> outranked;   ///< those of a lower rank, in the same order: only force makes them fire
+  std::vector<Refused> refused;       ///< in the same order; empty without an account
   double margin = std::numeric_limits<double>::infinity();
 };
 
@@ -87,6 +88,7 @@ class Firing {
 
  private:
   void take_input(std::size_t alternative);
+  void part_by_rank(Applicable& found, std::size_t first);
   Evaluation evaluate();
   const Term* look_up(Name name);
   const Term* read(const Cell& cell);

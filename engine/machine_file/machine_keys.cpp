@@ -23,7 +23,7 @@ constexpr KindOfObject kinds[] = {
     {"a register", "type initial about"},
     {"a state", "gate enter passing about layout"},
     {"a gate", "when else push push_each pop rewrite rewrite_each flush pop_until none about"},
-    {"a transition", "id from on when to push push_each pop rewrite rewrite_each flush pop_until none weight do about"},
+    {"a transition", "id from on when to push push_each pop rewrite rewrite_each flush pop_until none rank weight do about"},
     {"what is implied", "when to stack about"},
     {"an operation", "push push_each pop rewrite rewrite_each flush pop_until none"},
     {"an effect", "when say phrase gesture act remember learn forget rewrite rewrite_each do about"},
