@@ -44,10 +44,10 @@ struct Chosen {
 
 /// The moment at which one of several transitions is to be chosen.
 struct OpenChoice {
-  int step = 0;                          ///< the number that the chosen transition will have
+  int step = 0;  ///< the number that the chosen transition will have
   const Configuration* configuration = nullptr;
-  std::span<const Input> inputs;         ///< those offered; none: ε
-  std::span<const Candidate> candidates; ///< at least one; by alternative, then in file order
+  std::span<const Input> inputs;          ///< those offered; none: ε
+  std::span<const Candidate> candidates;  ///< at least one; by alternative, then in file order
 };
 
 /// A policy from outside of the engine. It must answer the same questions in the same way, if runs are to be the same.
@@ -66,8 +66,8 @@ class OutsidePolicy {
 struct Chooser {
   Choice policy = Choice::likeliest;
   Random random{0};
-  std::map<int, std::size_t> forced;  ///< step → transition; taken entries are erased
-  int steps = 0;                      ///< transitions chosen so far; the first is step 1
+  std::map<int, std::size_t> forced;            ///< step → transition; taken entries are erased
+  int steps = 0;                                ///< transitions chosen so far; the first is step 1
   std::shared_ptr<OutsidePolicy> outside = {};  ///< decides in place of `policy`, unless that is `explore`
 
   /// `candidates` are ordered by alternative, then in file order. Returns nothing without candidates, and under

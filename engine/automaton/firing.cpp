@@ -57,8 +57,8 @@ Applicable Firing::applicable() {
 void Firing::part_by_rank(Applicable& found, std::size_t first) {
   const auto begin = found.candidates.begin() + static_cast<std::ptrdiff_t>(first);
   const auto rank = [&](const Candidate& one) { return machine_.transitions[one.transition].rank; };
-  const auto highest = std::max_element(begin, found.candidates.end(),
-                                        [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  const auto highest =
+      std::max_element(begin, found.candidates.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
   if (highest == found.candidates.end()) return;
   const Candidate best = *highest;
   const auto lower = std::stable_partition(begin, found.candidates.end(),

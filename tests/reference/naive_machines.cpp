@@ -86,8 +86,8 @@ std::string transition_text(const Transition& transition, std::size_t index) {
   std::vector<std::string> from, on;
   for (const int state : transition.from) from.push_back(quoted(state_name(state)));
   for (const char input : transition.on) on.push_back(quoted(std::string(1, input)));
-  return fmt::format("{{\"id\":\"t{}\",\"from\":[{}],\"on\":{},\"when\":{},\"to\":{},\"rank\":{},\"weight\":{},{}}}", index,
-                     fmt::join(from, ","), on.empty() ? "null" : fmt::format("[{}]", fmt::join(on, ",")),
+  return fmt::format("{{\"id\":\"t{}\",\"from\":[{}],\"on\":{},\"when\":{},\"to\":{},\"rank\":{},\"weight\":{},{}}}",
+                     index, fmt::join(from, ","), on.empty() ? "null" : fmt::format("[{}]", fmt::join(on, ",")),
                      condition(transition.when), quoted(state_name(transition.to)), transition.rank, transition.weight,
                      operation_member(transition.operation));
 }
