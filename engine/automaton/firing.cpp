@@ -29,6 +29,7 @@ Applicable Firing::applicable() {
   const auto& exits = machine_.exits[configuration_.state];
   std::size_t alternative = 0;
   do {
+    const auto first = found.candidates.size();
     if (inputs_.size() > 1) take_input(alternative);
     const auto* takers = input_ ? exits.on(input_->symbol) : &exits.epsilon;
     const bool may_take = !takers;  // no transition names the symbol; some may take it by prefix
@@ -48,8 +49,32 @@ Applicable Firing::applicable() {
         found.refused.push_back({index, why_not(*transition.when, machine_, evaluation), alternative});
       found.margin = std::min(found.margin, evaluation.margin);
     }
+    part_by_rank(found, first);
   } while (++alternative < inputs_.size());
   return found;
+}
+
+// Of the candidates from `first` on, which take the same input, those of the highest rank stay.
+void Firing::part_by_rank(Applicable& found, std::size_t first) {
+  const auto begin = found.candidates.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto rank = [&](const Candidate& one) { return machine_.transitions[one.transition].rank; };
+  const auto highest =
+      std::max_element(begin, found.candidates.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  if (highest == found.candidates.end()) return;
+  const Candidate best = *highest;
+  const auto lower = std::stable_partition(begin, found.candidates.end(),
+                                           [&](const Candidate& one) { return rank(one) == rank(best); });
+  if (lower == found.candidates.end()) return;
+  for (auto one = lower; account_ && one != found.candidates.end(); ++one)
+    found.refused.push_back({one->transition,
+                             fmt::format("'{}' applies too, of rank {} against {}",
+                                         machine_.transitions[best.transition].id, rank(best), rank(*one)),
+                             one->alternative, best.transition});
+  found.outranked.insert(found.outranked.end(), lower, found.candidates.end());
+  found.candidates.erase(lower, found.candidates.end());
+  std::stable_sort(found.refused.begin(), found.refused.end(), [](const Refused& a, const Refused& b) {
+    return std::pair(a.alternative, a.transition) < std::pair(b.alternative, b.transition);
+  });
 }
 
 std::optional<Entry> Firing::entry(const Transition& transition) {

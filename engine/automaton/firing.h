@@ -16,10 +16,11 @@
 
 namespace continua {
 
-/// The transitions that may fire, and those whose condition does not hold.
+/// The transitions that may fire, and those whose condition does not hold or that others outrank.
 struct Applicable {
-  std::vector<Candidate> candidates;  ///< by alternative, then in file order
-  std::vector<Refused> refused;       ///< empty without an account
+  std::vector<Candidate> candidates;  ///< those of the highest rank for their input; by alternative, then in file order
+  std::vector<Candidate> outranked;   ///< those of a lower rank, in the same order: only force makes them fire
+  std::vector<Refused> refused;       ///< in the same order; empty without an account
   double margin = std::numeric_limits<double>::infinity();
 };
 
@@ -90,6 +91,7 @@ class Firing {
 
  private:
   void take_input(std::size_t alternative);
+  void part_by_rank(Applicable& found, std::size_t first);
   Evaluation evaluate();
   Evaluation::Held look_up(Name name);
   Evaluation::Held read(const Cell& cell);

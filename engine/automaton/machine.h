@@ -141,7 +141,8 @@ struct Transition {
   std::optional<Term> when;
   StateIndex to = 0;
   Operation operation;
-  double weight = 1;
+  int rank = 0;       ///< it applies only where none of a higher rank does
+  double weight = 1;  ///< how likely it is among those of its rank
   std::vector<Effect> effects;
 };
 

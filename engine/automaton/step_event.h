@@ -13,8 +13,9 @@ namespace continua {
 
 struct Refused {
   std::size_t transition = 0;
-  std::string reason;           ///< the first conjunct of its condition that fails, with the compared values
+  std::string reason;           ///< the first conjunct of its condition that fails, with its values; or the higher rank
   std::size_t alternative = 0;  ///< number of the input that it would have taken, among those offered
+  std::optional<std::size_t> outranked_by = {};  ///< its condition holds, but so does that of this transition
 };
 
 struct GateTest {

@@ -395,27 +395,38 @@ class Log:
         if sorted(logged["candidates"] + logged["refused"]) != sorted(own):
             self.disagree(record, f"the log has the transitions {logged}, those of state and input are {own}")
         evaluation = self.evaluation(moment)
-        whole = True
-        for transition in fitting:
-            whole &= self.compare_condition(record, transition, logged, evaluation)
-        self.count("candidate lists of which every condition was checked" if whole else
-                   "candidate lists checked in part")
+        holding = [(each, self.holds(each, evaluation)) for each in fitting]
+        self.count("candidate lists of which every condition was checked" if all(holds is not None for _, holds in holding)
+                   else "candidate lists checked in part")
+        self.compare_conditions(record, logged, holding)
 
-    def compare_condition(self, record, transition, logged, evaluation):
+    def holds(self, transition, evaluation):
+        """Whether its condition holds, by our own evaluation; None if that is not known."""
         text = transition.get("when")
         if text is None:
-            holds = True
-        else:
-            try:
-                holds = evaluate.truth(evaluation.known(self.known(text, {}, evaluation)))
-            except Unknown as why:
-                self.skip("conditions", why)
-                return False
-        self.count("conditions" if text is not None else "transitions without a condition")
-        if holds != (transition["id"] in logged["candidates"]):
-            self.disagree(record, f"the condition of '{transition['id']}', {text}, "
-                                  f"{'holds' if holds else 'does not hold'}; the log has the opposite")
-        return True
+            self.count("transitions without a condition")
+            return True
+        try:
+            holds = evaluate.truth(evaluation.known(self.known(text, {}, evaluation)))
+        except Unknown as why:
+            self.skip("conditions", why)
+            return None
+        self.count("conditions")
+        return holds
+
+    def compare_conditions(self, record, logged, holding):
+        """The candidates are those of the highest rank among the transitions whose conditions hold."""
+        rank = {each["id"]: each.get("rank", 0) for each, _ in holding}
+        highest = max([rank[each["id"]] for each, holds in holding if holds] +
+                      [rank[each] for each in logged["candidates"]], default=0)
+        for transition, holds in holding:
+            name = transition["id"]
+            is_candidate = name in logged["candidates"]
+            if is_candidate and rank[name] != highest:
+                self.disagree(record, f"'{name}' is of rank {rank[name]}, but another candidate is of rank {highest}")
+            elif holds is not None and (holds and rank[name] == highest) != is_candidate:
+                self.disagree(record, f"the condition of '{name}', {transition.get('when')}, "
+                                      f"{'holds' if holds else 'does not hold'}; the log has the opposite")
 
     def compare_choice(self, record):
         """The weights, and which of the candidates was taken."""

@@ -92,7 +92,7 @@ class Faults(unittest.TestCase):
 
     def test_candidate_that_is_left_out(self):
         def falsify(record):
-            if len(record["candidates"]) < 2:
+            if record["n"] % 4 or not record["candidates"]:
                 return False
             del record["candidates"][-1]
         self.found_everywhere("transition", falsify, 5)
@@ -110,9 +110,18 @@ class Faults(unittest.TestCase):
 
     def test_candidate_that_is_refused_wrongly(self):
         def falsify(record):
-            if len(record["candidates"]) < 2:
+            if record["n"] % 4 or not record["candidates"]:
                 return False
             record["refused"].append({"id": record["candidates"].pop()["id"], "reason": "false"})
+        self.found_everywhere("transition", falsify, 5)
+
+    def test_candidate_of_a_lower_rank(self):
+        def falsify(record):
+            other = next((each for each in record["refused"] if "outranked_by" in each), None)
+            if other is None:
+                return False
+            record["refused"].remove(other)
+            record["candidates"].append({"id": other["id"], "weight": 1.0})
         self.found_everywhere("transition", falsify, 5)
 
     def test_gate(self):

@@ -45,6 +45,7 @@ struct Transition {
   std::string on;  ///< the inputs it takes, a character each; empty: ε
   Pattern when;
   int to = 0;
+  int rank = 0;
   double weight = 1;
   Operation operation;
 };
