@@ -27,6 +27,14 @@ bool only_looks(const std::vector<Effect>& effects) {
   });
 }
 
+// Entering a state may also put the stack or a register right, as when the hand is read from the world.
+bool is_quiet(const std::vector<Effect>& effects) {
+  return std::all_of(effects.begin(), effects.end(), [](const Effect& effect) {
+    return std::holds_alternative<Rewrite>(effect.what) || std::holds_alternative<Remember>(effect.what) ||
+           only_looks({effect});
+  });
+}
+
 bool has_epsilon(const Machine& machine, StateIndex state) {
   return std::any_of(machine.transitions.begin(), machine.transitions.end(), [&](const Transition& each) {
     return !each.on && std::find(each.from.begin(), each.from.end(), state) != each.from.end();
@@ -36,10 +44,10 @@ bool has_epsilon(const Machine& machine, StateIndex state) {
 // The reason why the transition does more than look; empty if it does not.
 std::string does_more(const Transition& transition, const Machine& machine) {
   const auto& state = machine.states[transition.to];
-  if (transition.from != std::vector<StateIndex>{transition.to} || state.gate) return "it leads to another state";
+  if (transition.from != std::vector<StateIndex>{transition.to}) return "it leads to another state";
   if (transition.operation.kind != Operation::Kind::none) return "it changes the stack";
   if (!only_looks(transition.effects)) return "it has other effects than look_at, reach and point";
-  if (!only_looks(state.enter)) return fmt::format("{} has other effects when it is entered", state.name);
+  if (!is_quiet(state.enter)) return fmt::format("{} has other effects when it is entered", state.name);
   if (has_epsilon(machine, transition.to)) return fmt::format("an ε-transition leads on from {}", state.name);
   return "";
 }
