@@ -64,7 +64,7 @@ class Log:
         self.readings = moments.Readings(records)
         self.name_types, self.moment, self.offers = self.types_told(), {}, {}
         self.left, self.latest, self.named = None, None, {0}
-        self.before_step, self.after_rewrite, self.pointing = None, False, False
+        self.before_step, self.after_rewrite, self.pointing, self.gaze = None, False, False, False
         self.acts = Acts(self)
 
     def types_told(self):
