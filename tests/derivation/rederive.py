@@ -62,7 +62,7 @@ class Log:
         self.readings = moments.Readings(records)
         self.name_types, self.moment, self.offers = self.types_told(), {}, {}
         self.left, self.latest, self.named = None, None, {0}
-        self.before_step, self.after_rewrite, self.pointing = None, False, False
+        self.before_step, self.after_rewrite, self.pointing, self.gaze = None, False, False, False
         self.acts = Acts(self)
 
     def types_told(self):
@@ -234,6 +234,7 @@ class Log:
 
     def on_input(self, record):
         event = record["event"]
+        self.gaze = self.gaze or event["kind"] == "gaze"
         self.pointing = self.pointing or event["kind"] == "pointing" or "target" in event or "ray" in event
 
     def on_belief(self, record):
@@ -253,15 +254,26 @@ class Log:
             record = self.records[record["cause"]] if "cause" in record else None
         return reading, record
 
+    def was_assured(self, record):
+        """Whether the input was asked about and is now as sure as one can be."""
+        while record is not None and record["kind"] != "input":
+            if record.get("assured"):
+                return True
+            record = self.records[record["cause"]] if "cause" in record else None
+        return False
+
     def moment_of(self, record, reading, event, symbol):
         said = moments.of_event(event, symbol, reading)
         said.update(moments.of_reading(reading or {"move": None}))
         if reading is None:
             del said["move"]
         said["now"], said["in_state"] = ("num", record["t"]), ("text", self.state)
-        said["confidence"] = ("num", moments.confidence_of(event, reading))
+        sure = self.was_assured(record)
+        said["confidence"] = ("num", 1.0 if sure else moments.confidence_of(event, reading))
         said["input"] = ("text", symbol) if symbol else NULL
         self.add_neighbours(said, reading)
+        if not self.gaze:
+            said["looked_at"] = moments.names([])
         if not self.pointing:
             said["pointed"] = moments.NO_POINTING
         elif symbol == "gesture δ" and event.get("target"):
