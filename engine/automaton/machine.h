@@ -212,6 +212,9 @@ struct ContextTerms {
   std::optional<Term> among;    ///< e*: the objects of the question
   std::optional<Term> topic;    ///< (e -> t)*: the nouns that "one" can stand for, the likeliest first
   std::optional<Term> handled;  ///< e*: objects that the avatar acted on, the latest first
+  /// loc*: places that were pointed at without words, the latest first. Each pointing has two halves, the things there
+  /// and the place; a half is listed until it is used.
+  std::optional<Term> shown_things, shown_places;
 };
 
 /// Time windows of fusion, in seconds (perception/fusion.h).

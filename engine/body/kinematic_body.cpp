@@ -139,6 +139,10 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
   if (command.what == Capability::move && !in_hand) return failed({ReasonCode::not_held, {handling.object}});
   const WorldSnapshot before = world_;
   if (!in_hand) release();
+  if (auto why = hindrance(handling)) {
+    world_ = before;
+    return failed(*std::move(why));
+  }
   if (command.what == Capability::turn) {
     if (const auto why = turn(handling)) {
       world_ = before;
@@ -147,22 +151,30 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
     return end;
   }
   if (moves_to_goal(command.what)) {
+    const auto lying_before = lying_;
     end = move(handling);
-    if (end.status != Status::done) world_ = before;
+    if (end.status != Status::done) {
+      world_ = before;
+      lying_ = lying_before;
+    }
     if (end.status == Status::done && empties_hand(command.what, in_hand)) world_.held.clear();
     return end;
-  }
-  if (command.what == Capability::grasp && command.next && !in_hand) {
-    handling.goal = *command.next;
-    const auto place = placement(handling, lying_down(handling.object), occupied_);
-    if (!place) {
-      world_ = before;
-      return failed(place.reason());
-    }
   }
   world_.held = handling.object;
   if (command.what == Capability::lift) shift(handling.object, Vec3(0, 0, command.height_m));
   return end;
+}
+
+/// The reason why there is no place for the act's goal, or why the arm cannot do the act.
+std::optional<Reason> KinematicBody::hindrance(const AvatarCommand& asked) const {
+  AvatarCommand command = asked;
+  const bool before_next = command.what == Capability::grasp && command.next;
+  if (before_next && command.object == world_.held) return std::nullopt;
+  if (before_next) command.goal = *command.next;
+  const WorldSnapshot laid = lying_down(command.object);
+  if (before_next || moves_to_goal(command.what))
+    if (const auto place = placement(command, laid, occupied_); !place) return place.reason();
+  return ability_ ? ability_->hindrance(command, laid) : std::nullopt;
 }
 
 ActReport KinematicBody::move(const AvatarCommand& command) {
@@ -181,7 +193,13 @@ ActReport KinematicBody::move(const AvatarCommand& command) {
   object.interior = shaped.interior;
   lying_.erase(command.object);
   if (!command.goal.relation || occupied_ == Occupied::cleared)
-    world_ = pushed_apart(std::move(world_), command.object);
+    world_ = pushed_apart(std::move(world_), command.object,
+                          occupied_ == Occupied::avoided ? GivesWay::others : GivesWay::both);
+  for (const auto& other : world_.objects)
+    if (bears(world_.table, laid.find(other.name)->p_WO) && !bears(world_.table, other.p_WO)) {
+      end.end_for({ReasonCode::falls_off, {other.name}});
+      return end;
+    }
   if (place->upright) {
     lying_.emplace(command.object, lying);
     end.reason = {ReasonCode::stands_on_end, {command.object}};

@@ -67,7 +67,7 @@ class Places {
 
  private:
   Reason no_room() const;
-  Placement at_point() const;
+  OrReason<Placement> at_point() const;
   OrReason<Placement> in_hollow() const;
   OrReason<Placement> on_top(Occupied occupied) const;
   OrReason<Placement> nearby(Occupied occupied) const;
@@ -179,9 +179,11 @@ std::vector<Vec3> Places::ideals() const {
   return places;
 }
 
-/// A point is a place whatever stands there.
-Placement Places::at_point() const {
-  return Placement{on_grid(Vec3(goal_.p_WG.x(), goal_.p_WG.y(), world_.table.max.z() + object_.half_extents_m.z()))};
+/// A point of the table is a place whatever stands there.
+OrReason<Placement> Places::at_point() const {
+  const Vec3 there(goal_.p_WG.x(), goal_.p_WG.y(), world_.table.max.z() + object_.half_extents_m.z());
+  if (!bears(world_.table, there)) return Reason{ReasonCode::falls_off, {object_.name}};
+  return Placement{on_grid(there)};
 }
 
 /// On the floor of a container, where the object fits as it lies or on its end.
@@ -249,10 +251,14 @@ OrReason<Placement> Places::nearby(Occupied occupied) const {
   };
   if (occupied == Occupied::cleared && is_side(*goal_.relation) && landmarks_.front().thing && !is_step())
     return Placement{standing(centers.front()).p_WO};
-  for (const Vec3& step : steps_around(farthest_m)) {
-    for (const Vec3& center : centers) {
-      const ObjectState there = standing(center + step);
-      if (on_table(there) && free(there) && holds(there)) return Placement{there.p_WO};
+  // A place with all of the object above the table, else one with its centre there.
+  for (const bool whole : {true, false}) {
+    for (const Vec3& step : steps_around(farthest_m)) {
+      for (const Vec3& center : centers) {
+        const ObjectState there = standing(center + step);
+        const bool borne = whole ? on_table(there) : bears(world_.table, there.p_WO);
+        if (borne && free(there) && holds(there)) return Placement{there.p_WO};
+      }
     }
   }
   return no_room();

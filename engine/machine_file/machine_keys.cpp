@@ -17,7 +17,7 @@ constexpr KindOfObject kinds[] = {
      "repeat_utterances perspective lexicon gestures phrases fusion context moves ignore programs parameters "
      "slots bottom memory inputs define wordings beliefs states transitions implied examples"},
     {"fusion", "before after lateness pause"},
-    {"a context", "focus among topic handled"},
+    {"a context", "focus among topic handled shown_things shown_places"},
     {"a parameter", "value until about"},
     {"a slot", "type persists about"},
     {"a register", "type initial about"},

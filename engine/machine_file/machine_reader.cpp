@@ -36,10 +36,13 @@ ContextTerms read_context(const Item& item, bool has_lexicon, const TermReader& 
   if (!has_lexicon) item.problem_at_key("nothing is understood without a lexicon; expected \"lexicon\"");
   const auto objects = Type::list(Type::entity());
   const auto nouns = Type::list(Type::function(Type::entity(), Type::truth()));
+  const auto places = Type::list(Type::location());
   return {.focus = terms.term(item.member("focus"), objects),
           .among = terms.term(item.member("among"), objects),
           .topic = terms.term(item.member("topic"), nouns),
-          .handled = terms.term(item.member("handled"), objects)};
+          .handled = terms.term(item.member("handled"), objects),
+          .shown_things = terms.term(item.member("shown_things"), places),
+          .shown_places = terms.term(item.member("shown_places"), places)};
 }
 
 class MachineReader {

@@ -64,6 +64,15 @@ Offer complete(Offer offer, const InputEvent& event, const Discourse& discourse,
   return offer;
 }
 
+// Earlier pointings without words that the fragment's words take.
+std::vector<Showing> earlier_showings(const ReadSpeech& speech, std::size_t fragment, const EarlierPointings& earlier) {
+  const WordSpan& words = speech.utterance.fragments[fragment].words;
+  std::vector<Demonstrative> inside;
+  for (const auto& each : speech.demonstratives)
+    if (each.words.begin >= words.begin && each.words.end <= words.end) inside.push_back(each);
+  return taken_by(inside, earlier);
+}
+
 // Understands the offer's fragment of the utterance.
 Offer understood(Offer offer, const Ensemble& ensemble, const Dialogue& now) {
   const auto& speech = speech_of(offer, ensemble);
@@ -73,6 +82,12 @@ Offer understood(Offer offer, const Ensemble& ensemble, const Dialogue& now) {
     discourse.context.showings.push_back({words, pointing.place_W, pointing.gesture});
     discourse.shown.push_back(pointing.serials);
   }
+  // Words with pointings of their own draw on no earlier ones.
+  if (discourse.context.showings.empty())
+    for (auto& showing : earlier_showings(speech, offer.fragment, discourse.earlier)) {
+      discourse.context.showings.push_back(std::move(showing));
+      discourse.shown.push_back(discourse.pointed);
+    }
   offer.move = now.understanding->understood(speech.utterance, offer.fragment, discourse.context);
   offer = complete(std::move(offer), speech.event, discourse, now);
   offer.input.symbol = name_of(Modality::speech) + " " + offer.move.kind;

@@ -16,6 +16,7 @@
 #include "continua/replay/session/scene_voxemes.h"
 #include "continua/replay/session/session_loop.h"
 #include "continua/replay/session/session_parts.h"
+#include "continua/simulation/feasibility.h"
 #include "continua/simulation/physics_body.h"
 
 namespace continua {
@@ -215,7 +216,12 @@ std::optional<Variant> parse_variant(std::string_view name) {
 }
 
 Result<std::unique_ptr<Body>> body_of(const Scene& scene, bool physics) {
-  if (!physics) return std::unique_ptr<Body>(std::make_unique<KinematicBody>(scene.initial_snapshot()));
+  if (!physics) {
+    auto ability = arm_ability(scene);
+    if (!ability) return ability.error();
+    return std::unique_ptr<Body>(
+        std::make_unique<KinematicBody>(scene.initial_snapshot(), Occupied::avoided, *std::move(ability)));
+  }
   auto body = PhysicsBody::create(scene);
   if (!body) return body.error();
   return std::unique_ptr<Body>(std::move(*body));
