@@ -19,7 +19,7 @@ SHARED = {
                    "the green block": ["block4", "green_block5"]},
 }
 # Spots on the table with nothing near them. x grows to the human's right, y away from the human; metres.
-FREE = {"place_setting": [-0.1, -0.17], "workbench": [0.0, -0.2], "staircase": [0.12, -0.06], "emre_table": [-0.05, -0.42]}
+FREE = {"place_setting": [-0.1, -0.17], "workbench": [0.0, -0.2], "staircase": [0.12, -0.06], "emre_table": [0.4, -0.1]}
 
 
 def where(scene, thing):

@@ -3,8 +3,7 @@ import things
 
 # Beyond the reach of the arm, and off the table, for all scenes.
 FAR, OFF = [-0.56, -0.36], [0.0, -0.5]
-REACH, EDGE = ["out of my reach"], ["not on the table", "off the table", "out of my reach"]
-WIDE = {"place_setting": "plate", "workbench": "plate", "emre_table": "plate"}
+WHY = ["out of my reach", "fall off the table", "my arm end before that"]
 
 
 def item(number, what, scene, say, expect):
@@ -20,8 +19,8 @@ def members():
         free = {"point": things.FREE[scene]}
         for k, (thing, name) in enumerate(list(names.items())[:4]):
             yield item(k, f"take {thing}", scene, [f"take {name}"], {"acts": [f"take {thing}"]})
-            yield item(k, f"far {thing}", scene, [[f"put {name} there", {"point": FAR, "at": 0.5}]], refused(*REACH))
-            yield item(k, f"off {thing}", scene, [[f"put {name} there", {"point": OFF, "at": 0.5}]], refused(*EDGE))
+            yield item(k, f"far {thing}", scene, [[f"put {name} there", {"point": FAR, "at": 0.5}]], refused(*WHY))
+            yield item(k, f"off {thing}", scene, [[f"put {name} there", {"point": OFF, "at": 0.5}]], refused(*WHY))
             yield item(k, f"free {thing}", scene, [[f"put {name} there", {**free, "at": 0.5}]], {"acts": [f"put {thing} at"]})
     for k, (scene, thing, name, into) in enumerate([
             ("workbench", "block_red", "the red block", "the cup"), ("workbench", "plate", "the plate", "the cup"),

@@ -4,6 +4,8 @@ import random
 import things
 
 NOISE_M = 0.008
+# The place was understood, but lies beyond the arm or the table.
+UNREACHED = ["out of my reach", "fall off the table", "my arm end before that"]
 
 
 def between(a, b, share=0.5):
@@ -14,7 +16,7 @@ def between(a, b, share=0.5):
 NEIGHBOURS = [("place_setting", "knife", "cup"), ("staircase", "block4", "block6"), ("staircase", "block3", "block7"),
               ("staircase", "block4", "block5"), ("emre_table", "purple_block3", "cup")]
 FAR = {"place_setting": [[-0.45, -0.25], [0.0, -0.27], [-0.1, 0.25]], "workbench": [[0.0, -0.2], [-0.5, 0.25]],
-       "staircase": [[0.12, -0.06], [0.45, -0.25]], "emre_table": [[-0.05, -0.42], [0.5, -0.3]]}
+       "staircase": [[0.12, -0.06], [0.45, -0.25]], "emre_table": [[0.4, -0.1], [0.5, -0.3]]}
 
 
 def members():
@@ -37,4 +39,5 @@ def members():
             yield {"id": f"unsure_pointing {scene} {k} far", "scene": scene, "say": [[{"point": place}]],
                    "expect": {"no_act": True, "says": ["go on"]}}
             yield {"id": f"unsure_pointing {scene} {k} far place", "scene": scene,
-                   "say": [[{"point": place}], f"put {name} there"], "expect": {"acts": [f"put {thing} at"]}}
+                   "say": [[{"point": place}], f"put {name} there"],
+                   "expect": {"one_of": [{"acts": [f"put {thing} at"]}, {"no_act": True, "says": UNREACHED}]}}
