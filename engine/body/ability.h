@@ -14,8 +14,8 @@ class Ability {
   virtual ~Ability() = default;
 
   /// The reason why the arm cannot do the act in this world, as it would be told before anything moves; nothing if it
-  /// can. REQUIRES that the world has all things of the command, and a place for its goal (body/placement.h). The hand is
-  /// empty or holds the act's object.
+  /// can. REQUIRES that the world has all things of the command, and a place for its goal (body/placement.h). The hand
+  /// is empty or holds the act's object.
   virtual std::optional<Reason> hindrance(const AvatarCommand& command, const WorldSnapshot& world) const = 0;
 };
 

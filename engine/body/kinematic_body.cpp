@@ -43,6 +43,14 @@ std::vector<std::string> touched_by(const ObjectState& object, const WorldSnapsh
   return touched;
 }
 
+/// A thing that the table bore before and no longer bears; nullptr if there is none.
+const ObjectState* fallen(const WorldSnapshot& now, const WorldSnapshot& before) {
+  const auto found = std::find_if(now.objects.begin(), now.objects.end(), [&](const ObjectState& each) {
+    return bears(now.table, before.find(each.name)->p_WO) && !bears(now.table, each.p_WO);
+  });
+  return found == now.objects.end() ? nullptr : &*found;
+}
+
 bool handles_things(const AvatarCommand& command) {
   return needs_object(command.what) || command.what == Capability::ungrasp;
 }
@@ -192,14 +200,15 @@ ActReport KinematicBody::move(const AvatarCommand& command) {
   object.half_extents_m = shaped.half_extents_m;
   object.interior = shaped.interior;
   lying_.erase(command.object);
-  if (!command.goal.relation || occupied_ == Occupied::cleared)
-    world_ = pushed_apart(std::move(world_), command.object,
-                          occupied_ == Occupied::avoided ? GivesWay::others : GivesWay::both);
-  for (const auto& other : world_.objects)
-    if (bears(world_.table, laid.find(other.name)->p_WO) && !bears(world_.table, other.p_WO)) {
-      end.end_for({ReasonCode::falls_off, {other.name}});
-      return end;
-    }
+  if (!command.goal.relation || occupied_ == Occupied::cleared) {
+    const WorldSnapshot crowded = world_;
+    if (occupied_ == Occupied::avoided) world_ = pushed_apart(crowded, command.object, GivesWay::others);
+    if (occupied_ == Occupied::cleared || fallen(world_, laid)) world_ = pushed_apart(crowded, command.object);
+  }
+  if (const auto* other = fallen(world_, laid)) {
+    end.end_for({ReasonCode::falls_off, {other->name}});
+    return end;
+  }
   if (place->upright) {
     lying_.emplace(command.object, lying);
     end.reason = {ReasonCode::stands_on_end, {command.object}};

@@ -251,8 +251,10 @@ OrReason<Placement> Places::nearby(Occupied occupied) const {
   };
   if (occupied == Occupied::cleared && is_side(*goal_.relation) && landmarks_.front().thing && !is_step())
     return Placement{standing(centers.front()).p_WO};
-  // A place with all of the object above the table, else one with its centre there.
+  // A place with all of the object above the table; beside another thing also one with its centre there.
+  const bool may_stand_out = is_side(*goal_.relation) && landmarks_.front().thing && !is_step();
   for (const bool whole : {true, false}) {
+    if (!whole && !may_stand_out) break;
     for (const Vec3& step : steps_around(farthest_m)) {
       for (const Vec3& center : centers) {
         const ObjectState there = standing(center + step);

@@ -14,8 +14,9 @@ enum class GivesWay {
 };
 
 /// The world after `object`, just put down, and the things that overlap it have pushed each other apart along the
-/// table. The deepest overlap is resolved first, along its shorter way; then the overlaps that this causes. Things in a hollow move along with it. Things on top stay where they are, as if their support had been
-/// pulled away, and fall if nothing is left below them. After a few hundred pushes some overlap may remain.
+/// table. The deepest overlap is resolved first, along its shorter way; then the overlaps that this causes. Things in a
+/// hollow move along with it. Things on top stay where they are, as if their support had been pulled away, and fall if
+/// nothing is left below them. After a few hundred pushes some overlap may remain.
 WorldSnapshot pushed_apart(WorldSnapshot world, const std::string& object, GivesWay gives_way = GivesWay::both);
 
 }  // namespace continua

@@ -10,9 +10,9 @@ bool contains(const std::vector<Vec3>& places, const Vec3& place) {
 }
 
 std::size_t number_of(const EarlierPointings& earlier) {
-  return earlier.things.size() + static_cast<std::size_t>(std::count_if(
-                                     earlier.places.begin(), earlier.places.end(),
-                                     [&](const Vec3& place) { return !contains(earlier.things, place); }));
+  return earlier.things.size() +
+         static_cast<std::size_t>(std::count_if(earlier.places.begin(), earlier.places.end(),
+                                                [&](const Vec3& place) { return !contains(earlier.things, place); }));
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ struct EarlierPointings {
 /// - The last demonstrative takes the latest pointing, the one before it the pointing before: things and places come in
 ///   the order of their words.
 /// - If there are fewer pointings than demonstratives, things go first, since a place can be asked for.
-/// - The words for a thing that need no pointing, such as "the cup", share the latest pointing at things: it tells which
+/// - The words for a thing that need no pointing, such as "the cup", share the latest pointing at things: it tells
+/// which
 ///   is meant if several fit.
 std::vector<Showing> taken_by(const std::vector<Demonstrative>& demonstratives, const EarlierPointings& earlier);
 

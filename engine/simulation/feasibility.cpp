@@ -7,7 +7,6 @@
 #include "continua/body/placement.h"
 #include "continua/core/angles.h"
 #include "continua/simulation/avatar_elements.h"
-#include "continua/simulation/pushing.h"
 #include "continua/simulation/turning.h"
 
 namespace continua {
@@ -34,8 +33,8 @@ class ArmAbility : public Ability {
 
   std::optional<Reason> hindrance(const AvatarCommand& asked, const WorldSnapshot& world) const override {
     const AvatarCommand command = with_next_goal(asked);
-    if (!needs_object(command.what)) return std::nullopt;
-    if (to_goal(command.what) == ToGoal::pushed) return hindrance_to_push(command, world);
+    // Pushes are not judged: they go on by several pushes, each from where the one before has ended.
+    if (!needs_object(command.what) || to_goal(command.what) == ToGoal::pushed) return std::nullopt;
     const bool in_hand = world.held == command.object;
     if (command.what == Capability::turn) return in_hand ? std::nullopt : hindrance_to_turn(command, world);
     const Task task = task_of(command, world);
@@ -48,15 +47,6 @@ class ArmAbility : public Ability {
 
  private:
   Means means() const { return {form_, shapes_}; }
-
-  std::optional<Reason> hindrance_to_push(const AvatarCommand& command, const WorldSnapshot& world) const {
-    const ObjectState& object = *world.find(command.object);
-    const auto place = placement(command, world, command.goal.relation ? Occupied::avoided : Occupied::cleared);
-    if (!place) return place.reason();
-    if (!needs_push(object, place->p_WO, means())) return std::nullopt;
-    const auto push = plan_push(object, place->p_WO, landmark_of(command.goal), world, means());
-    return push ? std::nullopt : std::optional(push.reason());
-  }
 
   std::optional<Reason> hindrance_to_turn(const AvatarCommand& command, const WorldSnapshot& world) const {
     Task task;

@@ -25,8 +25,8 @@ Task task_of(const AvatarCommand& command, const WorldSnapshot& world);
 /// The centre of the task's object in the end.
 Vec3 end_of(const Task& task, const WorldSnapshot& world);
 
-/// The handling for the task, or the reason why there is none: the object is too wide, or it or its goal is out of reach. An
-/// object within reach of some grip can be taken, whatever is done with it afterwards.
+/// The handling for the task, or the reason why there is none: the object is too wide, or it or its goal is out of
+/// reach. An object within reach of some grip can be taken, whatever is done with it afterwards.
 OrReason<Handling> feasible_handling(const Task& task, const WorldSnapshot& world, const Means& means,
                                      const std::optional<Grasp>& grasp, const std::vector<Grip>& tried);
 
