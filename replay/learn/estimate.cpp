@@ -6,6 +6,9 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <string>
+
+#include <fmt/format.h>
 
 namespace continua {
 namespace {
@@ -179,11 +182,7 @@ double difference(const MachineWeights& a, const MachineWeights& b) {
 }
 
 // Six digits: the file is for people, and the last bits of sums are no knowledge.
-double rounded(double value) {
-  if (!(value > 0)) return value;
-  const double unit = std::pow(10, std::floor(std::log10(value)) - 5);
-  return std::round(value / unit) * unit;
-}
+double rounded(double value) { return std::stod(fmt::format("{:.6g}", value)); }
 
 }  // namespace
 
