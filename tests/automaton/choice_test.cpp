@@ -14,7 +14,8 @@ const std::string ranked = R"json({"machine":1,"name":"m","start":"A","slots":{"
 
 std::string candidates_of(const Player& player, const std::shared_ptr<const Machine>& machine) {
   std::string ids;
-  for (const auto& one : player.all<Fired>().at(0).candidates)
+  const auto fired = player.all<Fired>().at(0);
+  for (const auto& one : fired.candidates)
     ids += (ids.empty() ? "" : " ") + machine->transitions[one.transition].id;
   return ids;
 }
@@ -73,7 +74,7 @@ TEST_CASE("Force takes a transition whose rank is too low") {
   Input input;
   input.symbol = "x";
   auto step = stepper.step(stepper.initial(), input, {.beliefs = &beliefs}, chooser);
-  const auto& fired = std::get<Fired>(step.events.at(0));
+  const auto fired = std::get<Fired>(step.events.at(0));
   CHECK(machine->transitions[fired.transition].id == "rest");
   CHECK(fired.forced);
   CHECK(fired.probability == 0);

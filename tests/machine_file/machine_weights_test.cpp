@@ -54,7 +54,7 @@ TEST_CASE("Faults of a file of weights") {
   const auto machine = machine_of(text);
   const std::pair<const char*, const char*> cases[] = {
       {R"({"weights":1,"machine":"n"})", "found 'n', expected m"},
-      {R"({"weights":2,"machine":"m"})", "weights"},
+      {R"({"weights":2,"machine":"m"})", "the version of the format"},
       {R"({"weights":1,"machine":"m","transitions":{"gues":1}})", "did you mean 'guess'?"},
       {R"({"weights":1,"machine":"m","transitions":{"guess":0}})", "greater than 0"},
       {R"({"weights":1,"machine":"m","evidence":[{"row":2,"levels":[0,1]}]})", "the number of a row"},

@@ -45,9 +45,9 @@ struct Transition {
   std::string on;  ///< the inputs it takes, a character each; empty: ε
   Pattern when;
   int to = 0;
-  int rank = 0;
   double weight = 1;
   Operation operation;
+  int rank = 0;  ///< it is applicable only where none of a higher rank is
 };
 
 struct Machine {
