@@ -17,6 +17,9 @@ class Ability {
   /// can. REQUIRES that the world has all things of the command, and a place for its goal (body/placement.h). The hand
   /// is empty or holds the act's object.
   virtual std::optional<Reason> hindrance(const AvatarCommand& command, const WorldSnapshot& world) const = 0;
+
+  /// Whether the hand gets to a point of the world.
+  virtual bool reaches(const Vec3& p_W) const = 0;
 };
 
 }  // namespace continua

@@ -181,14 +181,19 @@ std::optional<Reason> KinematicBody::hindrance(const AvatarCommand& asked) const
   if (before_next) command.goal = *command.next;
   const WorldSnapshot laid = lying_down(command.object);
   if (before_next || moves_to_goal(command.what))
-    if (const auto place = placement(command, laid, occupied_); !place) return place.reason();
+    if (const auto place = place_of(command, laid); !place) return place.reason();
   return ability_ ? ability_->hindrance(command, laid) : std::nullopt;
+}
+
+OrReason<Placement> KinematicBody::place_of(const AvatarCommand& command, const WorldSnapshot& world) const {
+  if (!ability_) return placement(command, world, occupied_);
+  return placement(command, world, occupied_, [&](const Vec3& p_W) { return ability_->reaches(p_W); });
 }
 
 ActReport KinematicBody::move(const AvatarCommand& command) {
   ActReport end;
   const WorldSnapshot laid = lying_down(command.object);
-  const auto place = placement(command, laid, occupied_);
+  const auto place = place_of(command, laid);
   if (!place) {
     end.end_for(place.reason());
     return end;

@@ -40,6 +40,7 @@ class KinematicBody : public Body {
   bool accepts(const AvatarCommand& command) const;
   /// Does the act. The report lacks id and time.
   ActReport act(const AvatarCommand& command);
+  OrReason<Placement> place_of(const AvatarCommand& command, const WorldSnapshot& world) const;
   std::optional<Reason> hindrance(const AvatarCommand& asked) const;
   ActReport move(const AvatarCommand& command);
   std::optional<Reason> turn(const AvatarCommand& command);

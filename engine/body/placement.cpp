@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "continua/body/standing.h"
 
@@ -51,8 +52,8 @@ std::vector<Vec3> steps_around(double farthest_m) {
 /// The search for one object's place.
 class Places {
  public:
-  Places(const ObjectState& object, const Goal& goal, const WorldSnapshot& world)
-      : object_(object), goal_(goal), world_(world), carried_(carried_with(object.name, world)) {
+  Places(const ObjectState& object, const Goal& goal, const WorldSnapshot& world, const Reaches& reaches)
+      : object_(object), goal_(goal), world_(world), reaches_(reaches), carried_(carried_with(object.name, world)) {
     for (const auto& name : goal.landmarks) {
       landmarks_.push_back(*Landmark::named(name, world));
       if (name != object.name) continue;
@@ -71,6 +72,7 @@ class Places {
   OrReason<Placement> in_hollow() const;
   OrReason<Placement> on_top(Occupied occupied) const;
   OrReason<Placement> nearby(Occupied occupied) const;
+  std::optional<Placement> nearest(Occupied occupied, bool whole) const;
 
   std::vector<Vec3> ideals() const;
   std::vector<Vec3> before_participant(Perspective who) const;
@@ -87,11 +89,17 @@ class Places {
     there.p_WO = on_grid(p_WO);
     return there;
   }
+  /// The object on its support there.
+  ObjectState standing(Vec3 p_W, Occupied occupied) const {
+    p_W.z() = support_height(p_W, occupied) + object_.half_extents_m.z();
+    return placed(p_W);
+  }
   bool is_step() const { return landmarks_.front().thing == &before_; }
 
   const ObjectState& object_;
   const Goal& goal_;
   const WorldSnapshot& world_;
+  const Reaches& reaches_;
   std::vector<bool> carried_;
   std::vector<Landmark> landmarks_;
   ObjectState before_;
@@ -141,13 +149,16 @@ double Places::support_height(const Vec3& p_W, Occupied occupied) const {
   return height;
 }
 
-/// The place on a participant's side of the table, near its edge.
+/// Places on a participant's side of the table, from its edge inwards.
 std::vector<Vec3> Places::before_participant(Perspective who) const {
+  constexpr double step_m = 0.02, farthest_m = 0.4;
   const Vec3 half = half_of(object_.bounds_W()), front = side_W(Relation::in_front, who);
   Vec3 p = world_.table.center() + front * (half_of(world_.table).y() - edge_gap_m - half.y());
   if (*goal_.relation == Relation::left || *goal_.relation == Relation::right)
     p += side_W(*goal_.relation, who) * half_of(world_.table).x() / 2;
-  return {p};
+  std::vector<Vec3> places = {p};
+  for (int k = 1; reaches_ && k * step_m <= farthest_m; ++k) places.push_back(p - front * (k * step_m));
+  return places;
 }
 
 /// Centres of the search, nearest to the object first.
@@ -242,27 +253,34 @@ OrReason<Placement> Places::on_top(Occupied occupied) const {
   return no_room();
 }
 
-OrReason<Placement> Places::nearby(Occupied occupied) const {
+/// The place nearest to an ideal one within reach; the nearest of all if there is none. `whole`: with all of the object
+/// above the table, else only its centre.
+std::optional<Placement> Places::nearest(Occupied occupied, bool whole) const {
   constexpr double farthest_m = 0.3;
+  constexpr int most_tries = 400;  // of reaching, which takes some 20 microseconds
+  std::optional<Placement> first;
+  int tries = 0;
   const auto centers = ideals();
-  const auto standing = [&](Vec3 p) {
-    p.z() = support_height(p, occupied) + object_.half_extents_m.z();
-    return placed(p);
-  };
-  if (occupied == Occupied::cleared && is_side(*goal_.relation) && landmarks_.front().thing && !is_step())
-    return Placement{standing(centers.front()).p_WO};
-  // A place with all of the object above the table; beside another thing also one with its centre there.
-  const bool may_stand_out = is_side(*goal_.relation) && landmarks_.front().thing && !is_step();
-  for (const bool whole : {true, false}) {
-    if (!whole && !may_stand_out) break;
-    for (const Vec3& step : steps_around(farthest_m)) {
-      for (const Vec3& center : centers) {
-        const ObjectState there = standing(center + step);
-        const bool borne = whole ? on_table(there) : bears(world_.table, there.p_WO);
-        if (borne && free(there) && holds(there)) return Placement{there.p_WO};
-      }
+  for (const Vec3& step : steps_around(farthest_m)) {
+    for (const Vec3& center : centers) {
+      const ObjectState there = standing(center + step, occupied);
+      const bool borne = whole ? on_table(there) : bears(world_.table, there.p_WO);
+      if (!borne || !free(there) || !holds(there)) continue;
+      if (!reaches_ || reaches_(there.p_WO)) return Placement{there.p_WO};
+      if (!first) first = Placement{there.p_WO};
+      if (++tries == most_tries) return first;
     }
   }
+  return first;
+}
+
+OrReason<Placement> Places::nearby(Occupied occupied) const {
+  const bool beside_thing = is_side(*goal_.relation) && landmarks_.front().thing && !is_step();
+  if (occupied == Occupied::cleared && beside_thing) return Placement{standing(ideals().front(), occupied).p_WO};
+  if (const auto place = nearest(occupied, true)) return *place;
+  // Beside another thing the object may stand out over the edge.
+  if (beside_thing)
+    if (const auto place = nearest(occupied, false)) return *place;
   return no_room();
 }
 
@@ -295,10 +313,11 @@ Reason reason_about_goal(ReasonCode code, const std::string& object, const Goal&
   return reason;
 }
 
-OrReason<Placement> placement(const AvatarCommand& command, const WorldSnapshot& world, Occupied occupied) {
+OrReason<Placement> placement(const AvatarCommand& command, const WorldSnapshot& world, Occupied occupied,
+                              const Reaches& reaches) {
   const ObjectState* object = world.find(command.object);
   require(object && !missing_thing(command, world), "a place is sought for and beside things that are in the world");
-  return Places(*object, command.goal, world).find(occupied);
+  return Places(*object, command.goal, world, reaches).find(occupied);
 }
 
 }  // namespace continua

@@ -94,7 +94,7 @@ std::optional<Grasp> Avatar::grasp() const {
 
 void Avatar::decide_handling(const WorldSnapshot& world) {
   AvatarAct& act = state_.act;
-  const Task wanted = task_of(act.command, world);
+  const Task wanted = task_of(act.command, world, physics_.avatar());
   const ObjectState& object = *world.find(wanted.object);
   act.p_WG = end_of(wanted, world);
   const bool in_hand = world.held == wanted.object;
@@ -157,7 +157,8 @@ void Avatar::decide_push(const WorldSnapshot& world) {
   under_way.object = index_of(object.name);
   if (!act.yaw_WG) {
     const auto occupied = act.command.goal.relation ? Occupied::avoided : Occupied::cleared;
-    const auto place = placement(act.command, world, occupied);
+    const auto place =
+        placement(act.command, world, occupied, [&](const Vec3& p_W) { return hand_reaches(physics_.avatar(), p_W); });
     if (!place) return cannot(place.reason());
     act.p_WG = place->p_WO;
     act.yaw_WG = object.yaw;

@@ -21,11 +21,6 @@ bool is_carried(Capability what) { return to_goal(what) == ToGoal::carried; }
 
 std::string landmark_of(const Goal& goal) { return goal.landmarks.empty() ? std::string() : goal.landmarks.front(); }
 
-/// A hand whose fingers point down gets there.
-bool reaches(const AvatarForm& avatar, const Vec3& p_W) {
-  return find_ik(avatar.arm, {p_W, rotation({avatar.natural_yaw(p_W), 0})}).reached;
-}
-
 /// The scene's avatar, without a present grasp: the hold on an object in the hand is not known.
 class ArmAbility : public Ability {
  public:
@@ -37,13 +32,15 @@ class ArmAbility : public Ability {
     if (!needs_object(command.what) || to_goal(command.what) == ToGoal::pushed) return std::nullopt;
     const bool in_hand = world.held == command.object;
     if (command.what == Capability::turn) return in_hand ? std::nullopt : hindrance_to_turn(command, world);
-    const Task task = task_of(command, world);
+    const Task task = task_of(command, world, form_);
     // The grip was chosen for the goal.
-    if (in_hand && task.p_WG && !reaches(form_, *task.p_WG)) return Reason{Code::place_out_of_reach};
+    if (in_hand && task.p_WG && !hand_reaches(form_, *task.p_WG)) return Reason{Code::place_out_of_reach};
     if (in_hand) return std::nullopt;
     const auto handling = feasible_handling(task, world, means(), std::nullopt, {});
     return handling ? std::nullopt : std::optional(handling.reason());
   }
+
+  bool reaches(const Vec3& p_W) const override { return hand_reaches(form_, p_W); }
 
  private:
   Means means() const { return {form_, shapes_}; }
@@ -67,6 +64,10 @@ class ArmAbility : public Ability {
 
 }  // namespace
 
+bool hand_reaches(const AvatarForm& avatar, const Vec3& p_W) {
+  return find_ik(avatar.arm, {p_W, rotation({avatar.natural_yaw(p_W), 0})}).reached;
+}
+
 bool has_goal(const AvatarCommand& command) {
   return is_carried(command.what) || (command.what == Capability::grasp && command.next);
 }
@@ -76,7 +77,8 @@ AvatarCommand with_next_goal(AvatarCommand command) {
   return command;
 }
 
-Task task_of(const AvatarCommand& command, const WorldSnapshot& now) {
+Task task_of(const AvatarCommand& command, const WorldSnapshot& now, const AvatarForm& avatar) {
+  const Reaches reached = [&](const Vec3& p_W) { return hand_reaches(avatar, p_W); };
   // A carried object comes to lie along the world's axes, so its place is sought for an object that lies so.
   WorldSnapshot world = now;
   for (auto& object : world.objects)
@@ -88,11 +90,11 @@ Task task_of(const AvatarCommand& command, const WorldSnapshot& now) {
   task.only_parts = command.only_parts;
   task.approach = command.approach;
   if (has_goal(command)) {
-    Placement place = *placement(command, world, Occupied::cleared);
+    Placement place = *placement(command, world, Occupied::cleared, reached);
     if (command.goal.relation && is_side(*command.goal.relation) &&
         !is_free(*world.find(command.object), place.p_WO, world)) {
       // There may be room a little farther on the same side.
-      const auto free = placement(command, world, Occupied::avoided);
+      const auto free = placement(command, world, Occupied::avoided, reached);
       if (free) place = *free;
     }
     task.p_WG = place.p_WO;
@@ -116,9 +118,9 @@ OrReason<Handling> feasible_handling(const Task& task, const WorldSnapshot& worl
   const bool particular = task.only_parts || task.approach != Approach::any;
   if (!handling) return Reason{particular ? Code::no_such_hold : Code::too_wide, {object.name}};
   // Without a goal the grip alone decides, as in a grasp before an act with a goal.
-  if (handling->reached && (!task.p_WG || reaches(means.avatar, *task.p_WG))) return *std::move(handling);
-  if (particular && reaches(means.avatar, object.p_WO)) return Reason{Code::no_such_hold, {object.name}};
-  if (grasp || reaches(means.avatar, object.p_WO)) return Reason{Code::place_out_of_reach};
+  if (handling->reached && (!task.p_WG || hand_reaches(means.avatar, *task.p_WG))) return *std::move(handling);
+  if (particular && hand_reaches(means.avatar, object.p_WO)) return Reason{Code::no_such_hold, {object.name}};
+  if (grasp || hand_reaches(means.avatar, object.p_WO)) return Reason{Code::place_out_of_reach};
   return Reason{Code::out_of_reach, {object.name}};
 }
 

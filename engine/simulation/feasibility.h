@@ -19,8 +19,11 @@ bool has_goal(const AvatarCommand& command);
 /// The goal of the act; that of the next act if the object is only grasped.
 AvatarCommand with_next_goal(AvatarCommand command);
 
+/// Whether a hand whose fingers point down gets there.
+bool hand_reaches(const AvatarForm& avatar, const Vec3& p_W);
+
 /// The task of an act that carries, lifts or holds its object. REQUIRES a place for its goal if it has one.
-Task task_of(const AvatarCommand& command, const WorldSnapshot& world);
+Task task_of(const AvatarCommand& command, const WorldSnapshot& world, const AvatarForm& avatar);
 
 /// The centre of the task's object in the end.
 Vec3 end_of(const Task& task, const WorldSnapshot& world);

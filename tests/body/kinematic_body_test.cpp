@@ -260,6 +260,7 @@ class ShortArm : public Ability {
     if (!command.goal.relation && command.goal.p_WG.x() > 0.1) return Reason{ReasonCode::place_out_of_reach};
     return std::nullopt;
   }
+  bool reaches(const Vec3& p_W) const override { return p_W.x() <= 0.1; }
 };
 
 }  // namespace
