@@ -72,10 +72,11 @@ class Places {
   OrReason<Placement> in_hollow() const;
   OrReason<Placement> on_top(Occupied occupied) const;
   OrReason<Placement> nearby(Occupied occupied) const;
-  std::optional<Placement> nearest(Occupied occupied, bool whole) const;
+  std::optional<Placement> nearest(const std::vector<Vec3>& centers, Occupied occupied, bool whole,
+                                   const Reaches& reaches) const;
 
   std::vector<Vec3> ideals() const;
-  std::vector<Vec3> before_participant(Perspective who) const;
+  Vec3 before_participant(Perspective who, double inwards_m) const;
   std::vector<std::string> contents_of(const ObjectState& container) const;
   bool is_narrow(const ObjectState& below) const;
   double support_height(const Vec3& p_W, Occupied occupied) const;
@@ -149,16 +150,13 @@ double Places::support_height(const Vec3& p_W, Occupied occupied) const {
   return height;
 }
 
-/// Places on a participant's side of the table, from its edge inwards.
-std::vector<Vec3> Places::before_participant(Perspective who) const {
-  constexpr double step_m = 0.02, farthest_m = 0.4;
+/// The place on a participant's side of the table, near its edge, or farther inwards.
+Vec3 Places::before_participant(Perspective who, double inwards_m) const {
   const Vec3 half = half_of(object_.bounds_W()), front = side_W(Relation::in_front, who);
-  Vec3 p = world_.table.center() + front * (half_of(world_.table).y() - edge_gap_m - half.y());
+  Vec3 p = world_.table.center() + front * (half_of(world_.table).y() - edge_gap_m - half.y() - inwards_m);
   if (*goal_.relation == Relation::left || *goal_.relation == Relation::right)
     p += side_W(*goal_.relation, who) * half_of(world_.table).x() / 2;
-  std::vector<Vec3> places = {p};
-  for (int k = 1; reaches_ && k * step_m <= farthest_m; ++k) places.push_back(p - front * (k * step_m));
-  return places;
+  return p;
 }
 
 /// Centres of the search, nearest to the object first.
@@ -166,7 +164,7 @@ std::vector<Vec3> Places::ideals() const {
   const Relation relation = *goal_.relation;
   const Landmark& landmark = landmarks_.front();
   if (relation == Relation::between) return {(landmark.bounds_W.center() + landmarks_[1].bounds_W.center()) / 2};
-  if (landmark.who) return before_participant(*landmark.who);
+  if (landmark.who) return {before_participant(*landmark.who, 0)};
   // Extents along the world's axes: an object may be turned.
   const Box mine = object_.bounds_W();
   const Vec3 reach = (mine.max - mine.min + landmark.bounds_W.max - landmark.bounds_W.min) / 2;
@@ -253,34 +251,39 @@ OrReason<Placement> Places::on_top(Occupied occupied) const {
   return no_room();
 }
 
-/// The place nearest to an ideal one within reach; the nearest of all if there is none. `whole`: with all of the object
-/// above the table, else only its centre.
-std::optional<Placement> Places::nearest(Occupied occupied, bool whole) const {
+/// The place nearest to one of the centres, within reach if that is told. `whole`: with all of the object above the table,
+/// else only its centre.
+std::optional<Placement> Places::nearest(const std::vector<Vec3>& centers, Occupied occupied, bool whole,
+                                         const Reaches& reaches) const {
   constexpr double farthest_m = 0.3;
-  constexpr int most_tries = 400;  // of reaching, which takes some 20 microseconds
-  std::optional<Placement> first;
-  int tries = 0;
-  const auto centers = ideals();
+  int tries = 400;  // of reaching, which takes some 20 microseconds
   for (const Vec3& step : steps_around(farthest_m)) {
     for (const Vec3& center : centers) {
       const ObjectState there = standing(center + step, occupied);
       const bool borne = whole ? on_table(there) : bears(world_.table, there.p_WO);
       if (!borne || !free(there) || !holds(there)) continue;
-      if (!reaches_ || reaches_(there.p_WO)) return Placement{there.p_WO};
-      if (!first) first = Placement{there.p_WO};
-      if (++tries == most_tries) return first;
+      if (!reaches || reaches(there.p_WO)) return Placement{there.p_WO};
+      if (--tries == 0) return std::nullopt;
     }
   }
-  return first;
+  return std::nullopt;
 }
 
 OrReason<Placement> Places::nearby(Occupied occupied) const {
+  const auto& who = landmarks_.front().who;
   const bool beside_thing = is_side(*goal_.relation) && landmarks_.front().thing && !is_step();
-  if (occupied == Occupied::cleared && beside_thing) return Placement{standing(ideals().front(), occupied).p_WO};
-  if (const auto place = nearest(occupied, true)) return *place;
+  auto centers = ideals();
+  if (occupied == Occupied::cleared && beside_thing) return Placement{standing(centers.front(), occupied).p_WO};
+  if (reaches_) {
+    if (const auto place = nearest(centers, occupied, true, reaches_)) return *place;
+    std::vector<Vec3> inwards;
+    for (int cm = 2; who && cm <= 40; cm += 2) inwards.push_back(before_participant(*who, cm / 100.0));
+    if (const auto place = nearest(inwards, occupied, true, reaches_)) return *place;
+  }
+  if (const auto place = nearest(centers, occupied, true, {})) return *place;
   // Beside another thing the object may stand out over the edge.
   if (beside_thing)
-    if (const auto place = nearest(occupied, false)) return *place;
+    if (const auto place = nearest(centers, occupied, false, {})) return *place;
   return no_room();
 }
 

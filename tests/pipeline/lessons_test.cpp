@@ -129,8 +129,10 @@ TEST_CASE("the act of a learned program is done as the acts that it comes to") {
   play.say("teach");
   const auto type = play.state->learned.programs.at("raise up").type();
   const auto act = Term::apply(Term::constant("raise up", type), Term::entity("knife"));
+  const ShownShapes none;
+  const Seen seen{none, {}};
   const auto events =
-      with_lessons({Acted{act, {7}}, Said{"Okay.", {"Okay."}, {}}}, play.pipeline->machine(), play.state->learned);
+      with_lessons({Acted{act, {7}}, Said{"Okay.", {"Okay."}, {}}}, play.pipeline->machine(), seen, play.state->learned);
   REQUIRE(events.size() == 3);
   CHECK(print(std::get<Acted>(events[0]).term) == "grasp(knife)");
   CHECK(print(std::get<Acted>(events[1]).term) == "lift(knife)");

@@ -28,7 +28,7 @@ BY_WORD = [
     ("staircase", "put it on the red block", "on the green block", "the purple block", "put block7 on block4"),
     ("staircase", "put the purple block", "the orange block", "in front of me", "put block5 in_front human"),
     ("staircase", "take the block", "lift it", "the orange one", "lift block5"),
-    ("emre_table", "put it behind the plate", "in front of it", "the knife", "put knife in_front plate"),
+    ("emre_table", "put it behind the cup", "in front of it", "the knife", "put knife in_front cup"),
     ("emre_table", "put the cup", "the knife", "on the plate", "put knife on plate"),
     ("emre_table", "put it in front of you", "to the left of the plate", "the cup", "put cup left plate"),
 ]
