@@ -251,8 +251,8 @@ OrReason<Placement> Places::on_top(Occupied occupied) const {
   return no_room();
 }
 
-/// The place nearest to one of the centres, within reach if that is told. `whole`: with all of the object above the table,
-/// else only its centre.
+/// The place nearest to one of the centres, within reach if that is told. `whole`: with all of the object above the
+/// table, else only its centre.
 std::optional<Placement> Places::nearest(const std::vector<Vec3>& centers, Occupied occupied, bool whole,
                                          const Reaches& reaches) const {
   constexpr double farthest_m = 0.3;

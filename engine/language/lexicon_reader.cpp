@@ -14,7 +14,7 @@ namespace {
 
 const std::vector<std::string> sections = {
     "about", "categories", "names",  "define",  "determiners", "proforms", "words", "skip",   "attributes", "plural",
-    "unary", "examples",   "sample", "learned", "unknown",     "numbers",  "nouns", "asides", "forms",    "taken"};
+    "unary", "examples",   "sample", "learned", "unknown",     "numbers",  "nouns", "asides", "forms",      "taken"};
 
 }  // namespace
 

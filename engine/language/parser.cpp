@@ -202,7 +202,8 @@ Utterance read(std::string_view text, const Vocabulary& vocabulary) {
   Utterance utterance = read(spoken, vocabulary);
   if (const auto heard = without_repeats(spoken); lost_words(utterance) > 0 && heard.size() < spoken.size())
     if (auto again = read(heard, vocabulary); lost_words(again) < lost_words(utterance)) utterance = std::move(again);
-  if (lost_words(utterance) > 0 && std::any_of(spoken.begin(), spoken.end(), [](const auto& word) { return word.colon; }))
+  if (lost_words(utterance) > 0 &&
+      std::any_of(spoken.begin(), spoken.end(), [](const auto& word) { return word.colon; }))
     if (auto whole = read(without_colons(spoken), vocabulary); lost_words(whole) == 0) utterance = std::move(whole);
   std::size_t begin = 0;
   for (const auto end : std::vector(utterance.ends)) {

@@ -128,9 +128,8 @@ Result<std::vector<Term>> applied(const Program& program, const std::vector<Term
 
 const Program* Learned::program_called(std::string_view name) const {
   if (const auto found = programs.find(name); found != programs.end()) return &found->second;
-  const auto found = std::find_if(programs.begin(), programs.end(), [&](const auto& each) {
-    return each.second.word == name;
-  });
+  const auto found =
+      std::find_if(programs.begin(), programs.end(), [&](const auto& each) { return each.second.word == name; });
   return found == programs.end() ? nullptr : &found->second;
 }
 

@@ -15,7 +15,7 @@ namespace continua {
 
 /// An action composed of others: \x: e. \v: loc. [grasp(x), put(x, v)].
 struct Program {
-  Term acts;         ///< closed: a list of acts below lambdas over e, then over loc
+  Term acts;              ///< closed: a list of acts below lambdas over e, then over loc
   std::string word = {};  ///< the word that the human taught for it; if empty, its name
 
   std::vector<Type> parameters() const;

@@ -38,13 +38,13 @@ struct EngineState {
   Looked looked;  ///< the objects looked at lately, at the latest input
   /// Readings that wait until the human says whether they were meant, by number; 0: the input under way.
   std::map<int, Ensemble> doubted;
-  int doubts = 0;    ///< the number of the latest of them
-  Learned learned;   ///< gestures and actions that the human taught
+  int doubts = 0;            ///< the number of the latest of them
+  Learned learned;           ///< gestures and actions that the human taught
   ShownShapes shapes;        ///< of the gestures shown last
   std::optional<Sign> sign;  ///< the taught gesture that was shown last
-  Lessons lessons;   ///< names learned in this run, with the inputs of their lessons
-  KnownWords words;  ///< for reading speech
-  int inputs = 0;    ///< number of inputs so far; the serial of the latest
+  Lessons lessons;           ///< names learned in this run, with the inputs of their lessons
+  KnownWords words;          ///< for reading speech
+  int inputs = 0;            ///< number of inputs so far; the serial of the latest
   Performance performance;
   int acts = 0;  ///< number of acts requested so far; the number of the latest
 

@@ -108,9 +108,10 @@ TEST_CASE("what cannot be learned is told, and nothing is learned by it") {
 
 TEST_CASE("a word that is a name of the machine's or of a fact gets a name of its own in terms") {
   Play play;
-  CHECK(play.say("taken").starts_with("+ word hoist_taught: \\x. [grasp(x), lift(x)] because 1\n"
-                                      "+ word size_taught: \\x. [grasp(x), lift(x)] because 1\n"
-                                      "+ word acts_taught: \\x. [grasp(x), lift(x)] because 1\n"));
+  CHECK(
+      play.say("taken").starts_with("+ word hoist_taught: \\x. [grasp(x), lift(x)] because 1\n"
+                                    "+ word size_taught: \\x. [grasp(x), lift(x)] because 1\n"
+                                    "+ word acts_taught: \\x. [grasp(x), lift(x)] because 1\n"));
   CHECK(play.state->learned.program_called("size") == play.state->learned.program_called("size_taught"));
   CHECK(play.say("unsize") == "- word size_taught: \\x. [grasp(x), lift(x)]\n");
   CHECK(play.state->learned.program_called("size") == nullptr);
@@ -131,8 +132,8 @@ TEST_CASE("the act of a learned program is done as the acts that it comes to") {
   const auto act = Term::apply(Term::constant("raise up", type), Term::entity("knife"));
   const ShownShapes none;
   const Seen seen{none, {}};
-  const auto events =
-      with_lessons({Acted{act, {7}}, Said{"Okay.", {"Okay."}, {}}}, play.pipeline->machine(), seen, play.state->learned);
+  const auto events = with_lessons({Acted{act, {7}}, Said{"Okay.", {"Okay."}, {}}}, play.pipeline->machine(), seen,
+                                   play.state->learned);
   REQUIRE(events.size() == 3);
   CHECK(print(std::get<Acted>(events[0]).term) == "grasp(knife)");
   CHECK(print(std::get<Acted>(events[1]).term) == "lift(knife)");
