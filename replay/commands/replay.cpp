@@ -190,18 +190,8 @@ void add_forced(const std::string& text, std::map<int, std::string>& forced) {
     throw CLI::ValidationError("--force", fmt::format("step {} is forced twice", step));
 }
 
-}  // namespace
-
-int run_replay(const ReplayCommandOptions& options) {
-  auto outputs = outputs_of(options);
-  if (!outputs) return report(outputs.error()), exit_impossible;
-  return Batch(options, std::move(*outputs)).run();
-}
-
-void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
-  command.add_option("TRACE", options.traces, "traces (.jsonl)")->required();
-  command.add_option("-o,--output", options.output, "a run log, a folder, or '-'; otherwise NAME.run.jsonl here");
-  command.add_option("--seed", options.replay.seed, "for draws; otherwise the trace's");
+// The option and its text, once the arguments are read.
+std::shared_ptr<std::string> add_choice(CLI::App& command) {
   auto choice = std::make_shared<std::string>();
   command
       .add_option(
@@ -214,6 +204,22 @@ void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
                    ? std::string()
                    : fmt::format("expected {}, pipe:COMMAND or run:RUN", choice_names());
       });
+  return choice;
+}
+
+}  // namespace
+
+int run_replay(const ReplayCommandOptions& options) {
+  auto outputs = outputs_of(options);
+  if (!outputs) return report(outputs.error()), exit_impossible;
+  return Batch(options, std::move(*outputs)).run();
+}
+
+void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
+  command.add_option("TRACE", options.traces, "traces (.jsonl)")->required();
+  command.add_option("-o,--output", options.output, "a run log, a folder, or '-'; otherwise NAME.run.jsonl here");
+  command.add_option("--seed", options.replay.seed, "for draws; otherwise the trace's");
+  const auto choice = add_choice(command);
   command.add_option("--branches", options.replay.most_branches, "under explore, how many configurations are kept")
       ->check(CLI::Range(1, 1000000));
   auto forced = std::make_shared<std::vector<std::string>>();

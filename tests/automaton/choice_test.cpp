@@ -15,8 +15,7 @@ const std::string ranked = R"json({"machine":1,"name":"m","start":"A","slots":{"
 std::string candidates_of(const Player& player, const std::shared_ptr<const Machine>& machine) {
   std::string ids;
   const auto fired = player.all<Fired>().at(0);
-  for (const auto& one : fired.candidates)
-    ids += (ids.empty() ? "" : " ") + machine->transitions[one.transition].id;
+  for (const auto& one : fired.candidates) ids += (ids.empty() ? "" : " ") + machine->transitions[one.transition].id;
   return ids;
 }
 
