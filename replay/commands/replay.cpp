@@ -190,7 +190,7 @@ void add_forced(const std::string& text, std::map<int, std::string>& forced) {
     throw CLI::ValidationError("--force", fmt::format("step {} is forced twice", step));
 }
 
-// The option --choice, whose text the result gets.
+// The option and its text, once the arguments are read.
 std::shared_ptr<std::string> add_choice(CLI::App& command) {
   auto choice = std::make_shared<std::string>();
   command

@@ -450,6 +450,8 @@ class Log:
             self.count("weights")
             if abs(expected - each["weight"]) > 1e-9:
                 self.disagree(record, f"the weight of '{each['id']}' is {expected}, the log has {each['weight']}")
+        if not weights:
+            self.disagree(record, f"'{record['id']}' was taken without a candidate")
         if record["forced"] or self.choice == "explore" or not weights:
             return
         taken = (record["id"], record.get("alternative"))
