@@ -147,7 +147,6 @@ TEST_CASE(
   for (const char* part :
        {"1.0 s  “Take the block.”  #2", "“the block” may be block1, block4 or block6",
         "1.0 s  Compose → Choose by ‘several’, without input, step 2  #17", "since lacks != null and size(seen) > 1",
-        "chosen (likeliest) of 3: ‘several’ 1.0, ‘thing missing’ 1.0, ‘of no use’ 0.001; probability 0.5",
         "not ‘the one in the hand’: not pending = 'ungrasp': pending is 'grasp'",
         "The stack, 1 symbol before, 5 symbols after",
         "* command \\x. grasp(x) ← meaning (#6); from “take” in “Take the block.” (1.0 s)",
@@ -155,6 +154,8 @@ TEST_CASE(
     CHECK_THAT(told, Contains(part));
   CHECK_THAT(text(explained(opened(traces / "paper/disambiguation.run.jsonl"), step(2))),
              Contains("utterance “Which block do you mean? The yellow block?” #18"));
+  CHECK_THAT(text(explained(opened(traces / "talk/n_best.run.jsonl"), step(1))),
+             Contains("chosen (likeliest) of 2: ‘command’ 53.6 % (alternative 0), ‘command’ 46.4 % (alternative 1)"));
 }
 
 TEST_CASE("all of a long list is told when it is asked for") {
