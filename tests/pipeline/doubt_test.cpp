@@ -15,7 +15,7 @@ const char* machine_text = R"json({
   "machine": 1, "name": "m", "start": "Wait",
   "confidence": { "speech stop": { "ignore": 0.01 }, "*": { "confirm": 0.4, "ignore": 0.1 } }, "near_tie": 0.05,
   "programs": { "look_at": "text -> t" }, "slots": { "doubts": "num*", "heard": "text*", "n": "num" },
-  "states": { "Wait": {}, "Doubt": { "enter": [ { "say": "{head(heard)}?" } ] }, "Left": {} },
+  "states": { "Wait": {}, "Doubt": { "enter": [ { "say": "{head(heard)}?" } ] }, "Sure": {}, "Left": {} },
   "transitions": [
     { "id": "take", "from": "Wait", "on": "speech take", "to": "Wait", "do": [ { "act": "'take'" } ] },
     { "id": "grab", "from": "Wait", "on": "speech grab", "to": "Wait", "do": [ { "act": "'take'" } ] },
@@ -26,7 +26,8 @@ const char* machine_text = R"json({
     { "id": "unsure", "from": "Wait", "on": "unsure", "when": "doubted_words != ['count']", "to": "Doubt", "push": { "doubts": "doubted", "heard": "doubted_words" } },
     { "id": "look", "from": "Left", "on": "interim", "to": "Left", "do": [ { "gesture": "look_at('it')" } ] },
     { "id": "leave", "from": "Wait", "on": "speech leave", "to": "Left" },
-    { "id": "yes", "from": "Doubt", "on": "speech yes", "to": "Wait", "pop": 1, "do": [ { "attend": "head(doubts)" } ] },
+    { "id": "yes", "from": "Doubt", "on": "speech yes", "to": "Sure", "none": true, "do": [ { "attend": "head(doubts)" } ] },
+    { "id": "sure", "from": "Sure", "on": null, "to": "Wait", "pop": 1 },
     { "id": "next", "from": "Doubt", "on": "speech no", "when": "size(doubts) > 1", "to": "Doubt", "rewrite": { "doubts": "tail(doubts)", "heard": "tail(heard)" } },
     { "id": "none", "from": "Doubt", "on": "speech no", "when": "size(doubts) = 1", "to": "Wait", "pop": 1 },
     { "id": "other", "from": "Doubt", "on": ["speech push", "speech take"], "to": "Wait", "pop": 1, "do": [ { "attend": "0" } ] },

@@ -134,9 +134,10 @@ TEST_CASE("the act of a learned program is done as the acts that it comes to") {
   const Seen seen{none, {}};
   const auto events = with_lessons({Acted{act, {7}}, Said{"Okay.", {"Okay."}, {}}}, play.pipeline->machine(), seen,
                                    play.state->learned);
-  REQUIRE(events.size() == 3);
-  CHECK(print(std::get<Acted>(events[0]).term) == "grasp(knife)");
-  CHECK(print(std::get<Acted>(events[1]).term) == "lift(knife)");
-  CHECK(std::get<Acted>(events[1]).because == std::vector<int>{7});
-  CHECK(std::get<Said>(events[2]).text == "Okay.");
+  REQUIRE(events.size() == 4);
+  CHECK(print(std::get<Applied>(events[0]).application.result) == "[grasp(knife), lift(knife)]");
+  CHECK(print(std::get<Acted>(events[1]).term) == "grasp(knife)");
+  CHECK(print(std::get<Acted>(events[2]).term) == "lift(knife)");
+  CHECK(std::get<Acted>(events[2]).because == std::vector<int>{7});
+  CHECK(std::get<Said>(events[3]).text == "Okay.");
 }
