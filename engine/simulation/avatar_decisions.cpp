@@ -94,7 +94,9 @@ std::optional<Grasp> Avatar::grasp() const {
 
 void Avatar::decide_handling(const WorldSnapshot& world) {
   AvatarAct& act = state_.act;
-  const Task wanted = task_of(act.command, world, physics_.avatar());
+  const auto task = task_of(act.command, world, physics_.avatar());
+  if (!task) return cannot(task.reason());
+  const Task& wanted = *task;
   const ObjectState& object = *world.find(wanted.object);
   act.p_WG = end_of(wanted, world);
   const bool in_hand = world.held == wanted.object;

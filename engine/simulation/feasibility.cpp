@@ -32,11 +32,12 @@ class ArmAbility : public Ability {
     if (!needs_object(command.what) || to_goal(command.what) == ToGoal::pushed) return std::nullopt;
     const bool in_hand = world.held == command.object;
     if (command.what == Capability::turn) return in_hand ? std::nullopt : hindrance_to_turn(command, world);
-    const Task task = task_of(command, world, form_);
+    const auto task = task_of(command, world, form_);
+    if (!task) return task.reason();
     // The grip was chosen for the goal.
-    if (in_hand && task.p_WG && !hand_reaches(form_, *task.p_WG)) return Reason{Code::place_out_of_reach};
+    if (in_hand && task->p_WG && !hand_reaches(form_, *task->p_WG)) return Reason{Code::place_out_of_reach};
     if (in_hand) return std::nullopt;
-    const auto handling = feasible_handling(task, world, means(), std::nullopt, {});
+    const auto handling = feasible_handling(*task, world, means(), std::nullopt, {});
     return handling ? std::nullopt : std::optional(handling.reason());
   }
 
@@ -77,7 +78,7 @@ AvatarCommand with_next_goal(AvatarCommand command) {
   return command;
 }
 
-Task task_of(const AvatarCommand& command, const WorldSnapshot& now, const AvatarForm& avatar) {
+OrReason<Task> task_of(const AvatarCommand& command, const WorldSnapshot& now, const AvatarForm& avatar) {
   const Reaches reached = [&](const Vec3& p_W) { return hand_reaches(avatar, p_W); };
   // A carried object comes to lie along the world's axes, so its place is sought for an object that lies so.
   WorldSnapshot world = now;
@@ -90,18 +91,18 @@ Task task_of(const AvatarCommand& command, const WorldSnapshot& now, const Avata
   task.only_parts = command.only_parts;
   task.approach = command.approach;
   if (has_goal(command)) {
-    Placement place = *placement(command, world, Occupied::cleared, reached);
-    if (command.goal.relation && is_side(*command.goal.relation) &&
-        !is_free(*world.find(command.object), place.p_WO, world)) {
-      // There may be room a little farther on the same side.
-      const auto free = placement(command, world, Occupied::avoided, reached);
-      if (free) place = *free;
-    }
-    task.p_WG = place.p_WO;
+    auto place = placement(command, world, Occupied::cleared, reached);
+    const bool may_be_farther = place && command.goal.relation && is_side(*command.goal.relation) &&
+                                !is_free(*world.find(command.object), place->p_WO, world);
+    // There may be room a little farther on the same side, or where nothing is moved out of the way.
+    if (auto free = !place || may_be_farther ? placement(command, world, Occupied::avoided, reached) : place; free)
+      place = std::move(free);
+    if (!place) return place.reason();
+    task.p_WG = place->p_WO;
     task.near_m = room_within_m;
     task.landmark = landmark_of(command.goal);
     if (command.goal.relation == Relation::in) task.into = task.landmark;
-    task.on_end = place.upright;
+    task.on_end = place->upright;
   }
   if (command.what == Capability::lift) task.raise_m = command.height_m;
   return task;

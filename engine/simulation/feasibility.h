@@ -22,8 +22,8 @@ AvatarCommand with_next_goal(AvatarCommand command);
 /// Whether a hand whose fingers point down gets there.
 bool hand_reaches(const AvatarForm& avatar, const Vec3& p_W);
 
-/// The task of an act that carries, lifts or holds its object. REQUIRES a place for its goal if it has one.
-Task task_of(const AvatarCommand& command, const WorldSnapshot& world, const AvatarForm& avatar);
+/// The task of an act that carries, lifts or holds its object; the reason if there is no place for its goal.
+OrReason<Task> task_of(const AvatarCommand& command, const WorldSnapshot& world, const AvatarForm& avatar);
 
 /// The centre of the task's object in the end.
 Vec3 end_of(const Task& task, const WorldSnapshot& world);
