@@ -199,7 +199,7 @@ TEST_CASE("what is wrong with an event is said with its line") {
       {R"({"t":1,"kind":"gesture","name":"a","target":[1,2,3]})",
        "t.jsonl:2: 'target' of gesture is [1,2,3]; expected [x, y] in metres, each from -1000000000 to 1000000000"},
       {R"({"t":1,"kind":"speech","text":"put","final":"no"})",
-       "t.jsonl:2: 'final' of speech is \"no\"; expected true or false"},
+       "t.jsonl:2: 'final' of speech is 'no'; expected true or false"},
       {R"({"t":1,"kind":"gaze","until":2})", "t.jsonl:2: gaze has no 'target' or 'ray'"},
       {R"({"t":1,"kind":"pointing","hand":"left"})", "t.jsonl:2: pointing has no 'target' or 'ray'"},
       {R"({"t":1,"kind":"pointing","target":[1,null]})",
