@@ -19,6 +19,7 @@
 #include "continua/replay/commands/explain.h"
 #include "continua/replay/commands/export.h"
 #include "continua/replay/commands/import.h"
+#include "continua/replay/commands/learn.h"
 #include "continua/replay/commands/machine.h"
 #include "continua/replay/commands/record.h"
 #include "continua/replay/commands/render.h"
@@ -65,6 +66,8 @@ std::vector<Subcommand> add_all(CLI::App& program) {
           describe_coverage, run_coverage),
       add(program, "score", "Replay traces and compare the avatar's moves with those that were observed",
           describe_score, run_score),
+      add(program, "learn", "Estimate a machine's weights from traces with observed answers", describe_learn,
+          run_learn),
       add(program, "shrink", "Find the smallest trace that still does something", describe_shrink, run_shrink),
       add(program, "accept", "Tell which words a machine accepts", describe_accept, run_accept),
       add(program, "validate",

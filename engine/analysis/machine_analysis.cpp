@@ -38,6 +38,7 @@ void judge_conflict(const Machine& machine, StateIndex state, std::size_t first,
                     MachineAnalysis& analysis) {
   const auto& a = machine.transitions[first];
   const auto& b = machine.transitions[second];
+  if (a.on.has_value() == b.on.has_value() && a.rank != b.rank) return;
   std::optional<std::string> input;
   if (a.on && b.on) {
     input = common_symbol(*a.on, *b.on);

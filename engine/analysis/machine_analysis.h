@@ -16,7 +16,7 @@
 
 namespace continua {
 
-/// Two transitions that apply in one configuration.
+/// Two transitions of one rank that apply in one configuration.
 struct Conflict {
   StateIndex state = 0;
   std::size_t first = 0, second = 0;  ///< transitions, in file order

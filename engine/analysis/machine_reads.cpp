@@ -71,7 +71,7 @@ class Reading {
   void read_name(const std::string& name) {
     using From = Binding::From;
     static constexpr std::array<std::string_view, 3> own = {"input", "in_state", "is_input"};
-    static constexpr std::array carried = {From::carried, From::confidence, From::now};
+    static constexpr std::array carried = {From::carried, From::confidence, From::now, From::looked_at};
     const auto binding = machine_.bindings.find(Name(name));
     if (binding != machine_.bindings.end() &&
         std::find(carried.begin(), carried.end(), binding->second.from) != carried.end())

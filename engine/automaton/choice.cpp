@@ -20,6 +20,8 @@ bool several_for_one(const std::vector<Candidate>& candidates) {
          }) != candidates.end();
 }
 
+bool lighter(const Candidate& a, const Candidate& b) { return a.weight < b.weight; }
+
 }  // namespace
 
 std::optional<Choice> parse_choice(std::string_view name) {
@@ -41,32 +43,45 @@ std::string choice_names() {
   return all;
 }
 
-std::optional<Chosen> Chooser::choose(const std::vector<Candidate>& candidates) {
-  const auto lighter = [](const Candidate& a, const Candidate& b) { return a.weight < b.weight; };
-  const auto wanted = forced.find(steps + 1);
-  auto chosen = candidates.end();
-  if (wanted != forced.end())
-    for (auto one = candidates.begin(); one != candidates.end(); ++one)
-      if (one->transition == wanted->second && (chosen == candidates.end() || lighter(*chosen, *one))) chosen = one;
-  const bool is_forced = chosen != candidates.end();
-  if (candidates.empty() || (!is_forced && policy == Choice::unique && several_for_one(candidates)))
-    return std::nullopt;
-
+std::optional<Chosen> Chooser::choose(const std::vector<Candidate>& candidates, const std::vector<Candidate>& outranked,
+                                      const Configuration& configuration, std::span<const Input> inputs) {
+  if (candidates.empty()) return std::nullopt;
   double total = 0;
   for (const auto& candidate : candidates) total += candidate.weight;
+  // The draw is made where a choice is forced too, so that later draws stay those of the run without it.
   std::optional<double> draw;
-  if (policy == Choice::sample && candidates.size() > 1) draw = random.uniform();
-  if (is_forced) {
-    forced.erase(wanted);
+  if (!outside && policy == Choice::sample && candidates.size() > 1) draw = random.uniform();
+  const auto* chosen = take_forced(candidates);
+  const bool ranked = chosen != nullptr;
+  if (!chosen) chosen = take_forced(outranked);
+  if (chosen) {
+    ++steps;
+    return Chosen{chosen->transition, ranked ? chosen->weight / total : 0, draw, true, chosen->alternative};
+  }
+  if (outside) {
+    const auto taken = outside->choose({steps + 1, &configuration, inputs, candidates});
+    if (taken) chosen = &candidates[*taken];
   } else if (draw) {
     double passed = 0;
-    for (chosen = candidates.begin(); chosen + 1 != candidates.end(); ++chosen)
+    for (chosen = &candidates.front(); chosen != &candidates.back(); ++chosen)
       if ((passed += chosen->weight) > *draw * total) break;
-  } else {
-    chosen = std::max_element(candidates.begin(), candidates.end(), lighter);
+  } else if (policy != Choice::unique || !several_for_one(candidates)) {
+    chosen = &*std::max_element(candidates.begin(), candidates.end(), lighter);
   }
+  if (!chosen) return std::nullopt;
   ++steps;
-  return Chosen{chosen->transition, chosen->weight / total, draw, is_forced, chosen->alternative};
+  return Chosen{chosen->transition, chosen->weight / total, draw, false, chosen->alternative};
+}
+
+// The heaviest of these that is forced at the next step; nullptr if none is.
+const Candidate* Chooser::take_forced(const std::vector<Candidate>& from) {
+  const auto wanted = forced.find(steps + 1);
+  if (wanted == forced.end()) return nullptr;
+  const Candidate* heaviest = nullptr;
+  for (const auto& one : from)
+    if (one.transition == wanted->second && (!heaviest || lighter(*heaviest, one))) heaviest = &one;
+  if (heaviest) forced.erase(wanted);
+  return heaviest;
 }
 
 }  // namespace continua

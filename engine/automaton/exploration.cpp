@@ -61,15 +61,14 @@ class Explorer::Work {
     });
     double total = 0;
     for (const auto& node : nodes_) total += node.branch.weight;
-    std::set<int> taken;
+    std::set<int> taken, told;
     for (auto& node : nodes_) {
       node.branch.id = taken.insert(node.branch.parent).second ? node.branch.parent : result_.after.next_branch++;
       node.branch.weight /= total;
-      if (result_.after.branches.empty())
-        result_.events = std::move(node.events);
-      else
-        std::copy_if(node.events.begin(), node.events.end(), std::back_inserter(result_.made),
-                     [](const StepEvent& event) { return std::holds_alternative<MadeSymbol>(event); });
+      for (const auto& event : node.events)  // branches of one step may share the symbols of its beginning
+        if (const auto* made = std::get_if<MadeSymbol>(&event); made && told.insert(made->id).second)
+          if (!result_.after.branches.empty()) result_.made.push_back(event);
+      if (result_.after.branches.empty()) result_.events = std::move(node.events);
       result_.after.branches.push_back(std::move(node.branch));
     }
     return std::move(result_);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "continua/automaton/condition.h"
+#include "continua/automaton/looked.h"
 #include "continua/automaton/stack_operation.h"
 #include "continua/automaton/wording.h"
 #include "continua/term/raising.h"
@@ -28,6 +29,7 @@ Applicable Firing::applicable() {
   const auto& exits = machine_.exits[configuration_.state];
   std::size_t alternative = 0;
   do {
+    const auto first = found.candidates.size();
     if (inputs_.size() > 1) take_input(alternative);
     const auto* takers = input_ ? exits.on(input_->symbol) : &exits.epsilon;
     const bool may_take = !takers;  // no transition names the symbol; some may take it by prefix
@@ -47,8 +49,32 @@ Applicable Firing::applicable() {
         found.refused.push_back({index, why_not(*transition.when, machine_, evaluation), alternative});
       found.margin = std::min(found.margin, evaluation.margin);
     }
+    part_by_rank(found, first);
   } while (++alternative < inputs_.size());
   return found;
+}
+
+// Of the candidates from `first` on, which take the same input, those of the highest rank stay.
+void Firing::part_by_rank(Applicable& found, std::size_t first) {
+  const auto begin = found.candidates.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto rank = [&](const Candidate& one) { return machine_.transitions[one.transition].rank; };
+  const auto highest =
+      std::max_element(begin, found.candidates.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  if (highest == found.candidates.end()) return;
+  const Candidate best = *highest;
+  const auto lower = std::stable_partition(begin, found.candidates.end(),
+                                           [&](const Candidate& one) { return rank(one) == rank(best); });
+  if (lower == found.candidates.end()) return;
+  for (auto one = lower; account_ && one != found.candidates.end(); ++one)
+    found.refused.push_back({one->transition,
+                             fmt::format("'{}' applies too, of rank {} against {}",
+                                         machine_.transitions[best.transition].id, rank(best), rank(*one)),
+                             one->alternative, best.transition});
+  found.outranked.insert(found.outranked.end(), lower, found.candidates.end());
+  found.candidates.erase(lower, found.candidates.end());
+  std::stable_sort(found.refused.begin(), found.refused.end(), [](const Refused& a, const Refused& b) {
+    return std::pair(a.alternative, a.transition) < std::pair(b.alternative, b.transition);
+  });
 }
 
 std::optional<Entry> Firing::entry(const Transition& transition) {
@@ -126,7 +152,7 @@ Change Firing::change(const Operation& operation) {
     }
     const auto& slot = machine_.slots[content.slot];
     const bool each = operation.kind == Operation::Kind::push_each || operation.kind == Operation::Kind::rewrite_each;
-    change.contents.push_back(of_type(each ? Type::list(slot.type) : slot.type, slot.name, compute(*content.term)));
+    change.contents.push_back(of_type(each ? Type::list(slot.type) : slot.type, slot.name, derived(*content.term)));
   }
   return change;
 }
@@ -202,13 +228,18 @@ bool Firing::perform_one(const Say& say) {
     auto condition = evaluate();
     if (one.when && !condition.value(*one.when).is_true()) continue;
     Said said;
+    std::vector<Application> applications;
     for (const auto& variant : one.variants) {
       auto evaluation = evaluate();
-      if (auto words = fill_template(variant, {}, evaluation)) said.variants.push_back(std::move(*words));
+      auto words = fill_template(variant, {}, evaluation);
+      if (!words) continue;
+      said.variants.push_back(std::move(*words));
+      if (applications.empty()) applications = std::move(evaluation.applications);
     }
     if (said.variants.empty()) break;
     said.text = said.variants.front();
     said.because = because_;
+    for (auto& each : applications) note(Applied{std::move(each), because_});
     note(std::move(said));
     break;
   }
@@ -222,7 +253,7 @@ bool Firing::perform_one(const Gesture& gesture) {
 }
 bool Firing::perform_one(const Act& act) {
   if (!account_) return false;
-  auto cell = compute(act.term);
+  auto cell = derived(act.term);
   if (cell.value.kind() == Term::Kind::list) {
     for (const auto& each : cell.value.elements()) note(Acted{each, cell.because});
   } else if (!cell.value.is_null()) {
@@ -233,7 +264,7 @@ bool Firing::perform_one(const Act& act) {
 bool Firing::perform_one(const Remember& remember) {
   auto memory = *configuration_.memory;
   for (const auto& [index, term] : remember.registers) {
-    auto cell = of_type(machine_.memory[index].type, machine_.memory[index].name, compute(term));
+    auto cell = of_type(machine_.memory[index].type, machine_.memory[index].name, derived(term));
     if (!(memory[index].value == cell.value)) note(Remembered{index, cell.value});
     memory[index] = std::move(cell);
   }
@@ -257,6 +288,14 @@ bool Firing::perform_one(const Forget& forget) {
   note(Forgotten{forget.of, forget.of ? name.value.text_value() : "", Term::null(), std::move(name.because)});
   return false;
 }
+bool Firing::perform_one(const Attend& attend) {
+  if (!account_) return false;
+  auto number = compute(attend.number);
+  if (number.value.kind() == Term::Kind::number)
+    note(Reattended{static_cast<int>(number.value.number_value()), origin_.now_s.value_or(0),
+                    std::move(number.because)});
+  return false;
+}
 bool Firing::perform_one(const Rewrite& rewrite) {
   rewrite_ = rewrite.operation.keeps_stack ? Change{&rewrite.operation, {}} : change(rewrite.operation);
   return true;
@@ -273,18 +312,36 @@ Cell Firing::compute(const Term& term) {
   return cell;
 }
 
+Cell Firing::derived(const Term& term) {
+  if (!account_) return compute(term);
+  Derivation derivation;
+  derivation_ = &derivation;
+  const auto before = account_->size();
+  auto cell = compute(term);
+  derivation_ = nullptr;
+  std::vector<Application> filled;
+  for (auto event = account_->begin() + static_cast<std::ptrdiff_t>(before); event != account_->end(); ++event)
+    if (const auto* applied = std::get_if<Applied>(&*event)) filled.push_back(applied->application);
+  for (auto& application : derivation.of(cell.value, filled))
+    if (composed_.insert(application.result).second) note(Applied{std::move(application), cell.because});
+  return cell;
+}
+
 void Firing::note(StepEvent event) {
   if (account_) account_->push_back(std::move(event));
 }
 
 Evaluation Firing::evaluate() {
-  return Evaluation(
+  Evaluation evaluation(
       rules_, [this](Name name) { return look_up(name); }, facts_);
+  evaluation.derivation = derivation_;
+  return evaluation;
 }
 
 // Looks up a name and notes the sources of its value, which become the `because` of the evaluated content. The
-// evaluation copies a value before it asks for the next, so `moment_` can hold one at a time.
-const Term* Firing::look_up(Name name) {
+// evaluation copies a value before it asks for the next, so `moment_` can hold one at a time. Slots and registers hold
+// values, and a reading is what was said: it is kept, so that it means the same whenever it is understood.
+Evaluation::Held Firing::look_up(Name name) {
   using From = Binding::From;
   const auto found = machine_.bindings.find(name);
   if (found == machine_.bindings.end()) return nullptr;
@@ -301,18 +358,25 @@ const Term* Firing::look_up(Name name) {
     case From::input:
       return &(moment_ = input_ ? Term::text(input_->symbol) : Term::null());
     case From::carried:
-      return &(moment_ = input_ ? input_->*binding.carried : Term::null());
+      moment_ = input_ ? input_->*binding.carried : Term::null();
+      if (derivation_) derivation_->read(moment_);
+      return {&moment_, binding.carried == &Input::reading};
     case From::confidence:
       return &(moment_ = input_ ? Term::number(input_->confidence) : Term::null());
+    case From::looked_at:
+      if (!facts_.looked) return &(moment_ = Term::null());
+      merge(facts_.looked->because, because_);
+      return &(moment_ = facts_.looked->objects);
     case From::now:
       return &(moment_ = origin_.now_s ? Term::number(*origin_.now_s) : Term::null());
   }
   return nullptr;
 }
 
-const Term* Firing::read(const Cell& cell) {
+Evaluation::Held Firing::read(const Cell& cell) {
   merge(cell.because, because_);
-  return &cell.value;
+  if (derivation_) derivation_->read(cell.value);
+  return {&cell.value, true};
 }
 
 }  // namespace continua

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "continua/automaton/input.h"
@@ -15,10 +16,11 @@
 
 namespace continua {
 
-/// The transitions that may fire, and those whose condition does not hold.
+/// The transitions that may fire, and those whose condition does not hold or that others outrank.
 struct Applicable {
-  std::vector<Candidate> candidates;  ///< by alternative, then in file order
-  std::vector<Refused> refused;       ///< empty without an account
+  std::vector<Candidate> candidates;  ///< those of the highest rank for their input; by alternative, then in file order
+  std::vector<Candidate> outranked;   ///< those of a lower rank, in the same order: only force makes them fire
+  std::vector<Refused> refused;       ///< in the same order; empty without an account
   double margin = std::numeric_limits<double>::infinity();
 };
 
@@ -74,6 +76,8 @@ class Firing {
   Term value(const Term& term);
   /// A value, with the inputs it came from: those of all values read, and the one under way.
   Cell compute(const Term& term);
+  /// The same; the applications that the value is made of go to the account.
+  Cell derived(const Term& term);
 
   // The parts of fire(), for callers that keep the stack elsewhere.
 
@@ -87,9 +91,10 @@ class Firing {
 
  private:
   void take_input(std::size_t alternative);
+  void part_by_rank(Applicable& found, std::size_t first);
   Evaluation evaluate();
-  const Term* look_up(Name name);
-  const Term* read(const Cell& cell);
+  Evaluation::Held look_up(Name name);
+  Evaluation::Held read(const Cell& cell);
   bool perform_and_rewrite(const std::vector<Effect>& effects);
   Cell of_type(const Type& type, const std::string& name, Cell cell);
   std::optional<Term> lifted(const Type& type, const Cell& cell);
@@ -101,6 +106,7 @@ class Firing {
   bool perform_one(const Act& act);
   bool perform_one(const Remember& remember);
   bool perform_one(const Learn& learn);
+  bool perform_one(const Attend& attend);
   bool perform_one(const Forget& forget);
   bool perform_one(const Rewrite& rewrite);
   bool perform_one(const Group& group);
@@ -116,7 +122,9 @@ class Firing {
   std::vector<StepEvent>* account_;
   std::vector<int> because_;  ///< inputs behind the value being computed, ascending
   Change rewrite_;
-  Term moment_;  ///< value of the name of the moment that was looked up last
+  Derivation* derivation_ = nullptr;             ///< of the value being computed, if it is wanted
+  std::unordered_set<Term, TermHash> composed_;  ///< results of applications that went to the account
+  Term moment_;                                  ///< value of the name of the moment that was looked up last
 };
 
 }  // namespace continua

@@ -20,12 +20,19 @@ struct Input {
   Term target;   ///< loc: where it points
   Term said;     ///< text: its words
   Term gesture;  ///< text: the name of the gesture
+  Term sign;     ///< text: the taught gesture that was shown last, this one or an earlier one
+  Term sign_at;  ///< num: when that was, seconds
   Term pointed;  ///< loc: where the human pointed last, if that was just now
 
   Term act;        ///< t: at the end of an act, its program
   Term reason;     ///< text: at the end of an act, the reason of its outcome in the log's words; null without a reason
   Term why;        ///< text: the code of that reason
   Term concerned;  ///< e*: the objects and participants that the reason is about, the most important first
+
+  // Of the input `unsure`: the readings that the recogniser is not sure of, the surest first.
+  Term doubted;           ///< num*: their numbers, for the effect `attend`
+  Term doubted_words;     ///< text*: their words; '' for gestures
+  Term doubted_meanings;  ///< term*: their meanings; the kind of the move if it has no other
 
   // Moves of another avatar that was observed after this input (Machine::implied).
   Term observed_speech;    ///< text: its latest utterance

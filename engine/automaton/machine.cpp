@@ -32,7 +32,8 @@ void bind_names(Machine& machine) {
   for (const auto& [name, from] : {std::pair("in_state", From::in_state),
                                    {"input", From::input},
                                    {"confidence", From::confidence},
-                                   {"now", From::now}})
+                                   {"now", From::now},
+                                   {"looked_at", From::looked_at}})
     bindings.try_emplace(Name(name), Binding{from, 0, {}, nullptr});
   for (const auto& carried : carried_terms())
     if (!carried.understood || !machine.lexicon.empty())
@@ -91,6 +92,12 @@ void Machine::index() {
     if (operation.kind == Operation::Kind::pop_until && !landmark[operation.state])
       landmark[operation.state] = landmarks++;
   });
+}
+
+const Thresholds* Machine::thresholds_of(std::string_view symbol) const {
+  const auto found = std::find_if(confidence.begin(), confidence.end(),
+                                  [&](const auto& each) { return each.inputs.contains(symbol); });
+  return found == confidence.end() ? nullptr : &*found;
 }
 
 bool Machine::knows_input(std::string_view symbol) const {

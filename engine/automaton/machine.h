@@ -102,6 +102,10 @@ struct Forget {
   std::optional<Lesson> of;  ///< nullopt: all that was learned
   Term name;                 ///< a text
 };
+/// Attends to an input that waits, as if it were sure.
+struct Attend {
+  Term number;  ///< a number: an element of Input::doubted, or 0 for the present input
+};
 struct Rewrite {
   Operation operation;
 };
@@ -112,7 +116,7 @@ struct Group {
 /// An effect of a transition, or of entering a state.
 struct Effect {
   std::optional<Term> when;
-  std::variant<Say, Gesture, Act, Remember, Learn, Forget, Rewrite, Group> what;
+  std::variant<Say, Gesture, Act, Remember, Learn, Forget, Attend, Rewrite, Group> what;
 };
 
 struct Gate {
@@ -137,7 +141,8 @@ struct Transition {
   std::optional<Term> when;
   StateIndex to = 0;
   Operation operation;
-  double weight = 1;
+  int rank = 0;       ///< it applies only where none of a higher rank does
+  double weight = 1;  ///< how likely it is among those of its rank
   std::vector<Effect> effects;
 };
 
@@ -193,7 +198,7 @@ struct Exits {
 
 /// The source of a name's value in the machine's terms (FORMAT.md).
 struct Binding {
-  enum class From { slot, memory, definition, in_state, input, carried, confidence, now };
+  enum class From { slot, memory, definition, in_state, input, carried, confidence, now, looked_at };
   From from = From::slot;
   std::size_t index = 0;  ///< of the slot or register
   Term definition;
@@ -212,11 +217,25 @@ struct ContextTerms {
   std::optional<Term> among;    ///< e*: the objects of the question
   std::optional<Term> topic;    ///< (e -> t)*: the nouns that "one" can stand for, the likeliest first
   std::optional<Term> handled;  ///< e*: objects that the avatar acted on, the latest first
+  /// loc*: places that were pointed at without words, the latest first. Each pointing has two halves, the things there
+  /// and the place; a half is listed until it is used.
+  std::optional<Term> shown_things, shown_places;
 };
 
 /// Time windows of fusion, in seconds (perception/fusion.h).
 struct FusionTimes {
   double before_s = 2, after_s = 1, lateness_s = 0, pause_s = 0;
+};
+
+/// The confidences below which inputs are confirmed and ignored.
+struct Thresholds {
+  SymbolSet inputs;
+  double confirm = 0, ignore = 0;
+};
+
+/// The salience of looks: seconds times confidence, halved with each half-life after the look.
+struct GazeTimes {
+  double half_life_s = 2, least = 0.2;  ///< objects of less salience do not count
 };
 
 struct Machine {
@@ -228,7 +247,10 @@ struct Machine {
   bool rewrite_below = false;
   bool repeats_utterances = true;
   double minimum_confidence = 0;
-  std::string perspective;  ///< "human", "avatar" or empty
+  std::vector<Thresholds> confidence;  ///< the first that contains an input counts
+  double near_tie = 0;                 ///< alternatives whose confidences differ by less are asked about
+  std::optional<GazeTimes> gaze;       ///< nullopt: nothing is ever looked at
+  std::string perspective;             ///< "human", "avatar" or empty
 
   std::vector<Parameter> parameters;
   std::vector<Slot> slots;
@@ -260,6 +282,8 @@ struct Machine {
 
   /// Whether the input set of some transition names the symbol.
   bool knows_input(std::string_view symbol) const;
+  /// The thresholds of an input; nullptr if it has none.
+  const Thresholds* thresholds_of(std::string_view symbol) const;
   /// Fills `bindings`, `exits`, `landmark` and `landmarks` once everything else is complete.
   void index();
 };

@@ -13,8 +13,9 @@ namespace continua {
 
 struct Refused {
   std::size_t transition = 0;
-  std::string reason;           ///< the first conjunct of its condition that fails, with the compared values
+  std::string reason;           ///< the first conjunct of its condition that fails, with its values; or the higher rank
   std::size_t alternative = 0;  ///< number of the input that it would have taken, among those offered
+  std::optional<std::size_t> outranked_by = {};  ///< its condition holds, but so does that of this transition
 };
 
 struct GateTest {
@@ -88,6 +89,12 @@ struct Forgotten {
   Term value;  ///< the forgotten lesson, once it is known
   std::vector<int> because;
 };
+/// A waiting input of this number is to be attended to now, as if it were sure.
+struct Reattended {
+  int number = 0;
+  double now_s = 0;
+  std::vector<int> because;
+};
 struct RefusedInput {
   StateIndex state = 0;
   std::string input;   ///< the first input offered
@@ -102,6 +109,6 @@ struct Trouble {
 };
 
 using StepEvent = std::variant<Fired, MadeSymbol, Rewrote, Applied, Said, Gestured, Acted, Remembered, Taught,
-                               Forgotten, RefusedInput, Trouble>;
+                               Forgotten, Reattended, RefusedInput, Trouble>;
 
 }  // namespace continua

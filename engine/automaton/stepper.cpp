@@ -111,7 +111,7 @@ bool Stepper::offer(Firing& firing, std::span<const Input> inputs, Chooser& choo
                     std::vector<StepEvent>* account) const {
   require(!inputs.empty(), "an input is offered");
   auto found = firing.applicable();
-  const auto chosen = chooser.choose(found.candidates);
+  const auto chosen = chooser.choose(found.candidates, found.outranked, firing.configuration(), inputs);
   const auto state = firing.configuration().state;
   if (!chosen) {
     if (account) account->push_back(refusal(*machine_, state, std::move(found), inputs));
@@ -145,7 +145,7 @@ void Stepper::settle(Firing& firing, Chooser& chooser, std::vector<StepEvent>* a
   std::size_t free_from = 0;  // no draw was made since this step
   for (;;) {
     auto found = firing.applicable();
-    const auto chosen = chooser.choose(found.candidates);
+    const auto chosen = chooser.choose(found.candidates, found.outranked, firing.configuration(), {});
     if (!chosen) return;
     if (path.size() == most_epsilon_steps)
       return trouble(

@@ -6,6 +6,7 @@
 #include "continua/behaviour/planner.h"
 #include "continua/behaviour/preconditions.h"
 #include "continua/body/placement.h"
+#include "continua/facts/affordances.h"
 #include "continua/term/term_text.h"
 
 namespace continua {
@@ -324,7 +325,8 @@ std::optional<ActStep> PerformanceTurn::own_step() {
       return step;
     }
     command->next = next_goal(command->object);
-    if (const auto* object = world().find(command->object)) command->parts = grasp_parts(*object);
+    if (const auto* object = world().find(command->object); object && !command->only_parts)
+      command->parts = grasp_parts(*object);
   }
   if (moves_to_goal(command->what)) act_.brought.insert(command->object);
   step.command = *std::move(command);
@@ -335,15 +337,7 @@ std::optional<ActStep> PerformanceTurn::own_step() {
 std::vector<std::string> PerformanceTurn::grasp_parts(const ObjectState& object) const {
   std::vector<std::string> parts;
   const auto* voxeme = voxeme_of(object, catalogue_);
-  if (!voxeme) return parts;
-  for (const auto& affordance : voxeme->affordances) {
-    if (affordance.event.name != "grasp") continue;
-    for (const auto& argument : affordance.event.arguments)
-      for (const auto& component : voxeme->components)
-        if (argument.kind == Kind::component && argument.name == component.number && !component.number.empty())
-          parts.push_back(component.name);
-  }
-  return parts;
+  return voxeme ? continua::grasp_parts(*voxeme) : std::vector<std::string>();
 }
 
 // The goal to which the programs under way will take the object after the grasp.

@@ -32,6 +32,18 @@ std::optional<Goal> goal_of(const Term& term, Perspective perspective) {
   return std::nullopt;
 }
 
+OrReason<AvatarCommand> planned_grip(AvatarCommand command, const std::vector<Term>& arguments, const Term& program) {
+  const auto is_text = [](const Term& term) { return term.kind() == Term::Kind::text; };
+  const bool right = arguments.size() == 3 && is_thing(arguments[0]) && is_text(arguments[1]) && is_text(arguments[2]);
+  const auto approach = right ? value_in(approach_names, arguments[2].text_value()) : std::nullopt;
+  if (!approach) return Reason{ReasonCode::incomplete, {}, {print(program)}};
+  command.object = arguments[0].name();
+  command.approach = *approach;
+  command.only_parts = !arguments[1].text_value().empty();
+  if (command.only_parts) command.parts = {arguments[1].text_value()};
+  return command;
+}
+
 }  // namespace
 
 OrReason<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective) {
@@ -55,6 +67,7 @@ OrReason<AvatarCommand> plan(const Term& program, bool gesture, Perspective pers
     command.turn_rad = rad_per_deg * arguments[1].number_value();
     return command;
   }
+  if (known->takes == Takes::thing_and_grip) return planned_grip(std::move(command), arguments, program);
   if (known->takes == Takes::thing || known->takes == Takes::thing_and_goal) {
     if (!is_thing(arguments[0])) return wrong();
     command.object = arguments[0].name();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "continua/body/capability.h"
+#include "continua/core/named_values.h"
 #include "continua/world/relations.h"
 #include "continua/world/world_snapshot.h"
 
@@ -19,6 +20,12 @@ struct Goal {
   Vec3 p_WG = Vec3::Zero();                       ///< the point of the table under the object's centre
 };
 
+/// The side from which the hand comes to an object.
+enum class Approach { any, above, side };
+
+inline constexpr NamedValue<Approach> approach_names[] = {
+    {Approach::any, ""}, {Approach::above, "above"}, {Approach::side, "side"}};
+
 struct AvatarCommand {
   int id = 0;  ///< running number, returned in reports
   Capability what = Capability::signal;
@@ -26,6 +33,8 @@ struct AvatarCommand {
   Goal goal;                      ///< for put, slide, push and move; for reach, point, look without object: the place
   std::optional<Goal> next = {};  ///< for grasp: the object's next goal, for which the grip must do too
   std::vector<std::string> parts = {};  ///< for grasp: the components to hold it by, best first
+  bool only_parts = false;              ///< for grasp: no other place will do
+  Approach approach = Approach::any;    ///< for grasp
   double height_m = 0;                  ///< for lift
   double turn_rad = 0;                  ///< for turn: counterclockwise as seen from above
   std::string name;                     ///< for signal

@@ -23,6 +23,7 @@ const BodyProgram* body_program(std::string_view name) {
 
 std::size_t most_arguments(const BodyProgram& program) {
   if (program.takes == Takes::nothing) return 0;
+  if (program.takes == Takes::thing_and_grip) return 3;
   return program.takes == Takes::thing || program.takes == Takes::thing_or_place ? 1 : 2;
 }
 

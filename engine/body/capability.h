@@ -71,8 +71,17 @@ inline constexpr std::array body_acts = {
     ActRow{Capability::signal, "signal", ActEffect::announced},
 };
 
-/// The arguments of a program: a thing, a place, or either; an angle is in degrees.
-enum class Takes { nothing, thing, thing_and_angle, thing_and_goal, thing_or_place, last_is_thing_or_place };
+/// The arguments of a program: a thing, a place, or either; an angle is in degrees. A grip is the part of the thing and
+/// the side from which the hand comes, texts, either of which may be empty.
+enum class Takes {
+  nothing,
+  thing,
+  thing_and_angle,
+  thing_and_grip,
+  thing_and_goal,
+  thing_or_place,
+  last_is_thing_or_place
+};
 
 /// A program that the body performs itself, by the name that terms and voxemes use.
 struct BodyProgram {
@@ -84,6 +93,7 @@ struct BodyProgram {
 inline constexpr std::array body_programs = {
     BodyProgram{"grasp", Capability::grasp, Takes::thing},
     BodyProgram{"hold", Capability::grasp, Takes::thing},
+    BodyProgram{"grip", Capability::grasp, Takes::thing_and_grip},
     BodyProgram{"lift", Capability::lift, Takes::thing},
     BodyProgram{"ungrasp", Capability::ungrasp, Takes::thing},
     BodyProgram{"put", Capability::put, Takes::thing_and_goal},

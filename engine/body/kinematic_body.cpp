@@ -43,6 +43,14 @@ std::vector<std::string> touched_by(const ObjectState& object, const WorldSnapsh
   return touched;
 }
 
+/// A thing that the table bore before and no longer bears; nullptr if there is none.
+const ObjectState* fallen(const WorldSnapshot& now, const WorldSnapshot& before) {
+  const auto found = std::find_if(now.objects.begin(), now.objects.end(), [&](const ObjectState& each) {
+    return bears(now.table, before.find(each.name)->p_WO) && !bears(now.table, each.p_WO);
+  });
+  return found == now.objects.end() ? nullptr : &*found;
+}
+
 bool handles_things(const AvatarCommand& command) {
   return needs_object(command.what) || command.what == Capability::ungrasp;
 }
@@ -139,6 +147,10 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
   if (command.what == Capability::move && !in_hand) return failed({ReasonCode::not_held, {handling.object}});
   const WorldSnapshot before = world_;
   if (!in_hand) release();
+  if (auto why = hindrance(handling)) {
+    world_ = before;
+    return failed(*std::move(why));
+  }
   if (command.what == Capability::turn) {
     if (const auto why = turn(handling)) {
       world_ = before;
@@ -147,28 +159,41 @@ ActReport KinematicBody::act(const AvatarCommand& command) {
     return end;
   }
   if (moves_to_goal(command.what)) {
+    const auto lying_before = lying_;
     end = move(handling);
-    if (end.status != Status::done) world_ = before;
+    if (end.status != Status::done) {
+      world_ = before;
+      lying_ = lying_before;
+    }
     if (end.status == Status::done && empties_hand(command.what, in_hand)) world_.held.clear();
     return end;
-  }
-  if (command.what == Capability::grasp && command.next && !in_hand) {
-    handling.goal = *command.next;
-    const auto place = placement(handling, lying_down(handling.object), occupied_);
-    if (!place) {
-      world_ = before;
-      return failed(place.reason());
-    }
   }
   world_.held = handling.object;
   if (command.what == Capability::lift) shift(handling.object, Vec3(0, 0, command.height_m));
   return end;
 }
 
+/// The reason why there is no place for the act's goal, or why the arm cannot do the act.
+std::optional<Reason> KinematicBody::hindrance(const AvatarCommand& asked) const {
+  AvatarCommand command = asked;
+  const bool before_next = command.what == Capability::grasp && command.next;
+  if (before_next && command.object == world_.held) return std::nullopt;
+  if (before_next) command.goal = *command.next;
+  const WorldSnapshot laid = lying_down(command.object);
+  if (before_next || moves_to_goal(command.what))
+    if (const auto place = place_of(command, laid); !place) return place.reason();
+  return ability_ ? ability_->hindrance(command, laid) : std::nullopt;
+}
+
+OrReason<Placement> KinematicBody::place_of(const AvatarCommand& command, const WorldSnapshot& world) const {
+  if (!ability_) return placement(command, world, occupied_);
+  return placement(command, world, occupied_, [&](const Vec3& p_W) { return ability_->reaches(p_W); });
+}
+
 ActReport KinematicBody::move(const AvatarCommand& command) {
   ActReport end;
   const WorldSnapshot laid = lying_down(command.object);
-  const auto place = placement(command, laid, occupied_);
+  const auto place = place_of(command, laid);
   if (!place) {
     end.end_for(place.reason());
     return end;
@@ -180,8 +205,15 @@ ActReport KinematicBody::move(const AvatarCommand& command) {
   object.half_extents_m = shaped.half_extents_m;
   object.interior = shaped.interior;
   lying_.erase(command.object);
-  if (!command.goal.relation || occupied_ == Occupied::cleared)
-    world_ = pushed_apart(std::move(world_), command.object);
+  if (!command.goal.relation || occupied_ == Occupied::cleared) {
+    const WorldSnapshot crowded = world_;
+    if (occupied_ == Occupied::avoided) world_ = pushed_apart(crowded, command.object, GivesWay::others);
+    if (occupied_ == Occupied::cleared || fallen(world_, laid)) world_ = pushed_apart(crowded, command.object);
+  }
+  if (const auto* other = fallen(world_, laid)) {
+    end.end_for({ReasonCode::falls_off, {other->name}});
+    return end;
+  }
   if (place->upright) {
     lying_.emplace(command.object, lying);
     end.reason = {ReasonCode::stands_on_end, {command.object}};

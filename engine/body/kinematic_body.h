@@ -2,7 +2,9 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 
+#include "continua/body/ability.h"
 #include "continua/body/body.h"
 #include "continua/body/placement.h"
 
@@ -12,14 +14,16 @@ namespace continua {
 /// it; an act that is impossible begins and fails in one. A stop cancels all acts commanded before it. Objects stay
 /// where acts leave them and never overlap. Things on or in an object move along with it. An object that fits into a
 /// hollow only on its end is stood up, and the report says so; it lies again at its next place. An act about a missing
-/// thing is `unreachable`. An act without room, onto the object itself, or with nothing in the hand is `blocked`. After
-/// either the world is as before.
+/// thing or beyond the arm's ability is `unreachable`. An act without room, onto the object itself, or with nothing in
+/// the hand is `blocked`. After either the world is as before.
 class KinematicBody : public Body {
  public:
   /// With `cleared` an object comes to the exact place of its goal and pushes other things apart. A point is always
   /// treated so.
-  explicit KinematicBody(WorldSnapshot world, Occupied occupied = Occupied::avoided)
-      : world_(std::move(world)), occupied_(occupied) {}
+  /// `ability` tells which acts the arm can do; without it the arm is everywhere at once.
+  explicit KinematicBody(WorldSnapshot world, Occupied occupied = Occupied::avoided,
+                         std::shared_ptr<const Ability> ability = nullptr)
+      : world_(std::move(world)), occupied_(occupied), ability_(std::move(ability)) {}
 
   void command(const AvatarCommand& command) override { waiting_.push_back(command); }
   WorldReport advance(SimTime t) override;
@@ -36,6 +40,8 @@ class KinematicBody : public Body {
   bool accepts(const AvatarCommand& command) const;
   /// Does the act. The report lacks id and time.
   ActReport act(const AvatarCommand& command);
+  OrReason<Placement> place_of(const AvatarCommand& command, const WorldSnapshot& world) const;
+  std::optional<Reason> hindrance(const AvatarCommand& asked) const;
   ActReport move(const AvatarCommand& command);
   std::optional<Reason> turn(const AvatarCommand& command);
   /// The world in which the object lies, even if it stands on its end now.
@@ -49,6 +55,7 @@ class KinematicBody : public Body {
 
   WorldSnapshot world_;
   Occupied occupied_;
+  std::shared_ptr<const Ability> ability_;
   std::map<std::string, ObjectState> lying_;  // objects on their end, as they lay before
   std::deque<AvatarCommand> waiting_;
   bool begun_ = false;  // the first of them: it was reported, and is done in the next advance

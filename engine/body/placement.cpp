@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "continua/body/standing.h"
 
@@ -51,8 +52,8 @@ std::vector<Vec3> steps_around(double farthest_m) {
 /// The search for one object's place.
 class Places {
  public:
-  Places(const ObjectState& object, const Goal& goal, const WorldSnapshot& world)
-      : object_(object), goal_(goal), world_(world), carried_(carried_with(object.name, world)) {
+  Places(const ObjectState& object, const Goal& goal, const WorldSnapshot& world, const Reaches& reaches)
+      : object_(object), goal_(goal), world_(world), reaches_(reaches), carried_(carried_with(object.name, world)) {
     for (const auto& name : goal.landmarks) {
       landmarks_.push_back(*Landmark::named(name, world));
       if (name != object.name) continue;
@@ -67,13 +68,15 @@ class Places {
 
  private:
   Reason no_room() const;
-  Placement at_point() const;
+  OrReason<Placement> at_point() const;
   OrReason<Placement> in_hollow() const;
   OrReason<Placement> on_top(Occupied occupied) const;
   OrReason<Placement> nearby(Occupied occupied) const;
+  std::optional<Placement> nearest(const std::vector<Vec3>& centers, Occupied occupied, bool whole,
+                                   const Reaches& reaches) const;
 
   std::vector<Vec3> ideals() const;
-  std::vector<Vec3> before_participant(Perspective who) const;
+  Vec3 before_participant(Perspective who, double inwards_m) const;
   std::vector<std::string> contents_of(const ObjectState& container) const;
   bool is_narrow(const ObjectState& below) const;
   double support_height(const Vec3& p_W, Occupied occupied) const;
@@ -87,11 +90,17 @@ class Places {
     there.p_WO = on_grid(p_WO);
     return there;
   }
+  /// The object on its support there.
+  ObjectState standing(Vec3 p_W, Occupied occupied) const {
+    p_W.z() = support_height(p_W, occupied) + object_.half_extents_m.z();
+    return placed(p_W);
+  }
   bool is_step() const { return landmarks_.front().thing == &before_; }
 
   const ObjectState& object_;
   const Goal& goal_;
   const WorldSnapshot& world_;
+  const Reaches& reaches_;
   std::vector<bool> carried_;
   std::vector<Landmark> landmarks_;
   ObjectState before_;
@@ -141,13 +150,13 @@ double Places::support_height(const Vec3& p_W, Occupied occupied) const {
   return height;
 }
 
-/// The place on a participant's side of the table, near its edge.
-std::vector<Vec3> Places::before_participant(Perspective who) const {
+/// The place on a participant's side of the table, near its edge, or farther inwards.
+Vec3 Places::before_participant(Perspective who, double inwards_m) const {
   const Vec3 half = half_of(object_.bounds_W()), front = side_W(Relation::in_front, who);
-  Vec3 p = world_.table.center() + front * (half_of(world_.table).y() - edge_gap_m - half.y());
+  Vec3 p = world_.table.center() + front * (half_of(world_.table).y() - edge_gap_m - half.y() - inwards_m);
   if (*goal_.relation == Relation::left || *goal_.relation == Relation::right)
     p += side_W(*goal_.relation, who) * half_of(world_.table).x() / 2;
-  return {p};
+  return p;
 }
 
 /// Centres of the search, nearest to the object first.
@@ -155,7 +164,7 @@ std::vector<Vec3> Places::ideals() const {
   const Relation relation = *goal_.relation;
   const Landmark& landmark = landmarks_.front();
   if (relation == Relation::between) return {(landmark.bounds_W.center() + landmarks_[1].bounds_W.center()) / 2};
-  if (landmark.who) return before_participant(*landmark.who);
+  if (landmark.who) return {before_participant(*landmark.who, 0)};
   // Extents along the world's axes: an object may be turned.
   const Box mine = object_.bounds_W();
   const Vec3 reach = (mine.max - mine.min + landmark.bounds_W.max - landmark.bounds_W.min) / 2;
@@ -179,9 +188,11 @@ std::vector<Vec3> Places::ideals() const {
   return places;
 }
 
-/// A point is a place whatever stands there.
-Placement Places::at_point() const {
-  return Placement{on_grid(Vec3(goal_.p_WG.x(), goal_.p_WG.y(), world_.table.max.z() + object_.half_extents_m.z()))};
+/// A point of the table is a place whatever stands there.
+OrReason<Placement> Places::at_point() const {
+  const Vec3 there(goal_.p_WG.x(), goal_.p_WG.y(), world_.table.max.z() + object_.half_extents_m.z());
+  if (!bears(world_.table, there)) return Reason{ReasonCode::falls_off, {object_.name}};
+  return Placement{on_grid(there)};
 }
 
 /// On the floor of a container, where the object fits as it lies or on its end.
@@ -240,21 +251,39 @@ OrReason<Placement> Places::on_top(Occupied occupied) const {
   return no_room();
 }
 
-OrReason<Placement> Places::nearby(Occupied occupied) const {
+/// The place nearest to one of the centres, within reach if that is told. `whole`: with all of the object above the
+/// table, else only its centre.
+std::optional<Placement> Places::nearest(const std::vector<Vec3>& centers, Occupied occupied, bool whole,
+                                         const Reaches& reaches) const {
   constexpr double farthest_m = 0.3;
-  const auto centers = ideals();
-  const auto standing = [&](Vec3 p) {
-    p.z() = support_height(p, occupied) + object_.half_extents_m.z();
-    return placed(p);
-  };
-  if (occupied == Occupied::cleared && is_side(*goal_.relation) && landmarks_.front().thing && !is_step())
-    return Placement{standing(centers.front()).p_WO};
+  int tries = 400;  // of reaching, which takes some 20 microseconds
   for (const Vec3& step : steps_around(farthest_m)) {
     for (const Vec3& center : centers) {
-      const ObjectState there = standing(center + step);
-      if (on_table(there) && free(there) && holds(there)) return Placement{there.p_WO};
+      const ObjectState there = standing(center + step, occupied);
+      const bool borne = whole ? on_table(there) : bears(world_.table, there.p_WO);
+      if (!borne || !free(there) || !holds(there)) continue;
+      if (!reaches || reaches(there.p_WO)) return Placement{there.p_WO};
+      if (--tries == 0) return std::nullopt;
     }
   }
+  return std::nullopt;
+}
+
+OrReason<Placement> Places::nearby(Occupied occupied) const {
+  const auto& who = landmarks_.front().who;
+  const bool beside_thing = is_side(*goal_.relation) && landmarks_.front().thing && !is_step();
+  auto centers = ideals();
+  if (occupied == Occupied::cleared && beside_thing) return Placement{standing(centers.front(), occupied).p_WO};
+  if (reaches_) {
+    if (const auto place = nearest(centers, occupied, true, reaches_)) return *place;
+    std::vector<Vec3> inwards;
+    for (int cm = 2; who && cm <= 40; cm += 2) inwards.push_back(before_participant(*who, cm / 100.0));
+    if (const auto place = nearest(inwards, occupied, true, reaches_)) return *place;
+  }
+  if (const auto place = nearest(centers, occupied, true, {})) return *place;
+  // Beside another thing the object may stand out over the edge.
+  if (beside_thing)
+    if (const auto place = nearest(centers, occupied, false, {})) return *place;
   return no_room();
 }
 
@@ -287,10 +316,11 @@ Reason reason_about_goal(ReasonCode code, const std::string& object, const Goal&
   return reason;
 }
 
-OrReason<Placement> placement(const AvatarCommand& command, const WorldSnapshot& world, Occupied occupied) {
+OrReason<Placement> placement(const AvatarCommand& command, const WorldSnapshot& world, Occupied occupied,
+                              const Reaches& reaches) {
   const ObjectState* object = world.find(command.object);
   require(object && !missing_thing(command, world), "a place is sought for and beside things that are in the world");
-  return Places(*object, command.goal, world).find(occupied);
+  return Places(*object, command.goal, world, reaches).find(occupied);
 }
 
 }  // namespace continua

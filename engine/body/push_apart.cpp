@@ -64,7 +64,7 @@ void let_fall(WorldSnapshot& world, const std::vector<bool>& stood_on_pushed) {
 
 }  // namespace
 
-WorldSnapshot pushed_apart(WorldSnapshot world, const std::string& object) {
+WorldSnapshot pushed_apart(WorldSnapshot world, const std::string& object, GivesWay gives_way) {
   std::vector<bool> pushed, above(world.objects.size(), false);
   for (const auto& one : world.objects) pushed.push_back(one.name == object);
   const auto push = [&](std::size_t i, int axis, double by_m) {
@@ -79,8 +79,10 @@ WorldSnapshot pushed_apart(WorldSnapshot world, const std::string& object) {
     if (!found) break;
     const auto& [a, b, axis, depth] = *found;
     const double way = world.objects[a].p_WO[axis] <= world.objects[b].p_WO[axis] ? -1 : 1;
-    push(a, axis, way * depth / 2);
-    push(b, axis, -way * depth / 2);
+    const auto stays = [&](std::size_t i) { return gives_way == GivesWay::others && world.objects[i].name == object; };
+    const double share_of_a = stays(a) ? 0 : stays(b) ? 1 : 0.5;
+    push(a, axis, way * depth * share_of_a);
+    push(b, axis, -way * depth * (1 - share_of_a));
   }
   let_fall(world, above);
   return world;

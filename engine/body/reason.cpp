@@ -61,6 +61,7 @@ constexpr std::array rows = {
     Row{Code::no_turn, Status::unreachable, "no_turn", "the arm cannot turn {0} there"},
     Row{Code::no_room_to_turn, Status::blocked, "no_room_to_turn", "there is no room to turn {0}"},
     Row{Code::too_wide, Status::blocked, "too_wide", "{0} is too wide for the hand"},
+    Row{Code::no_such_hold, Status::blocked, "no_such_hold", "{0} cannot be held in that way"},
     Row{Code::no_hold, Status::blocked, "no_hold", "the fingers found no hold"},
     Row{Code::slipped, Status::dropped, "slipped", "{0} slipped out of the fingers"},
     Row{Code::hand_obstructed, Status::blocked, "hand_obstructed", "something is in the hand's way"},

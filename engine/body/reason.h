@@ -64,6 +64,7 @@ enum class ReasonCode {
   no_turn,
   no_room_to_turn,
   too_wide,
+  no_such_hold,
   no_hold,
   slipped,
   hand_obstructed,

@@ -50,6 +50,11 @@ bool is_inside(const ObjectState& thing, const ObjectState& container) {
          box.min.z() >= hollow->min.z() - grid_slack_m;
 }
 
+bool bears(const Box& table, const Vec3& p_WO, double margin_m) {
+  return p_WO.x() > table.min.x() + margin_m && p_WO.x() < table.max.x() - margin_m &&
+         p_WO.y() > table.min.y() + margin_m && p_WO.y() < table.max.y() - margin_m;
+}
+
 bool overlap(const ObjectState& a, const ObjectState& b) {
   const Box one = a.bounds_W(), other = b.bounds_W();
   const Vec3 depth = one.max.cwiseMin(other.max) - one.min.cwiseMax(other.min);

@@ -13,6 +13,9 @@ inline constexpr double grid_slack_m = 2 * position_grid_m;
 /// The thing is in the hollow of a container: within it as seen from above, and not below its floor.
 bool is_inside(const ObjectState& thing, const ObjectState& container);
 
+/// The table bears an object whose centre is there: it is above the table, so far from its edge.
+bool bears(const Box& table, const Vec3& p_WO, double margin_m = 0.003);
+
 /// The two boxes overlap, and neither thing is in the hollow of the other.
 bool overlap(const ObjectState& a, const ObjectState& b);
 

@@ -99,7 +99,8 @@ std::string_view without_byte_order_mark(std::string_view text);
 /// printable ASCII or UTF-8.
 std::string in_quotes(std::string_view text);
 
-/// The letters (bytes) to insert, delete or replace to make one text of the other.
+/// The letters (bytes) to insert, delete, replace, or exchange with the next one to make one text of the other. No
+/// letter is changed twice (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The name in `known` nearest to `name` by edit distance, as " (did you mean 'x'?)"; empty if no name is near.

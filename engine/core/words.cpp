@@ -56,10 +56,12 @@ std::vector<SpokenWord> words_of(std::string_view text, std::size_t most, bool* 
       continue;
     }
     inside = false;
-    if (is_one_of(commas, character) && (words.empty() || !words.back().comma))
-      words.push_back({",", true, false});
-    else if (!words.empty() && is_one_of(ends, character))
+    if (is_one_of(commas, character) && (words.empty() || !words.back().comma)) {
+      words.push_back({",", true, false, false});
+    } else if (!words.empty() && is_one_of(ends, character)) {
       words.back().ends_after = true;
+      words.back().colon = character == ":";
+    }
   }
   return words;
 }

@@ -188,6 +188,20 @@ class Obstacles {
   const Catalogue& catalogue_;
 };
 
+// Whether the program grips a thing by a part at which its voxeme affords no grasp.
+bool lacks_part(std::string_view program, const std::vector<Term>& arguments, const WorldSnapshot& world,
+                const Catalogue& catalogue) {
+  const auto* known = body_program(program);
+  if (!known || known->takes != Takes::thing_and_grip || arguments.size() < 2) return false;
+  const auto& part = arguments[1];
+  if (part.kind() != Term::Kind::text || part.text_value().empty()) return false;
+  const auto* object = arguments[0].kind() == Term::Kind::constant ? world.find(arguments[0].name()) : nullptr;
+  const auto* voxeme = object ? voxeme_of(*object, catalogue) : nullptr;
+  if (!voxeme) return false;
+  const auto parts = grasp_parts(*voxeme);
+  return std::find(parts.begin(), parts.end(), part.text_value()) == parts.end();
+}
+
 }  // namespace
 
 const Voxeme* voxeme_of(const ObjectState& object, const Catalogue& catalogue) {
@@ -203,9 +217,22 @@ std::optional<bool> affords(const ObjectState& object, const Catalogue& catalogu
   });
 }
 
+std::vector<std::string> grasp_parts(const Voxeme& voxeme) {
+  std::vector<std::string> parts;
+  for (const auto& affordance : voxeme.affordances) {
+    if (affordance.event.name != "grasp") continue;
+    for (const auto& argument : affordance.event.arguments)
+      for (const auto& component : voxeme.components)
+        if (argument.kind == Kind::component && argument.name == component.number && !component.number.empty())
+          parts.push_back(component.name);
+  }
+  return parts;
+}
+
 ReasonCode obstacle(const Term& program, const WorldSnapshot& world, const Catalogue& catalogue) {
   const auto [head, arguments] = program.spine();
   if (head.kind() != Term::Kind::constant) return Code::none;
+  if (lacks_part(head.name(), arguments, world, catalogue)) return Code::no_such_hold;
   Event event{head.name(), {}};
   for (const auto& each : arguments) event.arguments.push_back(argument_of(each));
   Steps steps(catalogue);

@@ -20,6 +20,9 @@ const Voxeme* voxeme_of(const ObjectState& object, const Catalogue& catalogue);
 /// habitat are ignored, because an agent can bring them about. Nothing if there is no voxeme.
 std::optional<bool> affords(const ObjectState& object, const Catalogue& catalogue, std::string_view what);
 
+/// The components by which the voxeme affords grasping, in its order; the whole is left out.
+std::vector<std::string> grasp_parts(const Voxeme& voxeme);
+
 /// The obstacle to a program such as put(cup, on(plate)); `none` if there is none. FACTS.md lists the codes. The
 /// program's steps, down to those of the body itself, decide what it requires of its objects.
 ReasonCode obstacle(const Term& program, const WorldSnapshot& world, const Catalogue& catalogue);

@@ -266,8 +266,8 @@ Term View::meaning_of(const std::string& name) const {
   if (const auto gesture = learned->gestures.find(name); gesture != learned->gestures.end())
     return evaluation_.value(gesture->second);
   if (const auto noun = learned->nouns.find(name); noun != learned->nouns.end()) return evaluation_.value(noun->second);
-  const auto program = learned->programs.find(name);
-  return program == learned->programs.end() ? Term::null() : evaluation_.value(program->second.acts);
+  const auto* program = learned->program_called(name);
+  return program ? evaluation_.value(program->acts) : Term::null();
 }
 
 Term View::affordance(const ObjectState& object, const std::string& what) const {

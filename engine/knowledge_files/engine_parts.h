@@ -23,10 +23,12 @@ struct EngineParts {
   Perspective perspective = Perspective::human;  ///< whose left "left" is, if the words leave that open
   std::uint64_t seed = 0;                        ///< of the generator, for draws under `sample` and random facts
   std::map<int, std::size_t> forced;             ///< step → transition
+  std::shared_ptr<OutsidePolicy> outside;        ///< decides in place of `choice`; null: none
+  std::string choice_told;                       ///< that policy's name, for logs
   Json knowledge;                                ///< digests of the files (knowledge_digests)
 
   /// The chooser for a run that begins with these parts.
-  Chooser chooser() const { return {choice, Random(seed), forced, 0}; }
+  Chooser chooser() const { return {choice, Random(seed), forced, 0, outside}; }
 };
 
 /// The parts for a loaded machine: its language from `data`, its own choice and perspective. The error is the first

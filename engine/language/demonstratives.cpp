@@ -53,7 +53,8 @@ std::vector<Demonstrative> demonstratives(const Reading& reading, const Operator
       if (!by_itself || words.begin == found.back().words.begin) continue;
       found.back().words.end = std::min(found.back().words.end, words.begin);
     }
-    found.push_back({words, by_itself || asks(term, operators)});
+    const bool asks_place = !by_itself && asks(term, operators);
+    found.push_back({words, by_itself || asks_place, asks_place});
     end = std::max(end, words.end);
   }
   return found;

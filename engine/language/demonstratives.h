@@ -11,6 +11,7 @@ namespace continua {
 struct Demonstrative {
   WordSpan words;
   bool needs = false;  ///< asks for pointing: there, that cup; if false, pointing can tell which is meant: the cup, cup
+  bool place = false;  ///< asks for a place: there, the block there; if false, for a thing
 };
 
 /// The demonstratives of a reading, in the order of their words: definite noun phrases, other noun phrases that ask for

@@ -91,6 +91,7 @@ struct Lexicon {
   std::vector<UnaryRule> rules;
   std::vector<NameTemplate> learned;  ///< for programs that the human named
   std::vector<NameTemplate> unknown;  ///< for unknown words, as texts: "call that (hoist)"
+  std::vector<NameTemplate> taken;    ///< for known words in place of a new name: "call the block (cup)"
   std::vector<NameTemplate> nouns;    ///< for nouns that the human taught: "put (bob) on the plate"
   std::vector<NameTemplate> numbers;  ///< for numbers in digits: "(10) centimetres"
   std::vector<LexiconExample> examples;

@@ -14,7 +14,7 @@ namespace {
 
 const std::vector<std::string> sections = {
     "about", "categories", "names",  "define",  "determiners", "proforms", "words", "skip",   "attributes", "plural",
-    "unary", "examples",   "sample", "learned", "unknown",     "numbers",  "nouns", "asides", "forms"};
+    "unary", "examples",   "sample", "learned", "unknown",     "numbers",  "nouns", "asides", "forms",      "taken"};
 
 }  // namespace
 
@@ -44,6 +44,7 @@ Lexicon LexiconReader::read() {
   read_rules();
   lexicon_.learned = read_name_templates("learned");
   lexicon_.unknown = read_name_templates("unknown");
+  lexicon_.taken = read_name_templates("taken");
   lexicon_.nouns = read_name_templates("nouns");
   lexicon_.numbers = read_name_templates("numbers");
   read_sample();

@@ -164,9 +164,9 @@ bool NounPhraseSearch::is_true(const Term& condition, const std::string& other) 
     if (!proform_of(part, *meanings_.operators)) return std::nullopt;
     return other.empty() ? anything() : all_but(other);
   });
-  const auto lookup = [this](Name name) -> const Term* {
-    if (compared_ && name.text() == meanings_.operators->compared) return &*compared_;
-    return meanings_.lookup ? meanings_.lookup(name) : nullptr;
+  const auto lookup = [this](Name name) -> Evaluation::Held {
+    if (compared_ && name.text() == meanings_.operators->compared) return {&*compared_};
+    return meanings_.lookup ? meanings_.lookup(name) : Evaluation::Held(nullptr);
   };
   Evaluation evaluation(*meanings_.rules, lookup, context_.facts);
   const bool result = evaluation.value(ready).is_true();

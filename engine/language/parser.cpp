@@ -1,6 +1,8 @@
 #include "continua/language/parser.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "continua/core/words.h"
 #include "continua/language/segment.h"
@@ -12,8 +14,14 @@ namespace {
 enum class Unknown {
   left_out,
   names,     // of what the human is about to name
+  renamed,   // the same, and known words may be such names too
   repaired,  // to words that are spelt or heard almost like them, left out where there is none
 };
+
+WordEntry joined(WordEntry entry, WordEntry more) {
+  std::move(more.senses.begin(), more.senses.end(), std::back_inserter(entry.senses));
+  return entry;
+}
 
 // Collects the words of an utterance, and reads them segment by segment.
 class Hearing {
@@ -47,12 +55,13 @@ class Hearing {
     const auto place = utterance_.words.size() - 1;
     auto number = vocabulary_.as_number(text);
     const bool known = vocabulary_.knows(text) || !number.senses.empty();
-    const bool name = !known && unknown_ == Unknown::names;
+    const bool name = !known && (unknown_ == Unknown::names || unknown_ == Unknown::renamed);
     const auto meant = known || unknown_ != Unknown::repaired ? std::nullopt : vocabulary_.resembling(text);
     if (meant) {
       add({*meant, false, {}});
       utterance_.repaired.push_back(place);
     } else if (known) {
+      if (unknown_ == Unknown::renamed) number = joined(std::move(number), vocabulary_.as_name(text, true));
       add({text, false, std::move(number)});
     } else {
       utterance_.unknown.push_back(place);
@@ -64,9 +73,9 @@ class Hearing {
 
   // Neighbouring unknown words are one name.
   void add_name(const std::string& text) {
-    if (!after_name_) return add({text, false, vocabulary_.as_name(text)});
+    if (!after_name_) return add({text, false, vocabulary_.as_name(text, false)});
     words_.back().text += " " + text;
-    words_.back().name = vocabulary_.as_name(words_.back().text);
+    words_.back().name = vocabulary_.as_name(words_.back().text, false);
     utterance_.unknown.pop_back();
   }
 
@@ -112,6 +121,18 @@ std::vector<SpokenWord> without_repeats(const std::vector<SpokenWord>& spoken) {
   return heard;
 }
 
+// With commas in place of colons: "to tidy means: take the knife" is one sentence.
+std::vector<SpokenWord> without_colons(const std::vector<SpokenWord>& spoken) {
+  std::vector<SpokenWord> heard;
+  for (auto word : spoken) {
+    const bool colon = std::exchange(word.colon, false);
+    if (colon) word.ends_after = false;
+    heard.push_back(std::move(word));
+    if (colon) heard.push_back({",", true, false, false});
+  }
+  return heard;
+}
+
 bool is_in_fragment(std::size_t word, const Utterance& utterance) {
   return std::any_of(utterance.fragments.begin(), utterance.fragments.end(), [&](const Fragment& fragment) {
     return word >= fragment.words.begin && word < fragment.words.end;
@@ -150,7 +171,9 @@ void keep_longest(WordSpan sentence, Utterance& utterance) {
   all.insert(all.erase(first, last), std::move(kept));
 }
 
-// Unknown words are names if they can be, else words that they resemble.
+std::size_t lost_words(const Utterance& utterance) { return utterance.unknown.size() + utterance.unused.size(); }
+
+// Unknown words are names if they can be, else words that they resemble. Known words are names if nothing is lost then.
 Utterance read(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabulary) {
   Utterance utterance = Hearing(vocabulary, Unknown::left_out).read(spoken);
   if (!utterance.unknown.empty()) {
@@ -162,10 +185,14 @@ Utterance read(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabula
       utterance = std::move(repaired);
     }
   }
-  return utterance;
+  const bool whole = lost_words(utterance) == 0 && utterance.fragments.size() < 2;
+  if (whole || vocabulary.lexicon().taken.empty()) return utterance;
+  auto renamed = Hearing(vocabulary, Unknown::renamed).read(spoken);
+  if (!takes_names(renamed) || !renamed.unused.empty()) return utterance;
+  if (lost_words(utterance) == 0 && renamed.fragments.size() >= utterance.fragments.size()) return utterance;
+  renamed.unknown.clear();
+  return renamed;
 }
-
-std::size_t lost_words(const Utterance& utterance) { return utterance.unknown.size() + utterance.unused.size(); }
 
 }  // namespace
 
@@ -175,6 +202,9 @@ Utterance read(std::string_view text, const Vocabulary& vocabulary) {
   Utterance utterance = read(spoken, vocabulary);
   if (const auto heard = without_repeats(spoken); lost_words(utterance) > 0 && heard.size() < spoken.size())
     if (auto again = read(heard, vocabulary); lost_words(again) < lost_words(utterance)) utterance = std::move(again);
+  if (lost_words(utterance) > 0 &&
+      std::any_of(spoken.begin(), spoken.end(), [](const auto& word) { return word.colon; }))
+    if (auto whole = read(without_colons(spoken), vocabulary); lost_words(whole) == 0) utterance = std::move(whole);
   std::size_t begin = 0;
   for (const auto end : std::vector(utterance.ends)) {
     keep_longest({begin, end}, utterance);

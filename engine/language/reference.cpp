@@ -125,7 +125,10 @@ Reference refer_to_pointed(const Context& context) {
   if (context.pointed_W) densities = keep_pointed(*context.pointed_W, fitting, reference.margin);
   reference.referents = ranked(fitting, densities, context);
   reference.ruled_out = in_scene_order(std::move(fitting.ruled_out), *context.facts.world);
-  return reference;
+  if (!reference.referents.empty() || context.among.empty()) return reference;
+  Context anything = context;
+  anything.among.clear();
+  return refer_to_pointed(anything);
 }
 
 }  // namespace continua

@@ -77,7 +77,7 @@ Reference refer(const Term& condition, const Determiner& determiner, const Conte
 /// The objects of the context that a pro-form of this source lists; nullptr if it means none.
 const std::vector<std::string>* objects_of(Proform::Source source, const Context& context);
 
-/// Referents of pointing alone.
+/// Referents of pointing alone: objects asked about, or any others if none of those is pointed at.
 Reference refer_to_pointed(const Context& context);
 
 }  // namespace continua

@@ -85,7 +85,7 @@ bool Referring::is_noun(const Term& term) const {
     if (at.kind() == Term::Kind::lambda) continue;
     if (at.kind() != Term::Kind::constant) return at.kind() == Term::Kind::truth;
     if (proform(at) || core_signature().contains(at.name()) || meanings_.rules->find(at.interned_name())) return true;
-    const Term* definition = meanings_.lookup ? meanings_.lookup(at.interned_name()) : nullptr;
+    const Term* definition = meanings_.lookup ? meanings_.lookup(at.interned_name()).value : nullptr;
     if (!definition) return false;
     at = *definition;
     ++definitions;
@@ -262,25 +262,26 @@ bool Referring::describes(const Term& condition) const {
 // for the first topic that fits some object; with "this" and "that" the object must also be pointed at. If no topic
 // fits, "one" stands for any object that is pointed at or described: "the red one".
 Reference Referring::found(const Term& condition, const Determiner& determiner, Context context) const {
-  if (!context.among.empty()) {
-    auto reference = refer(with_topic(condition, anything()), determiner, context, meanings_);
-    if (!reference.referents.empty()) return reference;
-    context.among.clear();
-  }
   const bool shown = determiner.deictic && context.pointed_W;
   const auto fits = [&](const Reference& reference) {
     return !reference.referents.empty() &&
            (!shown ||
             is_pointed_at(*context.pointed_W, *context.facts.world->find(reference.referents.front().object)));
   };
+  Reference asked;
+  if (!context.among.empty()) {
+    asked = refer(with_topic(condition, anything()), determiner, context, meanings_);
+    if (fits(asked)) return asked;
+    context.among.clear();
+  }
   auto all = topics();
   if (shown || describes(condition)) all.push_back(anything());
   const auto first = with_topic(condition, all.front());
   auto reference = refer(first, determiner, context, meanings_);
-  if (fits(reference) || first == condition) return reference;
-  for (std::size_t i = 1; i < all.size(); ++i)
+  if (fits(reference)) return reference;
+  for (std::size_t i = 1; i < all.size() && first != condition; ++i)
     if (auto other = refer(with_topic(condition, all[i]), determiner, context, meanings_); fits(other)) return other;
-  return reference;
+  return asked.referents.empty() ? reference : asked;
 }
 
 // The words of the phrase's use number `occurrence`, or of its last use if there are fewer.

@@ -63,13 +63,18 @@ void Vocabulary::note_said_of_scene(const WorldSnapshot& world) {
     }
 }
 
-void Vocabulary::learn(const std::string& name, const Type& type) {
+// The human was asked before a word gets another meaning.
+void Vocabulary::lose_senses(const std::string& word) { scene_words_.insert_or_assign(word, WordEntry()); }
+
+void Vocabulary::learn(const std::string& word, const std::string& name, const Type& type) {
   names_.insert_or_assign(name, type);
   const auto constant = Term::constant(name, type);
-  for (const auto& form : forms_of(name))
+  lose_senses(word);
+  for (const auto& form : forms_of(word))
     for (const auto& made : lexicon_->learned)
       if (made.type == type) add_word(form, {made.category, applied(made.term, constant), made.cost});
-  for (auto& sense : as_name(name).senses) add_word(name, std::move(sense));
+  for (auto& sense : as_name(word, true).senses) add_word(word, std::move(sense));
+  add_parts(word);
 }
 
 // The verb in the form that was taught, and in those with other endings: capping, cap, capped. Other words keep their
@@ -93,14 +98,16 @@ void Vocabulary::learn_noun(const std::string& name, const Term& condition) {
   while (!names_.emplace(constant_name, condition.type()).second) constant_name += "_taught";
   definitions_.emplace(constant_name, condition);
   const auto constant = Term::constant(constant_name, condition.type());
+  lose_senses(name);
   for (const auto& made : lexicon_->nouns)
     if (made.type == condition.type()) add_word(name, {made.category, applied(made.term, constant), made.cost});
-  for (auto& sense : as_name(name).senses) add_word(name, std::move(sense));
+  for (auto& sense : as_name(name, true).senses) add_word(name, std::move(sense));
+  add_parts(name);
 }
 
-WordEntry Vocabulary::as_name(const std::string& words) const {
+WordEntry Vocabulary::as_name(const std::string& words, bool known) const {
   WordEntry entry;
-  for (const auto& made : lexicon_->unknown)
+  for (const auto& made : known ? lexicon_->taken : lexicon_->unknown)
     entry.senses.push_back({made.category, applied(made.term, Term::text(words)), made.cost});
   return entry;
 }

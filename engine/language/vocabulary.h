@@ -16,9 +16,9 @@ class Vocabulary {
  public:
   Vocabulary(std::shared_ptr<const Lexicon> lexicon, const WorldSnapshot& world);
 
-  /// Makes the name of a program that the human taught a word, by the lexicon's `learned` templates. A word that the
-  /// lexicon has already keeps its other senses. REQUIRES that the name has not been learned before.
-  void learn(const std::string& name, const Type& type);
+  /// Makes the word a verb for the program of that name, by the lexicon's `learned` templates. A word that the lexicon
+  /// has already loses its other senses: the human was asked. REQUIRES that the name has not been learned before.
+  void learn(const std::string& word, const std::string& name, const Type& type);
 
   /// Makes a noun that the human taught a word, by the lexicon's `nouns` templates. `condition`: e -> t.
   void learn_noun(const std::string& name, const Term& condition);
@@ -28,8 +28,9 @@ class Vocabulary {
   const WordEntry* find(std::string_view words) const;
   /// All words that find() knows, in alphabetical order.
   std::set<std::string> words() const;
-  /// The senses of unknown words as a name that the human is about to give.
-  WordEntry as_name(const std::string& words) const;
+  /// The senses of words as a name that the human is about to give: by the lexicon's `unknown` templates, or, for a
+  /// word that is known already, by its `taken` templates.
+  WordEntry as_name(const std::string& words, bool known) const;
   /// The senses of a number in digits, by the lexicon's `numbers` templates; none if the word is no number.
   WordEntry as_number(const std::string& word) const;
   /// The word for a thing of the scene or for one of its attributes that is spelt most like this unknown one; none if
@@ -49,6 +50,7 @@ class Vocabulary {
 
  private:
   void add_value(const WordAttribute& attribute, const std::vector<std::string>& group);
+  void lose_senses(const std::string& word);
   std::set<std::string> forms_of(const std::string& verb) const;
   void add_word(const std::string& word, WordSense sense);
   void add_parts(std::string_view words);

@@ -110,7 +110,8 @@ Result<Program> composed(const std::vector<Term>& acts) {
   return Program{body};
 }
 
-Result<std::vector<Term>> applied(const Program& program, const std::vector<Term>& arguments) {
+Result<std::vector<Term>> applied(const Program& program, const std::vector<Term>& arguments,
+                                  std::vector<Application>& made) {
   const auto types = program.parameters();
   if (arguments.size() != types.size())
     return Error{"", fmt::format("found {} arguments, expected {}", arguments.size(), types.size())};
@@ -118,9 +119,23 @@ Result<std::vector<Term>> applied(const Program& program, const std::vector<Term
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i].is_null() || !arguments[i].closed() || !consistent(arguments[i].type(), types[i]))
       return Error{"", fmt::format("found {}, expected an argument of type {}", print(arguments[i]), types[i].text())};
-    body = instantiate(body.body(), arguments[i]);
+    Term result = instantiate(body.body(), arguments[i]);
+    made.push_back({std::move(body), arguments[i], result, ""});
+    body = std::move(result);
   }
   return body.elements();
+}
+
+const Program* Learned::program_called(std::string_view name) const {
+  if (const auto found = programs.find(name); found != programs.end()) return &found->second;
+  const auto found =
+      std::find_if(programs.begin(), programs.end(), [&](const auto& each) { return each.second.word == name; });
+  return found == programs.end() ? nullptr : &found->second;
+}
+
+void Learned::learn_shape(const std::string& gesture, const Shape& shape) {
+  auto& exemplars = shapes[gesture];
+  if (std::find(exemplars.begin(), exemplars.end(), shape) == exemplars.end()) exemplars.push_back(shape);
 }
 
 Outcome Learned::learn_program(const std::string& name, Program program) {
@@ -131,7 +146,7 @@ Outcome Learned::learn_program(const std::string& name, Program program) {
   return std::nullopt;
 }
 
-Result<std::vector<Term>> Learned::acts_of(const Term& act) const {
+Result<std::vector<Term>> Learned::acts_of(const Term& act, std::vector<Application>& made) const {
   std::vector<Term> acts, open = {act};  // `open`: acts still to be expanded, the next one last
   for (std::size_t count = 0; !open.empty(); ++count) {
     if (count > most_acts) return Error{"", fmt::format("{} comes to more than {} acts", print(act), most_acts)};
@@ -142,7 +157,7 @@ Result<std::vector<Term>> Learned::acts_of(const Term& act) const {
       acts.push_back(next);
       continue;
     }
-    auto parts = applied(*program, next.spine().arguments);
+    auto parts = applied(*program, next.spine().arguments, made);
     if (!parts) return Error{"", fmt::format("{} in {}", parts.error().sentence, print(next))};
     open.insert(open.end(), parts->rbegin(), parts->rend());
   }

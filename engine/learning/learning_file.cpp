@@ -42,22 +42,22 @@ class LearningReader {
     if (!root.expect_object("what was learned", {"learned", "gestures", "programs", "nouns"})) return learned_;
     root.expect_version("learned", 1);
     // Terms may use every taught name: if the names have problems, terms are not read.
-    const auto programs = taught(root.member("programs"), "programs", "acts");
-    const auto gestures = taught(root.member("gestures"), "gestures", "means");
+    const auto programs = taught(root.member("programs"), "programs", {"acts", "word"});
+    const auto gestures = taught(root.member("gestures"), "gestures", {"means", "shapes"});
     if (document_.sound()) read_programs(programs);
     if (document_.sound()) read_gestures(gestures);
-    if (document_.sound()) read_nouns(taught(root.member("nouns"), "nouns", "means"));
+    if (document_.sound()) read_nouns(taught(root.member("nouns"), "nouns", {"means"}));
     return learned_;
   }
 
  private:
-  // The entries of the section that have a term; `key` names the term.
-  std::vector<Taught> taught(const Item& section, const char* what, const char* key) {
+  // The entries of the section that have a term; the first of their keys names the term.
+  std::vector<Taught> taught(const Item& section, const char* what, const std::vector<std::string>& keys) {
     std::vector<Taught> all;
     for (const auto& [name, entry] : section.members(what)) {
       if (name.empty()) entry.problem_at_key("found '', expected a name");
-      if (!entry.expect_object("what is learned of a name", {key})) continue;
-      const auto term = entry.required(key, "a term");
+      if (!entry.expect_object("what is learned of a name", keys)) continue;
+      const auto term = entry.required(keys.front(), "a term");
       if (const auto text = term.name("a term"); !text.empty()) all.push_back({name, entry, term, text});
     }
     return all;
@@ -79,7 +79,8 @@ class LearningReader {
   bool read_program(const Taught& taught, bool types_are_known) {
     const auto term = read_term(taught);
     if (!term) return false;
-    const Program program{*term};
+    const auto word = taught.entry.member("word");
+    const Program program{*term, word.exists() ? word.name("the word that was taught") : ""};
     const auto types = program.parameters();
     const auto things = count_while(types, 0, Type::entity());
     const auto points = count_while(types, things, Type::location());
@@ -97,7 +98,22 @@ class LearningReader {
       const auto term = read_term(each);
       if (term && term->is_null()) each.term.problem("found null, expected what the gesture means");
       if (term) learned_.gestures.emplace(each.name, *term);
+      for (const auto& shape : each.entry.member("shapes").elements("shapes")) read_shape(each.name, shape);
     }
+  }
+
+  void read_shape(const std::string& gesture, const Item& shape) {
+    std::vector<double> numbers;
+    for (const auto& number : shape.elements("numbers")) {
+      if (number.json().is_number())
+        numbers.push_back(number.json().get<double>());
+      else
+        number.mismatch("a number");
+    }
+    if (numbers.empty())
+      shape.mismatch("a list of one number or more");
+    else
+      learned_.learn_shape(gesture, Shape(std::move(numbers)));
   }
 
   void read_nouns(const std::vector<Taught>& nouns) {
@@ -153,7 +169,12 @@ std::string print(const Program& program) {
 std::string print_learned(const Learned& learned) {
   Json gestures = Json::object(), programs = Json::object();
   for (const auto& [name, meaning] : learned.gestures) gestures[name] = {{"means", print(meaning)}};
-  for (const auto& [name, program] : learned.programs) programs[name] = {{"acts", print(program)}};
+  for (const auto& [name, exemplars] : learned.shapes)
+    for (const auto& shape : exemplars) gestures[name]["shapes"].push_back(shape.numbers());
+  for (const auto& [name, program] : learned.programs) {
+    programs[name] = {{"acts", print(program)}};
+    if (!program.word.empty()) programs[name]["word"] = program.word;
+  }
   Json root{{"learned", 1}, {"gestures", std::move(gestures)}, {"programs", std::move(programs)}};
   for (const auto& [name, condition] : learned.nouns) root["nouns"][name] = {{"means", print(condition)}};
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

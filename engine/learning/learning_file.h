@@ -1,8 +1,9 @@
 // Lessons as a file, with which the next run can begin:
 //
 //   { "learned": 1,
-//     "gestures": { "claw": { "means": "grasp(cup)" } },
-//     "programs": { "hoist": { "acts": "\\x: e. [grasp(x), lift(x)]" } },
+//     "gestures": { "claw": { "means": "grasp(cup)", "shapes": [[0.2, 0.9, 0.1]] } },
+//     "programs": { "hoist": { "acts": "\\x: e. [grasp(x), lift(x)]" },
+//                   "put_taught": { "word": "put", "acts": "[lift(cup)]" } },
 //     "nouns": { "bob": { "means": "\\x. x = block1" } } }
 #pragma once
 

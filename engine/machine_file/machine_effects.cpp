@@ -10,8 +10,8 @@
 namespace continua {
 namespace {
 
-const std::vector<std::string> effect_keys = {"say",   "phrase", "gesture", "act",          "remember",
-                                              "learn", "forget", "rewrite", "rewrite_each", "do"};
+const std::vector<std::string> effect_keys = {"say",    "phrase", "gesture", "act",          "remember", "learn",
+                                              "forget", "attend", "rewrite", "rewrite_each", "do"};
 
 // Whether the effects after this one are never performed.
 bool ends_effects(const Effect& effect) {
@@ -73,6 +73,10 @@ std::optional<EffectReader::What> EffectReader::what(const Item& object, const s
   if (kind == "remember") return remember(item);
   if (kind == "learn") return some(learn(item));
   if (kind == "forget") return some(forget(item));
+  if (kind == "attend") {
+    const auto number = terms_.term(item, Type::number());
+    return number ? std::optional<What>(Attend{*number}) : std::nullopt;
+  }
   if (kind == "do") return Group{effects(item)};
   if (kind == "rewrite" || kind == "rewrite_each") return Rewrite{operations_.operation(object)};
   const auto term = terms_.term(item, Type::term());

@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t most_arcs = 1'000'000;
 
 constexpr double heaviest = 1e9;
+constexpr int highest_rank = 1000000;
 
 }  // namespace
 
@@ -100,6 +101,7 @@ std::optional<Transition> GraphReader::transition(const Item& item) {
   transition.when = terms_.term(item.member("when"), Type::truth());
   transition.to = names_.named(item.required("to", "the state to enter")).value_or(0);
   transition.operation = operations_.operation(item);
+  transition.rank = item.member("rank").whole_number("a rank", 0, -highest_rank, highest_rank);
   const auto weight = item.member("weight");
   transition.weight = weight.number("a weight", 1, 0, heaviest);
   if (transition.weight == 0) weight.mismatch("a weight, a number greater than 0");

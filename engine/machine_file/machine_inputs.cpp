@@ -68,6 +68,31 @@ void SymbolReader::add(SymbolSet& set, const Item& item) {
   }
 }
 
+SymbolSet SymbolReader::symbols_of_key(const std::string& key, const Item& value) {
+  SymbolSet set;
+  if (const auto named = sets_.find(key); named != sets_.end()) {
+    used_sets_.insert(key);
+    set.add(named->second);
+  } else {
+    keys_.push_back({key, value});
+    set.add(key);
+  }
+  return set;
+}
+
+void SymbolReader::report_unmatched_keys() const {
+  std::vector<std::string> known(known_.begin(), known_.end());
+  for (const auto& [symbol, places] : places_) known.push_back(symbol);
+  for (const auto& [key, value] : keys_) {
+    SymbolSet pattern;
+    pattern.add(key);
+    if (std::any_of(known.begin(), known.end(), [&set = pattern](const auto& each) { return set.contains(each); }))
+      continue;
+    for (const auto& [name, set] : sets_) known.push_back(name);
+    value.problem_at_key(fmt::format("no input of the machine is {}{}", in_quotes(key), value.nearest(key, known)));
+  }
+}
+
 void SymbolReader::report_misspelt() const {
   std::vector<std::string> unused;
   for (const auto& [name, set] : sets_)

@@ -13,20 +13,23 @@ struct KindOfObject {
 
 constexpr KindOfObject kinds[] = {
     {"a machine",
-     "$schema machine name about start accept choice epsilon rewrite_below minimum_confidence "
+     "$schema machine name about start accept choice epsilon rewrite_below minimum_confidence confidence near_tie gaze "
      "repeat_utterances perspective lexicon gestures phrases fusion context moves ignore programs parameters "
      "slots bottom memory inputs define wordings beliefs states transitions implied examples"},
     {"fusion", "before after lateness pause"},
-    {"a context", "focus among topic handled"},
+    {"a context", "focus among topic handled shown_things shown_places"},
+    {"confidences", "confirm ignore about"},
+    {"the fading of looks", "half_life least about"},
     {"a parameter", "value until about"},
     {"a slot", "type persists about"},
     {"a register", "type initial about"},
     {"a state", "gate enter passing about layout"},
     {"a gate", "when else push push_each pop rewrite rewrite_each flush pop_until none about"},
-    {"a transition", "id from on when to push push_each pop rewrite rewrite_each flush pop_until none weight do about"},
+    {"a transition",
+     "id from on when to push push_each pop rewrite rewrite_each flush pop_until none rank weight do about"},
     {"what is implied", "when to stack about"},
     {"an operation", "push push_each pop rewrite rewrite_each flush pop_until none"},
-    {"an effect", "when say phrase gesture act remember learn forget rewrite rewrite_each do about"},
+    {"an effect", "when say phrase gesture act remember learn forget attend rewrite rewrite_each do about"},
     {"what is learned", "gesture noun means word acts fixed"},
     {"what is forgotten", "gesture word noun"},
     {"a wording", "of when say about"},

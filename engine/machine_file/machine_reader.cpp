@@ -13,6 +13,7 @@
 #include "continua/machine_file/machine_parameters.h"
 #include "continua/machine_file/machine_phrases.h"
 #include "continua/machine_file/machine_states.h"
+#include "continua/machine_file/machine_sureness.h"
 #include "continua/machine_file/machine_terms.h"
 
 namespace continua {
@@ -36,10 +37,13 @@ ContextTerms read_context(const Item& item, bool has_lexicon, const TermReader& 
   if (!has_lexicon) item.problem_at_key("nothing is understood without a lexicon; expected \"lexicon\"");
   const auto objects = Type::list(Type::entity());
   const auto nouns = Type::list(Type::function(Type::entity(), Type::truth()));
+  const auto places = Type::list(Type::location());
   return {.focus = terms.term(item.member("focus"), objects),
           .among = terms.term(item.member("among"), objects),
           .topic = terms.term(item.member("topic"), nouns),
-          .handled = terms.term(item.member("handled"), objects)};
+          .handled = terms.term(item.member("handled"), objects),
+          .shown_things = terms.term(item.member("shown_things"), places),
+          .shown_places = terms.term(item.member("shown_places"), places)};
 }
 
 class MachineReader {
@@ -63,6 +67,8 @@ class MachineReader {
       read_perception();
       read_dialogue();
       symbols_.report_misspelt();
+      symbols_.report_unmatched_keys();
+      check_sureness(machine_, root_);
       states_.report_misspelt();
     }
     auto problems = reader_.problems();
@@ -121,6 +127,10 @@ class MachineReader {
     for (const auto& [name, inputs] : root_.member("moves").members("moves and their inputs"))
       machine_.moves.push_back({name, symbols_.symbols(inputs)});
     if (const auto ignored = root_.member("ignore"); ignored.exists()) machine_.ignored = symbols_.symbols(ignored);
+    symbols_.add_known({"gaze", "interim"});
+    machine_.confidence = read_confidence(root_.member("confidence"), symbols_);
+    machine_.near_tie = root_.member("near_tie").number("a difference of confidences", 0, 0, 1);
+    machine_.gaze = read_gaze(root_.member("gaze"));
     machine_.beliefs = read_beliefs(root_.member("beliefs"), terms_, symbols_);
   }
 

@@ -23,6 +23,7 @@ const Signature& moment_signature() {
         {"confidence", Type::number()},
         {"now", Type::number()},
         {"in_state", Type::text_type()},
+        {"looked_at", Type::list(Type::entity())},
         {"is_input", Type::function(Type::text_type(), Type::truth())},
         {"certainty", Type::function(Type::text_type(), Type::number())},
         {"wording", Type::function(Type::term(), Type::text_type())},

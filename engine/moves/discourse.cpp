@@ -16,6 +16,19 @@ std::vector<std::string> names(const Term& list) {
   return names;
 }
 
+// The places in a list: the middle of each.
+std::vector<Vec3> places(const Term& list) {
+  std::vector<Vec3> places;
+  if (list.kind() != Term::Kind::list) return places;
+  for (const auto& each : list.elements()) {
+    if (each.kind() != Term::Kind::place) continue;
+    const Place& place = each.place_value();
+    places.push_back((Vec3(place.min[0], place.min[1], place.min[2]) + Vec3(place.max[0], place.max[1], place.max[2])) /
+                     2);
+  }
+  return places;
+}
+
 void add(std::set<int>& because, const std::vector<int>& serials) { because.insert(serials.begin(), serials.end()); }
 
 void add(std::set<int>& because, Resolution::By by, const Discourse& discourse) {
@@ -41,6 +54,10 @@ Discourse discourse_of(const Stepper& stepper, const Configuration& configuratio
   discourse.context.handled = names(value(terms.handled, discourse.handled));
   if (const auto topics = value(terms.topic, discourse.topic); topics.kind() == Term::Kind::list)
     discourse.context.topics = topics.elements();
+  std::vector<int> of_things, of_places;
+  discourse.earlier = {places(value(terms.shown_things, of_things)), places(value(terms.shown_places, of_places))};
+  discourse.pointed = std::move(of_things);
+  discourse.pointed.insert(discourse.pointed.end(), of_places.begin(), of_places.end());
   return discourse;
 }
 

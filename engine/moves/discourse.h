@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "continua/automaton/stepper.h"
+#include "continua/moves/earlier_pointing.h"
 #include "continua/moves/move.h"
 
 namespace continua {
@@ -14,6 +15,8 @@ struct Discourse {
   std::vector<int> focus, among, topic, handled;  ///< serials of the inputs that these came from
   std::vector<std::vector<int>> shown;            ///< serials of the inputs of each of the context's showings
   std::vector<int> pieces;                        ///< serials of inputs with earlier words of the utterance
+  EarlierPointings earlier;                       ///< pointings without words
+  std::vector<int> pointed;                       ///< serials of the inputs of these
 };
 
 /// The machine's `context`, evaluated in the configuration. Pointing is left out.

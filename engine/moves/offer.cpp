@@ -29,6 +29,12 @@ const ReadSpeech& speech_of(const Offer& offer, const Ensemble& ensemble) {
   return ensemble.percept.readings->alternatives[offer.alternative];
 }
 
+void carry(const std::optional<Sign>& sign, Input& input) {
+  if (!sign) return;
+  input.sign = Term::text(sign->gesture);
+  input.sign_at = Term::number(sign->t.seconds());
+}
+
 Discourse discourse_of(const Input& input, const Dialogue& now) {
   return discourse_of(now.stepper, now.configuration, input, now.facts);
 }
@@ -42,7 +48,7 @@ std::vector<int> because_of(const Offer& offer, const InputEvent& event, const D
     const auto lesson = now.lessons.find(name);
     if (lesson != now.lessons.end()) because.insert(because.end(), lesson->second.begin(), lesson->second.end());
   };
-  if (event.modality == Modality::gesture && learned.gestures.contains(event.name)) add(event.name);
+  if (offer.sign) add(known_gesture(event, now.gestures, learned).lesson);
   if (!offer.move.readings.empty())
     for (const auto& [name, program] : learned.programs)
       if (contains(offer.move.readings[offer.move.chosen].term, Term::constant(name, program.type()))) add(name);
@@ -52,6 +58,14 @@ std::vector<int> because_of(const Offer& offer, const InputEvent& event, const D
   std::sort(because.begin(), because.end());
   because.erase(std::unique(because.begin(), because.end()), because.end());
   return because;
+}
+
+// Inputs that made an unsure one sure contribute to all that comes of it.
+void add_assured(const Ensemble& ensemble, std::vector<int>& because) {
+  const auto& assured = ensemble.percept.assured;
+  because.insert(because.end(), assured.begin(), assured.end());
+  std::sort(because.begin(), because.end());
+  because.erase(std::unique(because.begin(), because.end()), because.end());
 }
 
 // Completes the offer after its move is understood.
@@ -64,6 +78,15 @@ Offer complete(Offer offer, const InputEvent& event, const Discourse& discourse,
   return offer;
 }
 
+// Earlier pointings without words that the fragment's words take.
+std::vector<Showing> earlier_showings(const ReadSpeech& speech, std::size_t fragment, const EarlierPointings& earlier) {
+  const WordSpan& words = speech.utterance.fragments[fragment].words;
+  std::vector<Demonstrative> inside;
+  for (const auto& each : speech.demonstratives)
+    if (each.words.begin >= words.begin && each.words.end <= words.end) inside.push_back(each);
+  return taken_by(inside, earlier);
+}
+
 // Understands the offer's fragment of the utterance.
 Offer understood(Offer offer, const Ensemble& ensemble, const Dialogue& now) {
   const auto& speech = speech_of(offer, ensemble);
@@ -73,8 +96,15 @@ Offer understood(Offer offer, const Ensemble& ensemble, const Dialogue& now) {
     discourse.context.showings.push_back({words, pointing.place_W, pointing.gesture});
     discourse.shown.push_back(pointing.serials);
   }
+  // Words with pointings of their own draw on no earlier ones.
+  if (discourse.context.showings.empty())
+    for (auto& showing : earlier_showings(speech, offer.fragment, discourse.earlier)) {
+      discourse.context.showings.push_back(std::move(showing));
+      discourse.shown.push_back(discourse.pointed);
+    }
   offer.move = now.understanding->understood(speech.utterance, offer.fragment, discourse.context);
   offer = complete(std::move(offer), speech.event, discourse, now);
+  add_assured(ensemble, offer.input.because);
   offer.input.symbol = name_of(Modality::speech) + " " + offer.move.kind;
   const auto& fragments = speech.utterance.fragments;
   const auto next = offer.fragment + 1;
@@ -92,6 +122,7 @@ Offer heard(const Ensemble& ensemble, std::size_t alternative, const Dialogue& n
   const bool is_one_of_several = ensemble.percept.readings->alternatives.size() > 1;
   offer.input = to_input(speech.event, ensemble.percept.serial);
   offer.input.now_s = ensemble.at.seconds();
+  carry(now.sign, offer.input);
   if (!shown.empty()) offer.input.pointed = point_term(shown.front().pointing.place_W);
   if (is_one_of_several) offer.input.confidence *= understood_share(speech.utterance);
   if (speech.utterance.fragments.empty())
@@ -103,12 +134,9 @@ Offer heard(const Ensemble& ensemble, std::size_t alternative, const Dialogue& n
 }
 
 // The meaning of a gesture: as taught, else from the catalogue.
-Term said_by(const InputEvent& gesture, const Dialogue& now) {
-  if (gesture.modality != Modality::gesture || !now.gestures) return Term::null();
-  const Learned& learned = *now.facts.learned;
-  const auto taught = learned.gestures.find(gesture.name);
-  if (taught != learned.gestures.end()) return gesture.phase == "stop" ? Term::null() : taught->second;
-  const auto* entry = now.gestures->find(gesture.name);
+Term said_by(const InputEvent& gesture, const KnownGesture& known, const Dialogue& now) {
+  if (known.taught) return *known.taught;
+  const auto* entry = known.entry;
   const auto* meaning = entry && entry->acts(gesture.phase) ? entry->meaning(gesture.direction) : nullptr;
   return meaning ? now.understanding->meaning_of(*meaning) : Term::null();
 }
@@ -123,15 +151,21 @@ Offer seen(const Ensemble& ensemble, std::size_t alternative, const Dialogue& no
   offer.input.now_s = ensemble.at.seconds();
   offer.move.kind = kind_of(event, now.stepper.machine(), now.gestures, *now.facts.learned);
   if (!now.understanding) return offer;
+  const auto known = known_gesture(event, now.gestures, *now.facts.learned);
+  if (known.taught) offer.sign = Sign{event.name, event.t};
+  carry(offer.sign ? offer.sign : now.sign, offer.input);
   auto discourse = discourse_of(offer.input, now);
   if (const auto place_W = place_of(event); place_W && offer.move.kind == deixis) {
     discourse.context.pointed_W = *place_W;
     offer.input.pointed = point_term(*place_W);
     offer.move.reference = refer_to_pointed(discourse.context);
-  } else if (const Term says = said_by(event, now); !says.is_null()) {
+  } else if (const Term says = said_by(event, known, now); !says.is_null()) {
     offer.move = now.understanding->shown(says, offer.move.kind, discourse.context);
   }
-  return complete(std::move(offer), event, discourse, now);
+  offer.move.shape = known.shape;
+  offer = complete(std::move(offer), event, discourse, now);
+  add_assured(ensemble, offer.input.because);
+  return offer;
 }
 
 }  // namespace

@@ -15,6 +15,12 @@ namespace continua {
 /// Words and gestures that the human taught in this run, with the serials of the inputs of the lesson.
 using Lessons = std::map<std::string, std::vector<int>, std::less<>>;
 
+/// A taught gesture that was shown: its own name, under which a lesson corrects its meaning.
+struct Sign {
+  std::string gesture;
+  SimTime t;
+};
+
 /// The present state of the dialogue, for understanding. All parts must outlive its use.
 struct Dialogue {
   const Stepper& stepper;
@@ -23,6 +29,7 @@ struct Dialogue {
   const Lessons& lessons;
   FusionWindow window;
   const GestureCatalogue* gestures = nullptr;  ///< nullptr: gestures are known by their names
+  std::optional<Sign> sign;                    ///< the latest
   std::optional<Understanding> understanding;  ///< none for a machine without a lexicon
 };
 
@@ -33,6 +40,7 @@ struct Offer {
   Move move;
   Input input;                   ///< its `because` has all inputs that it draws on, with its own
   std::vector<Applied> applied;  ///< applications of its interpretation
+  std::optional<Sign> sign;      ///< of a gesture that was taught
 };
 
 /// The first move of each alternative; the automaton takes one of them. REQUIRES readings of speech if there is an

@@ -13,10 +13,9 @@ ReadSpeech read_speech(InputEvent event, const Understanding& understanding) {
   ReadSpeech speech;
   speech.utterance = understanding.read(event.text);
   const auto times = word_times(event, speech.utterance.words);
-  for (const auto& [words, needs] : understanding.demonstratives(speech.utterance)) {
-    speech.demonstratives.push_back(words);
+  speech.demonstratives = understanding.demonstratives(speech.utterance);
+  for (const auto& [words, needs, place] : speech.demonstratives)
     speech.takers.push_back({times[words.begin].from, times[words.end - 1].until, needs, event.t});
-  }
   speech.until = time_of(event, speech.utterance.words).until;
   speech.event = std::move(event);
   return speech;
@@ -66,7 +65,7 @@ std::vector<ShownWords> shown_words(const ReadSpeech& speech, const Ensemble& en
   const auto assigned = assign(speech.takers, pointings, window);
   std::vector<ShownWords> shown;
   for (std::size_t i = 0; i < assigned.size(); ++i)
-    if (assigned[i]) shown.push_back({speech.demonstratives[i], pointings[*assigned[i]]});
+    if (assigned[i]) shown.push_back({speech.demonstratives[i].words, pointings[*assigned[i]]});
   return shown;
 }
 

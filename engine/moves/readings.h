@@ -14,9 +14,9 @@ namespace continua {
 struct ReadSpeech {
   InputEvent event;
   Utterance utterance;
-  std::vector<WordSpan> demonstratives;  ///< the words that pointing can go with
-  std::vector<Taker> takers;             ///< the same words in time
-  SimTime until;                         ///< the end of its words
+  std::vector<Demonstrative> demonstratives;  ///< the words that pointing can go with
+  std::vector<Taker> takers;                  ///< the same words in time
+  SimTime until;                              ///< the end of its words
 };
 
 struct Readings {

@@ -15,6 +15,9 @@ Vec3 place_or_nowhere(const InputEvent& event) {
   return place_W && place_W->allFinite() ? *place_W : Vec3::Constant(std::numeric_limits<double>::infinity());
 }
 
+// Bounds the time that a pointing of little confidence has to last.
+constexpr double least_confidence = 0.01;
+
 auto order(const PointingSample& s) {
   return std::tie(s.t, s.hand, s.place_W.x(), s.place_W.y(), s.until, s.confidence, s.serial);
 }
@@ -23,7 +26,8 @@ auto order(const PointingSample& s) {
 
 SimTime settled_at(const Deixis& deixis) {
   if (deixis.gesture) return deixis.from;
-  const SimTime lasted = deixis.from + SimTime::from_seconds(least_dwell_s);
+  const double dwell_s = least_dwell_s / std::max(deixis.confidence, least_confidence);
+  const SimTime lasted = deixis.from + SimTime::from_seconds(dwell_s);
   return lasted <= deixis.until ? lasted : deixis.until + SimTime::from_seconds(longest_dropout_s);
 }
 

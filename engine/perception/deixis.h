@@ -13,7 +13,8 @@
 
 namespace continua {
 
-/// A hand that stays this long is pointing; one that stays less may be on its way.
+/// A hand that stays this long is pointing; one that stays less may be on its way. Time counts with the confidence of
+/// the samples: at half of it a hand has to stay twice as long.
 inline constexpr double least_dwell_s = 0.3;
 /// Samples of one hand farther apart in time than this say nothing about the time between them.
 inline constexpr double longest_dropout_s = 0.5;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <tuple>
 
@@ -25,19 +26,33 @@ using Samples = std::vector<PointingSample>;
 
 SimTime seconds(double s) { return SimTime::from_seconds(s); }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*std::max_element(values.begin(), middle) + *middle) / 2;
+struct Weighed {
+  double value = 0, weight = 1;
+};
+
+// The value with half of the weight on either side; between two such values, their middle.
+double median(std::vector<Weighed> values) {
+  std::sort(values.begin(), values.end(), [](const Weighed& a, const Weighed& b) {
+    return std::tie(a.value, a.weight) < std::tie(b.value, b.weight);
+  });
+  double total = 0;
+  for (const auto& each : values) total += each.weight;
+  double passed = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    passed += values[i].weight;
+    if (2 * passed > total || i + 1 == values.size()) return values[i].value;
+    if (2 * passed == total) return (values[i].value + values[i + 1].value) / 2;
+  }
+  return 0;
 }
 
 // The median place of the tracklet's samples [from, until), component by component.
 Vec3 center_of(const Tracklet& tracklet, std::size_t from, std::size_t until, const Samples& samples) {
-  std::vector<double> x, y;
+  std::vector<Weighed> x, y;
   for (auto i = from; i < until; ++i) {
-    x.push_back(samples[tracklet[i]].place_W.x());
-    y.push_back(samples[tracklet[i]].place_W.y());
+    const auto& sample = samples[tracklet[i]];
+    x.push_back({sample.place_W.x(), sample.confidence});
+    y.push_back({sample.place_W.y(), sample.confidence});
   }
   return {median(std::move(x)), median(std::move(y)), 0};
 }
@@ -54,6 +69,18 @@ SimTime end_of(const Tracklet& tracklet, const Samples& samples) {
   SimTime end = begin_of(tracklet, samples);
   for (const auto i : tracklet) end = std::max(end, samples[i].until);
   return end;
+}
+
+double mean_confidence(const Tracklet& tracklet, const Samples& samples) {
+  double sum = 0;
+  for (const auto i : tracklet) sum += samples[i].confidence;
+  return sum / static_cast<double>(tracklet.size());
+}
+
+// Whether the hand stayed long enough: a sample of half the confidence counts for half of its time.
+bool lasts(const Tracklet& tracklet, const Samples& samples) {
+  const double length_s = (end_of(tracklet, samples) - begin_of(tracklet, samples)).seconds();
+  return seconds(length_s * mean_confidence(tracklet, samples)) >= seconds(least_dwell_s);
 }
 
 // A tracklet under construction.
@@ -113,19 +140,13 @@ bool is_alone(const Tracklet& tracklet, const Samples& samples, const std::vecto
   return true;
 }
 
-// The hand of most samples.
+// The hand of most samples, each counted with its confidence.
 std::string hand_of(const Tracklet& tracklet, const Samples& samples) {
-  std::vector<std::string> hands;
-  for (const auto i : tracklet) hands.push_back(samples[i].hand);
-  std::sort(hands.begin(), hands.end());
-  std::string hand;
-  std::ptrdiff_t most = 0;
-  for (auto at = hands.begin(); at != hands.end();) {
-    const auto end = std::upper_bound(at, hands.end(), *at);
-    if (end - at > most) most = end - at, hand = *at;
-    at = end;
-  }
-  return hand;
+  std::map<std::string, double> weights;
+  for (const auto i : tracklet) weights[samples[i].hand] += samples[i].confidence;
+  return std::max_element(weights.begin(), weights.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
 }
 
 Deixis deixis_of(const Tracklet& stay, const Samples& samples) {
@@ -134,17 +155,15 @@ Deixis deixis_of(const Tracklet& stay, const Samples& samples) {
   deixis.until = end_of(stay, samples);
   deixis.hand = hand_of(stay, samples);
   deixis.place_W = center_of(stay, samples);
-  std::vector<double> x, y;
-  double confidence = 0;
+  std::vector<Weighed> x, y;
   for (const auto i : stay) {
-    x.push_back(std::abs(samples[i].place_W.x() - deixis.place_W.x()));
-    y.push_back(std::abs(samples[i].place_W.y() - deixis.place_W.y()));
-    confidence += samples[i].confidence;
+    x.push_back({std::abs(samples[i].place_W.x() - deixis.place_W.x()), samples[i].confidence});
+    y.push_back({std::abs(samples[i].place_W.y() - deixis.place_W.y()), samples[i].confidence});
     deixis.serials.push_back(samples[i].serial);
   }
   deixis.spread_m = mad_to_sd * std::max(median(std::move(x)), median(std::move(y)));
   deixis.samples = static_cast<int>(stay.size());
-  deixis.confidence = confidence / deixis.samples;
+  deixis.confidence = mean_confidence(stay, samples);
   auto own = stay.begin();
   for (auto i = stay.front(); i < samples.size() && samples[i].t <= deixis.until; ++i) {
     if (own != stay.end() && *own == i)
@@ -157,11 +176,14 @@ Deixis deixis_of(const Tracklet& stay, const Samples& samples) {
 
 bool overlap(const Deixis& a, const Deixis& b) { return a.from <= b.until && b.from <= a.until; }
 
-// Removes overlaps: a hand is at one place, so of its overlapping fixations the one with more samples stays.
+double weight_of(const Deixis& fixation) { return fixation.samples * fixation.confidence; }
+
+// Removes overlaps: a hand is at one place, so of its overlapping fixations the one with more samples stays, each
+// counted with its confidence.
 std::vector<Deixis> one_at_a_time(std::vector<Deixis> fixations) {
   std::sort(fixations.begin(), fixations.end(), [](const Deixis& a, const Deixis& b) {
-    return std::tuple(-a.samples, a.from - a.until, a.from, a.hand, a.place_W.x(), a.place_W.y()) <
-           std::tuple(-b.samples, b.from - b.until, b.from, b.hand, b.place_W.x(), b.place_W.y());
+    return std::tuple(-weight_of(a), a.from - a.until, a.from, a.hand, a.place_W.x(), a.place_W.y()) <
+           std::tuple(-weight_of(b), b.from - b.until, b.from, b.hand, b.place_W.x(), b.place_W.y());
   });
   std::vector<Deixis> kept;
   for (auto& each : fixations)
@@ -209,9 +231,8 @@ std::vector<Tracklet> stays_of(const Tracklet& tracklet, const Samples& samples)
     const auto end = end_of_stay(places, from);
     Tracklet stay(tracklet.begin() + static_cast<std::ptrdiff_t>(from),
                   tracklet.begin() + static_cast<std::ptrdiff_t>(end));
-    const bool lasts = end_of(stay, samples) - begin_of(stay, samples) >= seconds(least_dwell_s);
     const bool whole = stay.size() == tracklet.size();
-    if (!lasts && !whole) {
+    if (!lasts(stay, samples) && !whole) {
       ++from;
       continue;
     }
@@ -233,8 +254,7 @@ std::vector<Deixis> fixations_in(const Samples& samples, const Box& area) {
   for (const auto& tracklet : tracklets_of(samples, area))
     for (const auto& stay : stays_of(tracklet, samples)) {
       auto deixis = deixis_of(stay, samples);
-      const bool lasts = deixis.until - deixis.from >= seconds(least_dwell_s);
-      if (lasts || is_alone(stay, samples, believed, deixis.hand)) found.push_back(std::move(deixis));
+      if (lasts(stay, samples) || is_alone(stay, samples, believed, deixis.hand)) found.push_back(std::move(deixis));
     }
   found = one_at_a_time(std::move(found));
   std::sort(found.begin(), found.end(), [](const Deixis& a, const Deixis& b) {

@@ -24,6 +24,17 @@ bool is_one_hand(const Deixis& a, const Deixis& b) { return a.hand == b.hand || 
 
 bool overlap(const Deixis& a, const Deixis& b) { return a.from <= b.until && b.from <= a.until; }
 
+// The told end of the event; its beginning where none is told.
+SimTime told_end(const Percept& percept) {
+  return std::max(percept.event.t, percept.event.until.value_or(percept.event.t));
+}
+
+// Whether the percept is a gesture, other than a pointing, that begins during the words.
+bool is_shown_during(const Percept& percept, const Percept& speech) {
+  return percept.event.modality == Modality::gesture && !percept.deixis && speech.event.modality == Modality::speech &&
+         speech.event.t <= percept.event.t && percept.event.t <= std::max(told_end(speech), speech.spoken);
+}
+
 // The end of the last taker that needs a pointing.
 std::optional<SimTime> last_need(const std::vector<Taker>& takers) {
   std::optional<SimTime> last;
@@ -54,9 +65,9 @@ bool waits_for_words(const Percept& speech, const FusionWindow& window) {
 SimTime all_pointed_at(const Percept& speech, const std::vector<std::optional<Deixis>>& bound,
                        const FusionWindow& window) {
   const auto last = last_need(speech.takers);
-  if (!last) return speech.event.t;
-  const SimTime latest = std::max(speech.event.t, *last + seconds(window.after_s));
-  SimTime at = std::max(speech.event.t, *last);
+  if (!last) return told_end(speech);
+  const SimTime latest = std::max(told_end(speech), *last + seconds(window.after_s));
+  SimTime at = std::max(told_end(speech), *last);
   for (std::size_t i = 0; i < bound.size(); ++i) {
     if (!speech.takers[i].needs) continue;
     if (!bound[i] || is_of_others(i, speech, bound)) return latest;
@@ -70,6 +81,32 @@ SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixi
                     const FusionWindow& window) {
   const SimTime at = all_pointed_at(speech, bound, window);
   return waits_for_words(speech, window) ? std::max(at, last_piece(speech, window)) : at;
+}
+
+// The time at which a gesture, other than a pointing, is complete: the words that it goes with are spoken first.
+SimTime shown_at(const Percept& gesture, const std::vector<Percept>& waiting) {
+  SimTime at = gesture.event.t;
+  for (const auto& speech : waiting)
+    if (is_shown_during(gesture, speech)) at = std::max(at, told_end(speech));
+  return at;
+}
+
+bool lacks_pointing(const Ensemble& ensemble) {
+  const auto& takers = ensemble.percept.takers;
+  for (std::size_t i = 0; i < takers.size(); ++i)
+    if (takers[i].needs && !ensemble.bound[i]) return true;
+  return false;
+}
+
+// Words that still lack something come after the gestures that were made with them: "take this", and a hand like a cup.
+void put_shown_first(std::vector<Ensemble>::iterator begin, std::vector<Ensemble>::iterator end) {
+  for (auto speech = begin; speech != end; ++speech) {
+    if (!lacks_pointing(*speech)) continue;
+    const auto rest = std::stable_partition(
+        std::next(speech), end, [&](const Ensemble& each) { return is_shown_during(each.percept, speech->percept); });
+    std::rotate(speech, std::next(speech), rest);
+    speech = std::prev(rest);
+  }
 }
 
 }  // namespace
@@ -198,7 +235,8 @@ Fusion::Plan Fusion::plan() const {
     if (percept.deixis) {
       if (!part.taken) part.complete = percept.deixis->until + seconds(window_.after_s);
     } else {
-      part.complete = complete_at(percept, part.bound, window_);
+      part.complete = percept.event.modality == Modality::speech ? complete_at(percept, part.bound, window_)
+                                                                 : shown_at(percept, waiting_);
     }
   }
   return plan;
@@ -237,9 +275,11 @@ void Fusion::release_up_to(std::size_t last, const std::vector<Plan::Part>& part
   const bool by_pointing = waiting_[last].deixis.has_value(), by_sample = is_sample(waiting_[last]);
   std::vector<Deixis> taken;
   std::vector<Percept> still;
+  const auto earlier = static_cast<std::ptrdiff_t>(released.size());
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     auto& percept = waiting_[i];
-    const bool kept = by_sample || (percept.deixis ? parts[i].taken : by_pointing);
+    const bool is_being_said = percept.event.modality == Modality::speech && now_ < told_end(percept);
+    const bool kept = by_sample || is_being_said || (percept.deixis ? parts[i].taken : by_pointing);
     const bool stays = i > last || (i < last && kept);
     if (stays) {
       still.push_back(std::move(percept));
@@ -250,6 +290,7 @@ void Fusion::release_up_to(std::size_t last, const std::vector<Plan::Part>& part
     if (percept.deixis) released_.push_back(*percept.deixis);
     released.push_back({std::move(percept), parts[i].bound, now_});
   }
+  put_shown_first(std::next(released.begin(), earlier), released.end());
   waiting_ = std::move(still);
   for (const auto& pointing : taken) take(pointing);
 }

@@ -29,6 +29,8 @@ struct Percept {
   bool unfinished = false;                             ///< of speech: its sentence may go on
   SimTime spoken = {};                                 ///< of speech: the end of its words
   std::vector<int> pieces = {};                        ///< serials of earlier inputs whose words it goes on with
+  bool again = false;  ///< it is attended to a second time, in the state in which the first time left the dialogue
+  std::vector<int> assured = {};  ///< serials of the inputs that made an unsure one sure; empty: it was not asked about
 };
 
 /// Makes one percept of two pieces of a sentence; none if they do not read as one.
@@ -52,6 +54,8 @@ struct Ensemble {
 ///   released if speech takes it. Speech can still take it within `before` after it was released alone.
 /// - An unfinished sentence also waits for its next piece, until `pause` past its end. Words that begin until then are
 ///   joined with it, and the whole may be unfinished again.
+/// - Words are not complete before their told end. A gesture that begins during words waits for that end too; it comes
+///   after the words, or before them if they still lack a pointing.
 /// - Every other percept is complete when it arrives.
 /// - A complete percept also releases the waiting percepts that began before it, in order of time, as they are: the
 ///   human has gone on. Exceptions: a waiting pointing stays if speech takes it, waiting speech is not released by a

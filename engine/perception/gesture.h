@@ -33,6 +33,7 @@ struct GestureCatalogue {
   std::string name, path, digest;
   std::string lexicon;  ///< the lexicon for the words in meanings when the file is checked alone; may be empty
   std::size_t examples = 0;
+  ShapeLimits shapes;  ///< for taught gestures that are known by their shape
   std::map<std::string, GestureEntry, std::less<>> entries;
 
   const GestureEntry* find(std::string_view gesture) const;

@@ -103,6 +103,14 @@ void check_example(const Item& item, const GestureCatalogue& catalogue) {
     item.problem("there is none of \"kind\", \"means\" and \"symbol\"; expected one of them");
 }
 
+ShapeLimits read_limits(const Item& item) {
+  ShapeLimits limits;
+  if (!item.expect_object("the limits of shapes", {"about", "farthest", "margin"})) return limits;
+  limits.farthest = item.member("farthest").number("a distance", limits.farthest, 0, 2);
+  limits.margin = item.member("margin").number("a share", limits.margin, 0, 1);
+  return limits;
+}
+
 // Reads the document; `reader` collects the problems.
 GestureCatalogue read(const LocatedJson& document, DocumentReader& reader) {
   const auto root = reader.root(document);
@@ -110,8 +118,10 @@ GestureCatalogue read(const LocatedJson& document, DocumentReader& reader) {
   catalogue.path = document.name();
   catalogue.name = std::filesystem::path(document.name()).stem().string();
   catalogue.digest = digest(compact(document.root()));
-  if (!root.expect_object("a file of gestures", {"about", "lexicon", "gestures", "examples"})) return catalogue;
+  if (!root.expect_object("a file of gestures", {"about", "lexicon", "shapes", "gestures", "examples"}))
+    return catalogue;
   catalogue.lexicon = root.member("lexicon").text("the name of a lexicon");
+  if (const auto shapes = root.member("shapes"); shapes.exists()) catalogue.shapes = read_limits(shapes);
   for (const auto& [names, item] :
        root.required("gestures", "gestures by their names").members("gestures by their names")) {
     if (!item.expect_object("a gesture", {"about", "kind", "means", "acts_on"})) continue;

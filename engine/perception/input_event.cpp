@@ -28,11 +28,14 @@ std::string name_of(Modality modality) {
       return "gesture";
     case Modality::pointing:
       return "pointing";
+    case Modality::gaze:
+      return "gaze";
   }
   return "speech";
 }
 
 std::string symbol_of(const InputEvent& event) {
+  if (!event.final) return interim_symbol;
   std::string symbol = name_of(event.modality);
   switch (event.modality) {
     case Modality::speech:
@@ -43,6 +46,8 @@ std::string symbol_of(const InputEvent& event) {
       break;
     case Modality::pointing:
       append(symbol, event.hand);
+      break;
+    case Modality::gaze:
       break;
   }
   return symbol;
@@ -66,7 +71,9 @@ InputEvent event_of(std::string_view symbol) {
     event.text = words.empty() ? "" : symbol.substr(symbol.find(' ') + 1);
     return event;
   }
-  event.modality = words.front() == name_of(Modality::pointing) ? Modality::pointing : Modality::gesture;
+  event.modality = Modality::gesture;
+  for (const auto modality : {Modality::pointing, Modality::gaze})
+    if (words.front() == name_of(modality)) event.modality = modality;
   words.erase(words.begin());
   if (words.size() > 1 && is_one_of(phases, words.back())) event.phase = words.back(), words.pop_back();
   if (words.size() > 1 && is_one_of(directions, words.back())) event.direction = words.back(), words.pop_back();

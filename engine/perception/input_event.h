@@ -6,14 +6,15 @@
 #include <string_view>
 #include <vector>
 
+#include "continua/core/shape.h"
 #include "continua/core/sim_time.h"
 #include "continua/world/geometry.h"
 
 namespace continua {
 
-enum class Modality { speech, gesture, pointing };
+enum class Modality { speech, gesture, pointing, gaze };
 
-/// A pointing ray in W: from a point along a direction (not necessarily of unit length).
+/// A ray of a pointing or of a gaze in W: from a point along a direction (not necessarily of unit length).
 struct Ray {
   Vec3 from_W = Vec3::Zero();
   Vec3 direction_W = Vec3::UnitX();
@@ -39,10 +40,12 @@ struct InputEvent {
   std::string hand;              ///< gesture, pointing: "left", "right" or empty
   std::string direction;         ///< gesture: "left", "up", … or empty
   std::string phase;             ///< gesture: "start", "stop", "stroke"
-  std::optional<Vec3> target_W;  ///< gesture, pointing: the intended point of the table
-  std::optional<Ray> ray;        ///< pointing
+  Shape features;                ///< gesture: its form, by any embedding of the recogniser's; may be empty
+  std::optional<Vec3> target_W;  ///< gesture, pointing, gaze: the intended point of the table
+  std::optional<Ray> ray;        ///< pointing, gaze
   std::optional<SimTime> until;
   double confidence = 1;  ///< 0 … 1
+  bool final = true;      ///< speech: false for words that the recogniser may still revise
   std::vector<Word> words;
   std::vector<Alternative> alternatives;
 };
@@ -51,7 +54,12 @@ struct InputEvent {
 ///   speech    "speech " + the words in lower case, without punctuation, with single spaces ("speech put it there")
 ///   gesture   "gesture" + hand + name + direction + phase, those that are present ("gesture right point start")
 ///   pointing  "pointing" + hand ("pointing right")
+///   gaze      "gaze"
+/// Speech that is not final is "interim", whatever its words.
 std::string symbol_of(const InputEvent& event);
+
+/// Symbol of speech that is not final.
+inline constexpr const char* interim_symbol = "interim";
 
 /// An event without a place that has this symbol.
 InputEvent event_of(std::string_view symbol);

@@ -6,7 +6,7 @@ namespace continua {
 
 Attended account_of(const Ensemble& ensemble, const FusionWindow& window) {
   const auto& percept = ensemble.percept;
-  Attended attended{percept.serial, percept.event.t, ensemble.at, {}, percept.pieces, {}};
+  Attended attended{percept.serial, percept.event.t, ensemble.at, {}, percept.pieces, {}, percept.assured};
   if (!percept.pieces.empty()) attended.text = percept.event.text;
   if (!percept.readings) return attended;
   const auto& speech = percept.readings->alternatives.front();
@@ -22,8 +22,9 @@ std::vector<EngineEvent> account_of(const std::vector<Offer>& offers, std::size_
   std::vector<EngineEvent> events;
   const auto tell = [&](std::size_t k) {
     const auto& offer = offers[k];
-    if (offer.move.kind.empty() && offer.move.words.empty()) return;
-    events.push_back(Understood{offer.move, offer.input.because, offers.size() > 1 ? std::optional(k) : std::nullopt,
+    if (offer.move.kind.empty() && offer.move.words.empty() && !offer.move.shape) return;
+    events.push_back(Understood{offer.move, offer.input.because,
+                                offers.size() > 1 ? std::optional(offer.alternative) : std::nullopt,
                                 offer.input.confidence, k == taken});
     if (k == taken) events.insert(events.end(), offer.applied.begin(), offer.applied.end());
   };

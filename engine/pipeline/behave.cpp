@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "continua/behaviour/planner.h"
+#include "continua/pipeline/doubt.h"
 #include "continua/pipeline/lessons.h"
 
 namespace continua {
@@ -41,6 +42,7 @@ Tick gesture(const Engine& engine, EngineState state, Gestured gestured) {
 Tick behave(const Engine& engine, EngineState state, StepEvent event) {
   if (auto* said = std::get_if<Said>(&event)) return say(engine, std::move(state), std::move(*said));
   if (auto* gestured = std::get_if<Gestured>(&event)) return gesture(engine, std::move(state), std::move(*gestured));
+  if (const auto* again = std::get_if<Reattended>(&event)) return attend_again(std::move(state), *again);
   if (const auto* taught = std::get_if<Taught>(&event)) state.lessons[taught->name] = taught->because;
   if (const auto* acted = std::get_if<Acted>(&event))
     engine.performer.begin(state.performance, {++state.acts, acted->term, acted->because});
@@ -53,7 +55,9 @@ Tick behave(const Engine& engine, EngineState state, StepEvent event) {
 
 Tick behave(const Engine& engine, Stepped stepped) {
   Tick tick{std::move(stepped.after), {}};
-  for (auto& event : with_lessons(std::move(stepped.events), *engine.machine, tick.after.learned))
+  const auto* gestures = gestures_of(engine);
+  const Seen seen{tick.after.shapes, gestures ? gestures->shapes : ShapeLimits()};
+  for (auto& event : with_lessons(std::move(stepped.events), *engine.machine, seen, tick.after.learned))
     tick.then(behave(engine, std::move(tick.after), std::move(event)));
   tick.events.insert(tick.events.end(), std::make_move_iterator(stepped.others.begin()),
                      std::make_move_iterator(stepped.others.end()));

@@ -44,7 +44,7 @@ std::optional<Understanding> understanding_of(const Engine& engine, const Engine
 }
 
 Facts facts_of(EngineState& state, const WorldSnapshot& world) {
-  return {&world, &state.chooser.random, &state.learned, &state.beliefs};
+  return {&world, &state.chooser.random, &state.learned, &state.beliefs, &state.looked};
 }
 
 Dialogue dialogue_of(const Engine& engine, EngineState& state, const WorldSnapshot& world) {
@@ -54,6 +54,7 @@ Dialogue dialogue_of(const Engine& engine, EngineState& state, const WorldSnapsh
           .lessons = state.lessons,
           .window = engine.window,
           .gestures = gestures_of(engine),
+          .sign = state.sign,
           .understanding = understanding_of(engine, state)};
 }
 

@@ -11,10 +11,13 @@
 #include <vector>
 
 #include "continua/automaton/exploration.h"
+#include "continua/automaton/looked.h"
 #include "continua/behaviour/performance.h"
 #include "continua/learning/learning.h"
+#include "continua/learning/shapes.h"
 #include "continua/moves/known_words.h"
 #include "continua/moves/offer.h"
+#include "continua/perception/gaze.h"
 #include "continua/perception/pointed.h"
 
 namespace continua {
@@ -31,10 +34,17 @@ struct EngineState {
   std::deque<Ensemble> complete;  ///< ensembles to attend to, in order
   std::string last_utterance;
   std::optional<Pointed> pointed;
-  Learned learned;   ///< gestures and actions that the human taught
-  Lessons lessons;   ///< names learned in this run, with the inputs of their lessons
-  KnownWords words;  ///< for reading speech
-  int inputs = 0;    ///< number of inputs so far; the serial of the latest
+  GazeTrack gaze;
+  Looked looked;  ///< the objects looked at lately, at the latest input
+  /// Readings that wait until the human says whether they were meant, by number; 0: the input under way.
+  std::map<int, Ensemble> doubted;
+  int doubts = 0;            ///< the number of the latest of them
+  Learned learned;           ///< gestures and actions that the human taught
+  ShownShapes shapes;        ///< of the gestures shown last
+  std::optional<Sign> sign;  ///< the taught gesture that was shown last
+  Lessons lessons;           ///< names learned in this run, with the inputs of their lessons
+  KnownWords words;          ///< for reading speech
+  int inputs = 0;            ///< number of inputs so far; the serial of the latest
   Performance performance;
   int acts = 0;  ///< number of acts requested so far; the number of the latest
 
@@ -60,8 +70,9 @@ struct Attended {
   int serial = 0;
   SimTime happened, at;  ///< the beginning of the input, and the time at which it was complete
   std::vector<Bound> bound;
-  std::vector<int> pieces;  ///< serials of earlier inputs whose words it goes on with
-  std::string text;         ///< the words of all pieces; empty if there is only one
+  std::vector<int> pieces;   ///< serials of earlier inputs whose words it goes on with
+  std::string text;          ///< the words of all pieces; empty if there is only one
+  std::vector<int> assured;  ///< serials of the inputs that made it sure, if it was asked about
 };
 
 /// The understanding of an input, or of one move of an utterance. Its applications follow, then the automaton's

@@ -1,24 +1,42 @@
 #include "continua/pipeline/perceive.h"
 
-#include <algorithm>
+#include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "continua/moves/kind.h"
+#include "continua/pipeline/step.h"
 
 namespace continua {
 namespace {
 
-bool is_confident(const InputEvent& event, double least) {
-  return event.confidence >= least || std::any_of(event.alternatives.begin(), event.alternatives.end(),
-                                                  [&](const Alternative& one) { return one.confidence >= least; });
+// The reason why no alternative of the event is to count; nothing if one is. Of words that are to be read the kind of
+// move is not known yet: they are judged once it is.
+std::optional<std::string> all_too_unsure(const Engine& engine, const EngineState& state, const InputEvent& event) {
+  const bool is_read = event.modality == Modality::speech && event.final && !engine.machine->lexicon.empty();
+  std::optional<std::string> first;
+  for (std::size_t k = 0; k <= event.alternatives.size(); ++k) {
+    const InputEvent one = alternative(event, k);
+    auto why = too_unsure(*engine.machine, is_read ? "" : symbol_of(engine, state, one), one.confidence);
+    if (!why) return std::nullopt;
+    if (!first) first = std::move(why);
+  }
+  return first;
 }
 
 }  // namespace
 
 std::string symbol_of(const Engine& engine, const EngineState& state, const InputEvent& event) {
   return symbol_of(event, gestures_of(engine), state.learned);
+}
+
+InputEvent with_name(const Engine& engine, EngineState& state, InputEvent event) {
+  if (event.modality != Modality::gesture || event.features.empty() || event.phase == "stop") return event;
+  const auto* gestures = gestures_of(engine);
+  if (event.name.empty())
+    event.name = state.shapes.name_for(event.features, state.learned,
+                                       [&](std::string_view name) { return gestures && gestures->find(name); });
+  state.shapes.add(event.name, event.features);
+  return event;
 }
 
 Percept heard(const InputEvent& event, int serial, const Understanding& understanding) {
@@ -32,9 +50,7 @@ Percept heard(const InputEvent& event, int serial, const Understanding& understa
 }
 
 Result<Percept> perceive(const Engine& engine, const EngineState& state, const InputEvent& event, int serial) {
-  const double least = engine.machine->minimum_confidence;
-  if (!is_confident(event, least))
-    return Error{"", fmt::format("confidence {} is below the machine's minimum of {}", event.confidence, least)};
+  if (auto why = all_too_unsure(engine, state, event)) return Error{"", *std::move(why)};
   const auto understanding = understanding_of(engine, state);
   if (event.modality == Modality::speech && understanding) return heard(event, serial, *understanding);
   Percept percept{serial, event, {}, {}};

@@ -1,6 +1,7 @@
 #include "continua/pipeline/pipeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,8 +12,9 @@
 #include "continua/pipeline/behave.h"
 #include "continua/pipeline/believe.h"
 #include "continua/pipeline/correction.h"
+#include "continua/pipeline/doubt.h"
+#include "continua/pipeline/following.h"
 #include "continua/pipeline/fuse.h"
-#include "continua/pipeline/hand.h"
 #include "continua/pipeline/perceive.h"
 #include "continua/pipeline/step.h"
 #include "continua/pipeline/taking_over.h"
@@ -37,10 +39,10 @@ Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world, Learned learne
 
 // Perceives and fuses.
 Tick Pipeline::receive(const EngineState& before, const InputEvent& told, const WorldSnapshot& world) const {
-  const InputEvent event = with_target(told, world);
-  const SimTime now = std::max(event.t, world.t);
   Tick tick{before, {}};
   EngineState& state = tick.after;
+  const InputEvent event = with_name(engine_, state, with_target(told, world));
+  const SimTime now = std::max(event.t, world.t);
   const int serial = ++state.inputs;
   state.words = with_taught(std::move(state.words), state.learned);
   const auto symbol = symbol_of(engine_, state, event);
@@ -51,6 +53,14 @@ Tick Pipeline::receive(const EngineState& before, const InputEvent& told, const 
   };
   auto percept = perceive(engine_, state, event, serial);
   if (!percept) return refuse(percept.error());
+  if (!event.final) {
+    tick.then(overhear(std::move(state), *std::move(percept), now, world));
+    return tick;
+  }
+  if (event.modality == Modality::gaze) {
+    tick.then(follow_eyes(engine_, std::move(state), event, serial, world));
+    return tick;
+  }
   auto fused = fuse(engine_, state, *std::move(percept), now);
   if (!fused) return refuse(fused.error());
   tick.then(follow_hand(engine_, *std::move(fused), event, serial, world));
@@ -66,13 +76,75 @@ Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) con
   state.words = with_taught(std::move(state.words), state.learned);
   const Ensemble ensemble = take_complete(engine_, state);
   tick.events.push_back(account_of(ensemble, engine_.window));
+  state.looked = looked_at(engine_, state, ensemble.at);
+  state.doubted.insert_or_assign(0, ensemble);
   const auto offers = offers_of(ensemble, dialogue_of(engine_, state, world));
-  Answered answered = answer(std::move(state), offers, world);
+  Answered answered = answer(state, offers, world);
+  if (auto asked = ask(state, ensemble, offers, answered, world)) {
+    tick.then(*std::move(asked));
+    tick.then(act(std::move(state), world));
+    return tick;
+  }
   tick.then(std::move(answered.tick));
+  if (const auto& sign = offers[answered.taken].sign) state.sign = sign;
   const auto next = [&](const Offer& last) { return next_offer(last, ensemble, dialogue_of(engine_, state, world)); };
   for (auto offer = next(offers[answered.taken]); offer; offer = next(*offer))
     tick.then(answer(std::move(state), {*offer}, world).tick);
   tick.then(act(std::move(state), world));
+  return tick;
+}
+
+// The offers to ask about: the one taken, if it is unsure, and those that are about as likely and lead elsewhere. One
+// that means nothing to the lexicon is no rival.
+std::vector<std::size_t> Pipeline::doubted(const EngineState& state, const std::vector<Offer>& offers,
+                                           const Answered& answered, const WorldSnapshot& world) const {
+  const auto& taken = offers[answered.taken].input;
+  const auto* thresholds = machine().thresholds_of(taken.symbol);
+  std::vector<std::size_t> doubted{answered.taken};
+  std::vector<Tick> outcomes{answered.tick};
+  for (std::size_t i = 0; i < offers.size(); ++i) {
+    const bool means_nothing = !machine().lexicon.empty() && offers[i].move.kind.empty();
+    const double less = std::abs(offers[i].input.confidence - taken.confidence);
+    if (i == answered.taken || means_nothing || !(less < machine().near_tie)) continue;
+    Offer alone = offers[i];
+    alone.input.confidence = taken.confidence;
+    Tick outcome = answer(state, {alone}, world).tick;
+    const auto differs = [&](const Tick& other) { return lead_elsewhere(outcome, other); };
+    if (is_refused(outcome) || !std::all_of(outcomes.begin(), outcomes.end(), differs)) continue;
+    doubted.push_back(i);
+    outcomes.push_back(std::move(outcome));
+  }
+  if (doubted.size() == 1 && !(thresholds && taken.confidence < thresholds->confirm)) doubted.clear();
+  return doubted;
+}
+
+// Asks about an input that is unsure; nothing if it is sure, or if the machine does not ask.
+std::optional<Tick> Pipeline::ask(const EngineState& state, const Ensemble& ensemble, const std::vector<Offer>& offers,
+                                  const Answered& answered, const WorldSnapshot& world) const {
+  if (!machine().knows_input(unsure_symbol) || !ensemble.percept.assured.empty() || is_refused(answered.tick) ||
+      machine().ignored.contains(offers[answered.taken].input.symbol))
+    return std::nullopt;
+  const auto doubts = doubted(state, offers, answered, world);
+  if (doubts.empty()) return std::nullopt;
+  auto doubt = doubt_of(state, ensemble, offers, doubts);
+  Tick tick{doubt.state, account_of(offers, answered.taken)};
+  auto stepped = step_if_taken(engine_, std::move(doubt.state), doubt.input, world);
+  if (!stepped) return std::nullopt;
+  tick.then(behave(engine_, *std::move(stepped)));
+  return tick;
+}
+
+// Words that are not final may make the avatar look up. They change nothing else.
+Tick Pipeline::overhear(EngineState state, Percept percept, SimTime now, const WorldSnapshot& world) const {
+  Ensemble ensemble{std::move(percept), {}, now};
+  ensemble.bound.resize(ensemble.percept.takers.size());
+  state.looked = looked_at(engine_, state, now);
+  auto offers = offers_of(ensemble, dialogue_of(engine_, state, world));
+  offers.resize(1);
+  Input& input = offers.front().input;
+  input.symbol = interim_symbol;
+  Tick tick{std::move(state), account_of(offers, 0)};
+  if (auto stepped = step_if_taken(engine_, tick.after, input, world)) tick.then(behave(engine_, *std::move(stepped)));
   return tick;
 }
 

@@ -66,6 +66,11 @@ class Pipeline {
     std::size_t taken = 0;  ///< number of the offer or input that the automaton took
   };
 
+  std::vector<std::size_t> doubted(const EngineState& state, const std::vector<Offer>& offers, const Answered& answered,
+                                   const WorldSnapshot& world) const;
+  std::optional<Tick> ask(const EngineState& state, const Ensemble& ensemble, const std::vector<Offer>& offers,
+                          const Answered& answered, const WorldSnapshot& world) const;
+  Tick overhear(EngineState state, Percept percept, SimTime now, const WorldSnapshot& world) const;
   Answered answer(EngineState state, const std::vector<Offer>& offers, const WorldSnapshot& world) const;
   Answered answer(EngineState state, std::span<const Input> inputs, const WorldSnapshot& world) const;
   Tick act(EngineState state, const WorldSnapshot& world) const;

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace continua {
 namespace {
 
@@ -77,16 +79,40 @@ Stepped first_step(const Engine& engine, EngineState state, const WorldSnapshot&
   return stepped(std::move(state), std::move(step));
 }
 
+std::optional<std::string> too_unsure(const Machine& machine, const std::string& symbol, double confidence) {
+  if (confidence < machine.minimum_confidence)
+    return fmt::format("confidence {} is below the machine's minimum of {}", confidence, machine.minimum_confidence);
+  const auto* thresholds = symbol.empty() ? nullptr : machine.thresholds_of(symbol);
+  if (!thresholds || confidence >= thresholds->ignore) return std::nullopt;
+  return fmt::format("its confidence {} is below {}: the machine ignores such a '{}'", confidence, thresholds->ignore,
+                     symbol);
+}
+
+std::optional<Stepped> step_if_taken(const Engine& engine, EngineState state, const Input& input,
+                                     const WorldSnapshot& world) {
+  Stepped stepped = stepped_with(engine, std::move(state), std::span(&input, 1), world);
+  return is_refused(stepped) ? std::nullopt : std::optional(std::move(stepped));
+}
+
 Stepped step(const Engine& engine, EngineState state, std::span<const Input> inputs, const WorldSnapshot& world) {
   std::vector<Input> offered;
   std::vector<std::size_t> which;
+  std::optional<RefusedInput> unsure;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (engine.machine->ignored.contains(inputs[i].symbol)) continue;
-    if (inputs[i].confidence < engine.machine->minimum_confidence) continue;
+    if (auto why = too_unsure(*engine.machine, inputs[i].symbol, inputs[i].confidence)) {
+      if (!unsure)
+        unsure = RefusedInput{state.configuration.state, inputs[i].symbol, *std::move(why), {}, inputs.size()};
+      continue;
+    }
     offered.push_back(inputs[i]);
     which.push_back(i);
   }
-  if (offered.empty()) return {std::move(state), {}, {}, 0};
+  if (offered.empty()) {
+    Stepped nothing{std::move(state), {}, {}, 0};
+    if (unsure) nothing.events.push_back(*std::move(unsure));
+    return nothing;
+  }
   Stepped stepped = stepped_with(engine, std::move(state), offered, world);
   if (is_refused(stepped)) stepped = told_of_refusal(engine, std::move(stepped), offered.front(), world);
   stepped.taken = which.front();

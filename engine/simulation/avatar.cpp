@@ -9,6 +9,7 @@
 
 #include "continua/body/placement.h"
 #include "continua/core/angles.h"
+#include "continua/simulation/feasibility.h"
 #include "continua/simulation/hand_route.h"
 
 namespace continua {
@@ -67,7 +68,7 @@ void Avatar::begin(const AvatarCommand& asked) {
   if (command.object.empty() && !is_gesture(command.what)) command.object = world.held;
   const bool in_hand = !command.object.empty() && world.held == command.object;
   act.lets_go = empties_hand(command.what, in_hand);
-  if (command.what == Capability::grasp && command.next) command.goal = *command.next;
+  command = with_next_goal(std::move(command));
   if (command.what == Capability::grasp && in_hand) return end_act();
   if (command.what == Capability::move && !in_hand)
     return cannot(command.object.empty() ? Reason{Code::nothing_held} : Reason{Code::not_held, {command.object}});

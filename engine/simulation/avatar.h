@@ -43,9 +43,7 @@ class Avatar {
   void cannot(Reason reason);
   void begin_attempt();
   void put_away(const WorldSnapshot& world);
-  Task task(const WorldSnapshot& world) const;
   std::optional<Grasp> grasp() const;
-  bool has_goal() const;
   void begin_handling(const Handling& handling, bool in_hand);
 
   // avatar.cpp

@@ -4,6 +4,7 @@
 #include "continua/body/placement.h"
 #include "continua/core/angles.h"
 #include "continua/simulation/avatar.h"
+#include "continua/simulation/feasibility.h"
 #include "continua/simulation/hand_route.h"
 #include "continua/simulation/stacks.h"
 #include "continua/simulation/turning.h"
@@ -15,8 +16,7 @@ namespace {
 using Code = ReasonCode;
 using Status = ActStatus;
 
-constexpr double room_within_m = 0.012;  // an object may be set down this far from its place to find room
-constexpr double standing_m = 0.005;     // an object no farther above its support stands on it
+constexpr double standing_m = 0.005;  // an object no farther above its support stands on it
 // Handlings that make room, and pushes of one object: bounds against acts that never end.
 constexpr int most_preparations = 4, most_pushes = 8;
 
@@ -53,7 +53,7 @@ void Avatar::decide() {
   state_.run.failing = false;
   state_.under_way.preparing = false;
   if (const auto name = missing_thing(command, world)) return cannot({Code::missing, {*name}});
-  if (has_goal() && !command.object.empty()) {
+  if (has_goal(command) && !command.object.empty()) {
     const auto place = placement(command, world, Occupied::cleared);
     if (!place) return cannot(place.reason());
   }
@@ -92,57 +92,17 @@ std::optional<Grasp> Avatar::grasp() const {
   return Grasp{tool_pose(physics_.arm(), physics_.hinges()), state_.motion.release_opening_m};
 }
 
-// The object has a goal, now or after the grasp.
-bool Avatar::has_goal() const {
-  const AvatarCommand& command = state_.act.command;
-  return is_carried(command.what) || (command.what == Capability::grasp && command.next);
-}
-
-Task Avatar::task(const WorldSnapshot& now) const {
-  const AvatarCommand& command = state_.act.command;
-  // A carried object comes to lie along the world's axes, so its place is sought for an object that lies so.
-  WorldSnapshot world = now;
-  for (auto& object : world.objects)
-    if (has_goal() && object.name == command.object) object.yaw = straightened(object.yaw);
-
-  Task task;
-  task.object = command.object;
-  task.parts = command.parts;
-  if (has_goal()) {
-    Placement place = *placement(command, world, Occupied::cleared);
-    if (command.goal.relation && is_side(*command.goal.relation) &&
-        !is_free(*world.find(command.object), place.p_WO, world)) {
-      // There may be room a little farther on the same side.
-      const auto free = placement(command, world, Occupied::avoided);
-      if (free) place = *free;
-    }
-    task.p_WG = place.p_WO;
-    task.near_m = room_within_m;
-    task.landmark = state_.act.landmark();
-    if (command.goal.relation == Relation::in) task.into = task.landmark;
-    task.on_end = place.upright;
-  }
-  if (command.what == Capability::lift) task.raise_m = command.height_m;
-  return task;
-}
-
 void Avatar::decide_handling(const WorldSnapshot& world) {
   AvatarAct& act = state_.act;
-  const Task wanted = task(world);
+  const auto task = task_of(act.command, world, physics_.avatar());
+  if (!task) return cannot(task.reason());
+  const Task& wanted = *task;
   const ObjectState& object = *world.find(wanted.object);
-  act.p_WG = wanted.p_WG.value_or(object.p_WO + Vec3(0, 0, wanted.raise_m));
-  const AvatarForm& avatar = physics_.avatar();
-  const auto reaches = [&](const Vec3& p_WO) {
-    return find_ik(avatar.arm, {p_WO, rotation({avatar.natural_yaw(p_WO), 0})}).reached;
-  };
+  act.p_WG = end_of(wanted, world);
   const bool in_hand = world.held == wanted.object;
   const auto held = in_hand ? grasp() : std::nullopt;
-  const auto handling = plan_handling(wanted, world, means_, held, state_.attempts.tried);
-  if (!handling) return cannot({Code::too_wide, {object.name}});
-  if (!handling->reached || !reaches(act.p_WG)) {
-    if (in_hand || reaches(object.p_WO)) return cannot({Code::place_out_of_reach});
-    return cannot({Code::out_of_reach, {object.name}});
-  }
+  const auto handling = feasible_handling(wanted, world, means_, held, state_.attempts.tried);
+  if (!handling) return cannot(handling.reason());
   begin_attempt();
   act.yaw_WG.reset();
   if (handling->set_down && !handling->on_end) act.yaw_WG = object.yaw + handling->grip.turn;
@@ -199,7 +159,8 @@ void Avatar::decide_push(const WorldSnapshot& world) {
   under_way.object = index_of(object.name);
   if (!act.yaw_WG) {
     const auto occupied = act.command.goal.relation ? Occupied::avoided : Occupied::cleared;
-    const auto place = placement(act.command, world, occupied);
+    const auto place =
+        placement(act.command, world, occupied, [&](const Vec3& p_W) { return hand_reaches(physics_.avatar(), p_W); });
     if (!place) return cannot(place.reason());
     act.p_WG = place->p_WO;
     act.yaw_WG = object.yaw;

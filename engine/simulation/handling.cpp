@@ -87,6 +87,19 @@ WorldSnapshot moved(const WorldSnapshot& world, const ObjectState& object, const
   return after;
 }
 
+// Whether the grip is at the part and from the side that the task asks for.
+bool is_wanted(const Grip& grip, const Task& task, const ObjectState& object, const ObjectShape* form) {
+  constexpr double leaning_rad = 0.5;  // the hand comes from the side rather than from above
+  const bool leans = std::abs(grip.hand.tilt) > leaning_rad;
+  if (task.approach != Approach::any && leans != (task.approach == Approach::side)) return false;
+  if (!task.only_parts) return true;
+  const Box* part = form ? form->part(task.parts) : nullptr;
+  if (!part) return false;
+  const Vec3 p_O = Eigen::AngleAxisd(-object.yaw, Vec3::UnitZ()) * grip.p_OT;
+  return (p_O.head<2>().array() >= part->min.head<2>().array()).all() &&
+         (p_O.head<2>().array() <= part->max.head<2>().array()).all();
+}
+
 }  // namespace
 
 bool alike(const Grip& a, const Grip& b) {
@@ -100,7 +113,10 @@ std::vector<Grip> starts_of(const Task& task, const WorldSnapshot& world, const 
   const ObjectState& object = *world.find(task.object);
   if (!grasp) {
     const auto shape = means.shapes.find(object.name);
-    return grips_on(object, world, means.avatar, shape == means.shapes.end() ? nullptr : &shape->second, task.parts);
+    const ObjectShape* form = shape == means.shapes.end() ? nullptr : &shape->second;
+    auto grips = grips_on(object, world, means.avatar, form, task.parts);
+    std::erase_if(grips, [&](const Grip& grip) { return !is_wanted(grip, task, object, form); });
+    return grips;
   }
   Grip grip;
   grip.hand = turn_of(grasp->X_WT.R_WB);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "continua/body/avatar_command.h"
 #include "continua/simulation/grip_choice.h"
 #include "continua/simulation/object_shape.h"
 #include "continua/simulation/set_down.h"
@@ -15,13 +16,15 @@ namespace continua {
 /// The task of a handling.
 struct Task {
   std::string object;
-  std::vector<std::string> parts;  ///< components to hold it by, best first
-  std::optional<Vec3> p_WG;        ///< goal of its centre; if absent, the object is only held
-  double raise_m = 0;              ///< rise of the held object
-  double near_m = 0;               ///< greatest distance from p_WG
-  std::string landmark = {};       ///< the goal is relative to this, so it must stay; or empty
-  std::string into = {};           ///< the container to put it in; or empty
-  bool on_end = false;             ///< the object stands on its end at the goal
+  std::vector<std::string> parts;     ///< components to hold it by, best first
+  std::optional<Vec3> p_WG;           ///< goal of its centre; if absent, the object is only held
+  double raise_m = 0;                 ///< rise of the held object
+  double near_m = 0;                  ///< greatest distance from p_WG
+  std::string landmark = {};          ///< the goal is relative to this, so it must stay; or empty
+  std::string into = {};              ///< the container to put it in; or empty
+  bool on_end = false;                ///< the object stands on its end at the goal
+  bool only_parts = false;            ///< to hold it elsewhere than at the first of `parts` will not do
+  Approach approach = Approach::any;  ///< of the hand
 };
 
 /// The present grasp of the hand.

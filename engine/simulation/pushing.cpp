@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "continua/body/standing.h"
 #include "continua/core/angles.h"
 #include "continua/simulation/hand_route.h"
 #include "continua/simulation/stacks.h"
@@ -129,13 +130,6 @@ OrReason<Push> first_push(const ObjectState& object, const Vec3& p_WG, const std
   return *first;
 }
 
-/// A centre there is well above the table.
-bool bears(const Box& table, const Vec3& p_W) {
-  constexpr double margin_m = 0.01;  // a push may go a little too far
-  return p_W.x() > table.min.x() + margin_m && p_W.x() < table.max.x() - margin_m &&
-         p_W.y() > table.min.y() + margin_m && p_W.y() < table.max.y() - margin_m;
-}
-
 }  // namespace
 
 bool needs_push(const ObjectState& object, const Vec3& p_WG, const Means& means) {
@@ -146,7 +140,8 @@ OrReason<Push> plan_push(const ObjectState& object, const Vec3& p_WG, const std:
                          const WorldSnapshot& world, const Means& means) {
   if (object.bounds_W().min.z() - world.table.max.z() > standing_m) return Reason{Code::not_on_table, {object.name}};
   if (std::abs(p_WG.z() - object.p_WO.z()) > standing_m) return Reason{Code::only_along_table, {object.name}};
-  if (!bears(world.table, p_WG)) return Reason{Code::falls_off, {object.name}};
+  constexpr double margin_m = 0.01;  // a push may go a little too far
+  if (!bears(world.table, p_WG, margin_m)) return Reason{Code::falls_off, {object.name}};
   return first_push(object, p_WG, landmark, world, means);
 }
 

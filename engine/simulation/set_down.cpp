@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "continua/body/standing.h"
 #include "continua/core/angles.h"
 #include "continua/simulation/oriented_box.h"
 #include "continua/simulation/stacks.h"
@@ -24,13 +25,6 @@ OrientedBox box_at(const ObjectState& object, const Vec3& p_W) {
   const Vec3& half = object.half_extents_m;
   const Vec3 turned(swapped ? half.y() : half.x(), swapped ? half.x() : half.y(), half.z());
   return {p_W, Eigen::Matrix3d::Identity(), turned + Vec3(air_m, air_m, -touching_m)};
-}
-
-/// The table bears an object there: the object's centre is above the table.
-bool on_table(const Vec3& p_W, const Box& table) {
-  constexpr double margin_m = 0.003;
-  return p_W.x() > table.min.x() + margin_m && p_W.x() < table.max.x() - margin_m &&
-         p_W.y() > table.min.y() + margin_m && p_W.y() < table.max.y() - margin_m;
 }
 
 /// The areas of contact with `bearers`, all equally high, carry the object's centre.
@@ -73,7 +67,7 @@ class Surroundings {
     return found;
   }
 
-  bool free(const Vec3& p_W) const { return on_table(p_W, world_.table) && in_the_way(p_W).empty(); }
+  bool free(const Vec3& p_W) const { return bears(world_.table, p_W) && in_the_way(p_W).empty(); }
 
   std::vector<Vec3> free_places(const Vec3& p_W, double most_m, double step_m) const {
     constexpr int directions = 16;
@@ -104,7 +98,7 @@ class Surroundings {
           const Vec3 mine = box.half_m.cwiseProduct(away.cwiseAbs());
           const double by = away.sum() > 0 ? (theirs.max - (box.center_W - mine)).dot(away)
                                            : ((box.center_W + mine) - theirs.min).dot(-away);
-          return on_table(other->p_WO - by * away, world_.table);
+          return bears(world_.table, other->p_WO - by * away);
         });
         if (harmless) starts.push_back({r, p_WG + r * away});
         break;
@@ -132,7 +126,7 @@ std::vector<SetDown> set_downs(const ObjectState& object, const Vec3& p_WG, cons
   // Upward, as long as the things there bear the object.
   for (std::size_t i = 0; i <= world.objects.size(); ++i) {
     const auto found = around.in_the_way(goal);
-    if (found.empty() && on_table(goal, world.table)) ways.push_back({goal, std::nullopt});
+    if (found.empty() && bears(world.table, goal)) ways.push_back({goal, std::nullopt});
     for (const Vec3& p : around.free_places(goal, near_m, step_m)) ways.push_back({p, std::nullopt});
     if (found.empty()) break;
     double top = 0;
@@ -144,7 +138,7 @@ std::vector<SetDown> set_downs(const ObjectState& object, const Vec3& p_WG, cons
     if (!bear(bearers, box_at(object, goal))) break;
     goal.z() = top + object.half_extents_m.z();
   }
-  if (on_table(goal, world.table)) {
+  if (bears(world.table, goal)) {
     for (const Vec3& p : around.shove_starts(goal)) ways.push_back({goal, p});
   }
   return ways;

@@ -102,7 +102,9 @@ Term Evaluation::evaluated(const Term& term) {
   if (term.kind() == Term::Kind::list) {
     result = evaluated_list(term);
   } else if (term.kind() == Term::Kind::lambda) {
+    if (derivation) derivation->enter(term);
     Term body = evaluated(term.body());
+    if (derivation) derivation->leave();
     result = body.same_node(term.body()) ? term : Term::lambda(term.name(), term.variable_type(), std::move(body));
   } else {
     Redex redex;
@@ -138,7 +140,7 @@ Term Evaluation::reduced(Redex redex) {
       case Term::Kind::lambda:
         if (redex.arguments.empty()) return evaluated(redex.head);
         make_ready(redex, 1);
-        redex.head = bounded(instantiate(redex.head.body(), redex.arguments[0]));
+        reduce_lambda(redex);
         drop(redex.arguments, redex.ready, 1);
         break;
       case Term::Kind::constant:
@@ -157,10 +159,20 @@ void Evaluation::make_ready(Redex& redex, std::size_t count) {
   for (; redex.ready < count; ++redex.ready) redex.arguments[redex.ready] = evaluated(redex.arguments[redex.ready]);
 }
 
-// The head has no rule and no value: it stays, applied to the values of its arguments.
-Evaluation::Step Evaluation::keep(Redex& redex) {
+void Evaluation::reduce_lambda(Redex& redex) {
+  Term result = bounded(instantiate(redex.head.body(), redex.arguments[0]));
+  if (derivation) derivation->applied(redex.head, redex.arguments[0], result, true);
+  redex.head = std::move(result);
+}
+
+// The head has no rule and no value: it stays, applied to the values of its arguments. `told`: to the derivation.
+Evaluation::Step Evaluation::keep(Redex& redex, bool told) {
   make_ready(redex, redex.arguments.size());
-  for (auto& argument : redex.arguments) redex.head = Term::apply(std::move(redex.head), std::move(argument));
+  for (auto& argument : redex.arguments) {
+    Term result = Term::apply(redex.head, argument);
+    if (derivation && told) derivation->applied(redex.head, argument, result, false);
+    redex.head = std::move(result);
+  }
   redex.arguments.clear();
   return Step::done;
 }
@@ -170,10 +182,10 @@ Evaluation::Step Evaluation::reduce_constant(Redex& redex) {
   const auto name = redex.head.interned_name();
   if (name == name_if || name == name_and || name == name_or) return reduce_choice(redex);
   if (const Rule* found = rules_.find(name)) return reduce_rule(redex, *found);
-  const Term* held = lookup_ ? lookup_(name) : nullptr;
-  if (!held || !names_same(redex.head.type(), held->type())) return keep(redex);
-  redex.head = Term(*held);
-  return Step::again;
+  const Held held = lookup_ ? lookup_(name) : nullptr;
+  if (!held.value || !names_same(redex.head.type(), held.value->type())) return keep(redex, true);
+  redex.head = Term(*held.value);
+  return held.kept && redex.arguments.empty() ? Step::done : Step::again;
 }
 
 // `if`, `and` and `or` evaluate only the arguments they need, but all of them while they wait for a bound variable.

@@ -14,6 +14,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "continua/term/derivation.h"
 #include "continua/term/facts.h"
 #include "continua/term/term.h"
 #include "continua/term/term_text.h"
@@ -70,15 +71,21 @@ const Signature& term_signature();
 /// One evaluation: the sources of its values, and a record of its applications, margin and exhaustion.
 class Evaluation {
  public:
-  /// The value of a name without a rule: a slot, a register, a definition; nullptr if it has none. A function is never
-  /// the value of a name of type e, because an object may have the same name as a word.
-  using Lookup = std::function<const Term*(Name name)>;
+  /// The value of a name without a rule: a slot, a register, a definition; nullptr if it has none. `kept`: it is taken
+  /// as it stands, and evaluated only if it is applied.
+  struct Held {
+    const Term* value = nullptr;
+    bool kept = false;
+    Held(const Term* its_value, bool is_kept = false) : value(its_value), kept(is_kept) {}
+  };
+  /// A function is never the value of a name of type e, because an object may have the same name as a word.
+  using Lookup = std::function<Held(Name name)>;
   /// `rules` must outlive the evaluation.
   Evaluation(const RuleTable& rules, Lookup lookup, Facts known = {})
       : rules_(rules), lookup_(std::move(lookup)), facts_(known) {}
 
-  /// The value of a closed term. Results of lookup are evaluated too. The number of steps is bounded: past the bound
-  /// the value is null and `exhausted` is set.
+  /// The value of a closed term. Results of lookup are evaluated too, unless they are kept. The number of steps is
+  /// bounded: past the bound the value is null and `exhausted` is set.
   Term value(const Term& term);
   /// Applies a function value to a value.
   Term apply(const Term& function, const Term& argument);
@@ -100,6 +107,8 @@ class Evaluation {
   double margin = std::numeric_limits<double>::infinity();
   /// A value was given up: it took too many steps, went too deep or grew too large.
   bool exhausted = false;
+  /// Told of every application, if there is one; it must outlive the evaluation.
+  Derivation* derivation = nullptr;
 
  private:
   enum class Step { done, again };
@@ -116,7 +125,8 @@ class Evaluation {
   Step reduce_constant(Redex& redex);
   Step reduce_choice(Redex& redex);
   Step reduce_rule(Redex& redex, const Rule& rule);
-  Step keep(Redex& redex);
+  void reduce_lambda(Redex& redex);
+  Step keep(Redex& redex, bool told = false);
   void make_ready(Redex& redex, std::size_t count);
   Term bounded(Term term);
   void give_up();

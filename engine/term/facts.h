@@ -8,6 +8,7 @@ struct WorldSnapshot;
 struct Learned;
 class Beliefs;
 class Random;
+struct Looked;
 
 /// The facts of an evaluation. A rule gives null if it needs a fact that is not there. All facts must outlive the
 /// evaluation.
@@ -16,6 +17,7 @@ struct Facts {
   Random* random = nullptr;              ///< the generator of the run; each draw advances it
   const Learned* learned = nullptr;      ///< learning/learning.h
   const Beliefs* beliefs = nullptr;      ///< automaton/beliefs.h
+  const Looked* looked = nullptr;        ///< automaton/looked.h
 };
 
 }  // namespace continua

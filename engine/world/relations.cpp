@@ -113,7 +113,7 @@ double holds_of_participant(Relation relation, const Box& a, const Landmark& lan
     case Relation::at:
     case Relation::near:
     case Relation::beside:
-      return near_m - gap_above(a, landmark.bounds_W);
+      return near_participant_m - gap_above(a, landmark.bounds_W);
     default:
       return never;
   }

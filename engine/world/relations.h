@@ -19,9 +19,9 @@
 //
 // A participant is a landmark with sides of its own: in_front(avatar) is the half of the table at which the avatar
 // sits, left(avatar) the half at the avatar's left hand. At, near and beside a participant is a place less than
-// `near_m` from that participant's edge of the table; all other relations to participants fail. A point or region is a
-// landmark too: A is at, in and on it if A's centre is within it, or misses it by less than `contact_m`. No thing
-// stands in a relation to itself.
+// `near_participant_m` from that participant's edge of the table; all other relations to participants fail. A point or
+// region is a landmark too: A is at, in and on it if A's centre is within it, or misses it by less than `contact_m`. No
+// thing stands in a relation to itself.
 //
 // Source of the sides: the referring expressions of EMRE (tests/emre/README.md, with the sizes of its things).
 #pragma once
@@ -41,6 +41,8 @@ inline constexpr double touching_m = 1.2e-3;
 inline constexpr double contact_m = 1e-2;
 inline constexpr double beside_m = 0.05;
 inline constexpr double near_m = 0.1;
+/// A person at the edge of the table reaches that far over it.
+inline constexpr double near_participant_m = 0.25;
 
 enum class Relation { left, right, in_front, behind, on, in, at, near, beside, touching, under, between };
 

@@ -1,6 +1,7 @@
 #include "continua/replay/commands/replay.h"
 
 #include "continua/core/located_json.h"
+#include "continua/replay/session/outside_choice.h"
 #include "continua/replay/terminal/progress.h"
 #include "continua/replay/terminal/shell_word.h"
 #include "continua/replay/trace/trace_name.h"
@@ -189,6 +190,23 @@ void add_forced(const std::string& text, std::map<int, std::string>& forced) {
     throw CLI::ValidationError("--force", fmt::format("step {} is forced twice", step));
 }
 
+// The option and its text, once the arguments are read.
+std::shared_ptr<std::string> add_choice(CLI::App& command) {
+  auto choice = std::make_shared<std::string>();
+  command
+      .add_option(
+          "--choice", *choice,
+          "which of several applicable transitions fires: likeliest, sample, unique, or all: explore; "
+          "otherwise the machine's. pipe:COMMAND asks a command (replay/session/POLICY.md); run:RUN takes those "
+          "that a run log has")
+      ->check([](const std::string& name) {
+        return parse_choice(name) || is_outside_choice(name)
+                   ? std::string()
+                   : fmt::format("expected {}, pipe:COMMAND or run:RUN", choice_names());
+      });
+  return choice;
+}
+
 }  // namespace
 
 int run_replay(const ReplayCommandOptions& options) {
@@ -201,14 +219,7 @@ void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
   command.add_option("TRACE", options.traces, "traces (.jsonl)")->required();
   command.add_option("-o,--output", options.output, "a run log, a folder, or '-'; otherwise NAME.run.jsonl here");
   command.add_option("--seed", options.replay.seed, "for draws; otherwise the trace's");
-  auto choice = std::make_shared<std::string>();
-  command
-      .add_option("--choice", *choice,
-                  "which of several applicable transitions fires: likeliest, sample, unique, or all: explore; "
-                  "otherwise the machine's")
-      ->check([](const std::string& name) {
-        return parse_choice(name) ? std::string() : fmt::format("expected {}", choice_names());
-      });
+  const auto choice = add_choice(command);
   command.add_option("--branches", options.replay.most_branches, "under explore, how many configurations are kept")
       ->check(CLI::Range(1, 1000000));
   auto forced = std::make_shared<std::vector<std::string>>();
@@ -228,6 +239,8 @@ void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
                      "seed and perspective count. Its scene and objects must be the same");
   command.add_option("--scene", options.replay.scene, "a name or an MJCF file; otherwise the trace's");
   command.add_option("--machine", options.replay.machine, "a name or a machine file; otherwise the trace's");
+  command.add_option("--weights", options.replay.weights,
+                     "a file of continua learn: weights and levels of evidence in place of the machine's own");
   command.add_option(
       "--language", options.replay.language,
       "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the trace's, or the machine's");
@@ -253,6 +266,7 @@ void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
   command.callback([&options, choice, forced, variant] {
     options.replay.variant = parse_variant(*variant).value_or(Variant::free);
     options.replay.choice = parse_choice(*choice);
+    if (is_outside_choice(*choice)) options.replay.outside = *choice;
     for (const auto& one : *forced) add_forced(one, options.replay.forced);
   });
 }

@@ -173,6 +173,8 @@ void describe_score(CLI::App& command, ScoreOptions& options) {
   command.add_option("--seed", options.replay.seed, "for draws; otherwise the trace's");
   command.add_option("--scene", options.replay.scene, "a name or an MJCF file; otherwise the trace's");
   command.add_option("--machine", options.replay.machine, "a name or a machine file; otherwise the trace's");
+  command.add_option("--weights", options.replay.weights,
+                     "a file of continua learn: weights and levels of evidence in place of the machine's own");
   command.add_option(
       "--language", options.replay.language,
       "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the trace's, or the machine's");

@@ -14,6 +14,7 @@
 #include "continua/pipeline/pipeline.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/scene/run_points.h"
+#include "continua/replay/session/outside_choice.h"
 #include "continua/replay/session/session.h"
 #include "continua/replay/trace/trace_file.h"
 #include "continua/replay/trace/whole_file.h"
@@ -191,7 +192,9 @@ class WhatIfFiles {
       return Error{"", fmt::format("the run takes {} s; expected at most {} s to be replayed with physics", end,
                                    longest_physics_s)};
     options_.choice = parse_choice(text_of(header_, "choice"));
-    if (!options_.choice)
+    if (is_outside_choice(text_of(header_, "choice")))
+      options_.outside = "run:" + run_.path();
+    else if (!options_.choice)
       return Error{run_.where(0),
                    fmt::format("its choice is {}; expected {}", in_quotes(text_of(header_, "choice")), choice_names())};
     if (const auto& most = member_of(header_, "most_branches"); most.is_number_unsigned())
@@ -212,6 +215,7 @@ class WhatIfFiles {
     if (request_.seed) options_.seed = request_.seed;
     if (request_.choice.empty()) return std::nullopt;
     options_.choice = parse_choice(request_.choice);
+    options_.outside.clear();
     if (options_.choice) return std::nullopt;
     return Error{"", fmt::format("'choice' is {}; expected {}", in_quotes(request_.choice), choice_names())};
   }

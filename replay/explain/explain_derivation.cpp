@@ -13,6 +13,13 @@
 namespace continua {
 namespace {
 
+// Whether `name` was taught before, so that a program can be one step of it.
+bool was_taught(ExplainScope& scope, const std::string& name, std::size_t before) {
+  for (const auto n : scope.run().of_kind(log::Learned::kind.name))
+    if (n < before && text_of(scope.record(n), "name") == name) return true;
+  return false;
+}
+
 class Derivation {
  public:
   explicit Derivation(ExplainScope& scope) : scope_(scope), applications_(scope.latest(log::Application::kind.name)) {}
@@ -51,6 +58,16 @@ class Derivation {
     for (const auto n : applications_)
       if (n <= at && scope_.input_of(n) == scope_.input_of(at)) return n;
     return std::nullopt;
+  }
+
+  // The result of the latest application of the turn of `at` that names a taught program; empty if there is none.
+  std::string taught_of_turn(std::size_t at) {
+    for (const auto n : applications_) {
+      if (n > at || scope_.input_of(n) != scope_.input_of(at)) continue;
+      if (auto result = text_of(scope_.record(n), "result"); was_taught(scope_, term_parts(result).head, at))
+        return result;
+    }
+    return {};
   }
 
  private:
@@ -119,13 +136,6 @@ class Derivation {
   int nodes_ = 0, deep_ = 0;
 };
 
-// Whether `name` was taught before, so that a program can be one step of it.
-bool was_taught(ExplainScope& scope, const std::string& name, std::size_t before) {
-  for (const auto n : scope.run().of_kind(log::Learned::kind.name))
-    if (n < before && text_of(scope.record(n), "name") == name) return true;
-  return false;
-}
-
 // A term of the stack at n that the log has an application for.
 std::string composed_on_stack(ExplainScope& scope, Derivation& derivation, std::size_t n) {
   const auto mark = scope.run().mark_at(n);
@@ -163,12 +173,13 @@ Json derivation_of(ExplainScope& scope) {
   if (log::is<log::Learned>(kind) || log::is<log::Memory>(kind)) term = text_of(record, "value");
   if (log::is<log::Application>(kind)) term = text_of(record, "result");
   if (log::is<log::Reading>(kind)) term = text_of(record, "meaning");
-  if (log::is<log::Act>(kind) && !derivation.application(term, n) && was_taught(scope, term_parts(last_result).head, n))
+  if (const auto taught = derivation.taught_of_turn(n);
+      log::is<log::Act>(kind) && !derivation.application(term, n) && !taught.empty())
     return {{"term", term},
             {"structure", term_structure(term)},
             {"type", nullptr},
             {"how", "taught"},
-            {"children", Json::array({derivation.of(last_result, "", n, {})})}};
+            {"children", Json::array({derivation.of(taught, "", n, {})})}};
   if (term.empty()) term = composed_on_stack(scope, derivation, n);
   if (term.empty()) term = last_result;
   if (term.empty())

@@ -102,7 +102,10 @@ Json with_lesson(ExplainScope& scope, Json found, const std::string& name, std::
   return found;
 }
 
+// The name under which the gesture was taught: its own, or that of the exemplar by which it was recognised.
 std::string gesture_of(ExplainScope& scope, std::size_t input) {
+  for (const auto n : scope.of_turn(input, log::Reading::kind.name))
+    if (const auto nearest = text_of(member_of(scope.record(n), "shape"), "nearest"); !nearest.empty()) return nearest;
   return text_of(member_of(scope.record(input), "event"), "name");
 }
 

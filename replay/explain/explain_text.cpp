@@ -136,6 +136,7 @@ class Teller {
     else
       text += "taken as " + move;
     tell(text + "  " + numbered(reading), 2);
+    if (const auto& shape = member_of(reading, "shape"); shape.is_object()) tell(text_of(shape, "reason"), 3);
     for (const auto& one : list_of(reading, "resolved")) tell_resolved(one);
     if (const auto& ruled_out = list_of(reading, "ruled_out"); !ruled_out.empty())
       tell("not " + ruled_out_text(ruled_out, options_.all), 3);
@@ -220,8 +221,11 @@ class Teller {
     if (candidates.size() < 2) return;
     const auto policy = text_of(told_, "choice");
     std::string text;
+    double total = 0;
+    for (const auto& one : candidates) total += number_of(one, "weight");
     for (const auto& one : candidates) {
-      text += fmt::format("{}‘{}’ {}", text.empty() ? "" : ", ", text_of(one, "id"), text_of(one, "weight"));
+      text += fmt::format("{}‘{}’ {:.3g} %", text.empty() ? "" : ", ", text_of(one, "id"),
+                          100 * number_of(one, "weight") / total);
       if (const auto& alternative = member_of(one, "alternative"); !alternative.is_null())
         text += fmt::format(" (alternative {})", compact(alternative));
     }

@@ -135,6 +135,8 @@ class ColumnBuilder {
     const auto of = text_in(kind);
     if (of == "speech")
       lanes_["speech"].add(n, t, to);
+    else if (of == "gaze")
+      add_look(t, to, n);
     else if (of == "gesture")
       read_gesture(n, text_in(hand) + " " + text_in(name), text_in(phase), to);
   }
@@ -149,6 +151,15 @@ class ColumnBuilder {
       bursts.add(n, t, t);
       samples_.push_back(1);
     }
+  }
+
+  // Samples of the eyes that follow one another are one bar.
+  void add_look(double t, double to, std::size_t n) {
+    auto& lane = lanes_["gaze"];
+    if (!lane.n.empty() && t - lane.to.back() < pointing_gap_s)
+      lane.to.back() = std::max(to, lane.to.back());
+    else
+      lane.add(n, t, to);
   }
 
   void read_gesture(std::size_t n, const std::string& of, const std::string& phase, double to) {
@@ -267,8 +278,8 @@ class ColumnBuilder {
     all.add("kind", kind_);
     all.add("cause", cause_);
     all.add("stop", records_worth_stopping_at(run_));
-    for (const char* name : {"speech", "gesture", "pointing", "utterance", "move", "observed", "act", "rest", "flag",
-                             "branches", "confidence", "depth"}) {
+    for (const char* name : {"speech", "gesture", "pointing", "gaze", "utterance", "move", "observed", "act", "rest",
+                             "flag", "branches", "confidence", "depth"}) {
       const auto& lane = lanes_[name];
       all.add(std::string(name) + ".n", lane.n);
       all.add(std::string(name) + ".from", lane.from);

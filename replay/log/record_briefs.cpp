@@ -29,9 +29,15 @@ std::string Unknown::brief() const { return compact(members); }
 std::string Input::brief() const {
   const auto of = text_in(event, "kind");
   const auto part = [this](const char* key) { return text_in(event, key); };
-  if (of == "speech") return fmt::format("“{}”", part("text"));
-  if (of == "gesture") return joined({part("hand"), part("name"), part("direction"), part("phase")});
+  const auto is_final = event.find("final");
+  const bool may_change = is_final != event.end() && *is_final == false;
+  if (of == "speech") return fmt::format("“{}”{}", part("text"), may_change ? " (not final)" : "");
+  if (of == "gesture") {
+    const bool has_shape = part("name").empty() && event.contains("features");
+    return joined({part("hand"), has_shape ? "unnamed" : part("name"), part("direction"), part("phase")});
+  }
   if (of == "pointing") return joined({"pointing", part("hand"), part("target")});
+  if (of == "gaze") return joined({"gaze", part("target")});
   if (of == "observed") return joined({"observed", part("channel"), part("content")});
   return compact(event);
 }
@@ -41,6 +47,7 @@ std::string Percept::brief() const {
   std::string text = joined ? fmt::format("\"{}\"", *joined) : "";
   for (const auto& [words, deixis] : bound)
     text += fmt::format("{}{}: pointed at {}", text.empty() ? "" : ", ", words, compact(Json(deixis.place)));
+  if (assured) text += text.empty() ? "it was meant" : ", it was meant";
   if (text.empty()) text = "nothing is pointed at";
   return waited_s == 0 ? text : fmt::format("{}, after {} s", text, number_text(waited_s));
 }

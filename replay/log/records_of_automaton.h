@@ -60,13 +60,18 @@ struct Candidate {
 struct Refused {
   std::string id, reason;
   std::optional<std::int64_t> alternative;
+  std::optional<std::string> outranked_by;
 
   static constexpr auto fields() {
-    return std::tuple{field("id", &Refused::id, Says::how, "The transition."),
-                      field("reason", &Refused::reason, Says::aside,
-                            "The first part of its condition that did not hold, with its value."),
-                      field("alternative", &Refused::alternative, Says::how,
-                            "The input that it would take, from 0; left out where one was offered.")};
+    return std::tuple{
+        field("id", &Refused::id, Says::how, "The transition."),
+        field("reason", &Refused::reason, Says::aside,
+              "The first part of its condition that did not hold, with its value; or the rank that was higher."),
+        field("alternative", &Refused::alternative, Says::how,
+              "The input that it would take, from 0; left out where one was offered."),
+        field("outranked_by", &Refused::outranked_by, Says::how,
+              "A transition of a higher rank that applies to the same input; left out where its own "
+              "condition failed.")};
   }
 };
 
@@ -114,10 +119,12 @@ struct Transition {
               "As in the machine file, an object with one key: `none`, `push`, `push_each`, `pop`, `rewrite`, "
               "`rewrite_each`, `flush` or `pop_until`."),
         field("weight", &Transition::weight, Says::how, "Its weight."),
-        field("probability", &Transition::probability, Says::how, "Its share of the weights of all candidates."),
+        field("probability", &Transition::probability, Says::how,
+              "Its share of the weights of all candidates; 0 if it was forced against its rank."),
         field("draw", &Transition::draw, Says::how, "The random number that chose it, or null."),
         field("forced", &Transition::forced, Says::how, "Whether the run's options forced it."),
-        field("candidates", &Transition::candidates, Says::how, "All transitions that could fire."),
+        field("candidates", &Transition::candidates, Says::how,
+              "All transitions that could fire, each of the highest rank for its input."),
         field("refused", &Transition::refused, Says::how, "Those of fitting state and input that could not."),
         field("gates", &Transition::gates, Says::how,
               "Conditions of the state that it leads to, then of each `else` on the way."),

@@ -12,6 +12,7 @@ struct Input {
   OrNull<std::int64_t> line;
   Json event;
   OrNull<std::string> symbol;
+  std::optional<std::int64_t> supersedes;
 
   static constexpr Kind kind{.name = "input",
                              .when = "An event was read, or an act has ended: the machine knows that end as an input.",
@@ -24,7 +25,10 @@ struct Input {
                             "The event as read, without `t`; of an act {`kind`: `act`, `act`, `program`, `status`}.")
                           .briefly()
                           .without({"t", "until", "act", "row"}),
-                      field("symbol", &Input::symbol, Says::how, "The input symbol that it became, or null.")};
+                      field("symbol", &Input::symbol, Says::how, "The input symbol that it became, or null."),
+                      field("supersedes", &Input::supersedes, Says::aside,
+                            "Of speech: the record of the words heard before it that were not final.")
+                          .as("record")};
   }
   std::string brief() const;
 };
@@ -67,18 +71,22 @@ struct Percept {
   double waited_s = 0;
   std::vector<BoundPointing> bound;
   std::optional<std::string> joined;
+  std::optional<bool> assured;
   std::vector<std::int64_t> because;
 
   static constexpr Kind kind{
       .name = "percept",
       .when = "An input is attended to together with pointings or earlier words, or had to wait.",
       .decision = Decision::yes,
-      .brief_adds = ": pointed at, nothing is pointed at, after s"};
+      .brief_adds = ": pointed at, nothing is pointed at, it was meant, after s"};
   static constexpr auto fields() {
     return std::tuple{
         field("waited_s", &Percept::waited_s, Says::where, "Time since the input began.").as("seconds").briefly(),
         field("bound", &Percept::bound, Says::what, "The pointings, each with its words.").briefly(),
         field("joined", &Percept::joined, Says::what, "The words of all inputs that make one utterance.").briefly(),
+        field("assured", &Percept::assured, Says::what,
+              "True: it was not sure, it was asked about, and the human has said that it was meant.")
+            .briefly(),
         field("because", &Percept::because, Says::aside, "The inputs that contributed.").as("record")};
   }
   std::string brief() const;
@@ -165,6 +173,31 @@ struct Sense {
   }
 };
 
+/// The comparison of a gesture's shape with taught ones.
+struct ShapeMatch {
+  std::string verdict;
+  std::optional<std::string> nearest;
+  std::optional<double> distance;
+  std::optional<std::string> rival;
+  std::optional<double> rival_distance;
+  std::int64_t of_other_length = 0;
+  std::string reason;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("verdict", &ShapeMatch::verdict, Says::what,
+              "`named` (taught under its name), `recognised`, `too far`, `contested` (like two things) or `nothing "
+              "known`."),
+        field("nearest", &ShapeMatch::nearest, Says::what, "The taught gesture with the nearest exemplar."),
+        field("distance", &ShapeMatch::distance, Says::how, "The distance of that exemplar."),
+        field("rival", &ShapeMatch::rival, Says::how, "The nearest taught gesture with another meaning."),
+        field("rival_distance", &ShapeMatch::rival_distance, Says::how, "The distance of its exemplar."),
+        field("of_other_length", &ShapeMatch::of_other_length, Says::how,
+              "Number of exemplars of another length, which are not compared."),
+        field("reason", &ShapeMatch::reason, Says::aside, "The same as a sentence.")};
+  }
+};
+
 struct Reading {
   OrNull<std::string> move;
   std::optional<std::string> words, reading, category, meaning, type;
@@ -179,6 +212,7 @@ struct Reading {
   std::optional<std::string> sides;
   std::optional<Margin> margin;
   std::optional<std::vector<std::string>> unknown, unused, repaired;
+  std::optional<ShapeMatch> shape;
   std::vector<std::int64_t> because;
   std::optional<std::int64_t> alternative;
   std::optional<double> confidence;
@@ -219,6 +253,8 @@ struct Reading {
         field("unused", &Reading::unused, Says::how, "Words that belong to no move."),
         field("repaired", &Reading::repaired, Says::how,
               "Unknown words that were read as words of the scene which resemble them; `entries` has these."),
+        field("shape", &Reading::shape, Says::how,
+              "Of a gesture with `features` that no catalogue has: how its shape compares with taught ones."),
         field("because", &Reading::because, Says::aside, "The inputs that contributed.").as("record"),
         field("alternative", &Reading::alternative, Says::how,
               "Of an n-best list: its place in the list; 0 is the event's own text."),

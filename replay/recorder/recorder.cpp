@@ -13,7 +13,11 @@ int Recorder::input(const TraceEvent& event, const std::string& symbol) {
   next_.cause = std::nullopt;
   Json said = event.json;
   said.erase("t");
-  latest_input_ = write(log::Input{static_cast<std::int64_t>(event.line), std::move(said), symbol});
+  const auto* input = std::get_if<InputEvent>(&event.what);
+  const bool is_speech = input && input->modality == Modality::speech;
+  const auto superseded = is_speech ? std::exchange(interim_, std::nullopt) : std::nullopt;
+  latest_input_ = write(log::Input{static_cast<std::int64_t>(event.line), std::move(said), symbol, superseded});
+  if (is_speech && !input->final) interim_ = latest_input_;
   next_.cause = latest_input_;
   return latest_input_;
 }
@@ -26,8 +30,9 @@ int Recorder::trace_event(const TraceEvent& event, const log::Record& record) {
 
 template <class Event>
 void Recorder::one(const Event& event) {
-  // A gesture that became a command is told by the act that it asked for.
-  if constexpr (std::is_same_v<Event, GestureCommand>)
+  // A gesture that became a command is told by the act that it asked for; an input that is attended to again, by the
+  // percept that it becomes.
+  if constexpr (std::is_same_v<Event, GestureCommand> || std::is_same_v<Event, Reattended>)
     return;
   else if constexpr (requires { record_of(event, *machine_); })
     write(record_of(event, *machine_));
@@ -51,7 +56,7 @@ void Recorder::one(const Perceived& perceived) {
         {"kind", "act"}, {"act", perceived.act}, {"program", act.program}, {"status", name_of(act.status)}};
     next_.measured = true;
     next_.cause = act.latest;
-    latest_input_ = write(log::Input{std::nullopt, event, perceived.symbol});
+    latest_input_ = write(log::Input{std::nullopt, event, perceived.symbol, std::nullopt});
     next_.cause = latest_input_;
   }
   input_record_[perceived.serial] = latest_input_;

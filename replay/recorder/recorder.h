@@ -81,6 +81,7 @@ class Recorder {
   InputRecords input_record_;
   std::vector<AvatarMove> moves_;
   int latest_input_ = 0;
+  std::optional<std::int64_t> interim_;  ///< record of the latest words that were not final, until others came
   std::map<int, RecordedAct> acts_;
   std::map<int, ActStep> steps_;  ///< by command
   std::optional<RestSpan> lasting_rest_;

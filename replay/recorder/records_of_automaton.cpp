@@ -18,9 +18,12 @@ std::optional<std::int64_t> alternative_of(std::size_t alternative, std::size_t 
 std::vector<log::Refused> refusals_of(const std::vector<Refused>& refused, std::size_t alternatives,
                                       const Machine& machine) {
   std::vector<log::Refused> records;
-  for (const auto& each : refused)
-    records.push_back(
-        {machine.transitions[each.transition].id, each.reason, alternative_of(each.alternative, alternatives)});
+  for (const auto& each : refused) {
+    log::Refused record{machine.transitions[each.transition].id, each.reason,
+                        alternative_of(each.alternative, alternatives), std::nullopt};
+    if (each.outranked_by) record.outranked_by = machine.transitions[*each.outranked_by].id;
+    records.push_back(std::move(record));
+  }
   return records;
 }
 

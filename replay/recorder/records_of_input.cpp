@@ -112,6 +112,17 @@ std::vector<log::Sense> entries_of(const std::vector<Reading>& parses) {
   return entries;
 }
 
+log::ShapeMatch record_of(const Recognition& found) {
+  constexpr std::array verdicts{"named", "recognised", "too far", "contested", "nothing known"};
+  log::ShapeMatch record;
+  record.verdict = verdicts[static_cast<std::size_t>(found.verdict)];
+  if (found.nearest) record.nearest = found.nearest->gesture, record.distance = found.nearest->distance;
+  if (found.rival) record.rival = found.rival->gesture, record.rival_distance = found.rival->distance;
+  record.of_other_length = static_cast<std::int64_t>(found.of_other_length);
+  record.reason = found.reason;
+  return record;
+}
+
 void add_words(const Move& move, log::Reading& record) {
   const auto& reading = move.readings[move.chosen];
   const auto& meaning = move.interpretation.meaning;
@@ -150,7 +161,9 @@ log::Percept record_of(const Attended& attended, const InputRecords& inputs) {
   record.waited_s = (attended.at - attended.happened).seconds();
   std::set<int> because = {attended.pieces.begin(), attended.pieces.end()};
   because.insert(attended.serial);
+  because.insert(attended.assured.begin(), attended.assured.end());
   if (!attended.pieces.empty()) record.joined = attended.text;
+  if (!attended.assured.empty()) record.assured = true;
   for (const auto& [words, pointing] : attended.bound) {
     record.bound.push_back({joined(words), record_of(pointing)});
     because.insert(pointing.serials.begin(), pointing.serials.end());
@@ -167,6 +180,7 @@ log::Reading record_of(const Understood& understood, const InputRecords& inputs)
   if (!move.readings.empty()) add_words(move, record);
   record.referents = referents_of(move);
   if (record.referents && move.readings.empty()) add_reference(move.reference, record);
+  if (move.shape) record.shape = record_of(*move.shape);
   if (!move.unknown.empty()) record.unknown = move.unknown;
   if (!move.unused.empty()) record.unused = move.unused;
   if (!move.repaired.empty()) record.repaired = move.repaired;

@@ -12,10 +12,13 @@
 #include "continua/knowledge_files/data_paths.h"
 #include "continua/knowledge_files/language_loading.h"
 #include "continua/machine_file/machine_parameters.h"
+#include "continua/machine_file/machine_weights.h"
 #include "continua/replay/session/learned_file.h"
+#include "continua/replay/session/outside_choice.h"
 #include "continua/replay/session/scene_voxemes.h"
 #include "continua/replay/session/session_loop.h"
 #include "continua/replay/session/session_parts.h"
+#include "continua/simulation/feasibility.h"
 #include "continua/simulation/physics_body.h"
 
 namespace continua {
@@ -103,10 +106,24 @@ Result<EngineParts> load_parts(const Trace& trace, const ReplayOptions& options)
       load_machine(*path, *data, language_name, options.language.empty() ? header_line(trace) : "--language");
   if (!machine) return machine.error();
   if (const auto problem = set_parameters_of(trace, options, *machine)) return *problem;
+  if (options.own_weights) {
+    if (const auto problem = set_weights(*machine, *options.own_weights)) return *problem;
+  } else if (!options.weights.empty()) {
+    const auto weights = read_weights(options.weights, *machine);
+    if (!weights) return weights.error();
+    if (const auto problem = set_weights(*machine, *weights)) return *problem;
+  }
   const bool own_perspective = !machine->perspective.empty();
   auto parts = load_engine_parts(*std::move(machine), *data);
   if (!parts) return parts.error();
   parts->choice = options.choice.value_or(parts->choice);
+  if (!options.outside.empty()) {
+    auto outside = open_outside_choice(options.outside, parts->machine);
+    if (!outside) return outside.error();
+    parts->outside = std::move(outside->policy);
+    parts->choice_told = std::move(outside->told);
+    if (parts->choice == Choice::explore) parts->choice = Choice::likeliest;
+  }
   parts->seed = options.seed.value_or(trace.header.seed);
   if (!own_perspective) parts->perspective = trace.header.perspective;
   auto forced = forced_of(options.forced, parts->choice, *parts->machine);
@@ -215,7 +232,12 @@ std::optional<Variant> parse_variant(std::string_view name) {
 }
 
 Result<std::unique_ptr<Body>> body_of(const Scene& scene, bool physics) {
-  if (!physics) return std::unique_ptr<Body>(std::make_unique<KinematicBody>(scene.initial_snapshot()));
+  if (!physics) {
+    auto ability = arm_ability(scene);
+    if (!ability) return ability.error();
+    return std::unique_ptr<Body>(
+        std::make_unique<KinematicBody>(scene.initial_snapshot(), Occupied::avoided, *std::move(ability)));
+  }
   auto body = PhysicsBody::create(scene);
   if (!body) return body.error();
   return std::unique_ptr<Body>(std::move(*body));
@@ -266,6 +288,7 @@ const Trace& Session::trace() const { return loaded_->trace; }
 const ReplayOptions& Session::options() const { return loaded_->options; }
 const GestureCatalogue* Session::gestures() const { return loaded_->parts.language->gestures.get(); }
 Blanks Session::blanks() const { return blanks_of(loaded_->scene.initial_snapshot()); }
+const EngineParts& Session::parts() const { return loaded_->parts; }
 const Machine& Session::machine() const { return *loaded_->parts.machine; }
 
 ReplaySummary Session::run(std::ostream& log) {

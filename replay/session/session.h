@@ -28,13 +28,25 @@ std::string name_of(Variant variant);
 /// Nothing for another name.
 std::optional<Variant> parse_variant(std::string_view name);
 
+struct EngineParts;
+struct EngineState;
+struct MachineWeights;
+class Pipeline;
+
+/// Looks at an input of the human before it is received, and returns the transitions to force at the steps to come.
+using BeforeInput = std::function<std::map<int, std::size_t>(const Pipeline&, const EngineState&, const InputEvent&,
+                                                             const WorldSnapshot&, std::size_t line)>;
+
 struct ReplayOptions {
   std::optional<std::uint64_t> seed;  ///< else the trace's
   std::optional<Choice> choice;       ///< else the machine's
-  std::string scene, machine;         ///< names or paths; empty: the trace's
-  std::string language;               ///< of speech and phrases, a name; empty: the trace's, else the machine's
-  std::string knowledge;              ///< folder; empty: the program's own
-  std::string learned;                ///< file of the lessons of earlier runs; empty: none
+  std::string outside;                ///< a policy from outside in its place (outside_choice.h); empty: none
+  std::string weights;                ///< file of weights in place of the machine's (machine_weights.h); empty: none
+  std::shared_ptr<const MachineWeights> own_weights;  ///< in place of a file of them; null: none
+  std::string scene, machine;                         ///< names or paths; empty: the trace's
+  std::string language;   ///< of speech and phrases, a name; empty: the trace's, else the machine's
+  std::string knowledge;  ///< folder; empty: the program's own
+  std::string learned;    ///< file of the lessons of earlier runs; empty: none
   /// What if: seed, choice, machine, language, knowledge, forced and `with` count from this instant of the run on,
   /// seconds; until then it is the trace's own run. The configuration goes over by names.
   std::optional<double> from;
@@ -46,6 +58,7 @@ struct ReplayOptions {
   bool physics = true;                        ///< else the kinematic world
   Variant variant = Variant::free;            ///< others than free need the kinematic world
   bool live = false;                          ///< the trace is still being written: its digest is not known
+  BeforeInput before_input;                   ///< empty: nothing is done
   std::function<void(double done)> progress;  ///< called now and then with the part of the trace that is done
 };
 
@@ -88,6 +101,7 @@ class Session {
   /// The trace; where ReplayOptions::with is given, with its events from then on.
   const Trace& trace() const;
   const Machine& machine() const;
+  const EngineParts& parts() const;
   /// The names of the scene's objects and attributes.
   Blanks blanks() const;
   /// The gestures whose meanings the machine knows; null: it knows gestures by their names.

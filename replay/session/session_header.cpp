@@ -49,7 +49,7 @@ log::Run header_of(const LoadedSession& loaded, const EngineParts& parts) {
   header.trace.name = std::filesystem::path(loaded.trace.name).filename().string();
   if (!loaded.options.live && !loaded.trace.digest.empty()) header.trace.digest.emplace(loaded.trace.digest);
   header.seed = parts.seed;
-  header.choice = name_of(parts.choice);
+  header.choice = parts.outside ? parts.choice_told : name_of(parts.choice);
   for (const auto& [step, transition] : parts.forced)
     header.forced.emplace_back(std::to_string(step), parts.machine->transitions[transition].id);
   if (parts.choice == Choice::explore) header.most_branches.emplace(loaded.most_branches());

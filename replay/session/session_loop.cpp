@@ -33,6 +33,8 @@ const std::string& SessionLoop::state() const {
 }
 
 void SessionLoop::begin(const std::vector<Note>& notes) {
+  if (loaded_.parts.outside) loaded_.parts.outside->begin();
+  if (loaded_.what_if && loaded_.what_if->parts.outside) loaded_.what_if->parts.outside->begin();
   log_.write(loaded_.header, SimTime{});
   record(conversation_.open(loaded_.learned));
   run({});
@@ -64,6 +66,7 @@ bool SessionLoop::ready() {
   const bool other_seed = parts.seed != conversation_.parts().seed;
   const auto problem = conversation_.go_on_with(parts, [&](EngineState& state) {
     state.chooser.policy = parts.choice;
+    state.chooser.outside = parts.outside;
     state.chooser.forced = parts.forced;
     if (other_seed) state.chooser.random = Random(parts.seed);
   });
@@ -94,17 +97,26 @@ Situation SessionLoop::situation() const {
 
 void SessionLoop::take(const TraceEvent& event, const InputEvent& input) {
   if (!ready()) return;
-  const bool sample = input.modality == Modality::pointing;
+  const bool sample = input.modality == Modality::pointing || input.modality == Modality::gaze;
   if (following_ && (following_->at_once() || !sample)) {
     follow_observed();
     following_->begin(conversation_.state(), input);
   }
+  if (loaded_.options.before_input) prepare(event, input);
   ++summary_.inputs;
   const int n = recorder_.input(event, symbol_of(input));
   episodes_.begin({now(), n, event.line, symbol_of(input), sample, {}, {}, {}});
   open_ = true;
   record(conversation_.receive(input));
   run({});
+}
+
+void SessionLoop::prepare(const TraceEvent& event, const InputEvent& input) {
+  record(conversation_.change([&](const Pipeline& pipeline, const EngineState& state, const WorldSnapshot& world) {
+    Tick tick{state, {}};
+    tick.after.chooser.forced = loaded_.options.before_input(pipeline, state, input, world, event.line);
+    return tick;
+  }));
 }
 
 void SessionLoop::take(const TraceEvent& event, const Observed& observed) {
@@ -143,7 +155,17 @@ void SessionLoop::check_expectations() {
   }
 }
 
+// A policy from outside may be unable to go on. The run ends there.
+void SessionLoop::heed_outside() {
+  const auto& outside = conversation_.state().chooser.outside;
+  if (auto trouble = outside ? outside->trouble() : std::nullopt; trouble && !over_) {
+    summary_.stopped = std::move(trouble);
+    over_ = true;
+  }
+}
+
 void SessionLoop::record(const Thought& thought) {
+  heed_outside();
   recorder_.engine(thought.events, thought.t);
   for (auto& move : recorder_.take_moves()) episodes_.produced(std::move(move), thought.t);
   for (const auto& event : thought.events) {

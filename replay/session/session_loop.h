@@ -53,12 +53,14 @@ class SessionLoop {
   Situation situation() const;
   void look_on();
   void take(const TraceEvent& event, const InputEvent& input);
+  void prepare(const TraceEvent& event, const InputEvent& input);
   void take(const TraceEvent& event, const Observed& observed);
   void take(const TraceEvent& event, const Expectation& expectation);
   /// Events that only the log takes, if they become a record at all.
   template <class What>
   void take(const TraceEvent& event, const What& what);
   void follow_observed();
+  void heed_outside();
   void check_expectations();
   void run(std::optional<SimTime> t);
   void record(const Thought& thought);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 
 namespace continua {
 namespace {
@@ -61,6 +62,14 @@ std::string TraceFields::choice(const char* name, const std::vector<std::string>
   return {};
 }
 
+bool TraceFields::truth(const char* name, bool otherwise) const {
+  const Json* value = find(name);
+  if (!value) return otherwise;
+  if (value->is_boolean()) return value->get<bool>();
+  wrong(name, "true or false");
+  return otherwise;
+}
+
 std::optional<double> TraceFields::number(const char* name, double least, double most) const {
   const Json* value = find(name);
   if (!value) return std::nullopt;
@@ -88,6 +97,17 @@ std::optional<Vec3> TraceFields::vector(const char* name, int size, double most)
     return std::nullopt;
   }
   return Vec3((*value)[0].get<double>(), (*value)[1].get<double>(), size == 2 ? 0 : (*value)[2].get<double>());
+}
+
+std::vector<double> TraceFields::numbers(const char* name) const {
+  const Json* value = find(name);
+  if (!value) return {};
+  const bool right = value->is_array() && !value->empty() &&
+                     std::all_of(value->begin(), value->end(),
+                                 [](const Json& one) { return one.is_number() && std::isfinite(one.get<double>()); });
+  if (right) return value->get<std::vector<double>>();
+  wrong(name, "an array of one number or more, each finite");
+  return {};
 }
 
 const Json* TraceFields::array_of_objects(const char* name) const {

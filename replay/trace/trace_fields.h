@@ -29,8 +29,11 @@ class TraceFields {
   std::string text(const char* name) const;
   /// A text that is one of `choices`, or empty.
   std::string choice(const char* name, const std::vector<std::string>& choices) const;
+  bool truth(const char* name, bool otherwise) const;
   std::optional<double> number(const char* name, double least, double most) const;
   std::optional<std::uint64_t> whole_number(const char* name, std::uint64_t most) const;
+  /// An array of one finite number or more.
+  std::vector<double> numbers(const char* name) const;
   /// An array of `size` numbers between `-most` and `most`; of a 2-vector z is 0.
   std::optional<Vec3> vector(const char* name, int size, double most) const;
   /// The objects of an array; `each` is called with fields and JSON of every one.

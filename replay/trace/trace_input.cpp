@@ -35,7 +35,6 @@ void read_alternatives(const TraceFields& fields, InputEvent& event) {
 // The content of an input: its own, or the surest entry of its n-best list. That entry leaves the list, so that each
 // counts once; the input is as sure as the entry unless it says so itself.
 std::string best_of(const TraceFields& fields, const char* name, InputEvent& event) {
-  fields.need({name, "alternatives"});
   auto& others = event.alternatives;
   const auto own = fields.has(name) ? std::optional(fields.text(name)) : std::nullopt;
   const auto best =
@@ -60,7 +59,8 @@ void put_text(Json& json, const char* name, const std::string& text) {
 
 void put_input(Json& json, const InputEvent& event) {
   if (event.modality == Modality::speech) json["text"] = event.text;
-  if (event.modality == Modality::gesture) json["name"] = event.name;
+  if (!event.final) json["final"] = false;
+  if (event.modality == Modality::gesture && !event.name.empty()) json["name"] = event.name;
   put_text(json, "hand", event.hand);
   put_text(json, "direction", event.direction);
   put_text(json, "phase", event.phase);
@@ -71,6 +71,7 @@ void put_input(Json& json, const InputEvent& event) {
   }
   if (event.until) json["until"] = event.until->seconds();
   if (event.confidence != 1) json["confidence"] = event.confidence;
+  if (!event.features.empty()) json["features"] = event.features.numbers();
   for (const auto& word : event.words) {
     Json entry;
     entry["text"] = word.text;
@@ -93,7 +94,9 @@ InputEvent read_speech(const TraceFields& fields, SimTime t) {
   event.modality = Modality::speech;
   read_signal(fields, event);
   read_alternatives(fields, event);
+  fields.need({"text", "alternatives"});
   event.text = best_of(fields, "text", event);
+  event.final = fields.truth("final", true);
   fields.for_each("words", [&](const TraceFields& word) {
     word.need({"text"});
     word.need({"t"});
@@ -109,7 +112,9 @@ InputEvent read_gesture(const TraceFields& fields, SimTime t) {
   event.modality = Modality::gesture;
   read_signal(fields, event);
   read_alternatives(fields, event);
+  fields.need({"name", "alternatives", "features"});
   event.name = best_of(fields, "name", event);
+  event.features = Shape(fields.numbers("features"));
   event.hand = read_hand(fields);
   event.direction = fields.text("direction");
   event.phase = fields.choice("phase", {"start", "stop", "stroke"});
@@ -117,18 +122,16 @@ InputEvent read_gesture(const TraceFields& fields, SimTime t) {
   return event;
 }
 
-InputEvent read_pointing(const TraceFields& fields, SimTime t) {
-  InputEvent event;
-  event.t = t;
-  event.modality = Modality::pointing;
-  read_signal(fields, event);
-  event.hand = read_hand(fields);
+namespace {
+
+// The place that a hand or the eyes are directed at.
+void read_direction(const TraceFields& fields, InputEvent& event) {
   fields.need({"target", "ray"});
   event.target_W = fields.vector("target", 2, trace_coordinate_limit_m);
   if (const Json* ray = fields.find("ray")) {
     if (!ray->is_object()) {
       fields.wrong("ray", "an object with 'from' and 'direction'");
-      return event;
+      return;
     }
     fields.within("ray", [&](const TraceFields& parts) {
       parts.need({"from"});
@@ -139,6 +142,26 @@ InputEvent read_pointing(const TraceFields& fields, SimTime t) {
       if (from && direction) event.ray = Ray{*from, *direction};
     });
   }
+}
+
+}  // namespace
+
+InputEvent read_pointing(const TraceFields& fields, SimTime t) {
+  InputEvent event;
+  event.t = t;
+  event.modality = Modality::pointing;
+  read_signal(fields, event);
+  event.hand = read_hand(fields);
+  read_direction(fields, event);
+  return event;
+}
+
+InputEvent read_gaze(const TraceFields& fields, SimTime t) {
+  InputEvent event;
+  event.t = t;
+  event.modality = Modality::gaze;
+  read_signal(fields, event);
+  read_direction(fields, event);
   return event;
 }
 

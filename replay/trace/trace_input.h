@@ -10,6 +10,7 @@ namespace continua {
 InputEvent read_speech(const TraceFields& fields, SimTime t);
 InputEvent read_gesture(const TraceFields& fields, SimTime t);
 InputEvent read_pointing(const TraceFields& fields, SimTime t);
+InputEvent read_gaze(const TraceFields& fields, SimTime t);
 
 /// Adds the fields of an event that is an input.
 void put_input_event(Json& json, const TraceEvent& event);

@@ -232,3 +232,51 @@ TEST_CASE("capabilities and statuses have the names of the log") {
   CHECK(name_of(Status::unreachable) == "unreachable");
   CHECK(name_of(Status::stopped) == "stopped");
 }
+
+TEST_CASE("nothing is put beside the table or pushed off it") {
+  KinematicBody body(three_blocks());
+  const auto put_at = [&](const std::string& object, double x, double y) {
+    AvatarCommand put = command(Capability::put, object);
+    put.goal.p_WG = {x, y, 0};
+    return words_of(act(body, put).reason);
+  };
+  CHECK(put_at("c", 0.51, 0) == "c would fall off the table");
+  CHECK(put_at("c", 3, 2) == "c would fall off the table");
+  CHECK(place(body, "c").isApprox(Vec3(0.2, 0.01, 0.09)));
+  CHECK(put_at("c", 0.48, 0).empty());
+  // Both find room at the edge.
+  CHECK(put_at("a", 0.45, 0.01).empty());
+  CHECK(place(body, "a").isApprox(Vec3(0.435, 0.01, 0.03)));
+  CHECK(place(body, "c").isApprox(Vec3(0.495, 0, 0.03)));
+}
+
+namespace {
+
+// An arm that gets no farther than to x = 0.1.
+class ShortArm : public Ability {
+ public:
+  std::optional<Reason> hindrance(const AvatarCommand& command, const WorldSnapshot& world) const override {
+    if (world.find(command.object)->p_WO.x() > 0.1) return Reason{ReasonCode::out_of_reach, {command.object}};
+    if (!command.goal.relation && command.goal.p_WG.x() > 0.1) return Reason{ReasonCode::place_out_of_reach};
+    return std::nullopt;
+  }
+  bool reaches(const Vec3& p_W) const override { return p_W.x() <= 0.1; }
+};
+
+}  // namespace
+
+TEST_CASE("the arm's ability decides, and what it cannot do changes nothing") {
+  KinematicBody body(three_blocks(), Occupied::avoided, std::make_shared<ShortArm>());
+  act(body, command(Capability::grasp, "a"));
+  const ActReport far = act(body, command(Capability::grasp, "b"));
+  CHECK(far.status == Status::unreachable);
+  CHECK(words_of(far.reason) == "b is out of my reach");
+  CHECK(body.snapshot().held == "a");
+  AvatarCommand grasp = command(Capability::grasp, "a");
+  grasp.next = Goal{{}, {}, Perspective::avatar, Vec3(0.3, 0, 0)};
+  act(body, command(Capability::ungrasp, ""));
+  CHECK(words_of(act(body, grasp).reason) == "that place is out of my reach");
+  CHECK(body.snapshot().held.empty());
+  grasp.next->p_WG.x() = -0.3;
+  CHECK(act(body, grasp).status == Status::done);
+}

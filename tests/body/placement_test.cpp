@@ -116,7 +116,7 @@ TEST_CASE("where things are put") {
       {"slide cup behind cup", "0.12 0.13 0.05"},
       // points, occupied or not
       {"put cup to 0 -0.2", "0 -0.2 0.05"},
-      {"put cup to 0.499 0.1", "0.499 0.1 0.05"},
+      {"put cup to 0.49 0.1", "0.49 0.1 0.05"},
       {"put cup to -0.2 0", "-0.2 0 0.05"},
       // refused
       {"put block in cup", "block does not fit into cup"},

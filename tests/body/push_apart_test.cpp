@@ -80,3 +80,10 @@ TEST_CASE("what is in a hollow goes along with it") {
   CHECK(place(apart, "cup").x() == Approx(-0.01));
   CHECK(place(apart, "spoon").x() == Approx(-0.01));
 }
+
+TEST_CASE("a thing that is put down firmly stays, and the others give way") {
+  const auto apart =
+      pushed_apart(world_of({block("a", {0, 0, 0.03}), block("b", {0.04, 0.01, 0.03})}), "b", GivesWay::others);
+  CHECK(apart.objects[1].p_WO.isApprox(Vec3(0.04, 0.01, 0.03)));
+  CHECK(apart.objects[0].p_WO.x() == Approx(-0.02));
+}

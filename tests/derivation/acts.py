@@ -5,9 +5,6 @@ import terms
 from evaluate import Unknown
 from machine import flat_effects
 
-# Terms of the machine `interaction` that undo or put back what was done; FORMAT.md and the machine document them.
-PUT_BACK = ("put_back", "undoing", "put(spoken_of, was(spoken_of))")
-
 
 def instance(pattern, term, bound):
     """Whether the term is the pattern with something for its variables. A fact of the world stands for any value."""
@@ -56,17 +53,15 @@ class Acts:
         program = terms.read(record["program"])
         effect = self.effect_that_asks(record, program)
         way = (self.by_application(record, program) or self.by_fact(record, program)
-               or self.by_instance(record, program) or self.by_word(record, program))
-        if way is None and (effect in PUT_BACK or effect is None and self.puts_back(record, program)):
-            way = "put back or undone"
+               or self.by_list(record, program) or self.by_instance(record, program)
+               or self.by_name(record, program))
         if way is None:
             own = f"the value of the effect {{act: {effect}}}" if effect else "no known effect has this value"
             words = sorted(self.lexicon_words(record))
             if words:
                 own += f", perhaps computed by {', '.join(words)} of the lexicon"
-            text = f"{record['program']}, {own}, after {self.said(record)}"
-            self.log.tally.underived.append((self.log.place(record), text))
-            way = "without derivation" + ("" if effect is None else ", but the value of an effect")
+            self.log.disagree(record, f"no application leads to {record['program']}, {own}, after {self.said(record)}")
+            way = "without derivation"
         self.log.count("acts, " + way)
 
     def said(self, record):
@@ -85,14 +80,6 @@ class Acts:
         root = self.log.readings.input_of(record)
         if root is not None and root not in record["because"]:
             self.log.disagree(record, f"`because` lacks the input {root}, to which the causes lead")
-
-    def puts_back(self, record, program):
-        """An effect of unknown value that may put something back, and an act that puts a thing where it was."""
-        thing = evaluate.argument_of(program, 0)
-        wanted = [terms.apply(("name", "put"), [thing, ("app", ("name", where), (thing,))])
-                  for where in ("was", "originally")]
-        effects = self.effects_of(self.log.records[record["cause"]])
-        return program in wanted and any(text in PUT_BACK for text in effects)
 
     def lexicon_words(self, record):
         """Words in applications of the same inputs that may compute."""
@@ -156,10 +143,21 @@ class Acts:
                 return "results of an application in which facts of the world were filled in"
         return None
 
-    def by_word(self, record, program):
+    def by_list(self, record, program):
+        """One of several acts that an application made together: of a taught word, or of one sentence."""
         for result, because in self.applications:
-            if because <= set(record["because"]) and any(stacks.near(program, each) for each in self.acts_of(result)):
-                return "acts of a taught word that was applied"
+            if because <= set(record["because"]) and result[0] == "list" and any(
+                    stacks.near(program, each) for each in self.acts_of(result)):
+                return "elements of the result of an application"
+        return None
+
+    def by_name(self, record, program):
+        """A name that is applied to nothing, of the machine or taught, and what that name was taught to stand for."""
+        if program[0] == "name" and program[1] in self.log.machine.programs:
+            return "names that are applied to nothing"
+        for taught in self.words.values():
+            if taught[0] == "list" and any(stacks.near(program, each) for each in self.acts_of(taught)):
+                return "what a taught name stands for"
         return None
 
     def by_instance(self, record, program):

@@ -40,7 +40,7 @@ def of_event(event, symbol, reading):
     if event["kind"] == "speech":
         said["said"] = ("text", reading["words"]) if reading and "words" in reading else ("opaque", "said (words)")
     elif event["kind"] == "gesture":
-        said["gesture"] = ("text", event["name"])
+        said["gesture"] = ("text", event["name"]) if "name" in event else ("opaque", "gesture (of an n-best list)")
     elif event["kind"] == "act":
         said["act"] = terms.read(event["program"])
     if "ray" in event or "alternatives" in event and event["kind"] == "gesture":

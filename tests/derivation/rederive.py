@@ -4,7 +4,7 @@
   tests/derivation/rederive.py PROGRAM FILE…
 
 A FILE is a run log, or a trace, which PROGRAM replays first without physics. Prints counts, every disagreement with
-file and line, and the acts that no application leads to. Ends with status 1 if there is a disagreement. README.md tells
+file and line. An act to which no application leads is one. Ends with status 1 if there is a disagreement. README.md tells
 what is covered.
 """
 import collections
@@ -33,13 +33,11 @@ class Tally:
 
     def __init__(self):
         self.counts, self.skipped = collections.Counter(), collections.Counter()
-        self.disagreements, self.underived = [], []
+        self.disagreements = []
 
     def report(self):
         for place, text in self.disagreements:
             print(f"{place}: {text}")
-        for place, text in self.underived:
-            print(f"{place}: without derivation: {text}")
         for name, count in sorted(self.counts.items()):
             print(f"{name}: {count}")
         for reason, count in self.skipped.most_common():
@@ -64,7 +62,7 @@ class Log:
         self.readings = moments.Readings(records)
         self.name_types, self.moment, self.offers = self.types_told(), {}, {}
         self.left, self.latest, self.named = None, None, {0}
-        self.before_step, self.after_rewrite, self.pointing = None, False, False
+        self.before_step, self.after_rewrite, self.pointing, self.gaze = None, False, False, False
         self.acts = Acts(self)
 
     def types_told(self):
@@ -236,6 +234,7 @@ class Log:
 
     def on_input(self, record):
         event = record["event"]
+        self.gaze = self.gaze or event["kind"] == "gaze"
         self.pointing = self.pointing or event["kind"] == "pointing" or "target" in event or "ray" in event
 
     def on_belief(self, record):
@@ -255,15 +254,26 @@ class Log:
             record = self.records[record["cause"]] if "cause" in record else None
         return reading, record
 
+    def was_assured(self, record):
+        """Whether the input was asked about and is now as sure as one can be."""
+        while record is not None and record["kind"] != "input":
+            if record.get("assured"):
+                return True
+            record = self.records[record["cause"]] if "cause" in record else None
+        return False
+
     def moment_of(self, record, reading, event, symbol):
         said = moments.of_event(event, symbol, reading)
         said.update(moments.of_reading(reading or {"move": None}))
         if reading is None:
             del said["move"]
         said["now"], said["in_state"] = ("num", record["t"]), ("text", self.state)
-        said["confidence"] = ("num", moments.confidence_of(event, reading))
+        sure = self.was_assured(record)
+        said["confidence"] = ("num", 1.0 if sure else moments.confidence_of(event, reading))
         said["input"] = ("text", symbol) if symbol else NULL
         self.add_neighbours(said, reading)
+        if not self.gaze:
+            said["looked_at"] = moments.names([])
         if not self.pointing:
             said["pointed"] = moments.NO_POINTING
         elif symbol == "gesture δ" and event.get("target"):
@@ -397,27 +407,38 @@ class Log:
         if sorted(logged["candidates"] + logged["refused"]) != sorted(own):
             self.disagree(record, f"the log has the transitions {logged}, those of state and input are {own}")
         evaluation = self.evaluation(moment)
-        whole = True
-        for transition in fitting:
-            whole &= self.compare_condition(record, transition, logged, evaluation)
-        self.count("candidate lists of which every condition was checked" if whole else
-                   "candidate lists checked in part")
+        holding = [(each, self.holds(each, evaluation)) for each in fitting]
+        self.count("candidate lists of which every condition was checked" if all(holds is not None for _, holds in holding)
+                   else "candidate lists checked in part")
+        self.compare_conditions(record, logged, holding)
 
-    def compare_condition(self, record, transition, logged, evaluation):
+    def holds(self, transition, evaluation):
+        """Whether its condition holds, by our own evaluation; None if that is not known."""
         text = transition.get("when")
         if text is None:
-            holds = True
-        else:
-            try:
-                holds = evaluate.truth(evaluation.known(self.known(text, {}, evaluation)))
-            except Unknown as why:
-                self.skip("conditions", why)
-                return False
-        self.count("conditions" if text is not None else "transitions without a condition")
-        if holds != (transition["id"] in logged["candidates"]):
-            self.disagree(record, f"the condition of '{transition['id']}', {text}, "
-                                  f"{'holds' if holds else 'does not hold'}; the log has the opposite")
-        return True
+            self.count("transitions without a condition")
+            return True
+        try:
+            holds = evaluate.truth(evaluation.known(self.known(text, {}, evaluation)))
+        except Unknown as why:
+            self.skip("conditions", why)
+            return None
+        self.count("conditions")
+        return holds
+
+    def compare_conditions(self, record, logged, holding):
+        """The candidates are those of the highest rank among the transitions whose conditions hold."""
+        rank = {each["id"]: each.get("rank", 0) for each, _ in holding}
+        highest = max([rank[each["id"]] for each, holds in holding if holds] +
+                      [rank[each] for each in logged["candidates"]], default=0)
+        for transition, holds in holding:
+            name = transition["id"]
+            is_candidate = name in logged["candidates"]
+            if is_candidate and rank[name] != highest:
+                self.disagree(record, f"'{name}' is of rank {rank[name]}, but another candidate is of rank {highest}")
+            elif holds is not None and (holds and rank[name] == highest) != is_candidate:
+                self.disagree(record, f"the condition of '{name}', {transition.get('when')}, "
+                                      f"{'holds' if holds else 'does not hold'}; the log has the opposite")
 
     def compare_choice(self, record):
         """The weights, and which of the candidates was taken."""
@@ -429,6 +450,8 @@ class Log:
             self.count("weights")
             if abs(expected - each["weight"]) > 1e-9:
                 self.disagree(record, f"the weight of '{each['id']}' is {expected}, the log has {each['weight']}")
+        if not weights:
+            self.disagree(record, f"'{record['id']}' was taken without a candidate")
         if record["forced"] or self.choice == "explore" or not weights:
             return
         taken = (record["id"], record.get("alternative"))

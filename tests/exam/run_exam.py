@@ -4,7 +4,9 @@
   tests/exam/run_exam.py build/continua tests/exam/EXAM.jsonl [--all]
 
 An exam has a JSON object a line: {"id", "scene", "say": [turns], "expect"}. A turn is a text, or a list of parts in the
-order of their times: texts, {"point": [x, y]} and {"gesture": NAME, "direction": …}. `expect` is "nothing", or an object
+order of their times: texts, {"point": [x, y]}, {"gesture": NAME, "direction": …} and {"event": {…}}, an event of a trace
+without its time. Parts follow each other by 0.6 s; one with "at" comes so many seconds after its turn's beginning, and a
+text with a time is {"say": TEXT, "at": …}. An item may have a "machine" and a "perspective". `expect` is "nothing", or an object
 with any of `acts` ("put knife on plate", in order; a list where one of several will do; the end may be left out: "put
 knife"), `acts_any_order`, `no_act`, `asks` (the last answer is a question), `says` (one of these texts is in the
 answer to the last turn) and `one_of` (a list of expectations, one of which will do). Prints each line that went otherwise, and the share of right ones by the letters of their ids.
@@ -26,8 +28,12 @@ SECONDS_BETWEEN_TURNS, SECONDS_BETWEEN_PARTS = 15, 0.6
 def events_of(part):
     if isinstance(part, str):
         yield {"kind": "speech", "text": part}
+    elif "say" in part:
+        yield {"kind": "speech", "text": part["say"]}
+    elif "event" in part:
+        yield part["event"]
     elif "point" in part:
-        target = {"hand": "right", "target": part["point"]}
+        target = {"hand": part.get("hand", "right"), "target": part["point"]}
         yield {"kind": "gesture", "name": "point", "phase": "start", **target}
         yield {"kind": "pointing", **target}
     else:
@@ -35,14 +41,20 @@ def events_of(part):
         yield {"kind": "gesture", "name": part["gesture"], "phase": "start", **direction}
 
 
+def timed_events(item):
+    for i, turn in enumerate(item["say"]):
+        for k, part in enumerate(turn if isinstance(turn, list) else [turn]):
+            seconds = part["at"] if isinstance(part, dict) and "at" in part else SECONDS_BETWEEN_PARTS * k
+            for event in events_of(part):
+                yield {"t": round(1 + SECONDS_BETWEEN_TURNS * i + seconds, 3), **event}
+
+
 def write_trace(item, path):
+    header = {"kind": "trace", "version": 1, "scene": item["scene"], "machine": item.get("machine", "interaction")}
+    header.update({key: item[key] for key in ("perspective",) if key in item})
     with open(path, "w", encoding="utf-8") as trace:
-        print(json.dumps({"kind": "trace", "version": 1, "scene": item["scene"], "machine": "interaction"}), file=trace)
-        for i, turn in enumerate(item["say"]):
-            for k, part in enumerate(turn if isinstance(turn, list) else [turn]):
-                t = round(1 + SECONDS_BETWEEN_TURNS * i + SECONDS_BETWEEN_PARTS * k, 3)
-                for event in events_of(part):
-                    print(json.dumps({"t": t, **event}), file=trace)
+        for line in [header, *sorted(timed_events(item), key=lambda event: event["t"])]:
+            print(json.dumps(line), file=trace)
 
 
 SIDES = {"left": "left", "right": "right", "in_front": "front", "behind": "back"}
@@ -66,7 +78,7 @@ def direction_to(point, position):
 
 def acts_in_words(program, positions):
     """The ways to tell an act: put(knife, on(plate)) as "put knife on plate"; a point or a region as "at", or by the
-    direction in which the thing goes; a side of the thing itself or of someone as that side: push(cup, behind(cup)) as
+    direction in which the thing goes; a side of the thing itself or of someone also as that side: push(cup, behind(cup)) as
     "push cup back"."""
     words = re.findall(r"-?[\w.]+|<", program)
     said = [VERBS.get(words[0], words[0]), *words[1:2]]
@@ -77,7 +89,7 @@ def acts_in_words(program, positions):
             ways.append(direction_to((float(place[1]), float(place[2])), positions[words[1]]))
         return [" ".join([*said, way]) for way in ways]
     if place[0:1] and place[0] in SIDES and place[1] in (words[1], "human", "avatar"):
-        return [" ".join([*said, SIDES[place[0]]])]
+        return [" ".join([*said, SIDES[place[0]]]), " ".join([*said, *place])]
     if said[0] == "push" and place[0:1] == ["near"] and place[1] in SIDE_OF:
         return [" ".join([*said, SIDE_OF[place[1]]]), " ".join([*said, *place])]
     return [" ".join([*said, *place])]
@@ -152,32 +164,36 @@ def fault_of(expect, acts, answers):
     return ""
 
 
-def main():
-    program, exam = sys.argv[1:3]
+def read_exam(path):
+    with open(path, encoding="utf-8") as lines:
+        return [json.loads(line) for line in lines if line.strip()]
+
+
+def hold(program, items, physics=False, shows_right=False):
+    """Replays the items in one of the worlds and prints what went otherwise. Returns whether all went right."""
     right, count, utterances = collections.Counter(), collections.Counter(), collections.Counter()
-    with open(exam, encoding="utf-8") as lines:
-        items = [json.loads(line) for line in lines if line.strip()]
     with tempfile.TemporaryDirectory() as folder:
         traces = [os.path.join(folder, item["id"] + ".trace.jsonl") for item in items]
         for item, trace in zip(items, traces):
             write_trace(item, trace)
-        command = [program, "replay", *traces, "--no-physics", "-o", folder + "/"]
+        world = [] if physics else ["--no-physics"]
+        command = [program, "replay", *traces, *world, "-j", "2", "-o", folder + "/"]
         subprocess.run(command, capture_output=True, check=False)
         for item, trace in zip(items, traces):
             last_turn_s = 1 + SECONDS_BETWEEN_TURNS * (len(item["say"]) - 1)
             acts, said, answers = read_run(trace.replace(".trace.", ".run."), item["scene"], last_turn_s)
-            part = re.match(r"[a-z]+", item["id"]).group()
+            part = re.match(r"[a-z_]+", item["id"]).group()
             wrong = fault(item["expect"], acts, answers)
             utterances.update(said)
             count[part] += 1
             right[part] += not wrong
-            if wrong or "--all" in sys.argv:
+            if wrong or shows_right:
                 print(f"{item['id']}: {item['say']}\n  {wrong or 'right'}: did {[ways[0] for ways, _ in acts]}, said {answers}")
     for part in count:
         print(f"{part}: {right[part]} of {count[part]}, {100 * right[part] / count[part]:.0f} %")
     print(f"\"Okay.\" is {utterances['Okay.']} of {utterances.total()} utterances")
-    sys.exit(right != count)
+    return right == count
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(not hold(sys.argv[1], read_exam(sys.argv[2]), shows_right="--all" in sys.argv))

@@ -9,16 +9,16 @@ using namespace continua;
 
 namespace {
 
-// "that cup!, the plate": those that need pointing with an exclamation mark.
+// "that cup!, the plate, there@": things that need pointing with an exclamation mark, places with an @.
 std::string takers(const char* text) {
   const auto words = english_words();
   const auto utterance = read(text, words);
   std::string all;
   for (const auto& fragment : utterance.fragments)
-    for (const auto& [span, needs] : demonstratives(fragment.readings.front(), words.operators())) {
+    for (const auto& [span, needs, place] : demonstratives(fragment.readings.front(), words.operators())) {
       all += all.empty() ? "" : ", ";
       for (auto i = span.begin; i < span.end; ++i) all += (i > span.begin ? " " : "") + utterance.words[i];
-      all += needs ? "!" : "";
+      all += place ? "@" : needs ? "!" : "";
     }
   return all;
 }
@@ -26,8 +26,8 @@ std::string takers(const char* text) {
 }  // namespace
 
 TEST_CASE("demonstratives need pointing, definite noun phrases and nouns alone can use it") {
-  CHECK(takers("put it there") == "it, there!");
-  CHECK(takers("put that there") == "that!, there!");
+  CHECK(takers("put it there") == "it, there@");
+  CHECK(takers("put that there") == "that!, there@");
   CHECK(takers("put that on that") == "that!, that!");
   CHECK(takers("put the knife in the blue cup") == "the knife, the blue cup");
   CHECK(takers("cup") == "cup");

@@ -168,8 +168,16 @@ TEST_CASE("pointing alone means what is near") {
   CHECK(names_of(refer_to_pointed(talk.context)) == "red1 blue1");
   talk.context.pointed_W = Vec3(-0.33, 0.03, 0);
   CHECK(names_of(refer_to_pointed(talk.context)) == "plate");
+  talk.context.among = {"plate", "cup"};
+  CHECK(names_of(refer_to_pointed(talk.context)) == "plate");
+}
+
+TEST_CASE("pointing far from the options means what is near, not an option") {
+  SmallTalk talk;
+  set_table(talk);
+  talk.context.pointed_W = Vec3(-0.33, 0.03, 0);
   talk.context.among = {"cup"};
-  CHECK(names_of(refer_to_pointed(talk.context)).empty());
+  CHECK(names_of(refer_to_pointed(talk.context)) == "plate");
 }
 
 TEST_CASE("deep and endless conditions end") {

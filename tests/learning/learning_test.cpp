@@ -112,6 +112,16 @@ std::vector<Term> things_and_points(const std::vector<Term>& acts) {
   return distinct;
 }
 
+Result<std::vector<Term>> applied_to(const Program& program, const std::vector<Term>& arguments) {
+  std::vector<Application> made;
+  return applied(program, arguments, made);
+}
+
+Result<std::vector<Term>> acts_of(const Learned& learned, const Term& act) {
+  std::vector<Application> made;
+  return learned.acts_of(act, made);
+}
+
 }  // namespace
 
 TEST_CASE("acts become a program of what they were done to and of the points they name") {
@@ -146,10 +156,10 @@ TEST_CASE("acts become a program of what they were done to and of the points the
 TEST_CASE("a program does its acts with other things and places, and with no fewer, more or others") {
   const auto program = composed(terms("[grasp(cup), put(cup, <0.1, 0, 0>)]")).value();
   CHECK(program.type().text() == "e -> loc -> t");
-  CHECK(text_of(applied(program, each_of({"knife", "on(plate)"}))) == "grasp(knife); put(knife, on(plate))");
-  CHECK(text_of(applied(program, each_of({"knife"}))) == "found 1 arguments, expected 2");
-  CHECK(text_of(applied(program, each_of({"knife", "plate"}))) == "found plate, expected an argument of type loc");
-  CHECK(text_of(applied(program, each_of({"null", "<1, 0, 0>"}))) == "found null, expected an argument of type e");
+  CHECK(text_of(applied_to(program, each_of({"knife", "on(plate)"}))) == "grasp(knife); put(knife, on(plate))");
+  CHECK(text_of(applied_to(program, each_of({"knife"}))) == "found 1 arguments, expected 2");
+  CHECK(text_of(applied_to(program, each_of({"knife", "plate"}))) == "found plate, expected an argument of type loc");
+  CHECK(text_of(applied_to(program, each_of({"null", "<1, 0, 0>"}))) == "found null, expected an argument of type e");
 }
 
 TEST_CASE("laws of composed acts") {
@@ -157,7 +167,7 @@ TEST_CASE("laws of composed acts") {
     const auto acts = random_acts();
     const auto program = composed(acts);
     RC_PRE(program.ok());
-    const auto again = applied(*program, things_and_points(acts));
+    const auto again = applied_to(*program, things_and_points(acts));
     RC_ASSERT(text_of(again) == text_of(acts));
   });
   law("what is printed is read as it was", [] {
@@ -165,6 +175,7 @@ TEST_CASE("laws of composed acts") {
     learned.gestures.emplace("a claw", random_acts().front());
     const auto program = composed(random_acts());
     if (program) learned.programs.emplace("do \"it\"", *program);
+    if (program) learned.programs.emplace("put_taught", Program{program->acts, "put"});
     const auto text = print_learned(learned);
     const auto read = parse_learned(text, "l.json", names());
     RC_ASSERT(read.ok());
@@ -177,9 +188,9 @@ TEST_CASE("laws of composed acts") {
 TEST_CASE("programs may use programs, but not in a circle") {
   auto learned =
       learned_of({{"hoist", "\\x: e. [grasp(x), lift(x)]"}, {"fetch", "\\x: e. \\v: loc. [hoist(x), put(x, v)]"}});
-  CHECK(text_of(learned.acts_of(term_of("fetch(cup, on(plate))"))) == "grasp(cup); lift(cup); put(cup, on(plate))");
-  CHECK(text_of(learned.acts_of(term_of("grasp(cup)"))) == "grasp(cup)");
-  CHECK(text_of(learned.acts_of(term_of("fetch(cup)"))) == "found 1 arguments, expected 2 in fetch(cup)");
+  CHECK(text_of(acts_of(learned, term_of("fetch(cup, on(plate))"))) == "grasp(cup); lift(cup); put(cup, on(plate))");
+  CHECK(text_of(acts_of(learned, term_of("grasp(cup)"))) == "grasp(cup)");
+  CHECK(text_of(acts_of(learned, term_of("fetch(cup)"))) == "found 1 arguments, expected 2 in fetch(cup)");
   const auto before = learned;
   const auto circle = learned.learn_program("hoist", Program{term_of("\\x: e. [fetch(x, <1, 0, 0>)]")});
   REQUIRE(circle);
@@ -187,7 +198,21 @@ TEST_CASE("programs may use programs, but not in a circle") {
   CHECK(learned.learn_program("hoist", Program{term_of("\\x: e. [hoist(x)]")}));
   CHECK(learned == before);
   CHECK_FALSE(learned.learn_program("hoist", Program{term_of("\\x: e. [lift(x)]")}));
-  CHECK(text_of(learned.acts_of(term_of("hoist(cup)"))) == "lift(cup)");
+  CHECK(text_of(acts_of(learned, term_of("hoist(cup)"))) == "lift(cup)");
+}
+
+TEST_CASE("the applications of taught programs are told, the outer ones first") {
+  const auto learned =
+      learned_of({{"hoist", "\\x: e. [grasp(x), lift(x)]"}, {"fetch", "\\x: e. \\v: loc. [hoist(x), put(x, v)]"}});
+  std::vector<Application> made;
+  REQUIRE(learned.acts_of(term_of("fetch(cup, on(plate))"), made).ok());
+  std::string told;
+  for (const auto& each : made)
+    told += fmt::format("{} @ {} = {}\n", print(each.function), print(each.argument), print(each.result));
+  CHECK(told ==
+        "\\x v. [hoist(x), put(x, v)] @ cup = \\v. [hoist(cup), put(cup, v)]\n"
+        "\\v. [hoist(cup), put(cup, v)] @ on(plate) = [hoist(cup), put(cup, on(plate))]\n"
+        "\\x. [grasp(x), lift(x)] @ cup = [grasp(cup), lift(cup)]\n");
 }
 
 TEST_CASE("an act that comes to very many is refused within a moment") {
@@ -197,8 +222,8 @@ TEST_CASE("an act that comes to very many is refused within a moment") {
     const auto other = Term::constant(fmt::format("p{}", i - 1), Type::truth());
     CHECK_FALSE(learned.learn_program(fmt::format("p{}", i), Program{Term::list({other, other}, Type::truth())}));
   }
-  CHECK(text_of(learned.acts_of(Term::constant("p59", Type::truth()))) == "p59 comes to more than 1000 acts");
-  CHECK(learned.acts_of(Term::constant("p7", Type::truth()))->size() == 256);
+  CHECK(text_of(acts_of(learned, Term::constant("p59", Type::truth()))) == "p59 comes to more than 1000 acts");
+  CHECK(acts_of(learned, Term::constant("p7", Type::truth()))->size() == 256);
 }
 
 TEST_CASE("the file of what was learned has one form") {

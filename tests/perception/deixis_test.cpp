@@ -170,3 +170,25 @@ TEST_CASE("a gesture with a target is a pointing, its stop is none") {
   event.target_W = Vec3(std::nan(""), 0, 0);
   CHECK_FALSE(deixis_of(event, 7));
 }
+
+TEST_CASE("samples count with their confidence: in the place, and in the time that a hand has to stay") {
+  const auto stay = [](double x, double until_s, double confidence) {
+    std::vector<InputEvent> events;
+    for (double t = 1; t < until_s; t += 1.0 / 30) events.push_back(sample_at(t, x, 0.1));
+    for (auto& each : events) each.confidence = confidence;
+    return events;
+  };
+  const auto crossing = [&](double confidence) {
+    return joined(stay(0.1, 1.4, confidence), {sample_at(1.42, 0.4, 0.1)});
+  };
+  CHECK(fixations_of(crossing(1)).size() == 1);
+  CHECK(fixations_of(crossing(0.5)).empty());
+
+  const auto other = stay(0.14, 2, 1);
+  auto both = stay(0.1, 2, 0.02);
+  both.insert(both.end(), other.begin(), other.end());
+  std::stable_sort(both.begin(), both.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+  const auto found = fixations_of(both);
+  REQUIRE(found.size() == 1);
+  CHECK(away(found[0], Vec3(0.14, 0.1, 0)) < 1e-6);
+}

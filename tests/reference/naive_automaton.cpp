@@ -163,7 +163,12 @@ std::vector<Transition> applicable(const Machine& machine, const Configuration& 
     if (takes && transition.from.count(configuration.state) && fits(configuration.stack.back(), transition.when))
       found.push_back(transition);
   }
-  return found;
+  int highest = -1000;
+  for (const auto& transition : found) highest = std::max(highest, transition.rank);
+  std::vector<Transition> allowed;
+  for (const auto& transition : found)
+    if (transition.rank == highest) allowed.push_back(transition);
+  return allowed;
 }
 
 std::optional<Way> way_through_gates(const Machine& machine, const Symbol& top, const Transition& transition) {

@@ -47,6 +47,7 @@ struct Transition {
   int to = 0;
   double weight = 1;
   Operation operation;
+  int rank = 0;  ///< it is applicable only where none of a higher rank is
 };
 
 struct Machine {

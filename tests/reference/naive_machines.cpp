@@ -86,9 +86,9 @@ std::string transition_text(const Transition& transition, std::size_t index) {
   std::vector<std::string> from, on;
   for (const int state : transition.from) from.push_back(quoted(state_name(state)));
   for (const char input : transition.on) on.push_back(quoted(std::string(1, input)));
-  return fmt::format("{{\"id\":\"t{}\",\"from\":[{}],\"on\":{},\"when\":{},\"to\":{},\"weight\":{},{}}}", index,
-                     fmt::join(from, ","), on.empty() ? "null" : fmt::format("[{}]", fmt::join(on, ",")),
-                     condition(transition.when), quoted(state_name(transition.to)), transition.weight,
+  return fmt::format("{{\"id\":\"t{}\",\"from\":[{}],\"on\":{},\"when\":{},\"to\":{},\"rank\":{},\"weight\":{},{}}}",
+                     index, fmt::join(from, ","), on.empty() ? "null" : fmt::format("[{}]", fmt::join(on, ",")),
+                     condition(transition.when), quoted(state_name(transition.to)), transition.rank, transition.weight,
                      operation_member(transition.operation));
 }
 
@@ -156,6 +156,7 @@ class Sampler {
     drawn.on = any_of<std::string>({"a", "a", "b", "b", "ab", "", ""});
     drawn.when = condition();
     drawn.to = any_state();
+    drawn.rank = any_of<int>({0, 0, 0, 1, -1});
     drawn.weight = any_of<double>({1, 1, 2, 0.5});
     drawn.operation = operation();
     return drawn;

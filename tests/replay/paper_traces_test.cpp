@@ -44,7 +44,9 @@ TEST_CASE("the figure's stack symbols hold the options that are left and what th
   for (const auto& transition : played.all("transition"))
     moves.push_back(transition["id"].get<std::string>() + " " + compact(transition["stack"]));
   CHECK(applications ==
-        std::vector<std::string>{"\\w. put(block7, on(w)) @ block1 = put(block7, on(block1))",
+        std::vector<std::string>{"on @ w = on(w)", "put @ block7 = put(block7)",
+                                 "put(block7) @ on(w) = put(block7, on(w))",
+                                 "\\w. put(block7, on(w)) @ block1 = put(block7, on(block1))",
                                  "\\w. put(block7, on(w)) @ block6 = put(block7, on(block6))",
                                  "\\w. put(block7, on(w)) @ <-0.075, 0, 0> = put(block7, on(<-0.075, 0, 0>))"});
   // 𝒞 is at the bottom of the three, 𝒜 on top.
@@ -97,7 +99,9 @@ TEST_CASE("an act's record leads back to each word and gesture that it came of")
       {"dialogue_gesture", {"put(plate, <-0.1, -0.15, 0>) <- The plate. + pointing + Put it there."}},
       {"one_breath", {"put(knife, in(cup_blue)) <- Put the knife in the blue cup."}},
       {"predicate_first", {"put(plate, <-0.1, -0.15, 0>) <- pointing + Put it there. + The plate."}},
-      {"region_place", {"put(knife, in(cup_blue)) <- The knife. + In that blue cup. + point + Put it there."}},
+      {"region_place",
+       {"put(knife, in(cup_blue)) <- The knife. + In that blue cup. + point",
+        "put(knife, in(cup_blue)) <- The knife. + In that blue cup. + point + act + act + Put it there."}},
       {"disambiguation", {"grasp(block6) <- Take the block. + Yes."}},
       {"one_shot_learning",
        {"grasp(cup) <- two_fingers + Grasp the cup. + two_fingers",

@@ -90,7 +90,7 @@ TEST_CASE("a noun phrase without one object becomes a question or is told") {
         Texts{"Which cup do you mean? The white cup?", "The blue cup?", "Okay, go on."});
   CHECK(said(talk({"the blue plate"})) == Texts{"I see no blue plate."});
   CHECK(said(talk({"grasp the cup", "the blue one"})) ==
-        Texts{"Which cup do you mean? The white cup?", "Okay, the blue cup."});
+        Texts{"Which cup do you mean? Should I take the white cup?", "Okay, the blue cup."});
   const auto readings = talk({"the cup"}).all("reading");
   CHECK(readings[0]["referents"] == Json{"cup", "cup_blue"});
   CHECK(readings[0]["resolved"][0]["ruled_out"] == Json::parse(R"json([{"object":"plate","reason":"not cup(plate)"

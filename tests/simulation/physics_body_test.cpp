@@ -166,7 +166,7 @@ TEST_CASE("what cannot be done is told, and the avatar can go on") {
   Stage stage({ObjectOverride{"block6", 0.3, -1.2, -0.2664, {}, false}});
   CHECK(stage.act(command(Capability::reach, "block6")).status == Status::unreachable);
   CHECK(stage.act(put_at("block6", 0, 0)).status == Status::unreachable);
-  CHECK(stage.act(put_at("block4", 3, 0)).status == Status::unreachable);
+  CHECK(stage.act(put_at("block4", 3, 0)).status == Status::blocked);
   CHECK(stage.act(put_by("block4", Relation::on, "block4")).status == Status::blocked);
   CHECK(stage.act(command(Capability::grasp, "nothing")).status == Status::unreachable);
   const ActReport end = stage.act(command(Capability::lift, ""));

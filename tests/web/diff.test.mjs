@@ -73,7 +73,7 @@ test('lanes are doubled, and the graph tells whose way was whose', async () => {
 });
 
 test('the stacks of both stand side by side, and what differs is marked', async () => {
-  await visitor.visit(`${both}?n=46`);
+  await visitor.visit(`${both}?n=53`);
   assert.ok(await at('panel-stack').isVisible());
   assert.ok(await at('panel-stack_b').isVisible());
   for (const panel of ['stack', 'stack_b'])

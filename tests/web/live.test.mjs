@@ -73,6 +73,7 @@ test('a click on a region with two objects: asked about, nearest first', async (
   await beginWith(drawing, {...moved, ...kinematic});
   await answered(() => click([0.29, -0.05]), 'The blue cup?');
   await answered(() => type('No.'), 'The knife?');
+  await visitor.page.waitForTimeout(1000); // a thumb that comes with the word would contradict it
   await answered(() => visitor.page.locator('[data-gesture=posack]').first().click(), 'Okay, go on.');
   await saveAsTest('region_without_words');
 });
@@ -86,8 +87,7 @@ test('a click while typing: that cup', async () => {
 test('a click while typing: in that blue cup', async () => {
   await beginWith(flat, {...moved, ...kinematic});
   await answered(() => type('The knife.'), 'Okay, go on.');
-  await answered(() => typeAndClick('In that blue cup.', [0.29, -0.05]), 'Okay, go on.');
-  await answered(() => type('Put it there.'), 'Okay, the knife in the blue cup.');
+  await answered(() => typeAndClick('In that blue cup.', [0.29, -0.05]), 'Okay, the knife in the blue cup.');
   await asked('put(knife, in(cup_blue))');
   await saveAsTest('in_that_blue_cup');
 });

@@ -87,7 +87,7 @@ test('what was refused is drawn with the value that refused it', async () => {
 });
 
 test('several configurations: how they branched, and the stack of each', async () => {
-  await visitor.visit('/r/special_npda?n=18&tab=branches&b=4');
+  await visitor.visit('/r/special_npda?n=14&tab=branches&b=4');
   assert.equal(await at('branches').locator('tbody tr').count(), 2);
   assert.equal(await visitor.page.locator('.branch-table .chosen [data-testid=branch]').innerText(), '4');
   assert.match(await at('depth').innerText(), /^branch 4/);
@@ -96,7 +96,7 @@ test('several configurations: how they branched, and the stack of each', async (
   await visitor.addressSays('b', 3);
   await visitor.page.waitForFunction(() => document.querySelector('.node.branch')?.dataset.state === 'second half');
   await visitor.page.locator('.branch-tree .dot').first().click();
-  await visitor.addressSays('n', 6);
+  await visitor.addressSays('n', 4);
   assert.deepEqual(
     visitor.complaints.filter((one) => !/501/.test(one)),
     [],

@@ -6,7 +6,7 @@ import {lineOf} from '../../web/talk/conversation.js';
 import {Draft} from '../../web/talk/draft.js';
 import {formatAddress, parseAddress} from '../../web/model.js';
 import {EngineClock} from '../../web/talk/engine_clock.js';
-import {eventOf} from '../../web/talk/microphone.js';
+import {eventOf, interimOf} from '../../web/talk/microphone.js';
 
 test('words are spread over the time before now, and each click goes with its word', () => {
   const draft = new Draft();
@@ -87,6 +87,21 @@ test('what the recogniser heard becomes speech with its confidence and its other
   );
   assert.deepEqual(eventOf([{transcript: 'yes', confidence: 0}]), {kind: 'speech', text: 'yes'});
   assert.equal(eventOf([{transcript: ' ', confidence: 1}]), null);
+});
+
+test('words that are not final are told as such, and leave a passing line', () => {
+  assert.deepEqual(interimOf([{transcript: ' put the', confidence: 0}]), {
+    kind: 'speech',
+    text: 'put the',
+    final: false,
+  });
+  assert.equal(interimOf([{transcript: ' ', confidence: 0}]), null);
+  assert.deepEqual(lineOf({kind: 'input', event: {kind: 'speech', text: 'put the', final: false}}), {
+    who: 'human',
+    how: 'is saying',
+    text: 'put the …',
+    passing: true,
+  });
 });
 
 test('samples and what came of them are no lines of the conversation', () => {

@@ -158,8 +158,8 @@ TEST_CASE("participants have sides of their own, whatever the perspective") {
     CHECK(by("in_front", object, {human}, perspective) == Approx(-0.3));
     CHECK(by("left", object, {avatar}, perspective) == Approx(0.1));
     CHECK(by("right", object, {human}, perspective) == Approx(0.1));
-    CHECK(by("near", object, {avatar}, perspective) == Approx(0.03));
-    CHECK(by("near", object, {human}, perspective) == Approx(-0.57));
+    CHECK(by("near", object, {avatar}, perspective) == Approx(0.18));
+    CHECK(by("near", object, {human}, perspective) == Approx(-0.42));
     CHECK(by("behind", object, {avatar}, perspective) == never);
     CHECK(by("on", object, {avatar}, perspective) == never);
   }

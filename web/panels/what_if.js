@@ -7,7 +7,8 @@ import {askWhatIf, served} from '../run/run_client.js';
 
 /** Another transition at a step; null if the step had no choice. */
 function choiceField(step) {
-  const others = (step?.candidates ?? [])
+  const outranked = (step?.refused ?? []).filter((one) => one.outranked_by);
+  const others = [...(step?.candidates ?? []), ...outranked]
     .map((one) => one.id)
     .filter((id, i, all) => id !== step.id && all.indexOf(id) === i);
   if (!others.length) return null;

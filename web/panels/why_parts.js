@@ -2,6 +2,7 @@
 // part. `to(n, words)`: a link to record n.
 import {h, shown, text} from '../dom.js';
 import {walk} from '../terms/derivation.js';
+import {likelihoods} from '../terms/record_views.js';
 
 export const listOf = (value) => (Array.isArray(value) ? value.filter((one) => one && typeof one === 'object') : []);
 
@@ -69,7 +70,8 @@ export function decisions({steps: all, choice}, to) {
 }
 function decision({n, id, from, to: target, condition, candidates, refused}, to) {
   const number = h('span', {class: 'n'}, `#${n}`);
-  const rivals = listOf(candidates).map((one) => `${text(one.id)} (${text(one.weight)})`);
+  const likely = likelihoods(listOf(candidates));
+  const rivals = listOf(candidates).map((one, i) => `${text(one.id)} (${likely[i]})`);
   const others = listOf(refused);
   const count = others.reduce((sum, {ids}) => sum + (ids?.length ?? 1), 0);
   return h(

@@ -30,6 +30,7 @@ export class RunData {
       'speech',
       'gesture',
       'pointing',
+      'gaze',
       'utterance',
       'move',
       'act',

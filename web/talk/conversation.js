@@ -27,6 +27,8 @@ export function lineOf(record, sample = false) {
   const {event} = record;
   switch (record.kind) {
     case 'input':
+      if (event?.kind === 'speech' && event.final === false)
+        return {who: 'human', how: 'is saying', text: `${event.text} …`, passing: true};
       if (event?.kind === 'speech')
         return {who: 'human', how: 'says', text: event.text ?? event.alternatives?.[0]?.text ?? ''};
       return event?.kind === 'gesture' ? {who: 'human', how: 'shows', text: shownGesture(event)} : null;
@@ -59,6 +61,15 @@ export function lineOf(record, sample = false) {
   }
 }
 
+// Keeps the line of words that are not final until others come.
+function onePassing() {
+  let passing = null;
+  return (line) => {
+    passing?.remove();
+    passing = line;
+  };
+}
+
 /** `run`: whose records the lines lead to. */
 export function mountConversation(run) {
   const list = h('ol', {class: 'moves', tabindex: 0, 'aria-label': 'Conversation', 'data-testid': 'conversation'});
@@ -76,7 +87,8 @@ export function mountConversation(run) {
       {href: `/r/${encodeURIComponent(run)}?n=${n}`, target: '_blank', title: `#${n}: look at it in the inspector`},
       parts,
     );
-  function add(record, {who, how, text}) {
+  const keepPassing = onePassing();
+  function add(record, {who, how, text, passing: passes}) {
     const at_end = list.scrollHeight - list.scrollTop - list.clientHeight < at_end_px;
     const status = how === 'does' && h('span', {class: 'status asked'}, act_words.asked);
     if (status) acts.set(record.act, status);
@@ -93,6 +105,7 @@ export function mountConversation(run) {
         h('time', {}, clock(record.t)),
       ),
     );
+    if (who === 'human' && how !== 'shows') keepPassing(passes ? list.lastChild : null);
     if (list.childElementCount > most_lines) list.firstChild.remove();
     if (at_end) list.scrollTop = list.scrollHeight;
   }

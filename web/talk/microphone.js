@@ -24,6 +24,12 @@ const harmless = ['no-speech', 'aborted'];
 const most_alternatives = 5;
 const hundredths = (x) => Math.round(x * 100) / 100;
 
+/** Words that the recogniser may still revise; null without words. They never lead to an act. Pure. */
+export function interimOf(result) {
+  const text = result[0]?.transcript.trim();
+  return text ? {kind: 'speech', text, final: false} : null;
+}
+
 /** A recogniser's result as an event of a trace; null for one without words. Pure. */
 export function eventOf(result) {
   const readings = Array.from(result, ({transcript, confidence}) => ({
@@ -48,8 +54,9 @@ export function mountMicrophone({heard, said}) {
   const Recognition = window.SpeechRecognition ?? window.webkitSpeechRecognition;
   if (!Recognition) return null;
   const recognition = new Recognition();
-  Object.assign(recognition, {continuous: true, interimResults: false, maxAlternatives: most_alternatives, lang: 'en'});
+  Object.assign(recognition, {continuous: true, interimResults: true, maxAlternatives: most_alternatives, lang: 'en'});
   let on = false;
+  let interim = '';
   const button = h(
     'button',
     {
@@ -75,8 +82,10 @@ export function mountMicrophone({heard, said}) {
   }
   recognition.onresult = ({resultIndex, results}) => {
     for (const result of Array.from(results).slice(resultIndex)) {
-      const event = result.isFinal && eventOf(result);
-      if (event) heard(event);
+      const event = result.isFinal ? eventOf(result) : interimOf(result);
+      const repeats = event?.final === false && event.text === interim;
+      interim = event?.final === false ? event.text : '';
+      if (event && !repeats) heard(event);
     }
   };
   recognition.onerror = ({error}) => {

@@ -37,8 +37,15 @@ export const refusals = (refused, open = false) =>
     ),
   );
 
+/** The shares of the weights of rival transitions, in percent: how likely each was. */
+export function likelihoods(candidates) {
+  const total = candidates.reduce((sum, one) => sum + (one.weight ?? 0), 0);
+  return candidates.map((one) => `${Number(((100 * (one.weight ?? 0)) / total).toPrecision(3))} %`);
+}
+
 function transitionFields(record) {
   const candidates = objectsOf(record.candidates);
+  const likely = likelihoods(candidates);
   const gates = objectsOf(record.gates);
   const fields = [
     line('input', record.input === null || record.input === undefined ? 'ε' : text(record.input)),
@@ -72,12 +79,12 @@ function transitionFields(record) {
         h(
           'ul',
           {class: 'candidates'},
-          candidates.map((one) =>
+          candidates.map((one, i) =>
             h(
               'li',
               {class: one.id === record.id ? 'taken' : null},
               h('b', {}, text(one.id)),
-              ` weight ${text(one.weight)}`,
+              ` ${likely[i]}, weight ${text(one.weight)}`,
               one.id === record.id && chosenMark(),
             ),
           ),
@@ -135,6 +142,7 @@ function readingFields(record) {
     record.reading && typed('says', record.reading),
     record.meaning && typed('means', record.meaning, record.type),
     objectsOf(record.missing).map((gap) => line('missing', missing(gap))),
+    record.shape && line('shape', text(record.shape.reason ?? record.shape.verdict ?? '')),
     record.referents && line('referents', names(record.referents) || 'none'),
     ['unknown', 'unused'].map((kind) => record[kind] && line(`${kind} words`, names(record[kind]))),
   ];

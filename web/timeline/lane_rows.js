@@ -22,6 +22,7 @@ export function laneRows(data) {
     row('human says', 'human', lanes.speech, words(lanes.speech)),
     row('shows', 'human', lanes.gesture, words(lanes.gesture)),
     row('points', 'human', lanes.pointing, (i) => `${lanes.pointing.count?.[i] ?? ''} samples`, {plain: true}),
+    row('looks', 'human', lanes.gaze, words(lanes.gaze), {optional: true}),
     row('confidence', 'human', lanes.confidence, (i) => lanes.confidence.value[i].toFixed(2), {
       kind: 'level',
       value: (i) => lanes.confidence.value[i],

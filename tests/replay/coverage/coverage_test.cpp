@@ -251,6 +251,7 @@ TEST_CASE("coverage is told with bars, and the first few of what was never reach
 TEST_CASE("the project's traces reach what they are there for") {
   CoverageOptions options;
   options.paths = {std::string(CONTINUA_SOURCE_DIR) + "/traces/paper",
+                   std::string(CONTINUA_SOURCE_DIR) + "/traces/mechanisms",
                    std::string(CONTINUA_SOURCE_DIR) + "/traces/talk"};
   options.json = true;
   const auto [status, text] = told([&] { return run_coverage(options); });

@@ -80,11 +80,12 @@ TEST_CASE("the headline tells what the avatar did and what it is due to") {
   const auto row = GENERATE(values<Row>({
       {"paper/disambiguation",
        {},
-       "At 1.0 s the avatar asks “Which block do you mean? The yellow block?”, because the human said “Take the "
-       "block.” (1.0 s): “block” may mean block1, block4 or block6."},
+       "At 1.0 s the avatar asks “Which block do you mean? Should I take the yellow block?”, because the human "
+       "said “Take the block.” (1.0 s): “block” may mean block1, block4 or block6."},
       {"paper/disambiguation", at(6.5),
-       "At 5.0 s the avatar asks “The red block?”, because the human made the gesture negack stroke (5.0 s) after "
-       "“Take the block.” (1.0 s)."},
+       "At 5.0 s the avatar asks “Should I take the red block?”, because the human made the gesture negack stroke (5.0 "
+       "s) "
+       "after “Take the block.” (1.0 s)."},
       {"paper/dialogue_gesture", act(1),
        "At 5.05 s the avatar does put(plate, <-0.1, -0.15, 0>), because the human said “Put it there.” (4.0 s) with "
        "pointing right [-0.1,-0.15] (3.8 s), after “The plate.” (1.0 s). It was done at 5.05 s."},
@@ -109,11 +110,11 @@ TEST_CASE("the headline tells what the avatar did and what it is due to") {
       {"paper/disambiguation", record(2),
        "At 1.0 s the human says “Take the block.”: it is taken to mean \\x. grasp(x); the avatar says “Which block do "
        "you "
-       "mean? The yellow block?”; it gestures point(block1)."},
+       "mean? Should I take the yellow block?”; it gestures point(block1)."},
       {"talk/n_best",
        {},
-       "At 3.0 s the avatar asks “Which cup do you mean? The white cup?”, because the human said “but the knife in "
-       "the cup” (1.0 s): “cup” may mean cup or cup_blue."},
+       "At 3.0 s the avatar asks “Which cup do you mean? Should I put the knife in the white cup?”, because the human "
+       "said “but the knife in the cup” (1.0 s): “cup” may mean cup or cup_blue."},
       {"paper/disambiguation", step(3),
        "At 3.0 s Choose goes to Choose by the transition ‘no, the next’, step 3, because the human said “No.” (3.0 s) "
        "after “Take the block.” (1.0 s)."},
@@ -135,7 +136,7 @@ TEST_CASE("the derivation goes from the act down to words, a gesture and a point
              Contains("raised by event_to_theme") &&
                  Contains("x : e  ← left open: it was not said, in “Put on the plate.” (26.0 s)") &&
                  Contains("grasp : e -> t  ← gesture left two_fingers stroke (30.0 s), taught at 3.0 s as "
-                          "grasp(the(\\x. cup(x))) (#11)"));
+                          "grasp(the(\\x. cup(x))) (#12)"));
   CHECK_THAT(tree(explained(opened(traces / "paper/live_composition.run.jsonl"), act(5))),
              Contains("lift(cup_blue)  one step of\n  └─ hoist(cup_blue) : t") &&
                  Contains("taught at 25.0 s as \\x: e. [grasp(x), lift(x)] (#92)"));
@@ -147,14 +148,14 @@ TEST_CASE(
   for (const char* part :
        {"1.0 s  “Take the block.”  #2", "“the block” may be block1, block4 or block6",
         "1.0 s  Compose → Choose by ‘several’, without input, step 2  #17", "since lacks != null and size(seen) > 1",
-        "chosen (likeliest) of 3: ‘several’ 1.0, ‘thing missing’ 1.0, ‘of no use’ 0.001; probability 0.5",
-        "not ‘the one in the hand’: not pending = 'ungrasp': pending is 'grasp'",
-        "The stack, 1 symbol before, 5 symbols after",
+        "not ‘none there’: not question = 'exists': question is 'grasp'", "The stack, 1 symbol before, 5 symbols after",
         "* command \\x. grasp(x) ← meaning (#6); from “take” in “Take the block.” (1.0 s)",
-        "as the one below: command, candidates, nouns, sure", "What came along with it\n  gesture point(block1) #19"})
+        "as the one below: command, candidates, nouns, sure", "What came along with it\n  gesture point(block1) #21"})
     CHECK_THAT(told, Contains(part));
   CHECK_THAT(text(explained(opened(traces / "paper/disambiguation.run.jsonl"), step(2))),
-             Contains("utterance “Which block do you mean? The yellow block?” #18"));
+             Contains("utterance “Which block do you mean? Should I take the yellow block?” #20"));
+  CHECK_THAT(text(explained(opened(traces / "talk/n_best.run.jsonl"), step(1))),
+             Contains("chosen (likeliest) of 2: ‘command’ 53.6 % (alternative 0), ‘command’ 46.4 % (alternative 1)"));
 }
 
 TEST_CASE("all of a long list is told when it is asked for") {

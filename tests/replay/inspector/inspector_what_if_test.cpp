@@ -108,12 +108,12 @@ TEST_CASE("a run that was edited is served, and its log is as a replay of the ed
 TEST_CASE("a forced transition, a seed and a choice count from the instant that is asked for") {
   Asked asked(paper);
   int forced = 0;
-  for (const auto& transition : asked.whole("disambiguation", "transition")) {
+  for (const auto& transition : asked.whole("special_nfa", "transition")) {
     if (transition["candidates"].size() < 2) continue;
     for (const auto& candidate : transition["candidates"]) {
       if (candidate["id"] == transition["id"]) continue;
       const auto step = std::to_string(transition["step"].get<int>());
-      const auto made = asked.post({{"run", "disambiguation"}, {"force", {{step, candidate["id"]}}}});
+      const auto made = asked.post({{"run", "special_nfa"}, {"force", {{step, candidate["id"]}}}});
       const auto again = asked.whole(made["run"], "transition");
       const auto same_step = std::find_if(again.begin(), again.end(),
                                           [&](const Json& other) { return other["step"] == transition["step"]; });

@@ -69,7 +69,7 @@ TEST_CASE("decisions are digested apart from poses, from margins, and from what 
 
 TEST_CASE("reasons for refusals are measured: they are no decisions, the transitions refused are") {
   const auto refused = [](const std::string& id, const std::string& reason) {
-    return log::Refusal{.state = "A", .input = "x", .reason = "none", .refused = {{id, reason, {}}}};
+    return log::Refusal{.state = "A", .input = "x", .reason = "none", .refused = {{id, reason, {}, {}}}};
   };
   const auto same = end_of(refused("a", "0.1 < 0.2"), pose(1))["decisions"];
   CHECK(end_of(refused("a", "0.1 < 0.3"), pose(1))["decisions"] == same);

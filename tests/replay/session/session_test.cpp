@@ -98,7 +98,7 @@ TEST_CASE("a replay writes what was heard, decided, said and done, each with its
   }
   CHECK(of_kind(records, "utterance").at(0)["text"] == "The red one?");
   CHECK(of_kind(records, "utterance").at(1)["text"] == "OK.");
-  const auto applied = of_kind(records, "application").at(0);
+  const auto applied = of_kind(records, "application").back();
   CHECK(applied["result"] == "put(block6, <0.05, -0.06, 0>)");
   const auto inputs = of_kind(records, "input");
   CHECK(applied["because"] == Json{inputs.at(0)["n"], inputs.at(1)["n"]});

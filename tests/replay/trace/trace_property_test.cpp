@@ -32,14 +32,15 @@ Vec3 any_target() { return {any_length(), any_length(), 0}; }
 InputEvent any_input(SimTime t) {
   InputEvent event;
   event.t = t;
-  event.modality = *rc::gen::element(Modality::speech, Modality::gesture, Modality::pointing);
+  event.modality = *rc::gen::element(Modality::speech, Modality::gesture, Modality::pointing, Modality::gaze);
   event.confidence = any_confidence();
   if (coin()) event.until = t + SimTime{*rc::gen::inRange<std::int64_t>(0, 5'000'000)};
+  const bool is_directed = event.modality == Modality::pointing || event.modality == Modality::gaze;
   if (event.modality != Modality::speech) {
-    event.hand = *rc::gen::element<std::string>("", "left", "right");
-    if (event.modality == Modality::pointing || coin()) event.target_W = any_target();
+    if (event.modality != Modality::gaze) event.hand = *rc::gen::element<std::string>("", "left", "right");
+    if (is_directed || coin()) event.target_W = any_target();
   }
-  if (event.modality == Modality::pointing && coin()) event.ray = Ray{any_point(), {1, any_length(), any_length()}};
+  if (is_directed && coin()) event.ray = Ray{any_point(), {1, any_length(), any_length()}};
   if (event.modality == Modality::gesture) {
     event.name = some_text();
     event.direction = any_text();
@@ -47,6 +48,7 @@ InputEvent any_input(SimTime t) {
   }
   if (event.modality == Modality::speech) {
     event.text = any_text();
+    event.final = coin();
     while (coin()) event.words.push_back({any_text(), t + SimTime{*rc::gen::inRange<std::int64_t>(0, 1'000'000)}});
   }
   if (event.modality != Modality::pointing)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The family of the worked examples 1 to 4: every way to give a command with the modalities that the paper allows.
 
-  make_family.py FOLDER    writes NAME.trace.jsonl for each member
+  ways.py FOLDER    writes NAME.trace.jsonl for each member
 
 A member says or shows the object, says or shows the place, gives the predicate first or last, in one breath or turn by
 turn, with the pointing before, during or after its word, by one hand or the other, as a stroke or as samples. All

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Replays the family of the worked examples 1 to 4 (make_family.py): each member must end in its act.
+"""Replays the family of the worked examples 1 to 4 (ways.py): each member must end in its act.
 
-replay_test.py PROGRAM SOURCE_FOLDER
+ways_test.py PROGRAM SOURCE_FOLDER
 """
 import pathlib
 import subprocess
@@ -12,7 +12,7 @@ import tempfile
 def main(program, source):
     with tempfile.TemporaryDirectory() as folder:
         traces, runs = pathlib.Path(folder, "traces"), pathlib.Path(folder, "runs")
-        subprocess.run([sys.executable, pathlib.Path(source, "tests/family/make_family.py"), traces], check=True)
+        subprocess.run([sys.executable, pathlib.Path(source, "tests/family/ways.py"), traces], check=True)
         members = sorted(traces.iterdir())
         replay = subprocess.run([program, "replay", *members, "--no-physics", "-j", "2", "-o", runs],
                                 check=False, stdout=subprocess.PIPE, text=True)

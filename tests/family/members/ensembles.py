@@ -1,0 +1,76 @@
+"""Content of both modalities in one window is one move: equal content counts once, complementary composes, contradictory
+is asked about. The order of arrival changes nothing."""
+import things
+
+# Words and a gesture at one moment, in each order: scene, words, gestures, seconds after the words' beginning, expectation.
+SHIFTS = (-0.4, 0.0, 0.5)
+
+
+def both(words, *shown):
+    for shift in SHIFTS:
+        begin = 1.0
+        yield shift, [{"say": words, "at": begin}, *({**each, "at": round(begin + shift + 0.3 * k, 2)} for k, each in enumerate(shown))]
+
+
+def equal():
+    for scene, words, gesture, act in (
+            ("place_setting", "take the knife", {"gesture": "grab"}, "take knife"),
+            ("workbench", "lift the plate", {"gesture": "lift"}, "lift plate"),
+            ("emre_table", "push the cup to the right", {"gesture": "push", "direction": "right"}, "push cup right"),
+            ("staircase", "take the purple block", {"gesture": "grab"}, "take block7")):
+        for shift, turn in both(words, gesture):
+            yield f"equal {words} {shift}", scene, [turn], {"acts": [act]}
+    for scene, opening, act in (("workbench", "take the block", "take"), ("place_setting", "take the cup", "take"), ("staircase", "lift the block", "lift")):
+        for shift, turn in both("yes", {"gesture": "posack"}):
+            yield f"equal {opening} yes {shift}", scene, [opening, turn], {"acts": [act]}
+    for shift, turn in both("no", {"gesture": "negack"}):
+        yield f"equal cup no {shift}", "place_setting", ["take the cup", turn, "yes"], {"acts": ["take"]}
+        yield f"equal block no no {shift}", "workbench", ["take the block", turn, turn, "yes"], {"acts": ["take"]}
+        yield f"equal no, the plate {shift}", "place_setting", ["take the knife", [{**turn[0], "say": "no, the plate"}, turn[1]]], {"one_of": [{"acts": ["take knife", "take plate"]}, {"acts": ["take knife", "put knife", "take plate"]}]}
+
+
+def complementary():
+    for scene, thing, icon in (("place_setting", "knife", "knife"), ("place_setting", "plate", "plate"), ("workbench", "cup", "cup"), ("emre_table", "plate", "plate")):
+        for verb in ("take", "lift"):
+            for shift, turn in both(f"{verb} this", {"gesture": icon}):
+                yield f"{verb} this {icon} {scene} {shift}", scene, [turn], {"acts": [f"{verb} {thing}"]}
+        for shift, (words, shape) in both("put that there", {"gesture": icon}):
+            turn = [words, shape, {"point": things.FREE[scene], "at": 1.9}]
+            yield f"put that there {icon} {scene} {shift}", scene, [turn], {"acts": [f"put {thing} at"]}
+        for direction in ("left", "right"):
+            turn = [{"point": things.where(scene, thing), "at": 0}, {"say": "push it", "at": 0.6}, {"gesture": "push", "direction": direction, "at": 1.1}]
+            yield f"push it {direction} {icon} {scene}", scene, [turn], {"acts": [f"push {thing} {direction}"]}
+            for shift, turn in both("push it", {"gesture": "push", "direction": direction}):
+                yield f"push it {direction} {icon} {scene} {shift} named", scene, [things.UNIQUE[scene][thing], turn], {"acts": [f"push {thing} {direction}"]}
+    for words in ("lift the blocks", "lift all blocks"):
+        for before in (0.4, 0.8):
+            turn = [{"gesture": "count_two", "at": 0}, {"say": words, "at": before}]
+            yield f"two, {words} {before}", "workbench", [turn], {"acts": ["lift", "lift"]}
+
+
+def contradictory():
+    for scene, said, shown in (("place_setting", "knife", "cup"), ("place_setting", "plate", "cup_blue"), ("workbench", "knife", "cup"),
+                               ("workbench", "block_red", "block_green"), ("emre_table", "knife", "plate"), ("staircase", "block7", "block5")):
+        for shift, turn in both("take " + things.UNIQUE[scene][said], {"point": things.where(scene, shown)}):
+            # A finger that comes when the words have been answered finds the act begun; so does one of the same instant
+            # that is told after them.
+            asked = {"asks": True} if shift >= 0 else {"no_act": True, "asks": True}
+            yield f"contradictory {said} {shown} {scene} {shift}", scene, [turn], asked
+            settled = {"acts": [*(["take " + said] if shift >= 0 else []), "take " + shown]}
+            yield f"contradictory {said} {shown} {scene} {shift} settled", scene, [turn, things.UNIQUE[scene][shown]], settled
+    for shift, turn in both("yes", {"gesture": "negack"}):
+        yield f"contradictory yes no {shift}", "place_setting", ["take the cup", turn], {"asks": True}
+
+
+def timed():
+    """Words with an end, and gestures while they are spoken."""
+    for scene, thing in (("place_setting", "knife"), ("workbench", "cup"), ("emre_table", "plate")):
+        for at in (0.2, 0.6, 1.0):
+            words = {"kind": "speech", "text": "take this", "until": 2.4}
+            yield f"take this {thing} {scene} until {at}", scene, [[{"event": words, "at": 0}, {"gesture": thing, "at": at}]], {"acts": ["take " + thing]}
+
+
+def members():
+    for part in (equal, complementary, contradictory):
+        for name, scene, say, expect in part():
+            yield {"id": f"ensembles {name}", "scene": scene, "say": say, "expect": expect}

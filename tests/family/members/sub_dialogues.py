@@ -1,0 +1,49 @@
+"""A question, a second command, a lesson while something is pending: when it is over, the pending question is open again."""
+
+# Each scene with what is pending, the question about it answered at last, the act that this comes to, and things to
+# talk about in between: a question, a whole command with its act, a half command with what completes it and the act.
+PENDING = {
+    "place_setting": [(["take the cup"], "the blue one", "take cup_blue"), (["put the knife"], "on the plate", "put knife on plate"),
+                      (["put it on the plate"], "the white cup", "put cup on plate")],
+    "workbench": [(["lift the block"], "the green one", "lift block_green"), (["put the red block"], "behind the cup", "put block_red behind cup"),
+                  (["put it in front of you"], "the yellow block", "put block_yellow in_front avatar")],
+    "staircase": [(["take the block"], "the orange one", "take block5"), (["put the purple block"], "in front of me", "put block7 in_front human")],
+    "emre_table": [(["lift the red block"], "the left one", "lift"), (["put the cup"], "behind the plate", "put cup behind plate")],
+}
+QUESTIONS = {"place_setting": "where is the plate", "workbench": "how many blocks are there", "staircase": "what color is the left block",
+             "emre_table": "where is the knife"}
+WHOLE = {"place_setting": ("push the plate to the left", "push plate left"), "workbench": ("put the knife on the plate", "put knife on plate"),
+         "staircase": ("put the green block in front of me", "put block4 in_front human"),
+         "emre_table": ("put the knife in front of me", "put knife in_front human")}
+HALF = {"place_setting": ("push the plate", "to the left", "push plate left"), "workbench": ("push the knife", "to the left", "push knife left"),
+        "staircase": ("put the black block", "in front of me", "put block3 in_front human"),
+        "emre_table": ("put the knife", "in front of me", "put knife in_front human")}
+SIGN = [{"gesture": "twirl"}]
+
+
+def between(scene):
+    """What comes in between, with the acts of it."""
+    question, (whole, whole_act), (half, rest, half_act) = QUESTIONS[scene], WHOLE[scene], HALF[scene]
+    yield "question", [question], []
+    yield "two questions", [question, question], []
+    yield "command", [whole], [whole_act]
+    yield "half command", [half, rest], [half_act]
+    yield "half command left", [half, "never mind"], []
+    yield "question in half command", [half, question, rest], [half_act]
+    yield "lesson", [SIGN, "it means lift the plate"], []
+    yield "lesson left", [SIGN, "never mind"], []
+    yield "question in lesson", [SIGN, question, "it means lift the plate"], []
+
+
+def members():
+    for scene, pendings in PENDING.items():
+        for number, (opening, answer, act) in enumerate(pendings):
+            for k, (name, turns, acts) in enumerate(between(scene)):
+                item = {"id": f"sub_dialogues {scene} {number} {name}", "scene": scene}
+                if (number + k) % 2 == 0:
+                    yield {**item, "say": [*opening, *turns, answer], "expect": {"acts": [*acts, act]}}
+                else:
+                    yield {**item, "id": item["id"] + " asked again", "say": [*opening, *turns], "expect": {"acts": acts, "asks": True}}
+            half = HALF[scene][0]
+            yield {"id": f"sub_dialogues {scene} {number} left twice", "scene": scene,
+                   "say": [*opening, half, "never mind", "never mind", answer], "expect": {"no_act": True}}
