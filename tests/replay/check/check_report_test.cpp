@@ -229,6 +229,31 @@ TEST_CASE("what is no report of a check is an error") {
   CHECK(odd->status() == exit_impossible);
 }
 
+TEST_CASE("a report that says two things is not believed") {
+  struct Case {
+    const char* verdict;
+    Json status;
+  };
+  for (const auto& [verdict, status] : {Case{"same", 256}, Case{"changed", -1}, Case{"changed", 3}, Case{"changed", 0},
+                                        Case{"not true", 0}, Case{"broken", "1"}, Case{"same", Json()}}) {
+    auto report = json_of(some_report());
+    report["cases"][1]["verdict"] = verdict;
+    report["cases"][1]["status"] = status;
+    INFO(compact(report["cases"][1]));
+    const auto read = read_report(report.dump(), "r.json");
+    REQUIRE_FALSE(read.ok());
+    CHECK_THAT(read.error().text(), Catch::Matchers::Contains("status"));
+  }
+}
+
+TEST_CASE("a folder without anything to check is an error") {
+  const TemporaryFolder folder;
+  folder.file("letter.txt", "x");
+  const auto items = items_of({folder.path().string()});
+  REQUIRE_FALSE(items.ok());
+  CHECK_THAT(items.error().text(), Catch::Matchers::Contains("nothing to check"));
+}
+
 TEST_CASE("each trace of a list has a name of its own") {
   const TemporaryFolder folder;
   for (const char* name : {"a/one.trace.jsonl", "b/one.trace.jsonl", "b/two.trace.jsonl", "b-one.trace.jsonl",
