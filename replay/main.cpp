@@ -10,6 +10,7 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -153,7 +154,10 @@ int main(int argc, char** argv) {
   ::mallopt(M_ARENA_MAX, 2);
   try {
     return with_all_printed(continua::run_program(argc, argv));
-  } catch (const std::exception& problem) {  // out of memory, a file system that fails in mid-walk
+  } catch (const std::bad_alloc&) {
+    continua::report({"", "it takes more memory than there is"});
+    return continua::exit_impossible;
+  } catch (const std::exception& problem) {  // a file system that fails in mid-walk
     continua::report({"", problem.what()});
     return continua::exit_impossible;
   }

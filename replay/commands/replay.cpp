@@ -22,6 +22,8 @@ namespace continua {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr int most_branches = 100'000;  // each takes some kilobytes
+
 // The name of a run that was given none; a run with changes must not take the place of the run itself.
 std::string run_name(const std::string& trace, const ReplayOptions& options) {
   return trace_name(trace) + (options.from ? ".what_if" : "") + ".run.jsonl";
@@ -222,7 +224,7 @@ void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
   command.add_option("--seed", options.replay.seed, "for draws; otherwise the trace's");
   const auto choice = add_choice(command);
   command.add_option("--branches", options.replay.most_branches, "under explore, how many configurations are kept")
-      ->check(CLI::Range(1, 1000000));
+      ->check(CLI::Range(1, most_branches));
   auto forced = std::make_shared<std::vector<std::string>>();
   command
       .add_option("--force", *forced,

@@ -116,6 +116,8 @@ std::vector<Error> notes_problems(std::string_view text, const std::string& name
   const auto document = LocatedJson::parse(text, name);
   if (!document) return {document.error()};
   std::vector<Error> problems;
+  for (const auto& [place, key] : document->duplicates())
+    problems.push_back(document->error(place, fmt::format("the key {} a second time in this object", in_quotes(key))));
   read_all(document->root(), records, [&](std::size_t place, const std::string& what) {
     problems.push_back(document->error(place == 0 ? "" : fmt::format("/notes/{}", place - 1), what));
   });

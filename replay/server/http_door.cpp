@@ -1,6 +1,6 @@
 #include "continua/replay/server/http_door.h"
 
-#include <poll.h>
+#include <sys/epoll.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -43,11 +43,18 @@ class HttpDoor::Pool : public httplib::ThreadPool {
   using ThreadPool::ThreadPool;
 };
 
-HttpDoor::HttpDoor(Rules rules) : rules_(std::move(rules)), waker_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
-  require(waker_ >= 0, "the kernel gives no eventfd");
+HttpDoor::HttpDoor(Rules rules)
+    : rules_(std::move(rules)),
+      waker_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)),
+      poll_(::epoll_create1(EPOLL_CLOEXEC)) {
+  require(waker_ >= 0 && poll_ >= 0, "the kernel gives no eventfd, or no epoll");
+  look_at(waker_, true);
 }
 
-HttpDoor::~HttpDoor() { ::close(waker_); }
+HttpDoor::~HttpDoor() {
+  ::close(poll_);
+  ::close(waker_);
+}
 
 void HttpDoor::wake() {
   const std::uint64_t one = 1;
@@ -75,28 +82,38 @@ void HttpDoor::run(int listening) {
 void HttpDoor::wait(int listening) {
   const auto now = Clock::now();
   auto next = now + DoorLimits::whole;
-  std::vector<pollfd> waiting = {{waker_, POLLIN, 0}};
   const bool accepts = now >= accept_again_;
-  if (accepts)
-    waiting.push_back({listening, POLLIN, 0});
-  else
-    next = accept_again_;
-  for (const auto& [socket, connection] : connections_) {
-    if (connection->stage == Connection::Stage::answering) continue;
-    waiting.push_back({socket, POLLIN, 0});
-    next = std::min(next, connection->deadline);
-  }
+  if (accepts != accepting_) look_at(listening, accepts);
+  accepting_ = accepts;
+  if (!accepts) next = accept_again_;
+  for (const auto& [socket, connection] : connections_)
+    if (connection->stage != Connection::Stage::answering) next = std::min(next, connection->deadline);
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(next - now).count();
-  if (::poll(waiting.data(), waiting.size(), static_cast<int>(std::max<std::int64_t>(left, 0))) <= 0) return;
-  if (waiting[0].revents != 0) {
-    std::uint64_t times = 0;
-    [[maybe_unused]] const auto got = ::read(waker_, &times, sizeof times);
+  std::array<epoll_event, 64> happened;
+  const int count = ::epoll_wait(poll_, happened.data(), static_cast<int>(happened.size()),
+                                 static_cast<int>(std::max<std::int64_t>(left, 0)));
+  bool somebody_comes = false;
+  for (int i = 0; i < count; ++i) {
+    const int file = happened[static_cast<std::size_t>(i)].data.fd;
+    if (file == waker_) {
+      std::uint64_t times = 0;
+      [[maybe_unused]] const auto got = ::read(waker_, &times, sizeof times);
+    } else if (file == listening) {
+      somebody_comes = true;
+    } else {
+      read(*connections_.at(file));
+    }
   }
-  for (std::size_t i = accepts ? 2 : 1; i < waiting.size(); ++i)
-    if (waiting[i].revents != 0) read(*connections_.at(waiting[i].fd));
   // Last, since a socket that was closed may come again under its number.
   std::erase_if(connections_, [](const auto& one) { return one.second->stage == Connection::Stage::closed; });
-  if (accepts && waiting[1].revents != 0) accept_all(listening);
+  if (somebody_comes) accept_all(listening);
+}
+
+void HttpDoor::look_at(int file, bool looks) const {
+  epoll_event event{};
+  event.events = EPOLLIN;
+  event.data.fd = file;
+  ::epoll_ctl(poll_, looks ? EPOLL_CTL_ADD : EPOLL_CTL_DEL, file, &event);
 }
 
 void HttpDoor::accept_all(int listening) {
@@ -116,6 +133,7 @@ void HttpDoor::accept_all(int listening) {
     connection->deadline = connection->begun + DoorLimits::idle;
     if (connections_.size() >= DoorLimits::connections) make_room();
     connections_.emplace(socket, std::move(connection));
+    look_at(socket, true);
   }
 }
 
@@ -186,6 +204,7 @@ void HttpDoor::hand_on(Connection& connection) {
   auto request = connection.head->text() + connection.in.substr(0, connection.head->body);
   connection.in.erase(0, connection.head->body);
   connection.stage = Connection::Stage::answering;
+  look_at(connection.socket, false);
   pool_->enqueue([this, socket = connection.socket, last = !connection.head->keeps_alive, text = std::move(request)] {
     HttpStream stream(socket, text, stopping_);
     const bool written = rules_.answer(stream, last);
@@ -207,6 +226,7 @@ void HttpDoor::take_back() {
     auto& connection = *connections_.at(socket);
     bodies_ -= std::exchange(connection.head, std::nullopt)->body;
     connection.begun = Clock::now();
+    look_at(socket, true);
     if (!kept) {
       ::shutdown(socket, SHUT_WR);
       connection.stage = Connection::Stage::refused;

@@ -60,6 +60,7 @@ class HttpDoor {
   void make_room();
   void take_back();
   void wait(int listening);
+  void look_at(int file, bool looks) const;
   void read(Connection& connection);
   void advance(Connection& connection);
   bool take_head(Connection& connection);
@@ -70,7 +71,8 @@ class HttpDoor {
   void wake();
 
   const Rules rules_;
-  int waker_;
+  int waker_, poll_;
+  bool accepting_ = false;  // whether the listening socket is looked at
   std::atomic<bool> stopping_ = false;
   std::map<int, std::unique_ptr<Connection>> connections_;  // by socket
   std::size_t bodies_ = 0;                                  // bytes that are read or answered

@@ -246,6 +246,14 @@ TEST_CASE("a report that says two things is not believed") {
   }
 }
 
+TEST_CASE("a report that has a key twice is not believed") {
+  auto text = json_of(some_report()).dump();
+  text.replace(text.find("\"status\""), 8, "\"status\":0,\"status\"");
+  const auto read = read_report(text, "r.json");
+  REQUIRE_FALSE(read.ok());
+  CHECK_THAT(read.error().text(), Catch::Matchers::Contains("a second time"));
+}
+
 TEST_CASE("a folder without anything to check is an error") {
   const TemporaryFolder folder;
   folder.file("letter.txt", "x");
