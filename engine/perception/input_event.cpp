@@ -91,9 +91,9 @@ namespace {
 
 // Not a copy whose list is cleared, which would keep its memory: all the copies would take the square of it.
 InputEvent without_alternatives(const InputEvent& event) {
-  return {event.t,        event.modality, event.text,  event.name,       event.hand,  event.direction, event.phase,
-          event.features, event.target_W, event.ray,   event.until,      event.confidence, event.final, event.words,
-          {}};
+  return {event.t,         event.modality,   event.text,     event.name,     event.hand,
+          event.direction, event.phase,      event.features, event.target_W, event.ray,
+          event.until,     event.confidence, event.final,    event.words,    {}};
 }
 
 }  // namespace

@@ -194,8 +194,8 @@ Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverri
   auto model = compile(*source);
   if (!model) return model.error();
   if (const double step_s = (*model)->opt.timestep; !(step_s >= least_timestep_s && step_s <= most_timestep_s))
-    return Error{source->where("option", "timestep"), fmt::format("the time step is {} s; expected {} to {} s", step_s,
-                                                                  least_timestep_s, most_timestep_s)};
+    return Error{source->where("option", "timestep"),
+                 fmt::format("the time step is {} s; expected {} to {} s", step_s, least_timestep_s, most_timestep_s)};
   const auto weld = missing_weld(**model, path);
   if (!weld) return weld.error();
   if (!weld->empty()) {

@@ -17,9 +17,9 @@ constexpr auto npos = std::string_view::npos;
 
 // Far beyond what a table full of objects takes.
 constexpr std::pair<const char*, int> most_of_sizes[] = {
-    {"njmax", 200'000},        {"nconmax", 100'000},      {"nstack", 100'000'000},     {"nuserdata", 100'000},
-    {"nkey", 1000},            {"nuser_body", 1000},      {"nuser_jnt", 1000},         {"nuser_geom", 1000},
-    {"nuser_site", 1000},      {"nuser_cam", 1000},       {"nuser_tendon", 1000},      {"nuser_actuator", 1000},
+    {"njmax", 200'000},     {"nconmax", 100'000}, {"nstack", 100'000'000}, {"nuserdata", 100'000},
+    {"nkey", 1000},         {"nuser_body", 1000}, {"nuser_jnt", 1000},     {"nuser_geom", 1000},
+    {"nuser_site", 1000},   {"nuser_cam", 1000},  {"nuser_tendon", 1000},  {"nuser_actuator", 1000},
     {"nuser_sensor", 1000},
 };
 
@@ -131,8 +131,8 @@ Outcome SceneSource::expand(const std::string& file, std::vector<std::string>& o
     if (std::find(open_files.begin(), open_files.end(), path) != open_files.end())
       return Error{here, fmt::format("'{}' includes itself", *name)};
     if (++inclusions_ > most_inclusions)
-      return Error{here, fmt::format("is the scene's inclusion number {}; expected at most {}", inclusions_,
-                                     most_inclusions)};
+      return Error{
+          here, fmt::format("is the scene's inclusion number {}; expected at most {}", inclusions_, most_inclusions)};
     copy(from, tag->begin);
     if (auto wrong = expand(path, open_files)) {
       if (wrong->where == path) return Error{here, fmt::format("cannot include '{}': {}", *name, wrong->sentence)};

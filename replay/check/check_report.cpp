@@ -140,8 +140,8 @@ Result<CheckReport> read_report(std::string_view text, const std::string& name) 
   const auto document = LocatedJson::parse(text, name);
   if (!document) return document.error();
   if (const auto& doubled = document->duplicates(); !doubled.empty())
-    return document->error(doubled.front().place, fmt::format("the key {} a second time in this object",
-                                                              in_quotes(doubled.front().key)));
+    return document->error(doubled.front().place,
+                           fmt::format("the key {} a second time in this object", in_quotes(doubled.front().key)));
   const auto& root = document->root();
   if (!root.is_object() || !root.contains("check") || root["check"] != 1)
     return document->error("", "found no report of a check; expected \"check\": 1");

@@ -11,7 +11,12 @@ namespace {
 std::size_t letter_at(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const unsigned first = byte(at), second = byte(at + 1);
-  const std::size_t size = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+  const std::size_t size = first < 0x80   ? 1
+                           : first < 0xC2 ? 0
+                           : first < 0xE0 ? 2
+                           : first < 0xF0 ? 3
+                           : first < 0xF5 ? 4
+                                          : 0;
   for (std::size_t i = 1; i < size; ++i)
     if ((byte(at + i) & 0xC0U) != 0x80) return 0;
   // Longer forms than needed, surrogates, and numbers beyond the last letter.

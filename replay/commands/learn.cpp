@@ -12,9 +12,9 @@
 #include <CLI/CLI.hpp>
 
 #include "continua/core/located_json.h"
+#include "continua/core/replaced_file.h"
 #include "continua/machine_file/machine_weights.h"
 #include "continua/replay/learn/learning_run.h"
-#include "continua/core/replaced_file.h"
 
 namespace continua {
 namespace {

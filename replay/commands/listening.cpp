@@ -15,10 +15,9 @@ namespace {
 constexpr std::size_t shortest_token = 16, longest_token = 128;
 
 std::string fault_of_token(const std::string& token) {
-  const bool fit = token.size() >= shortest_token && token.size() <= longest_token &&
-                   std::all_of(token.begin(), token.end(), [](unsigned char c) {
-                     return std::isalnum(c) || c == '-' || c == '_';
-                   });
+  const bool fit =
+      token.size() >= shortest_token && token.size() <= longest_token &&
+      std::all_of(token.begin(), token.end(), [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
   return fit || token == "random"
              ? std::string()
              : fmt::format("expected {} to {} letters, digits, _ or -, or random", shortest_token, longest_token);

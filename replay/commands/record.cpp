@@ -39,11 +39,10 @@ Outcome place_traces(const std::string& output, LiveDefaults& live) {
 int tell(const PipeSummary& told) {
   if (!told.summary) return exit_done;
   const auto& [summary, session] = std::tie(*told.summary, *told.session.session);
-  put(stderr,
-      fmt::format("{:.1f} s, {} and {}, {} of {} acts done; {} and {}\n", summary.end.seconds(),
-                  counted(told.events, "event"), counted(static_cast<std::size_t>(summary.utterances), "utterance"),
-                  summary.acts_done, summary.acts, session.setting().options.trace_path,
-                  session.setting().options.log_path));
+  put(stderr, fmt::format("{:.1f} s, {} and {}, {} of {} acts done; {} and {}\n", summary.end.seconds(),
+                          counted(told.events, "event"),
+                          counted(static_cast<std::size_t>(summary.utterances), "utterance"), summary.acts_done,
+                          summary.acts, session.setting().options.trace_path, session.setting().options.log_path));
   if (summary.expectations_met < summary.expectations)
     report({session.setting().options.trace_path,
             fmt::format("{} of {} expectations were not met", summary.expectations - summary.expectations_met,

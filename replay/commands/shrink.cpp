@@ -24,7 +24,8 @@ class Counter {
  public:
   void show(std::size_t events, std::size_t probes) {
     if (!on_terminal_ || probes % 8 != 0) return;
-    put(stderr, fmt::format("\r{:<60}", fmt::format("{} left, {}", counted(events, "event"), counted(probes, "probe"))));
+    put(stderr,
+        fmt::format("\r{:<60}", fmt::format("{} left, {}", counted(events, "event"), counted(probes, "probe"))));
     std::fflush(stderr);
     shown_ = true;
   }

@@ -277,7 +277,8 @@ class SessionWhatIf : public RunWhatIf {
     log.close();
     if (!summary) return summary.error();
     if (stop) return Error{"", "the server ends"};
-    if (too_long || options.give_up()) return Error{"", "the replay takes longer, or writes more, than is served here; it was given up"};
+    if (too_long || options.give_up())
+      return Error{"", "the replay takes longer, or writes more, than is served here; it was given up"};
     if (!log) return Error{path, "could not be written to its end"};
     if (summary->stopped) return *summary->stopped;
     for (const auto& [step, transition] : summary->not_forced)

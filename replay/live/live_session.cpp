@@ -13,9 +13,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto look_every = 8ms;                     // at a world that moves
-constexpr SimTime most_at_once{50'000};              // of engine time, while whoever sends events waits
-constexpr auto patience = std::chrono::minutes(10);  // with a session that nobody sends to or looks at
+constexpr auto look_every = 8ms;                                  // at a world that moves
+constexpr SimTime most_at_once{50'000};                           // of engine time, while whoever sends events waits
+constexpr auto patience = std::chrono::minutes(10);               // with a session that nobody sends to or looks at
 constexpr std::uint64_t most_log_bytes = std::uint64_t{1} << 30;  // a day of talk with physics has less
 
 const Watch nobody;
@@ -144,9 +144,10 @@ void LiveSession::take(const std::vector<LiveEvent>& events) {
 bool LiveSession::can_go_on() {
   const bool too_long = trace_ && log_->sound() && log_->bytes() > most_log_bytes;
   if (trace_ && log_->sound() && !too_long) return true;
-  broke_ = Error{trace_ ? setting_.options.log_path : setting_.options.trace_path,
-                 too_long ? fmt::format("has {} bytes, the most of a live session; the session has ended", log_->bytes())
-                          : "cannot be written any further; the session has ended"};
+  broke_ =
+      Error{trace_ ? setting_.options.log_path : setting_.options.trace_path,
+            too_long ? fmt::format("has {} bytes, the most of a live session; the session has ended", log_->bytes())
+                     : "cannot be written any further; the session has ended"};
   close(too_long ? std::optional(now()) : std::nullopt);
   return false;
 }

@@ -14,7 +14,8 @@ LiveTail::LiveTail(std::shared_ptr<const LiveSession> session, std::uint64_t fro
 
 std::vector<std::string> LiveTail::next(std::chrono::milliseconds patience) {
   // A log that was cut meanwhile has no more, whatever was announced.
-  state_ = read_ < state_.log_bytes && !is_cut_ ? session_->audience().state() : session_->audience().wait(state_, patience);
+  state_ =
+      read_ < state_.log_bytes && !is_cut_ ? session_->audience().state() : session_->audience().wait(state_, patience);
   std::vector<std::string> lines;
   // The announced bytes are whole lines.
   for (const auto most = read_ + most_at_once; read_ < std::min(state_.log_bytes, most);) {

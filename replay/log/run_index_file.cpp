@@ -125,18 +125,22 @@ bool is_in_order(const std::vector<RecordEntry>& entries) {
 // Readers go where an index sends them: none may be sent out of the log, or in a circle.
 bool is_consistent(const ScannedLog& log) {
   const auto known = [&](std::uint64_t n) { return n < log.entries.size(); };
-  return !log.entries.empty() && is_in_order(log.entries) && std::all_of(log.entries.begin(), log.entries.end(), [&](const RecordEntry& entry) {
-    return entry.kind < log.kinds.size() && entry.offset <= log.bytes && entry.length <= log.bytes - entry.offset;
-  }) && std::all_of(log.marks.begin(), log.marks.end(), [&](const StackMark& mark) {
-    return known(mark.n);
-  }) && std::all_of(log.acts.begin(), log.acts.end(), [&](const ActMark& mark) {
-    return known(mark.n);
-  }) && std::all_of(log.steps.begin(), log.steps.end(), [&](const StepMark& step) {
-    return known(step.n) && std::max({step.id, step.from, step.to}) < log.names.size();
-  }) && std::all_of(log.symbols.begin(), log.symbols.end(), [&](const auto& symbol) {
-    const auto below = log.symbols.find(symbol.second.below);
-    return known(symbol.second.n) && (below == log.symbols.end() || below->second.n < symbol.second.n);
-  });
+  return !log.entries.empty() && is_in_order(log.entries) &&
+         std::all_of(log.entries.begin(), log.entries.end(),
+                     [&](const RecordEntry& entry) {
+                       return entry.kind < log.kinds.size() && entry.offset <= log.bytes &&
+                              entry.length <= log.bytes - entry.offset;
+                     }) &&
+         std::all_of(log.marks.begin(), log.marks.end(), [&](const StackMark& mark) { return known(mark.n); }) &&
+         std::all_of(log.acts.begin(), log.acts.end(), [&](const ActMark& mark) { return known(mark.n); }) &&
+         std::all_of(log.steps.begin(), log.steps.end(),
+                     [&](const StepMark& step) {
+                       return known(step.n) && std::max({step.id, step.from, step.to}) < log.names.size();
+                     }) &&
+         std::all_of(log.symbols.begin(), log.symbols.end(), [&](const auto& symbol) {
+           const auto below = log.symbols.find(symbol.second.below);
+           return known(symbol.second.n) && (below == log.symbols.end() || below->second.n < symbol.second.n);
+         });
 }
 
 }  // namespace

@@ -78,8 +78,8 @@ class HttpDoor {
   std::size_t bodies_ = 0;                                  // bytes that are read or answered
   Clock::time_point accept_again_;
 
-  std::mutex mutex_;                                // guards the next
-  std::vector<std::pair<int, bool>> answered_;      // sockets, and whether they are to be kept
+  std::mutex mutex_;                            // guards the next
+  std::vector<std::pair<int, bool>> answered_;  // sockets, and whether they are to be kept
   std::unique_ptr<Pool> pool_;
 };
 

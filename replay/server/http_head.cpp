@@ -77,8 +77,8 @@ std::optional<HttpAnswer> read_length(HttpHead& head) {
     return HttpAnswer{415, "expected a body that is not packed", {}};
   const auto* length = head.header("Content-Length");
   if (!length) return std::nullopt;
-  const bool digits = !length->empty() && std::all_of(length->begin(), length->end(),
-                                                      [](char c) { return c >= '0' && c <= '9'; });
+  const bool digits =
+      !length->empty() && std::all_of(length->begin(), length->end(), [](char c) { return c >= '0' && c <= '9'; });
   if (!digits) return HttpAnswer{400, "Content-Length is no number", {}};
   const auto problem = std::from_chars(length->data(), length->data() + length->size(), head.body).ec;
   if (problem != std::errc() || head.body > HttpLimits::body)
@@ -121,7 +121,8 @@ std::variant<std::optional<std::size_t>, HttpAnswer> HeadScan::look(std::string_
     looked_ = end == std::string_view::npos ? text.size() : end + 1;
     if (looked_ - line_ > HttpLimits::line || looked_ > HttpLimits::head) return too_long();
     if (end == std::string_view::npos) return std::nullopt;
-    if (end == line_ || text[end - 1] != '\r') return HttpAnswer{400, "a line of the head does not end as it should", {}};
+    if (end == line_ || text[end - 1] != '\r')
+      return HttpAnswer{400, "a line of the head does not end as it should", {}};
     const bool empty = end == line_ + 1;
     line_ = looked_;
     if (empty) return std::optional(looked_);

@@ -14,10 +14,10 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto patience = 10s;                     // with a piece of an answer, and longer for a large one:
-constexpr std::size_t least_bytes_per_s = 65536;   // so that slow readers do not keep the threads that answer
-constexpr auto patience_at_the_end = 1s;           // of the program
-constexpr int look_every_ms = 100;                 // whether the program ends
+constexpr auto patience = 10s;                    // with a piece of an answer, and longer for a large one:
+constexpr std::size_t least_bytes_per_s = 65536;  // so that slow readers do not keep the threads that answer
+constexpr auto patience_at_the_end = 1s;          // of the program
+constexpr int look_every_ms = 100;                // whether the program ends
 
 bool can_be_written(int socket, int wait_ms) {
   pollfd waiting{socket, POLLOUT, 0};

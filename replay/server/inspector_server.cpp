@@ -111,9 +111,10 @@ std::string written(const HttpAnswer& answer) {
   auto text = fmt::format("HTTP/1.1 {} {}\r\n", answer.status, answer.status < 400 ? "See Other" : "Refused");
   for (const auto& [name, value] : always) text += fmt::format("{}: {}\r\n", name, value);
   for (const auto& [name, value] : answer.headers) text += fmt::format("{}: {}\r\n", name, value);
-  return text + fmt::format("Cache-Control: no-store\r\nContent-Type: application/json\r\nContent-Length: {}\r\n"
-                            "Connection: close\r\n\r\n{}",
-                            body.size(), body);
+  return text + fmt::format(
+                    "Cache-Control: no-store\r\nContent-Type: application/json\r\nContent-Length: {}\r\n"
+                    "Connection: close\r\n\r\n{}",
+                    body.size(), body);
 }
 
 }  // namespace

@@ -300,7 +300,7 @@ const Machine& Session::machine() const { return *loaded_->parts.machine; }
 
 std::vector<std::string> Session::files() const {
   const auto& options = loaded_->options;
-  std::vector<std::string> files = {loaded_->trace.name, loaded_->scene.path(), options.with, options.weights,
+  std::vector<std::string> files = {loaded_->trace.name, loaded_->scene.path(), options.with,   options.weights,
                                     options.learned,     options.scene,         options.machine};
   if (const auto data = find_data_paths(options.knowledge))
     if (const auto machine = machine_of(loaded_->trace, options.machine, *data)) files.push_back(*machine);

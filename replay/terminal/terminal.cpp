@@ -27,7 +27,6 @@ void print_line(const char* what, std::string line) {
   put(stderr, fmt::format("continua: {}{}\n", what, printable(line)));
 }
 
-
 }  // namespace
 
 void put(std::FILE* stream, const std::string& text) {

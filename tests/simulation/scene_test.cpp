@@ -151,8 +151,8 @@ TEST_CASE("bad scenes are errors with a place and a sentence") {
 
 TEST_CASE("a time step that cannot be simulated is refused with its place") {
   const auto with_step = [](const std::string& step) {
-    return written("step.xml", "<mujoco>\n<option timestep='" + step + "'/>\n<worldbody>\n" + a_table +
-                                   "</worldbody>\n</mujoco>");
+    return written("step.xml",
+                   "<mujoco>\n<option timestep='" + step + "'/>\n<worldbody>\n" + a_table + "</worldbody>\n</mujoco>");
   };
   for (const char* step : {"0", "-1", "1e-6", "1e-12", "0.2", "nan", "inf"}) {
     INFO(step);

@@ -62,7 +62,8 @@ TEST_CASE("a head is read strictly") {
 }
 
 TEST_CASE("a head tells what follows") {
-  const auto read = read_head("POST /a?b=c HTTP/1.1\r\nhOST:  there \r\nContent-Length: 007\r\nRange: bytes=0-\r\n\r\n");
+  const auto read =
+      read_head("POST /a?b=c HTTP/1.1\r\nhOST:  there \r\nContent-Length: 007\r\nRange: bytes=0-\r\n\r\n");
   const auto& head = std::get<HttpHead>(read);
   CHECK(head.method == "POST");
   CHECK(head.target == "/a?b=c");
