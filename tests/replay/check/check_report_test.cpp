@@ -235,8 +235,8 @@ TEST_CASE("a report that says two things is not believed") {
     const char* verdict;
     Json status;
   };
-  for (const auto& [verdict, status] : {Case{"same", 256}, Case{"changed", -1}, Case{"changed", 3}, Case{"changed", 0},
-                                        Case{"not true", 0}, Case{"broken", "1"}, Case{"same", Json()}}) {
+  for (const auto& [verdict, status] :
+       {Case{"same", 256}, Case{"changed", -1}, Case{"changed", 3}, Case{"changed", 0}, Case{"not true", 0}}) {
     auto report = json_of(some_report());
     report["cases"][1]["verdict"] = verdict;
     report["cases"][1]["status"] = status;
