@@ -1,12 +1,16 @@
 // The program `continua`: reads its arguments and calls the command they name.
+#include <fcntl.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <functional>
 #include <memory>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -127,12 +131,33 @@ int run_program(int argc, char** argv) {
 }  // namespace
 }  // namespace continua
 
+namespace {
+
+// A file that is opened while one of the three is closed would take its place, and get what is meant for a terminal.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", stream == STDIN_FILENO ? O_RDONLY : O_WRONLY) < 0) return;
+}
+
+// Much of what commands print is still in memory when they are done.
+int with_all_printed(int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  continua::report({"standard output", "could not be written to its end"});
+  return continua::exit_impossible;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  open_standard_streams();
   // Live sessions have threads of their own; a heap for each would be kept when they are gone.
   ::mallopt(M_ARENA_MAX, 2);
   try {
-    return continua::run_program(argc, argv);
-  } catch (const std::exception& problem) {  // out of memory, a file system that fails in mid-walk
+    return with_all_printed(continua::run_program(argc, argv));
+  } catch (const std::bad_alloc&) {
+    continua::report({"", "it takes more memory than there is"});
+    return continua::exit_impossible;
+  } catch (const std::exception& problem) {  // a file system that fails in mid-walk
     continua::report({"", problem.what()});
     return continua::exit_impossible;
   }

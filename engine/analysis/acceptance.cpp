@@ -44,6 +44,10 @@ Result<bool> Acceptance::accepts(const std::vector<std::string>& word) {
                  fmt::format("makes more than {} different stack symbols or registers' values, so acceptance cannot be "
                              "decided; expected a machine whose symbols are finitely many",
                              system.most_values())};
+  if (reached.exhausted())
+    return Error{work_->machine->name, fmt::format("takes more than {} steps to decide this word; expected a smaller "
+                                                   "machine, or a shorter word",
+                                                   Saturation::most_applied)};
   return false;
 }
 

@@ -61,7 +61,7 @@ class Decided {
   bool run() {
     Saturation reached(system_);
     reached.close(letter_ids_);
-    if (system_.overflowed()) return false;
+    if (system_.overflowed() || reached.exhausted()) return false;
     std::set<StateIndex> states;
     std::set<std::pair<int, int>> heads;
     for (const auto& edge : reached.edges())

@@ -127,7 +127,7 @@ MachineAnalysis analyse(const std::shared_ptr<const Machine>& machine) {
     analysis = std::move(exact);
     analysis.decided = true;
   } else {
-    analysis.undecided = "its stack symbols or registers take endlessly many values";
+    analysis.undecided = "its stack symbols or registers take endlessly many values, or too many to consider";
   }
   if (!analysis.decided) judge(*machine, analysis);
   find_dead_ends(*machine, analysis);

@@ -16,7 +16,7 @@ Saturation::Saturation(PushdownSystem& system) : system_(system), nodes_(1) {
 }
 
 void Saturation::close(const std::vector<int>& free_letters) {
-  for (; closed_ < edges_.size(); ++closed_) {
+  for (; closed_ < edges_.size() && !exhausted(); ++closed_) {
     const Edge edge = edges_[closed_];
     for (const auto& rule : system_.rules(edge.control, edge.symbol, PushdownSystem::epsilon)) apply(rule, edge.rest);
     for (const int letter : free_letters)
@@ -39,6 +39,7 @@ void Saturation::read(int letter) {
 }
 
 void Saturation::apply(const PushdownRule& rule, int rest) {
+  if (++applied_ > most_applied) return;
   const auto& word = rule.word;
   if (word.empty()) return pop(rule.control, rest);
   std::vector<int> key{rule.control};
@@ -55,6 +56,7 @@ void Saturation::apply(const PushdownRule& rule, int rest) {
 }
 
 void Saturation::add(Edge edge) {
+  ++applied_;
   if (known_.insert(edge).second) edges_.push_back(edge);
 }
 

@@ -32,6 +32,12 @@ class Saturation {
   /// Reads one letter: the next layer has the configurations that its rules lead to.
   void read(int letter);
 
+  /// Work without end would look like a program that hangs: this counts rules that were applied and edges that were
+  /// added, so that the same machine has the same answer everywhere.
+  static constexpr std::size_t most_applied = 20'000'000;
+  /// The set is not complete, since that would take more than most_applied.
+  bool exhausted() const { return applied_ > most_applied; }
+
   /// The edges of the present layer, in the order in which they were reached.
   const std::vector<Edge>& edges() const { return edges_; }
 
@@ -50,6 +56,7 @@ class Saturation {
   std::vector<Edge> edges_;
   std::unordered_set<Edge, HashEdge> known_;
   std::size_t closed_ = 0;  ///< number of saturated edges
+  std::size_t applied_ = 0;
 
   struct Node {
     std::vector<std::pair<int, int>> edges;  ///< symbol, rest

@@ -87,14 +87,24 @@ InputEvent event_of(std::string_view symbol) {
   return event;
 }
 
+namespace {
+
+// Not a copy whose list is cleared, which would keep its memory: all the copies would take the square of it.
+InputEvent without_alternatives(const InputEvent& event) {
+  return {event.t,         event.modality,   event.text,     event.name,     event.hand,
+          event.direction, event.phase,      event.features, event.target_W, event.ray,
+          event.until,     event.confidence, event.final,    event.words,    {}};
+}
+
+}  // namespace
+
 InputEvent alternative(const InputEvent& event, std::size_t k) {
   require(k <= event.alternatives.size(), "there is no such alternative");
   if (k == 0) return event;
-  InputEvent other = event;
+  InputEvent other = without_alternatives(event);
   auto& reading = event.modality == Modality::speech ? other.text : other.name;
   reading = event.alternatives[k - 1].text;
   other.confidence = event.alternatives[k - 1].confidence;
-  other.alternatives.clear();
   return other;
 }
 

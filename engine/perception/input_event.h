@@ -26,6 +26,9 @@ struct Alternative {
   double confidence = 1;
 };
 
+/// The longest n-best list of an event; each entry is read as the whole event is.
+inline constexpr std::size_t most_alternatives = 100;
+
 struct Word {
   std::string text;
   SimTime t;

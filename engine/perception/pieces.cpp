@@ -38,6 +38,7 @@ InputEvent joined(const InputEvent& first, const InputEvent& second) {
     whole.alternatives.push_back({both(text, second.text), std::min(confidence, second.confidence)});
   for (const auto& [text, confidence] : second.alternatives)
     whole.alternatives.push_back({both(first.text, text), std::min(confidence, first.confidence)});
+  if (whole.alternatives.size() > most_alternatives) whole.alternatives.resize(most_alternatives);
   return whole;
 }
 

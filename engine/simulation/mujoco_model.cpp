@@ -3,6 +3,7 @@
 #include <array>
 #include <csetjmp>
 #include <cstring>
+#include <new>
 #include <optional>
 
 #include <fmt/format.h>
@@ -70,8 +71,14 @@ std::variant<ModelOwner, CompileError> compile_mjcf(const std::string& text, con
 
   std::array<char, 1000> message{};
   mjModel* model = nullptr;
-  const auto fatal =
-      fatal_error_of([&] { model = mj_loadXML(name, files.get(), message.data(), static_cast<int>(message.size())); });
+  std::string fatal;
+  try {
+    fatal = fatal_error_of(
+        [&] { model = mj_loadXML(name, files.get(), message.data(), static_cast<int>(message.size())); });
+  } catch (const std::bad_alloc&) {
+    fatal = "it takes more memory than there is";
+  }
+  way_back = nullptr;
   mj_deleteVFS(files.get());
 
   if (!fatal.empty()) return read_message(fatal);

@@ -193,6 +193,9 @@ Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverri
   if (!source) return source.error();
   auto model = compile(*source);
   if (!model) return model.error();
+  if (const double step_s = (*model)->opt.timestep; !(step_s >= least_timestep_s && step_s <= most_timestep_s))
+    return Error{source->where("option", "timestep"),
+                 fmt::format("the time step is {} s; expected {} to {} s", step_s, least_timestep_s, most_timestep_s)};
   const auto weld = missing_weld(**model, path);
   if (!weld) return weld.error();
   if (!weld->empty()) {
@@ -209,8 +212,8 @@ Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverri
   bool some_removed = false;
   for (const auto& wanted : overrides) {
     if (std::find(names.begin(), names.end(), wanted.object) == names.end())
-      return Error{path,
-                   fmt::format("the scene has no object '{}'{}", wanted.object, did_you_mean(wanted.object, names))};
+      return Error{"", fmt::format("the scene {} has no object '{}'{}", path, wanted.object,
+                                   did_you_mean(wanted.object, names))};
     if (!wanted.removed) continue;
     source = source->without_body(wanted.object);
     some_removed = true;

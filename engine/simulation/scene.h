@@ -75,8 +75,12 @@ class Scene {
   std::string path_, text_;
 };
 
+/// A shorter step takes hours for a second; no contact outlives a longer one.
+inline constexpr double least_timestep_s = 1e-5, most_timestep_s = 0.1;
+
 /// Loads the MJCF file at `path`. Errors, with the file and the line if there is one: the file is missing, empty or not
-/// MJCF; MuJoCo refuses it; the scene lacks an element; an override names no object of the scene.
+/// MJCF; MuJoCo refuses it; its time step is none of the above; the scene lacks an element. Without a place, since only
+/// the caller knows it: an override names no object of the scene.
 Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverride>& overrides = {});
 
 /// The object at `pose` as decisions see it: on the grid, upright. A tipped object has the bounding box of its pose.

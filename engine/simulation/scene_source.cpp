@@ -1,6 +1,7 @@
 #include "continua/simulation/scene_source.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -13,6 +14,14 @@ namespace continua {
 namespace {
 
 constexpr auto npos = std::string_view::npos;
+
+// Far beyond what a table full of objects takes.
+constexpr std::pair<const char*, int> most_of_sizes[] = {
+    {"njmax", 200'000},     {"nconmax", 100'000}, {"nstack", 100'000'000}, {"nuserdata", 100'000},
+    {"nkey", 1000},         {"nuser_body", 1000}, {"nuser_jnt", 1000},     {"nuser_geom", 1000},
+    {"nuser_site", 1000},   {"nuser_cam", 1000},  {"nuser_tendon", 1000},  {"nuser_actuator", 1000},
+    {"nuser_sensor", 1000},
+};
 
 /// A tag of an XML text: text[begin, end) from '<' to '>'.
 struct Tag {
@@ -66,13 +75,33 @@ Result<SceneSource> SceneSource::read(const std::string& path) {
   source.path_ = path;
   std::vector<std::string> open_files;
   if (auto wrong = source.expand(path, open_files)) return *wrong;
+  if (auto wrong = source.check_sizes()) return *wrong;
   return source;
+}
+
+// MuJoCo allocates what an element <size> asks for, before it looks at anything else.
+Outcome SceneSource::check_sizes() const {
+  for (auto tag = next_tag(text_, 0); tag; tag = next_tag(text_, tag->end)) {
+    if (tag->name != "size") continue;
+    const auto element = std::string_view(text_).substr(tag->begin, tag->end - tag->begin);
+    for (const auto& [name, most] : most_of_sizes) {
+      const auto value = attribute(element, name);
+      // Anything but a number is MuJoCo's to refuse.
+      const double asked = value ? std::strtod(value->c_str(), nullptr) : 0;
+      if (asked > most)
+        return Error{where(line_of(text_, tag->begin)),
+                     fmt::format("{} is \"{}\"; expected at most {}", name, *value, most)};
+    }
+  }
+  return std::nullopt;
 }
 
 // The scene's own file keeps its root element; an included file contributes only the root's content.
 Outcome SceneSource::expand(const std::string& file, std::vector<std::string>& open_files) {
   auto read = read_file(file);
   if (!read) return read.error();
+  if (text_.size() + read->size() > most_bytes)
+    return Error{file, fmt::format("makes the scene longer than {} bytes, with all that it includes", most_bytes)};
   const std::string_view text = *read;
   const auto root = next_tag(text, 0);
   if (!root || root->name.substr(0, 6) != "mujoco")
@@ -101,6 +130,9 @@ Outcome SceneSource::expand(const std::string& file, std::vector<std::string>& o
     const auto path = (std::filesystem::path(file).parent_path() / *name).lexically_normal().string();
     if (std::find(open_files.begin(), open_files.end(), path) != open_files.end())
       return Error{here, fmt::format("'{}' includes itself", *name)};
+    if (++inclusions_ > most_inclusions)
+      return Error{
+          here, fmt::format("is the scene's inclusion number {}; expected at most {}", inclusions_, most_inclusions)};
     copy(from, tag->begin);
     if (auto wrong = expand(path, open_files)) {
       if (wrong->where == path) return Error{here, fmt::format("cannot include '{}': {}", *name, wrong->sentence)};
@@ -117,6 +149,15 @@ std::string SceneSource::where(int line) const {
   if (line < 1 || static_cast<std::size_t>(line) > lines_.size()) return path_;
   const Line& origin = lines_[static_cast<std::size_t>(line) - 1];
   return fmt::format("{}:{}", origin.file, origin.number);
+}
+
+std::string SceneSource::where(std::string_view name, std::string_view attribute_name) const {
+  std::string found = path_;
+  for (auto tag = next_tag(text_, 0); tag; tag = next_tag(text_, tag->end))
+    if (tag->name == name &&
+        attribute(std::string_view(text_).substr(tag->begin, tag->end - tag->begin), attribute_name))
+      found = where(line_of(text_, tag->begin));
+  return found;
 }
 
 SceneSource SceneSource::with(std::string_view elements) const {

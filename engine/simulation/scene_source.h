@@ -13,7 +13,10 @@ namespace continua {
 class SceneSource {
  public:
   /// Reads `path` and all inclusions; the file of `<include file="…"/>` is sought in the folder of the including file.
-  /// Errors: a file is missing, empty, not MJCF, or includes itself.
+  /// Errors: a file is missing, empty, not MJCF, or includes itself; there are more inclusions in all than
+  /// most_inclusions, or more text than most_bytes; a size that MuJoCo is to allocate is beyond all use.
+  static constexpr int most_inclusions = 1000;
+  static constexpr std::size_t most_bytes = std::size_t{16} << 20;
   static Result<SceneSource> read(const std::string& path);
 
   const std::string& path() const { return path_; }
@@ -22,6 +25,9 @@ class SceneSource {
 
   /// "file:line" of a line of text(), counted from 1; the scene's own path if there is no such line.
   std::string where(int line) const;
+
+  /// "file:line" of the last tag of that name with the attribute; the scene's own path if there is none.
+  std::string where(std::string_view tag, std::string_view attribute) const;
 
   /// The same scene with more elements at its end. Lines keep their numbers.
   SceneSource with(std::string_view elements) const;
@@ -36,8 +42,10 @@ class SceneSource {
   };
 
   Outcome expand(const std::string& file, std::vector<std::string>& open_files);
+  Outcome check_sizes() const;
 
   std::string path_, text_;
+  int inclusions_ = 0;
   std::vector<Line> lines_;  // of text_
 };
 

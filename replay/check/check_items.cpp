@@ -79,7 +79,9 @@ Result<std::vector<CheckItem>> items_of(const std::vector<std::string>& paths) {
   for (const auto& path : paths) {
     std::error_code problem;
     if (!fs::exists(path, problem)) return Error{path, "there is no such file or folder"};
+    const auto before = items.size();
     collect(fs::path(path).lexically_normal(), items);
+    if (items.size() == before) return Error{path, "has nothing to check; expected traces, machines or knowledge"};
   }
   name_them(items);
   return items;

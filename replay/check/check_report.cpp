@@ -1,6 +1,7 @@
 #include "continua/replay/check/check_report.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include <fmt/format.h>
@@ -28,6 +29,21 @@ T member(const Json& object, const char* key, T otherwise, bool (Json::*is)() co
 
 std::string text_in(const Json& object, const char* key) {
   return member<std::string>(object, key, "", &Json::is_string);
+}
+
+constexpr std::array<std::string_view, 4> failures = {"changed", "stale", "broken", "not true"};
+
+// Why a case of a report cannot be believed; empty if it can. One without a status counts as impossible.
+std::string fault_of(const Json& json) {
+  const auto status = json.find("status");
+  if (status == json.end() || !status->is_number_integer()) return "";
+  if (*status < exit_done || *status > exit_impossible)
+    return fmt::format("'status' is {}; expected {}, {} or {}", compact(*status), static_cast<int>(exit_done),
+                       static_cast<int>(exit_no), static_cast<int>(exit_impossible));
+  const auto verdict = text_in(json, "verdict");
+  if (*status != exit_done || std::find(failures.begin(), failures.end(), verdict) == failures.end()) return "";
+  return fmt::format("'verdict' is {} and 'status' {}; expected a status that says so too", in_quotes(verdict),
+                     compact(*status));
 }
 
 CheckCase case_of(const Json& json) {
@@ -123,6 +139,9 @@ Json json_of(const CheckReport& report) {
 Result<CheckReport> read_report(std::string_view text, const std::string& name) {
   const auto document = LocatedJson::parse(text, name);
   if (!document) return document.error();
+  if (const auto& doubled = document->duplicates(); !doubled.empty())
+    return document->error(doubled.front().place,
+                           fmt::format("the key {} a second time in this object", in_quotes(doubled.front().key)));
   const auto& root = document->root();
   if (!root.is_object() || !root.contains("check") || root["check"] != 1)
     return document->error("", "found no report of a check; expected \"check\": 1");
@@ -137,8 +156,12 @@ Result<CheckReport> read_report(std::string_view text, const std::string& name) 
   report.seconds = member(root, "seconds", 0.0, &Json::is_number);
   if (!root.contains("cases") || !root["cases"].is_array())
     return document->error("/cases", "expected \"cases\": a list of what came out, file by file");
-  for (const auto& one : root["cases"])
-    if (one.is_object()) report.cases.push_back(case_of(one));
+  for (const auto& one : root["cases"]) {
+    if (!one.is_object()) continue;
+    if (const auto fault = fault_of(one); !fault.empty())
+      return document->error(fmt::format("/cases/{}", report.cases.size()), fault);
+    report.cases.push_back(case_of(one));
+  }
   if (report.cases.size() != share_of(report.shard, report.files))
     return document->error("/cases",
                            fmt::format("found {}; expected {}, the share of shard {}/{} of {}",

@@ -177,8 +177,11 @@ void Checking::finish(std::size_t index, Finding finding) {
 }
 
 void tell(const CheckCase& one, bool github) {
-  for (const auto& problem : one.problems) fmt::print(stderr, "{}\n", problem.text());
-  fmt::print("{}\n", line_of(one));
+  for (const auto& problem : one.problems) put(stderr, printable(problem.text()) + "\n");
+  // A line of its own may be a command to GitHub.
+  auto line = printable(line_of(one));
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  fmt::print("{}\n", line);
   if (!one.page.empty()) fmt::print("     see {}\n", one.page);
   if (github) fmt::print("{}", github_annotations(one));
 }

@@ -124,6 +124,9 @@ Json digests_of(const Log& run) {
 Result<RunComparison> compare_digests(const Log& run, const ApprovedRun& approved) {
   const auto document = LocatedJson::parse(approved.content, approved.path);
   if (!document) return document.error();
+  if (const auto& doubled = document->duplicates(); !doubled.empty())
+    return document->error(doubled.front().place,
+                           fmt::format("the key {} a second time in this object", in_quotes(doubled.front().key)));
   const Json now = digests_of(run), before = document->root();
   if (!before.is_object() || part(before, "/approved") != 1)
     return Error{approved.path, "is no approved run; expected \"approved\": 1"};

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "continua/core/located_json.h"
+#include "continua/core/replaced_file.h"
 #include "continua/replay/check/check_approval.h"
 #include "continua/replay/check/check_summary.h"
 #include "continua/replay/check/junit.h"
@@ -53,6 +54,8 @@ int conclude(const CheckOptions& options, const CheckReport& report, const std::
 }
 
 int run_merge(const CheckOptions& options) {
+  for (const auto& output : {options.junit, options.report, options.summary})
+    if (const auto problem = not_an_input(output, options.merge)) return report(*problem), exit_impossible;
   std::vector<CheckReport> reports;
   for (const auto& path : options.merge) {
     const auto text = read_file(path);
@@ -77,6 +80,11 @@ int run_check(const CheckOptions& options) {
   if (!all) return report(all.error()), exit_impossible;
   std::vector<CheckItem> items;
   for (std::size_t i = options.shard.index - 1; i < all->size(); i += options.shard.count) items.push_back((*all)[i]);
+
+  std::vector<std::string> inputs;
+  for (const auto& item : *all) inputs.push_back(item.path.string());
+  for (const auto& output : {options.junit, options.report, options.summary})
+    if (const auto problem = not_an_input(output, inputs)) return report(*problem), exit_impossible;
 
   Checking checking(options, *data, items);
   checking.run();

@@ -44,7 +44,7 @@ int runs(const DiffCommandOptions& options) {
     print_json(diff_json(*a, *b, *diff));
   else
     fmt::print("{}", options.markdown ? diff_markdown(*a, *b, *diff)
-                                      : diff_text(*a, *b, *diff, {wants_colour(), options.most}));
+                                      : printable(diff_text(*a, *b, *diff, {wants_colour(), options.most})));
   return is_same(*diff) ? exit_done : exit_no;
 }
 

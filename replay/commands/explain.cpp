@@ -36,8 +36,8 @@ int run_explain(const ExplainOptions& options) {
   const auto explained = explain(*run, *n);
   if (!explained) return report(explained.error()), exit_impossible;
   auto text = options.json   ? explained->dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-              : options.tree ? explain_tree(*explained, text_options(options.all))
-                             : explain_text(*explained, text_options(options.all));
+              : options.tree ? printable(explain_tree(*explained, text_options(options.all)))
+                             : printable(explain_text(*explained, text_options(options.all)));
   if (options.tree && text.empty()) return report({run->where(*n), "no term is behind this record"}), exit_no;
   if (const auto problem = write_file("-", text)) return report(*problem), exit_impossible;
   return exit_done;

@@ -2,10 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 
+#include "continua/core/replaced_file.h"
 #include "continua/replay/export/chrome.h"
 #include "continua/replay/export/csv.h"
 #include "continua/replay/export/graph_dot.h"
@@ -15,7 +14,6 @@
 #include "continua/replay/terminal/progress.h"
 
 namespace continua {
-namespace fs = std::filesystem;
 namespace {
 
 Outcome export_dot(const RunIndex& run, std::ostream& out) {
@@ -57,22 +55,11 @@ constexpr std::array exporters = {
     Exporter{"html", "the inspector's page with this run in it, one file that opens offline", export_html},
 };
 
-// An existing file is replaced only by a whole one.
 Outcome written(const Exporter& exporter, const RunIndex& run, const std::string& path) {
-  std::error_code unknown;
-  const bool aside = !fs::exists(path, unknown) || fs::is_regular_file(path, unknown);
-  const auto target = aside ? path + ".part" : path;
-  std::ofstream file(target, std::ios::binary);
-  if (!file) return Error{path, "cannot be written; expected a writable file"};
-  auto problem = exporter.write(run, file);
-  file.close();
-  if (!problem && !file) problem = Error{path, "could not be written to its end"};
-  if (!aside) return problem;
-  std::error_code failed;
-  if (!problem) fs::rename(target, path, failed);
-  if (!problem && failed) problem = Error{path, "cannot be replaced: " + failed.message()};
-  if (problem) fs::remove(target, unknown);
-  return problem;
+  if (auto problem = not_an_input(path, {run.path()})) return problem;
+  ReplacedFile file(path);
+  if (auto problem = exporter.write(run, file.stream())) return problem;
+  return file.commit();
 }
 
 }  // namespace

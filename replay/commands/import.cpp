@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "continua/core/replaced_file.h"
 #include "continua/knowledge_files/named_machine.h"
 #include "continua/machine_file/machine_parameters.h"
 #include "continua/replay/trace/session_import.h"
@@ -31,14 +32,9 @@ void count(const Trace& trace, Counts& counts) {
 
 void print_notes(const Trace& trace) {
   for (std::size_t i = 0; i < std::min(trace.notes.size(), notes_shown); ++i)
-    fmt::print(stderr, "{}\n", sentence_of(trace, trace.notes[i]));
+    put(stderr, printable(sentence_of(trace, trace.notes[i])) + "\n");
   if (trace.notes.size() > notes_shown)
-    fmt::print(stderr, "{}: {} more notes\n", trace.name, trace.notes.size() - notes_shown);
-}
-
-bool same_file(const fs::path& a, const fs::path& b) {
-  std::error_code problem;
-  return fs::equivalent(a, b, problem) && !problem;
+    put(stderr, fmt::format("{}: {} more notes\n", trace.name, trace.notes.size() - notes_shown));
 }
 
 // Which file each log becomes; an error if two would be the same or a log would be overwritten.
@@ -55,7 +51,7 @@ Result<std::vector<std::string>> outputs_of(const ImportOptions& options) {
   for (const auto& log : options.logs) {
     const auto output =
         folder ? (fs::path(options.output) / fs::path(log).stem()).string() + ".trace.jsonl" : options.output;
-    if (same_file(log, output)) return Error{log, "is also the output; expected another file"};
+    if (auto over = not_an_input(output, options.logs)) return *std::move(over);
     const auto [other, fresh] = log_of.emplace(output, log);
     if (!fresh) return Error{log, fmt::format("would be written to {}, as would {}", output, other->second)};
     outputs.push_back(output);

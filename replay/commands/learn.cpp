@@ -12,9 +12,9 @@
 #include <CLI/CLI.hpp>
 
 #include "continua/core/located_json.h"
+#include "continua/core/replaced_file.h"
 #include "continua/machine_file/machine_weights.h"
 #include "continua/replay/learn/learning_run.h"
-#include "continua/replay/trace/whole_file.h"
 
 namespace continua {
 namespace {
@@ -92,7 +92,7 @@ class Learning {
     if (!held_out_.empty())
       if (auto problem = compare(held_out->inputs, before, after, otherwise, document)) return problem;
     const auto text = document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-    if (const auto problem = write_whole_file(options_.output, text)) return problem;
+    if (const auto problem = replace_file(options_.output, text)) return problem;
     fmt::print("{} weights and {} rows of evidence -> {}\n", document["transitions"].size(),
                document["evidence"].size(), options_.output);
     return std::nullopt;
@@ -161,6 +161,9 @@ class Learning {
 }  // namespace
 
 int run_learn(const LearnOptions& options) {
+  auto inputs = options.traces;
+  inputs.insert(inputs.end(), {options.machine, options.replay.scene});
+  if (const auto problem = not_an_input(options.output, inputs)) return report(*problem), exit_impossible;
   auto replay = options.replay;
   replay.machine = options.machine;
   auto machine = machine_of(options.traces.front(), replay);

@@ -11,6 +11,7 @@
 
 #include "continua/analysis/acceptance.h"
 #include "continua/analysis/machine_analysis.h"
+#include "continua/core/replaced_file.h"
 #include "continua/knowledge_files/named_machine.h"
 #include "continua/replay/export/graph_dot.h"
 #include "continua/replay/export/graph_svg.h"
@@ -116,7 +117,7 @@ std::string description_of(const std::shared_ptr<const Machine>& machine) {
 }
 
 Result<std::string> answer(const MachineOptions& options, const std::shared_ptr<const Machine>& machine) {
-  if (!options.dot && !options.svg) return description_of(machine);
+  if (!options.dot && !options.svg) return printable(description_of(machine));
   const auto graph = state_graph_of(log::to_json(graph_of(*machine)), machine->name);
   if (!graph) return graph.error();
   return options.svg ? svg_of(*graph) : dot_of(*graph);
@@ -129,6 +130,7 @@ int run_machine(const MachineOptions& options) {
   if (!machine) return report(machine.error()), exit_impossible;
   const auto text = answer(options, *machine);
   if (!text) return report(text.error()), exit_impossible;
+  if (const auto problem = not_an_input(options.output, {options.machine})) return report(*problem), exit_impossible;
   if (const auto problem = write_file(options.output, *text)) return report(*problem), exit_impossible;
   return exit_done;
 }

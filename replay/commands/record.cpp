@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr int usual_port = 8080;
 
 // Where the traces go. The first is called as `output` says, which must not be there yet.
-Outcome place(const std::string& output, LiveDefaults& live) {
+Outcome place_traces(const std::string& output, LiveDefaults& live) {
   if (output.empty()) return std::nullopt;
   std::error_code problem;
   if (fs::is_directory(output, problem)) {
@@ -39,13 +39,15 @@ Outcome place(const std::string& output, LiveDefaults& live) {
 int tell(const PipeSummary& told) {
   if (!told.summary) return exit_done;
   const auto& [summary, session] = std::tie(*told.summary, *told.session.session);
-  fmt::print(stderr, "{:.1f} s, {} and {}, {} of {} acts done; {} and {}\n", summary.end.seconds(),
-             counted(told.events, "event"), counted(static_cast<std::size_t>(summary.utterances), "utterance"),
-             summary.acts_done, summary.acts, session.setting().options.trace_path, session.setting().options.log_path);
+  put(stderr, fmt::format("{:.1f} s, {} and {}, {} of {} acts done; {} and {}\n", summary.end.seconds(),
+                          counted(told.events, "event"),
+                          counted(static_cast<std::size_t>(summary.utterances), "utterance"), summary.acts_done,
+                          summary.acts, session.setting().options.trace_path, session.setting().options.log_path));
   if (summary.expectations_met < summary.expectations)
     report({session.setting().options.trace_path,
             fmt::format("{} of {} expectations were not met", summary.expectations - summary.expectations_met,
                         summary.expectations)});
+  if (told.broke) return exit_impossible;
   return told.refused > 0 || summary.expectations_met < summary.expectations ? exit_no : exit_done;
 }
 
@@ -53,20 +55,20 @@ int tell(const PipeSummary& told) {
 
 int run_record(const RecordOptions& given) {
   auto options = given;
-  if (const auto problem = place(options.output, options.live)) return report(*problem), exit_impossible;
+  if (const auto problem = place_traces(options.output, options.live)) return report(*problem), exit_impossible;
   const bool piped = is_piped();
   options.live.say = [piped](const std::string& sentence) {
-    fmt::print(piped ? stderr : stdout, "{}\n", sentence);
+    put(piped ? stderr : stdout, sentence + "\n");
     std::fflush(stdout);
   };
   const auto sessions = LiveSessions::create(options.live);
   if (!sessions) return report(sessions.error()), exit_impossible;
 
   InspectorServer server({}, *sessions);
-  const auto port = server.listen(options.address, options.port.value_or(usual_port));
-  if (!port && (!piped || options.port)) return report(port.error()), exit_impossible;
-  if (port)
-    options.live.say(fmt::format("Record at http://{}:{}/live ({})", options.address, *port,
+  const auto place = listen(server, options.listen, options.port.value_or(usual_port));
+  if (!place && (!piped || options.port)) return report(place.error()), exit_impossible;
+  if (place)
+    options.live.say(fmt::format("Record at {} ({})", place->page("/live"),
                                  piped ? "events of standard input are recorded" : "Ctrl-C ends it"));
   std::atomic<bool> stopped = false;
   const StopSignals stop_signals([&] {
@@ -77,7 +79,7 @@ int run_record(const RecordOptions& given) {
   if (!piped) return server.run(), exit_done;
 
   std::thread serving([&] {
-    if (port) server.run();
+    if (place) server.run();
   });
   // Where a server was asked for nobody piped anything: the command was only started without a terminal.
   const auto told = pipe_events(**sessions, !options.port, stopped);
@@ -111,7 +113,7 @@ void describe_record(CLI::App& command, RecordOptions& options) {
       ->capture_default_str();
   command.add_option("--tests", live.tests, "the folder in which sessions are saved as tests")->capture_default_str();
   command.add_option("--port", options.port, "of the page; 8080, 0 takes a free one")->check(CLI::Range(0, 65535));
-  command.add_option("--bind", options.address, "address to listen on")->capture_default_str();
+  describe_listening(command, options.listen);
   command.footer(
       "Events may also come through a pipe, as JSON lines of the trace format; the avatar's moves then go to standard "
       "output.\n"

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "continua/replay/commands/command.h"
+#include "continua/replay/commands/listening.h"
 #include "continua/replay/live/live_sessions.h"
 
 namespace continua {
@@ -12,7 +13,7 @@ namespace continua {
 struct RecordOptions {
   LiveDefaults live;
   std::string output;  ///< the first session's trace; empty: session.trace.jsonl here, or the next that is free
-  std::string address = "127.0.0.1";
+  ListenOptions listen;
   std::optional<int> port;  ///< none: 8080, and without a server where events are piped and that is in use
 };
 

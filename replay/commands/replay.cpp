@@ -1,6 +1,7 @@
 #include "continua/replay/commands/replay.h"
 
 #include "continua/core/located_json.h"
+#include "continua/core/replaced_file.h"
 #include "continua/replay/session/outside_choice.h"
 #include "continua/replay/terminal/progress.h"
 #include "continua/replay/terminal/shell_word.h"
@@ -11,7 +12,6 @@
 #include <atomic>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <mutex>
@@ -21,6 +21,8 @@
 namespace continua {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr int most_branches = 100'000;  // each takes some kilobytes
 
 // The name of a run that was given none; a run with changes must not take the place of the run itself.
 std::string run_name(const std::string& trace, const ReplayOptions& options) {
@@ -61,8 +63,7 @@ Result<std::vector<std::string>> outputs_of(const ReplayCommandOptions& options)
     const auto path = folder ? (fs::path(output) / run_name(trace, options.replay)).string() : output;
     const auto [other, fresh] = trace_of.emplace(path, trace);
     if (!fresh) return Error{trace, fmt::format("would be written to {}, as would {}", path, other->second)};
-    if (fs::exists(path) && fs::exists(trace) && fs::equivalent(path, trace))
-      return Error{trace, "is also the output; expected another file"};
+    if (auto over = not_an_input(path, options.traces)) return *std::move(over);
     outputs.push_back(path);
   }
   return outputs;
@@ -117,15 +118,17 @@ class Batch {
     auto session = Session::load(trace, std::move(options));
     if (!session) return finish(index, session.error(), output);
     if (session->warning()) warn(*session->warning());
-    if (output == "-") return finish(index, kept(*session, session->run(std::cout)), output);
-    std::ofstream file(output, std::ios::binary);
-    if (!file) return finish(index, Error{output, "cannot be written; expected a writable file"}, output);
-    const auto summary = session->run(file);
-    file.close();
-    std::error_code ignored;
-    if (summary.stopped && fs::is_regular_file(output, ignored)) fs::remove(output, ignored);
-    if (!file) return finish(index, Error{output, "could not be written to its end"}, output);
-    finish(index, kept(*session, summary), output);
+    if (output == "-") {
+      const auto summary = session->run(std::cout);
+      if (!std::cout.flush()) return finish(index, Error{"standard output", "could not be written to its end"}, output);
+      return finish(index, kept(*session, summary), output);
+    }
+    if (auto problem = not_an_input(output, session->files())) return finish(index, *std::move(problem), output);
+    ReplacedFile file(output);
+    if (!file.stream()) return finish(index, *file.commit(), output);
+    const auto summary = session->run(file.stream());
+    const auto problem = summary.stopped ? Outcome() : file.commit();
+    finish(index, problem ? Result<ReplaySummary>(*problem) : kept(*session, summary), output);
   }
 
   // Several traces may be of one scene: its warning is told once.
@@ -164,7 +167,7 @@ class Batch {
       if (summary->expectations_met < summary->expectations && status_ == exit_done) status_ = exit_no;
     }
     for (; printed_ < lines_.size() && lines_[printed_]; ++printed_)
-      if (!lines_[printed_]->empty()) fmt::print(output == "-" ? stderr : stdout, "{}\n", *lines_[printed_]);
+      if (!lines_[printed_]->empty()) put(output == "-" ? stderr : stdout, *lines_[printed_] + "\n");
     std::fflush(stdout);
   }
 
@@ -221,7 +224,7 @@ void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
   command.add_option("--seed", options.replay.seed, "for draws; otherwise the trace's");
   const auto choice = add_choice(command);
   command.add_option("--branches", options.replay.most_branches, "under explore, how many configurations are kept")
-      ->check(CLI::Range(1, 1000000));
+      ->check(CLI::Range(1, most_branches));
   auto forced = std::make_shared<std::vector<std::string>>();
   command
       .add_option("--force", *forced,

@@ -14,6 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include "continua/core/located_json.h"
+#include "continua/core/replaced_file.h"
 #include "continua/replay/score/score_report.h"
 #include "continua/replay/terminal/progress.h"
 #include "continua/replay/trace/trace_file.h"
@@ -37,7 +38,7 @@ Result<std::vector<std::string>> runs_of(const ScoreOptions& options) {
     runs[i] = (fs::path(options.output) / (trace_name(trace) + ".run.jsonl")).string();
     const auto [other, fresh] = trace_of.emplace(runs[i], trace);
     if (!fresh) return Error{trace, fmt::format("would be written to {}, as would {}", runs[i], other->second)};
-    if (fs::equivalent(runs[i], trace, problem)) return Error{trace, "is also the output; expected another folder"};
+    if (auto over = not_an_input(runs[i], options.traces)) return *std::move(over);
   }
   return runs;
 }
@@ -108,16 +109,15 @@ class Scoring {
   }
 
   static Result<ReplaySummary> replayed(Session& session, const std::string& run) {
-    std::ofstream file;
     if (run.empty()) {
       std::ostream nowhere(nullptr);
       return session.run(nowhere);
     }
-    file.open(run, std::ios::binary);
-    if (!file) return Error{run, "cannot be written; expected a writable file"};
-    auto summary = session.run(file);
-    file.close();
-    if (!file) return Error{run, "could not be written to its end"};
+    if (auto problem = not_an_input(run, session.files())) return *std::move(problem);
+    ReplacedFile file(run);
+    if (!file.stream()) return *file.commit();
+    auto summary = session.run(file.stream());
+    if (auto problem = file.commit()) return *std::move(problem);
     return summary;
   }
 

@@ -21,14 +21,14 @@ int run_serve(const ServeOptions& options) {
                     ? paths.front()
                     : std::filesystem::path(paths.front()).parent_path().string();
   live.tests = (std::filesystem::path(live.folder) / live.tests).string();
-  live.say = [](const std::string& sentence) { fmt::print("{}\n", sentence), std::fflush(stdout); };
+  live.say = [](const std::string& sentence) { put(stdout, sentence + "\n"), std::fflush(stdout); };
   const auto sessions = LiveSessions::create(live);
   if (!sessions) report_warning(sessions.error());
 
   InspectorServer server(paths, sessions ? *sessions : nullptr);
-  const auto port = server.listen(options.address, options.port);
-  if (!port) return report(port.error()), exit_impossible;
-  fmt::print("The inspector is at http://{}:{}/ (Ctrl-C ends it)\n", options.address, *port);
+  const auto place = listen(server, options.listen, options.port);
+  if (!place) return report(place.error()), exit_impossible;
+  fmt::print("The inspector is at {} (Ctrl-C ends it)\n", place->page("/"));
   std::fflush(stdout);
   const StopSignals stop_signals([&] { server.stop(); });
   server.run();
@@ -38,7 +38,7 @@ int run_serve(const ServeOptions& options) {
 void describe_serve(CLI::App& command, ServeOptions& options) {
   command.add_option("PATH", options.paths, "run logs and folders of them; otherwise this folder");
   command.add_option("--port", options.port, "0 takes a free one")->check(CLI::Range(0, 65535))->capture_default_str();
-  command.add_option("--bind", options.address, "address to listen on")->capture_default_str();
+  describe_listening(command, options.listen);
   command.footer("Example: continua serve runs --port 8080");
 }
 

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "continua/replay/commands/command.h"
+#include "continua/replay/commands/listening.h"
 
 namespace continua {
 
 struct ServeOptions {
   std::vector<std::string> paths;
-  std::string address = "127.0.0.1";
+  ListenOptions listen;
   int port = 8080;
 };
 

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "continua/core/located_json.h"
+#include "continua/core/replaced_file.h"
 #include "continua/knowledge_files/data_paths.h"
 #include "continua/replay/check/run_approved.h"
 #include "continua/replay/experiment/shrink.h"
@@ -23,12 +24,13 @@ class Counter {
  public:
   void show(std::size_t events, std::size_t probes) {
     if (!on_terminal_ || probes % 8 != 0) return;
-    fmt::print(stderr, "\r{:<60}", fmt::format("{} left, {}", counted(events, "event"), counted(probes, "probe")));
+    put(stderr,
+        fmt::format("\r{:<60}", fmt::format("{} left, {}", counted(events, "event"), counted(probes, "probe"))));
     std::fflush(stderr);
     shown_ = true;
   }
   void clear() const {
-    if (shown_) fmt::print(stderr, "\r{:60}\r", "");
+    if (shown_) put(stderr, fmt::format("\r{:60}\r", ""));
   }
 
  private:
@@ -68,13 +70,13 @@ int run_shrink(const ShrinkCommandOptions& options) {
     return exit_impossible;
   };
   const auto output = options.output.empty() ? trace_name(options.trace) + ".shrunk.trace.jsonl" : options.output;
-  std::error_code unknown;
-  if (output != "-" && fs::equivalent(output, options.trace, unknown))
-    return fail({options.trace, "is also the output; expected another file"});
   const auto goal = parse_goal(options.until);
   if (!goal) return fail(goal.error());
   auto session = Session::load(options.trace, options.replay);
   if (!session) return fail(session.error());
+  auto inputs = session->files();
+  inputs.push_back(options.against);
+  if (const auto problem = not_an_input(output, inputs)) return fail(*problem);
 
   auto against = options.against;
   if (goal->kind == "changed" && against.empty()) {

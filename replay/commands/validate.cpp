@@ -25,6 +25,10 @@ int validate_folder(const std::string& folder) {
     if (std::find(extensions.begin(), extensions.end(), each->path().extension().string()) != extensions.end() &&
         !is_folder(each->path()))
       files.push_back(each->path().lexically_normal().string());
+  if (problem) return report({folder, "cannot be read to its end: " + problem.message()}), exit_impossible;
+  if (files.empty())
+    return report({folder, fmt::format("has no file to validate; expected {}", fmt::join(extensions, ", "))}),
+           exit_impossible;
   std::sort(files.begin(), files.end());
   int status = exit_done;
   for (const auto& file : files) status = std::max(status, validate(file));
@@ -37,8 +41,8 @@ int validate(const std::string& path) {
   const auto text = read_file(path);
   if (!text) return report(text.error()), exit_impossible;
   const auto check = check_file(*text, path);
-  for (const auto& problem : check.problems) fmt::print(stderr, "{}\n", problem.text());
-  for (const auto& note : check.notes) fmt::print(stderr, "{} (note)\n", note);
+  for (const auto& problem : check.problems) put(stderr, printable(problem.text()) + "\n");
+  for (const auto& note : check.notes) put(stderr, printable(note) + " (note)\n");
   if (!check.problems.empty()) return check.status;
   fmt::print("{}: {}\n", path, check.summary);
   return exit_done;

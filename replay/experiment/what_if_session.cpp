@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "continua/core/digest.h"
+#include "continua/core/replaced_file.h"
 #include "continua/knowledge_files/data_paths.h"
 #include "continua/pipeline/pipeline.h"
 #include "continua/replay/log/run_brief.h"
@@ -17,7 +18,6 @@
 #include "continua/replay/session/outside_choice.h"
 #include "continua/replay/session/session.h"
 #include "continua/replay/trace/trace_file.h"
-#include "continua/replay/trace/whole_file.h"
 #include "continua/simulation/scene.h"
 
 namespace continua {
@@ -33,7 +33,7 @@ constexpr double same_place = 2e-5;  // logs round to 1e-5
 Outcome write_file(const fs::path& path, const std::string& text) {
   std::error_code problem;
   fs::create_directories(path.parent_path(), problem);
-  return write_whole_file(path.string(), text);
+  return replace_file(path.string(), text);
 }
 
 // A name of the log as the name of a file.
@@ -260,23 +260,25 @@ class SessionWhatIf : public RunWhatIf {
                           const std::atomic<bool>& stop) override {
     WhatIfFiles files(run, request, folder);
     if (auto wrong = files.make()) return *wrong;
-    auto session = Session::load(files.trace(), files.options());
+    const auto deadline = std::chrono::steady_clock::now() + longest_replay;
+    auto options = files.options();
+    options.give_up = [&stop, deadline] { return stop || std::chrono::steady_clock::now() > deadline; };
+    auto session = Session::load(files.trace(), options);
     if (!session) return session.error();
     if (auto wrong = unknown_transition(session->machine(), request)) return *wrong;
     const auto path = (fs::path(folder) / "what_if.run.jsonl").string();
     std::ofstream log(path, std::ios::binary);
-    const auto deadline = std::chrono::steady_clock::now() + longest_replay;
     bool too_long = false;
     const auto watch = [&](const Situation&) {
-      too_long = too_long || static_cast<std::uintmax_t>(std::max<std::streamoff>(log.tellp(), 0)) > largest_log ||
-                 std::chrono::steady_clock::now() > deadline;
+      too_long = too_long || static_cast<std::uintmax_t>(std::max<std::streamoff>(log.tellp(), 0)) > largest_log;
       return too_long || stop;
     };
     const auto summary = session->run(session->trace(), watch, log);
     log.close();
     if (!summary) return summary.error();
     if (stop) return Error{"", "the server ends"};
-    if (too_long) return Error{"", "the replay takes longer, or writes more, than is served here; it was given up"};
+    if (too_long || options.give_up())
+      return Error{"", "the replay takes longer, or writes more, than is served here; it was given up"};
     if (!log) return Error{path, "could not be written to its end"};
     if (summary->stopped) return *summary->stopped;
     for (const auto& [step, transition] : summary->not_forced)

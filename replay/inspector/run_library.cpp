@@ -102,7 +102,9 @@ std::string RunLibrary::add(const std::string& name, const std::string& path, co
 
 bool RunLibrary::is_being_written(const std::string& path, const FileState& log) const {
   if (is_open_ && is_open_(path)) return true;
-  return fs::file_time_type::clock::now() - log.written < lately;
+  const auto age = fs::file_time_type::clock::now() - log.written;
+  // A clock that was set back makes files of the future, which stay so for hours.
+  return age < lately && age > -lately;
 }
 
 // Empty: no run has this id.

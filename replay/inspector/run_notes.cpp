@@ -1,17 +1,13 @@
 #include "continua/replay/inspector/run_notes.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "continua/core/digest.h"
+#include "continua/core/replaced_file.h"
 #include "continua/replay/log/run_brief.h"
 
 namespace continua {
@@ -90,29 +86,6 @@ std::string file_text(const std::vector<RunNote>& notes) {
   return text + "\n]}\n";
 }
 
-// Writes a new file in the same folder and puts it in its place. Gives errno, or 0.
-int replace(const std::string& path, const std::string& text) {
-  std::string fresh = path + ".local.XXXXXX";
-  const int file = ::mkstemp(fresh.data());
-  if (file < 0) return errno;
-  const auto write_all = [&] {
-    for (std::size_t done = 0; done < text.size();) {
-      const auto put = ::write(file, text.data() + done, text.size() - done);
-      if (put < 0 && errno != EINTR) return errno;
-      if (put > 0) done += static_cast<std::size_t>(put);
-    }
-    return ::fsync(file) == 0 ? 0 : errno;
-  };
-  int problem = write_all();
-  ::close(file);
-  std::error_code refused;
-  fs::permissions(
-      fresh, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read | fs::perms::others_read, refused);
-  if (problem == 0 && std::rename(fresh.c_str(), path.c_str()) != 0) problem = errno;
-  if (problem != 0) ::unlink(fresh.c_str());
-  return problem;
-}
-
 bool there_is(const std::string& path) {
   std::error_code unknown;
   return fs::symlink_status(path, unknown).type() != fs::file_type::not_found;
@@ -143,6 +116,8 @@ std::vector<Error> notes_problems(std::string_view text, const std::string& name
   const auto document = LocatedJson::parse(text, name);
   if (!document) return {document.error()};
   std::vector<Error> problems;
+  for (const auto& [place, key] : document->duplicates())
+    problems.push_back(document->error(place, fmt::format("the key {} a second time in this object", in_quotes(key))));
   read_all(document->root(), records, [&](std::size_t place, const std::string& what) {
     problems.push_back(document->error(place == 0 ? "" : fmt::format("/notes/{}", place - 1), what));
   });
@@ -174,8 +149,8 @@ NotesKept keep_notes(const std::string& path, const std::vector<RunNote>& notes,
             "those that were read",
             ""};
   const auto text = file_text(notes);
-  if (const int problem = replace(path, text))
-    return {NotesKept::How::not_writable, fmt::format("{} cannot be written: {}", path, std::strerror(problem)), ""};
+  if (const auto problem = replace_file(path, text, ReplacedFile::Links::replace))
+    return {NotesKept::How::not_writable, problem->text(), ""};
   return {NotesKept::How::kept, "", digest(text)};
 }
 

@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
+#include <cstdio>
 #include <thread>
 
 #include <fmt/format.h>
@@ -66,9 +68,10 @@ void print_moves(std::shared_ptr<const LiveSession> session) {
   while (!tail.is_done()) {
     for (const auto& line : tail.next(std::chrono::milliseconds(look_every_ms))) {
       const auto kind = member_in(line, "kind");
-      if (kind.size() > 2 && is_avatars_move(kind.substr(1, kind.size() - 2))) fmt::print("{}\n", line);
+      if (kind.size() > 2 && is_avatars_move(kind.substr(1, kind.size() - 2))) put(stdout, line + "\n");
     }
-    std::fflush(stdout);
+    // A consumer that has gone is no reason not to record.
+    if (std::fflush(stdout) != 0 && errno == EPIPE) return std::clearerr(stdout);
   }
 }
 
@@ -87,7 +90,9 @@ class Piped {
  public:
   explicit Piped(LiveSessions& sessions) : sessions_(sessions) {}
   ~Piped() {
-    if (printing_.joinable()) printing_.join();
+    if (!printing_.joinable()) return;
+    listed_.session->end();
+    printing_.join();
   }
   Piped(const Piped&) = delete;
   Piped& operator=(const Piped&) = delete;
@@ -112,6 +117,9 @@ class Piped {
     const auto reply = listed_.session->receive({std::move(event)});
     return reply ? Outcome() : Outcome(reply.error());
   }
+
+  /// Why it ended, if not because it was told to.
+  std::optional<Error> broke() const { return listed_.session->audience().state().broke; }
 
   const ListedSession& end() {
     listed_.session->end();
@@ -149,12 +157,14 @@ Result<PipeSummary> pipe_events(LiveSessions& sessions, bool begin_empty, const 
     const auto problem = json ? piped.take(*std::move(json)) : Outcome(json.error());
     ++(problem ? told.refused : told.events);
     if (problem) report({json ? fmt::format("standard input:{}", number) : "", problem->text()});
+    if (piped.broke()) break;
   }
   if (!piped.begun() && begin_empty && !stop)
     if (const auto problem = piped.begin(Json::object())) return *problem;
   if (!piped.begun()) return told;
   told.session = piped.end();
   told.summary = told.session.session->summary();
+  told.broke = piped.broke().has_value();
   return told;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
 #include <ostream>
 #include <streambuf>
 #include <string>
@@ -17,14 +16,18 @@ bool is_avatars_move(std::string_view kind);
 
 class LiveLog : private std::streambuf {
  public:
-  explicit LiveLog(const std::string& path) : file_(path, std::ios::binary | std::ios::trunc), stream_(this) {}
+  explicit LiveLog(const std::string& path);
+  ~LiveLog() override { close(); }
+  LiveLog(const LiveLog&) = delete;
+  LiveLog& operator=(const LiveLog&) = delete;
 
   /// Where whole lines are written to; each is in the file when it has been written.
   std::ostream& stream() { return stream_; }
   /// All that was written is in the file.
-  bool sound() const { return file_.good(); }
-  void close() { file_.close(); }
-  /// Whole lines so far.
+  bool sound() const { return file_ >= 0 && stream_.good(); }
+  /// It is on the disk from then on.
+  void close();
+  /// Whole lines in the file. A line that did not fit is not in it.
   std::uint64_t bytes() const { return bytes_; }
 
   /// The avatar's moves that were written since they were last taken, as lines without their newline.
@@ -32,9 +35,8 @@ class LiveLog : private std::streambuf {
 
  private:
   std::streamsize xsputn(const char* line, std::streamsize size) override;
-  int sync() override;
 
-  std::ofstream file_;
+  int file_;
   std::ostream stream_;
   std::uint64_t bytes_ = 0;
   std::vector<std::string> moves_;

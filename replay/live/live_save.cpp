@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "continua/core/replaced_file.h"
 #include "continua/replay/check/check.h"
 #include "continua/replay/trace/trace_file.h"
-#include "continua/replay/trace/whole_file.h"
 
 namespace continua {
 namespace {
@@ -40,7 +40,7 @@ Outcome approve(const std::string& trace_path, bool physics, const std::string& 
     return is_failure(checked.verdict) ? Outcome(Error{trace_path, checked.reason}) : std::nullopt;
   const auto approval = approval_of(trace_path, checked.run, checked.approved);
   runs.push_back(approval.path);
-  return write_whole_file(approval.path, approval.content);
+  return replace_file(approval.path, approval.content);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ Result<SavedTest> save_as_test(const std::string& trace_path, const std::string&
   SavedTest saved;
   saved.trace = (fs::path(folder) / (name + ".trace.jsonl")).string();
   if (fs::exists(saved.trace, problem)) return Error{saved.trace, "exists already; expected another name"};
-  auto failed = write_whole_file(saved.trace, write_trace(*trace));
+  auto failed = replace_file(saved.trace, write_trace(*trace));
   for (const bool physics : {false, true})
     if (!failed) failed = approve(saved.trace, physics, knowledge, saved.runs);
   if (failed) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <fmt/format.h>
+
 #include "continua/replay/session/live_setup.h"
 #include "continua/replay/session/session_loop.h"
 
@@ -11,9 +13,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto look_every = 8ms;                     // at a world that moves
-constexpr SimTime most_at_once{50'000};              // of engine time, while whoever sends events waits
-constexpr auto patience = std::chrono::minutes(10);  // with a session that nobody sends to or looks at
+constexpr auto look_every = 8ms;                                  // at a world that moves
+constexpr SimTime most_at_once{50'000};                           // of engine time, while whoever sends events waits
+constexpr auto patience = std::chrono::minutes(10);               // with a session that nobody sends to or looks at
+constexpr std::uint64_t most_log_bytes = std::uint64_t{1} << 30;  // a day of talk with physics has less
 
 const Watch nobody;
 
@@ -21,16 +24,16 @@ const Watch nobody;
 
 Result<std::shared_ptr<LiveSession>> LiveSession::start(LiveOptions options) {
   options.replay.live = true;
-  {
-    std::ofstream trace(options.trace_path, std::ios::binary | std::ios::trunc);
-    trace << write_header(options.header) << '\n' << std::flush;
-    if (!trace) return Error{options.trace_path, "cannot be written; expected a writable file"};
-  }
   const auto given_up = [&](const Error& why) {
     std::error_code ignored;
     for (const auto* path : {&options.trace_path, &options.log_path}) std::filesystem::remove(*path, ignored);
     return why;
   };
+  {
+    std::ofstream trace(options.trace_path, std::ios::binary | std::ios::trunc);
+    trace << write_header(options.header) << '\n' << std::flush;
+    if (!trace) return given_up({options.trace_path, "cannot be written; expected a writable file"});
+  }
   auto session = Session::load(options.trace_path, options.replay);
   if (!session) return given_up(session.error());
   const std::shared_ptr<LiveSession> live(new LiveSession(options, std::move(session).value()));
@@ -139,10 +142,13 @@ void LiveSession::take(const std::vector<LiveEvent>& events) {
 
 // Without a place to write to the session ends.
 bool LiveSession::can_go_on() {
-  if (trace_ && log_->sound()) return true;
-  broke_ = Error{trace_ ? setting_.options.log_path : setting_.options.trace_path,
-                 "cannot be written any further; the session has ended"};
-  close(std::nullopt);
+  const bool too_long = trace_ && log_->sound() && log_->bytes() > most_log_bytes;
+  if (trace_ && log_->sound() && !too_long) return true;
+  broke_ =
+      Error{trace_ ? setting_.options.log_path : setting_.options.trace_path,
+            too_long ? fmt::format("has {} bytes, the most of a live session; the session has ended", log_->bytes())
+                     : "cannot be written any further; the session has ended"};
+  close(too_long ? std::optional(now()) : std::nullopt);
   return false;
 }
 

@@ -13,13 +13,16 @@ LiveTail::LiveTail(std::shared_ptr<const LiveSession> session, std::uint64_t fro
     : session_(std::move(session)), log_(session_->setting().options.log_path, std::ios::binary), from_(from) {}
 
 std::vector<std::string> LiveTail::next(std::chrono::milliseconds patience) {
-  state_ = read_ < state_.log_bytes ? session_->audience().state() : session_->audience().wait(state_, patience);
+  // A log that was cut meanwhile has no more, whatever was announced.
+  state_ =
+      read_ < state_.log_bytes && !is_cut_ ? session_->audience().state() : session_->audience().wait(state_, patience);
   std::vector<std::string> lines;
   // The announced bytes are whole lines.
   for (const auto most = read_ + most_at_once; read_ < std::min(state_.log_bytes, most);) {
     std::string line;
     if (!std::getline(log_, line)) {
       log_.clear();
+      is_cut_ = !state_.live;
       break;
     }
     read_ += line.size() + 1;

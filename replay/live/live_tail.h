@@ -24,14 +24,15 @@ class LiveTail {
   std::uint64_t next_record() const { return next_; }
   /// The state at the last call of `next`.
   const LiveState& state() const { return state_; }
-  /// The session has ended and all of its log has been read.
-  bool is_done() const { return !state_.live && read_ >= state_.log_bytes; }
+  /// The session has ended and all that is in its log has been read.
+  bool is_done() const { return !state_.live && (is_cut_ || read_ >= state_.log_bytes); }
 
  private:
   const std::shared_ptr<const LiveSession> session_;
   std::ifstream log_;
   std::uint64_t read_ = 0, next_ = 0, from_;
   LiveState state_;
+  bool is_cut_ = false;
 };
 
 }  // namespace continua

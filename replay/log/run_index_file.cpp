@@ -8,9 +8,9 @@
 #include <type_traits>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "continua/core/digest.h"
+#include "continua/core/replaced_file.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -39,7 +39,7 @@ std::string index_path(const std::string& path) { return path + ".index"; }
 // Values go to the file and into a digest of all of them, which comes last.
 class Writer {
  public:
-  explicit Writer(std::ofstream& file) : file_(file) {}
+  explicit Writer(std::ostream& file) : file_(file) {}
 
   template <class T>
   void put(const T& value) {
@@ -64,7 +64,7 @@ class Writer {
     file_.write(characters, static_cast<std::streamsize>(size));
   }
 
-  std::ofstream& file_;
+  std::ostream& file_;
   RunningDigest digest_;
 };
 
@@ -111,20 +111,36 @@ class Reader {
   RunningDigest digest_;
 };
 
+// A record lies behind the one before, and so does what brought it about.
+bool is_in_order(const std::vector<RecordEntry>& entries) {
+  std::uint64_t end = 0;
+  for (std::size_t n = 0; n < entries.size(); ++n) {
+    const auto& entry = entries[n];
+    if (entry.offset < end || entry.cause < -1 || entry.cause >= static_cast<std::int64_t>(n)) return false;
+    end = entry.offset + entry.length + 1;
+  }
+  return true;
+}
+
+// Readers go where an index sends them: none may be sent out of the log, or in a circle.
 bool is_consistent(const ScannedLog& log) {
   const auto known = [&](std::uint64_t n) { return n < log.entries.size(); };
-  return !log.entries.empty() && std::all_of(log.entries.begin(), log.entries.end(), [&](const RecordEntry& entry) {
-    return entry.kind < log.kinds.size() && entry.offset <= log.bytes && entry.length <= log.bytes - entry.offset;
-  }) && std::all_of(log.marks.begin(), log.marks.end(), [&](const StackMark& mark) {
-    return known(mark.n);
-  }) && std::all_of(log.acts.begin(), log.acts.end(), [&](const ActMark& mark) {
-    return known(mark.n);
-  }) && std::all_of(log.steps.begin(), log.steps.end(), [&](const StepMark& step) {
-    return known(step.n) && std::max({step.id, step.from, step.to}) < log.names.size();
-  }) && std::all_of(log.symbols.begin(), log.symbols.end(), [&](const auto& symbol) {
-    const auto below = log.symbols.find(symbol.second.below);
-    return known(symbol.second.n) && (below == log.symbols.end() || below->second.n < symbol.second.n);
-  });
+  return !log.entries.empty() && is_in_order(log.entries) &&
+         std::all_of(log.entries.begin(), log.entries.end(),
+                     [&](const RecordEntry& entry) {
+                       return entry.kind < log.kinds.size() && entry.offset <= log.bytes &&
+                              entry.length <= log.bytes - entry.offset;
+                     }) &&
+         std::all_of(log.marks.begin(), log.marks.end(), [&](const StackMark& mark) { return known(mark.n); }) &&
+         std::all_of(log.acts.begin(), log.acts.end(), [&](const ActMark& mark) { return known(mark.n); }) &&
+         std::all_of(log.steps.begin(), log.steps.end(),
+                     [&](const StepMark& step) {
+                       return known(step.n) && std::max({step.id, step.from, step.to}) < log.names.size();
+                     }) &&
+         std::all_of(log.symbols.begin(), log.symbols.end(), [&](const auto& symbol) {
+           const auto below = log.symbols.find(symbol.second.below);
+           return known(symbol.second.n) && (below == log.symbols.end() || below->second.n < symbol.second.n);
+         });
 }
 
 }  // namespace
@@ -168,14 +184,13 @@ std::optional<ScannedLog> kept_scan(const std::string& path, const LogPrint& pri
   return log;
 }
 
-// Written under a name of its own until it is whole. A file that cannot be written is no trouble.
+// A file that cannot be written is no trouble.
 void keep_scan(const ScannedLog& log, const LogPrint& print) {
   std::vector<Symbol> symbols;
   for (const auto& [id, place] : log.symbols) symbols.push_back({id, place});
   std::sort(symbols.begin(), symbols.end(), [](const Symbol& a, const Symbol& b) { return a.id < b.id; });
-  const auto unfinished = fmt::format("{}.{}", index_path(log.path), ::getpid());
-  std::ofstream file(unfinished, std::ios::binary);
-  Writer writer(file);
+  ReplacedFile file(index_path(log.path), ReplacedFile::Links::replace);
+  Writer writer(file.stream());
   writer.put(Begin());
   writer.put(print);
   writer.put_texts(log.kinds);
@@ -188,10 +203,7 @@ void keep_scan(const ScannedLog& log, const LogPrint& print) {
   writer.put_all(log.trouble);
   writer.put(log.last_line);
   writer.finish();
-  file.close();
-  std::error_code problem;
-  if (file) fs::rename(unfinished, index_path(log.path), problem);
-  if (!file || problem) fs::remove(unfinished, problem);
+  (void)file.commit();
 }
 
 }  // namespace continua

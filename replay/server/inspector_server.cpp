@@ -1,10 +1,11 @@
 #include "continua/replay/server/inspector_server.h"
 
+#include <fcntl.h>
+
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <cctype>
 #include <chrono>
+#include <optional>
 #include <thread>
 
 #include <fmt/format.h>
@@ -13,7 +14,10 @@
 #include "continua/replay/experiment/what_if_session.h"
 #include "continua/replay/inspector/inspector_api.h"
 #include "continua/replay/pictures/frame_cache.h"
+#include "continua/replay/server/access.h"
 #include "continua/replay/server/http_answer.h"
+#include "continua/replay/server/http_door.h"
+#include "continua/replay/server/http_stream.h"
 #include "continua/replay/server/live_routes.h"
 #include "continua/web/assets.h"
 
@@ -23,14 +27,22 @@
 namespace continua {
 namespace {
 
-constexpr std::size_t largest_body = std::size_t{1} << 20;
 constexpr int other_threads = 16;
+constexpr int ports_tried = 50;
 constexpr std::chrono::milliseconds look_every{200};  // at a run that is being written
 
 // Only this server's own answers may be loaded, run, framed or sent to.
 constexpr auto policy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+// Of every answer.
+const httplib::Headers always = {{"Content-Security-Policy", policy},
+                                 {"X-Content-Type-Options", "nosniff"},
+                                 {"X-Frame-Options", "DENY"},
+                                 {"Referrer-Policy", "no-referrer"},
+                                 {"Cross-Origin-Opener-Policy", "same-origin"},
+                                 {"Cross-Origin-Resource-Policy", "same-origin"}};
 
 void send_asset(const httplib::Request& request, httplib::Response& response, const WebAsset& asset) {
   response.set_header("ETag", std::string(asset.etag));
@@ -52,18 +64,57 @@ const WebAsset* find_asset(std::string_view path) {
   return nullptr;
 }
 
-// "[::1]:8080" -> "[::1]", "localhost:8080" -> "localhost"
-std::string host_without_port(const std::string& host) {
-  const auto colon = host.rfind(':');
-  const auto bracket = host.rfind(']');
-  const bool has_port = colon != std::string::npos && (bracket == std::string::npos || colon > bracket);
-  return has_port ? host.substr(0, colon) : host;
+// The library's routes and answers. Its own ways of accepting and reading are not used: they have no limits.
+class Library : public httplib::Server {
+ public:
+  Library() {
+    // Not SO_REUSEPORT, with which a second server would take half of the first one's connections.
+    set_socket_options([](socket_t socket) {
+      const int yes = 1;
+      ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    set_tcp_nodelay(true);
+  }
+  ~Library() override { close(); }
+
+  /// The port; 0: it cannot be had.
+  int bind(const std::string& address, int port) {
+    const int bound = port == 0 ? bind_to_any_port(address) : bind_to_port(address, port) ? port : 0;
+    if (bound <= 0) return 0;
+    // Again, for the library has a backlog of 5.
+    ::listen(svr_sock_, DoorLimits::backlog);
+    ::fcntl(svr_sock_, F_SETFL, O_NONBLOCK);
+    return bound;
+  }
+  int listening() const { return svr_sock_; }
+  /// Answers that are sent bit by bit end as well.
+  void close() {
+    if (const int socket = svr_sock_.exchange(INVALID_SOCKET); socket != INVALID_SOCKET) ::close(socket);
+  }
+
+  bool answer(HttpStream& stream, bool last) {
+    bool closes = false;
+    return process_request(stream, last, closes, nullptr) && !closes;
+  }
+};
+
+// "; port 8082 is free (--port 8082)", if one of the next is.
+std::string free_port_after(const std::string& address, int port) {
+  for (int next = port + 1; port > 0 && next <= std::min(port + ports_tried, 65535); ++next)
+    if (Library().bind(address, next) != 0) return fmt::format("; port {0} is free (--port {0})", next);
+  return "";
 }
 
-bool is_number_address(const std::string& host) {
-  return !host.empty() && (host.front() == '[' || std::all_of(host.begin(), host.end(), [](unsigned char c) {
-                             return std::isdigit(c) || c == '.';
-                           }));
+// An answer that the library has no part in.
+std::string written(const HttpAnswer& answer) {
+  const auto body = answer.sentence.empty() ? std::string() : api_error(answer.status, answer.sentence).body;
+  auto text = fmt::format("HTTP/1.1 {} {}\r\n", answer.status, answer.status < 400 ? "See Other" : "Refused");
+  for (const auto& [name, value] : always) text += fmt::format("{}: {}\r\n", name, value);
+  for (const auto& [name, value] : answer.headers) text += fmt::format("{}: {}\r\n", name, value);
+  return text + fmt::format(
+                    "Cache-Control: no-store\r\nContent-Type: application/json\r\nContent-Length: {}\r\n"
+                    "Connection: close\r\n\r\n{}",
+                    body.size(), body);
 }
 
 }  // namespace
@@ -72,28 +123,10 @@ class InspectorServer::Impl {
  public:
   Impl(std::vector<std::string> paths, std::shared_ptr<LiveSessions> sessions)
       : api_(std::move(paths), drawn_frames(), replayed_what_if()), sessions_(std::move(sessions)) {
-    server_.set_payload_max_length(largest_body);
-    server_.set_tcp_nodelay(true);
-    server_.set_read_timeout(2);
-    const auto guard = [this](httplib::Server::Handler handler) -> httplib::Server::Handler {
-      return [this, handler = std::move(handler)](const httplib::Request& request, httplib::Response& response) {
-        if (!refuses(request, response)) handler(request, response);
-      };
-    };
-    server_.set_keep_alive_timeout(2);
-    server_.set_default_headers({{"Content-Security-Policy", policy},
-                                 {"X-Content-Type-Options", "nosniff"},
-                                 {"Referrer-Policy", "no-referrer"},
-                                 {"Cross-Origin-Opener-Policy", "same-origin"},
-                                 {"Cross-Origin-Resource-Policy", "same-origin"}});
-    server_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
-      using enum httplib::Server::HandlerResponse;
-      // A request answered before its body is read leaves the body to be taken for the next request.
-      if (has_body(request)) return Unhandled;
-      if (refuses(request, response)) return Handled;
-      return live_ && answer_without_body(request, response, *live_) ? Handled : Unhandled;
-    });
-    server_.new_task_queue = [] { return new httplib::ThreadPool(StreamSeats::most + other_threads); };
+    server_.set_payload_max_length(HttpLimits::body);
+    server_.set_keep_alive_timeout(DoorLimits::idle.count());
+    server_.set_keep_alive_max_count(1000);
+    server_.set_default_headers(always);
     server_.Get("/api/live", [this](const httplib::Request& request, httplib::Response& response) {
       if (live_ && !request.has_param("run"))
         send_records(request, response, *live_, seats_, stopping_);
@@ -104,7 +137,7 @@ class InspectorServer::Impl {
       sessions_->publish_by([this](const std::string& name, const std::string& log) { return api_.add(name, log); });
       api_.ask_whether_open([this](const std::string& log) { return sessions_->is_live(log); });
       live_ = std::make_unique<LiveApi>(sessions_);
-      add_live_routes(server_, *live_, guard);
+      add_live_routes(server_, *live_);
     }
     server_.Get("/api/.*", [this](const httplib::Request& request, httplib::Response& response) {
       send_answer(request, response, api_.get(request.target));
@@ -119,17 +152,16 @@ class InspectorServer::Impl {
         send_answer(request, response, api_error(404, fmt::format("there is nothing at {}", request.path)));
     });
     const auto content_type = [](const httplib::Request& request) { return request.get_header_value("Content-Type"); };
-    server_.Post("/api/what-if",
-                 guard([this, content_type](const httplib::Request& request, httplib::Response& response) {
-                   send_answer(request, response, api_.post(request.target, content_type(request), request.body));
-                 }));
-    server_.Put("/api/runs/[^/]+/notes",
-                guard([this, content_type](const httplib::Request& request, httplib::Response& response) {
-                  send_answer(request, response, api_.put(request.target, content_type(request), request.body));
-                }));
-    const auto nothing_to_write = guard([](const httplib::Request& request, httplib::Response& response) {
-      send_answer(request, response, api_error(405, "this address can only be read"));
+    server_.Post("/api/what-if", [this, content_type](const httplib::Request& request, httplib::Response& response) {
+      send_answer(request, response, api_.post(request.target, content_type(request), request.body));
     });
+    server_.Put("/api/runs/[^/]+/notes",
+                [this, content_type](const httplib::Request& request, httplib::Response& response) {
+                  send_answer(request, response, api_.put(request.target, content_type(request), request.body));
+                });
+    const auto nothing_to_write = [](const httplib::Request& request, httplib::Response& response) {
+      send_answer(request, response, api_error(405, "this address can only be read"));
+    };
     server_.Post(".*", nothing_to_write);
     server_.Put(".*", nothing_to_write);
     server_.Delete(".*", nothing_to_write);
@@ -139,12 +171,13 @@ class InspectorServer::Impl {
     });
   }
 
-  Result<int> listen(const std::string& address, int port) {
-    address_ = address;
-    const int bound = port == 0 ? server_.bind_to_any_port(address) : server_.bind_to_port(address, port) ? port : -1;
-    if (bound <= 0)
+  Result<int> listen(const std::string& address, int port, const std::string& token) {
+    const int bound = server_.bind(address, port);
+    if (bound == 0)
       return Error{fmt::format("{}:{}", address, port),
-                   "cannot be listened on: in use, or not an address of this machine"};
+                   fmt::format("cannot be listened on: in use, or not an address of this machine{}",
+                               free_port_after(address, port))};
+    access_.emplace(address, bound, token);
     return bound;
   }
 
@@ -152,7 +185,8 @@ class InspectorServer::Impl {
     running_ = true;
     if (!stopping_) {
       api_.start_preparing();
-      server_.listen_after_bind();
+      door_.run(server_.listening());
+      server_.close();
       api_.stop_preparing();
     }
     running_ = false;
@@ -161,8 +195,8 @@ class InspectorServer::Impl {
     api_.stop();
     stopping_ = true;
     if (sessions_) sessions_->end();
-    // The library does not stop a server that is only about to listen.
-    for (; running_; std::this_thread::sleep_for(std::chrono::milliseconds(1))) server_.stop();
+    door_.stop();
+    while (running_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
  private:
@@ -190,45 +224,29 @@ class InspectorServer::Impl {
         });
   }
 
-  static bool has_body(const httplib::Request& request) {
-    const auto length = request.get_header_value("Content-Length");
-    return request.has_header("Transfer-Encoding") || !(length.empty() || length == "0");
-  }
-
-  bool refuses(const httplib::Request& request, httplib::Response& response) const {
-    const auto why = refusal(request);
-    if (!why.empty()) send_answer(request, response, api_error(403, why));
-    return !why.empty();
-  }
-
-  // Why a request is not answered; empty when it is. A page elsewhere may reach this port through its visitor's
-  // browser: by its own name made to point here (the host is then that name), or openly (the origin is then its own).
-  std::string refusal(const httplib::Request& request) const {
-    const auto host = request.get_header_value("Host");
-    const auto name = host_without_port(host);
-    const bool everywhere = address_ == "0.0.0.0" || address_ == "::";
-    const bool ours = name == "localhost" || name == "127.0.0.1" || name == "[::1]" || name == address_ ||
-                      name == "[" + address_ + "]" || (everywhere && is_number_address(name));
-    if (!ours) return fmt::format("requests for the host '{}' are not answered", host);
-    const auto origin = request.get_header_value("Origin");
-    if (request.has_header("Origin") && origin != "http://" + host)
-      return fmt::format("requests from '{}' are not answered", origin);
-    return {};
+  HttpDoor::Rules rules() {
+    return {.check = [this](const HttpHead& head) { return access_->check(head); },
+            .written = written,
+            .answer = [this](HttpStream& stream, bool last) { return server_.answer(stream, last); },
+            .threads = StreamSeats::most + other_threads};
   }
 
   InspectorApi api_;
   const std::shared_ptr<LiveSessions> sessions_;  // null: no live sessions
   std::unique_ptr<LiveApi> live_;                 // of these
-  httplib::Server server_;
-  std::string address_;
+  Library server_;
+  std::optional<Access> access_;
   StreamSeats seats_;
   std::atomic<bool> running_ = false, stopping_ = false;
+  HttpDoor door_{rules()};
 };
 
 InspectorServer::InspectorServer(std::vector<std::string> paths, std::shared_ptr<LiveSessions> sessions)
     : impl_(std::make_unique<Impl>(std::move(paths), std::move(sessions))) {}
 InspectorServer::~InspectorServer() = default;
-Result<int> InspectorServer::listen(const std::string& address, int port) { return impl_->listen(address, port); }
+Result<int> InspectorServer::listen(const std::string& address, int port, const std::string& token) {
+  return impl_->listen(address, port, token);
+}
 void InspectorServer::run() { impl_->run(); }
 void InspectorServer::stop() { impl_->stop(); }
 

@@ -19,7 +19,8 @@ class InspectorServer {
   ~InspectorServer();
 
   /// Binds to `address` and `port`; 0 takes a free one. Gives the port. From then on connections queue until run().
-  Result<int> listen(const std::string& address = "127.0.0.1", int port = 0);
+  /// `token`: that requests must have; empty: none (access.h). Error: in use, and the next port that is free.
+  Result<int> listen(const std::string& address = "127.0.0.1", int port = 0, const std::string& token = "");
 
   /// Answers requests until stop(). REQUIRES listen() was ok.
   void run();

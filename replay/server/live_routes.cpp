@@ -80,22 +80,14 @@ std::shared_ptr<void> StreamSeats::take() {
   return {this, [](StreamSeats* seats) { --seats->taken_; }};
 }
 
-bool answer_without_body(const httplib::Request& request, httplib::Response& response, LiveApi& api) {
-  if (request.method != "POST" || !request.path.starts_with("/api/sessions") || request.has_header("Content-Length") ||
-      request.has_header("Transfer-Encoding"))
-    return false;
-  send_answer(request, response, api.post(request.target, ""));
-  return true;
-}
-
-void add_live_routes(httplib::Server& server, LiveApi& api, const Guard& guard) {
+void add_live_routes(httplib::Server& server, LiveApi& api) {
   server.Get("/api/sessions.*", [&api](const httplib::Request& request, httplib::Response& response) {
     send_answer(request, response, api.get(request.target));
   });
-  server.Post("/api/sessions.*", guard([&api](const httplib::Request& request, httplib::Response& response) {
-                send_answer(request, response, api.post(request.target, request.body));
-                if (response.status == 429) response.set_header("Retry-After", "1");
-              }));
+  server.Post("/api/sessions.*", [&api](const httplib::Request& request, httplib::Response& response) {
+    send_answer(request, response, api.post(request.target, request.body));
+    if (response.status == 429) response.set_header("Retry-After", "1");
+  });
 }
 
 void send_records(const httplib::Request& request, httplib::Response& response, const LiveApi& api, StreamSeats& seats,

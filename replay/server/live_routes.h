@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
 #include <memory>
 
 #include "continua/replay/live/live_api.h"
@@ -26,15 +25,8 @@ class StreamSeats {
   std::atomic<int> taken_ = 0;
 };
 
-/// Decides first whether a request is answered at all.
-using Guard = std::function<std::function<void(const httplib::Request&, httplib::Response&)>(
-    std::function<void(const httplib::Request&, httplib::Response&)>)>;
-
 /// Everything below /api/sessions. `api` must outlive the server.
-void add_live_routes(httplib::Server& server, LiveApi& api, const Guard& guard);
-
-/// Answers one of these requests that has no body, for which the library would wait. False for any other request.
-bool answer_without_body(const httplib::Request& request, httplib::Response& response, LiveApi& api);
+void add_live_routes(httplib::Server& server, LiveApi& api);
 
 /// "/api/live?session=ID&after=N": every record of the session's log as it is written, with N < `n` or after that in
 /// the header Last-Event-ID (event `record`, its `id` the number); how its time goes whenever that changes (event

@@ -10,6 +10,7 @@ StopSignals::StopSignals(std::function<void()> stop) {
   sigemptyset(&signals_);
   sigaddset(&signals_, SIGINT);
   sigaddset(&signals_, SIGTERM);
+  sigaddset(&signals_, SIGHUP);   // the terminal was closed
   sigaddset(&signals_, SIGUSR1);  // from the destructor
   pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
   waiting_ = std::thread([this, stop = std::move(stop)] {

@@ -7,8 +7,8 @@
 
 namespace continua {
 
-/// Calls `stop` once, on a thread of its own, when the program is told to stop (SIGINT, SIGTERM). Those signals are
-/// taken by that thread alone, so that stopping needs nothing a signal handler may not do: REQUIRES that no other
+/// Calls `stop` once, on a thread of its own, when the program is told to stop (SIGINT, SIGTERM, SIGHUP). Those signals
+/// are taken by that thread alone, so that stopping needs nothing a signal handler may not do: REQUIRES that no other
 /// thread has been started yet.
 class StopSignals {
  public:

@@ -1,13 +1,11 @@
 #include "continua/replay/session/learned_file.h"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 
 #include "continua/core/located_json.h"
+#include "continua/core/replaced_file.h"
 #include "continua/knowledge_files/language_loading.h"
 #include "continua/learning/learning_file.h"
 #include "continua/pipeline/lessons.h"
@@ -33,15 +31,7 @@ Result<Learned> read_learned(const std::string& path, const Machine& machine, co
 }
 
 Outcome write_learned(const std::string& path, const Learned& learned) {
-  const auto fresh = path + ".new";
-  std::ofstream file(fresh, std::ios::binary);
-  file << print_learned(learned);
-  file.close();
-  if (!file) return Error{fresh, fmt::format("cannot be written: {}", std::strerror(errno))};
-  std::error_code problem;
-  fs::rename(fresh, path, problem);
-  if (problem) return Error{path, fmt::format("cannot be replaced: {}", problem.message())};
-  return std::nullopt;
+  return replace_file(path, print_learned(learned));
 }
 
 }  // namespace continua

@@ -75,6 +75,8 @@ std::vector<Error> check_live_setup(std::string_view text, const std::string& pa
   const auto document = LocatedJson::parse(text, path);
   if (!document) return {document.error()};
   std::vector<Error> problems;
+  for (const auto& [place, key] : document->duplicates())
+    problems.push_back(document->error(place, fmt::format("the key {} a second time in this object", in_quotes(key))));
   SetupCheck check(*document, problems);
   const Json& root = document->root();
   if (!root.is_object()) return {document->error("", "expected an object with 'scene', 'machine' and 'buttons'")};

@@ -198,6 +198,13 @@ Result<std::optional<WhatIf>> load_what_if(Trace& trace, const ReplayOptions& op
   return std::optional(std::move(what_if));
 }
 
+// The scene as the trace's header has its objects; what is wrong with them is wrong there.
+Result<Scene> load_placed(const std::string& path, const Trace& trace) {
+  auto scene = load_scene(path, overrides_of(trace.header));
+  if (!scene && scene.error().where.empty()) return Error{header_line(trace), scene.error().sentence};
+  return scene;
+}
+
 // The options of the run before any change.
 ReplayOptions before_change(const ReplayOptions& options) {
   if (!options.from) return options;
@@ -252,7 +259,7 @@ Result<Session> Session::load(const std::string& trace_path, ReplayOptions optio
 
   const auto scene_path = scene_of(*trace, before.scene, *data);
   if (!scene_path) return scene_path.error();
-  auto scene = load_scene(*scene_path, overrides_of(trace->header));
+  auto scene = load_placed(*scene_path, *trace);
   if (!scene) return scene.error();
   auto parts = load_parts(*trace, before);
   if (!parts) return parts.error();
@@ -291,6 +298,17 @@ Blanks Session::blanks() const { return blanks_of(loaded_->scene.initial_snapsho
 const EngineParts& Session::parts() const { return loaded_->parts; }
 const Machine& Session::machine() const { return *loaded_->parts.machine; }
 
+std::vector<std::string> Session::files() const {
+  const auto& options = loaded_->options;
+  std::vector<std::string> files = {loaded_->trace.name, loaded_->scene.path(), options.with,   options.weights,
+                                    options.learned,     options.scene,         options.machine};
+  if (const auto data = find_data_paths(options.knowledge))
+    if (const auto machine = machine_of(loaded_->trace, options.machine, *data)) files.push_back(*machine);
+  if (constexpr std::string_view run = "run:"; options.outside.starts_with(run))
+    files.push_back(options.outside.substr(run.size()));
+  return files;
+}
+
 ReplaySummary Session::run(std::ostream& log) {
   auto summary = run(loaded_->trace, {}, log);
   require(summary.ok(), "a session that was loaded can be run");
@@ -299,7 +317,7 @@ ReplaySummary Session::run(std::ostream& log) {
 
 Result<ReplaySummary> Session::run(const Trace& trace, const Watch& watch, std::ostream& log) {
   if (objects_text(trace.header) != objects_text(loaded_->trace.header)) {
-    auto scene = load_scene(loaded_->scene.path(), overrides_of(trace.header));
+    auto scene = load_placed(loaded_->scene.path(), trace);
     if (!scene) return scene.error();
     loaded_->scene = std::move(*scene);
     loaded_->trace.header.objects = trace.header.objects;

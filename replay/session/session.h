@@ -52,13 +52,15 @@ struct ReplayOptions {
   std::optional<double> from;
   /// With `from`: the options until then, in place of those of the trace's own run.
   std::shared_ptr<const ReplayOptions> before;
-  std::string with;                           ///< with `from`: the trace whose events count from then on; else empty
-  std::map<int, std::string> forced;          ///< step → id of the transition to take there
-  std::size_t most_branches = 0;              ///< under `explore`; 0: the engine's own bound
-  bool physics = true;                        ///< else the kinematic world
-  Variant variant = Variant::free;            ///< others than free need the kinematic world
-  bool live = false;                          ///< the trace is still being written: its digest is not known
-  BeforeInput before_input;                   ///< empty: nothing is done
+  std::string with;                   ///< with `from`: the trace whose events count from then on; else empty
+  std::map<int, std::string> forced;  ///< step → id of the transition to take there
+  std::size_t most_branches = 0;      ///< under `explore`; 0: the engine's own bound
+  bool physics = true;                ///< else the kinematic world
+  Variant variant = Variant::free;    ///< others than free need the kinematic world
+  bool live = false;                  ///< the trace is still being written: its digest is not known
+  BeforeInput before_input;           ///< empty: nothing is done
+  /// Asked now and then, also while nothing but physics happens; true ends the run. Empty: nobody asks.
+  std::function<bool()> give_up;
   std::function<void(double done)> progress;  ///< called now and then with the part of the trace that is done
 };
 
@@ -107,6 +109,8 @@ class Session {
   /// The gestures whose meanings the machine knows; null: it knows gestures by their names.
   const GestureCatalogue* gestures() const;
   const ReplayOptions& options() const;
+  /// The files that it was loaded from, except those that a scene or the knowledge includes.
+  std::vector<std::string> files() const;
 
   /// Replays the trace and writes its run log. Every run begins anew.
   ReplaySummary run(std::ostream& log);

@@ -11,6 +11,7 @@ namespace {
 
 // After the last event the world may go on until it rests, but not longer.
 constexpr double longest_tail_s = 120;
+constexpr SimTime longest_unasked{250'000};  // while the world moves
 
 }  // namespace
 
@@ -200,14 +201,32 @@ void SessionLoop::run(std::optional<SimTime> t) {
 void SessionLoop::wait_until(SimTime t) {
   t = std::max(t, now());
   if (following_ && following_->at_once() && t > now()) follow_observed();
+  if (loaded_.options.give_up) look_around_until(t);
   run(t);
+}
+
+void SessionLoop::give_up_if_asked() {
+  if (const auto& give_up = loaded_.options.give_up; give_up && give_up()) over_ = true;
+}
+
+// The world goes on in short pieces, which makes no difference to it.
+void SessionLoop::look_around_until(SimTime t) {
+  while (!over_) {
+    give_up_if_asked();
+    const auto next = body_->at_rest() ? conversation_.due().value_or(t) : now() + longest_unasked;
+    if (over_ || next >= t) return;
+    run(std::max(next, now() + SimTime{1}));
+  }
 }
 
 // Acts that are under way when the trace ends are still finished.
 void SessionLoop::settle() {
   for (auto due = conversation_.due(); !over_ && due; due = conversation_.due()) wait_until(*due);
   const SimTime last = now() + SimTime::from_seconds(longest_tail_s);
-  while (!over_ && !body_->at_rest() && now() < last) run(now() + SimTime::from_seconds(0.1));
+  while (!over_ && !body_->at_rest() && now() < last) {
+    run(now() + SimTime::from_seconds(0.1));
+    give_up_if_asked();
+  }
 }
 
 void SessionLoop::write_end() {

@@ -66,6 +66,8 @@ class SessionLoop {
   void record(const Thought& thought);
   void record(const WorldReport& report) { recorder_.world(report); }
   void settle();
+  void look_around_until(SimTime t);
+  void give_up_if_asked();
   void write_end();
 
   const LoadedSession& loaded_;

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "continua/replay/terminal/terminal.h"
+
 namespace continua {
 
 Progress::Progress(std::size_t count) : on_terminal_(isatty(STDERR_FILENO) != 0), done_(count, 0.0) {}
@@ -19,12 +21,12 @@ void Progress::show(std::size_t index, double done) {
   const int percent = static_cast<int>(100 * total / static_cast<double>(done_.size()));
   if (percent == shown_percent_) return;
   shown_percent_ = percent;
-  fmt::print(stderr, "\r[{:<40}] {:3} %", std::string(static_cast<std::size_t>(percent * 2 / 5), '='), percent);
+  put(stderr, fmt::format("\r[{:<40}] {:3} %", std::string(static_cast<std::size_t>(percent * 2 / 5), '='), percent));
   std::fflush(stderr);
 }
 
 void Progress::clear() {
-  if (shown_percent_ >= 0) fmt::print(stderr, "\r{:60}\r", "");
+  if (shown_percent_ >= 0) put(stderr, fmt::format("\r{:60}\r", ""));
   shown_percent_ = -1;
 }
 

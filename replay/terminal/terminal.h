@@ -1,6 +1,7 @@
 // The program at a terminal: exit statuses, messages, files that are written whole.
 #pragma once
 
+#include <cstdio>
 #include <string>
 
 #include "continua/core/result.h"
@@ -13,6 +14,14 @@ enum ExitStatus : int {
   exit_no = 1,          ///< it is done; the answer is no
   exit_impossible = 2,  ///< it could not be done
 };
+
+/// Writes the text, as far as the stream takes it. The program's end looks whether standard output took all; nobody can
+/// be told that standard error did not.
+void put(std::FILE* stream, const std::string& text);
+
+/// The text with its control characters in visible form ("\u001b"), but for ends of lines, tabs, and colours: a
+/// terminal would obey them.
+std::string printable(const std::string& text);
 
 /// "continua: where: sentence" on standard error, on one line.
 void report(const Error& error);
@@ -27,7 +36,7 @@ std::string counted(std::size_t count, const std::string& noun);
 /// the lessons of the ones before it; a request for another number is told.
 int jobs_at_a_time(int jobs, const std::string& learned);
 
-/// Writes a whole file. "-" is standard output.
+/// Puts a whole file in the place of another. "-" is standard output.
 Outcome write_file(const std::string& path, const std::string& content);
 
 }  // namespace continua

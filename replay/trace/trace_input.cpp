@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "continua/replay/trace/trace_event.h"
 
 namespace continua {
@@ -25,6 +27,9 @@ void read_signal(const TraceFields& fields, InputEvent& event) {
 }
 
 void read_alternatives(const TraceFields& fields, InputEvent& event) {
+  if (const Json* list = fields.find("alternatives"); list && list->is_array() && list->size() > most_alternatives)
+    return fields.problem(
+        fmt::format("'alternatives' has {} entries; expected at most {}", list->size(), most_alternatives));
   fields.for_each("alternatives", [&](const TraceFields& alternative) {
     alternative.need({"text", "name"});
     auto content = alternative.has("text") ? alternative.text("text") : alternative.text("name");

@@ -21,12 +21,12 @@ class Server:
         self.process = subprocess.Popen([program, command, *map(str, arguments), "--port", "0"], cwd=folder,
                                         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                         text=True, env={**os.environ, **(environment or {})})
-        said = ""
-        while not (found := re.search(r"http://([\d.]+):(\d+)", said)):
+        self.said = ""
+        while not (found := re.search(r"http://([\d.]+):(\d+)", self.said)):
             line = self.process.stdout.readline()
             if not line:
-                raise RuntimeError(f"the server ended: {said}")
-            said += line
+                raise RuntimeError(f"the server ended: {self.said}")
+            self.said += line
         self.address, self.host, self.port = found[0], found[1], int(found[2])
         # A server whose words nobody reads would wait in the end.
         threading.Thread(target=self.process.stdout.read, daemon=True).start()

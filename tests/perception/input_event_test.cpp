@@ -84,6 +84,7 @@ TEST_CASE("an alternative is the event with another reading") {
   CHECK(other.confidence == 0.1);
   CHECK(other.until == event.until);
   CHECK(other.alternatives.empty());
+  CHECK(other.alternatives.capacity() == 0);  // a copy that was emptied would keep the memory of all of them
   event.modality = Modality::gesture;
   CHECK(alternative(event, 1).name == "but it");
   CHECK(alternative(event, 1).text == "put it");

@@ -149,6 +149,35 @@ TEST_CASE("bad scenes are errors with a place and a sentence") {
             .find("object 'cup'") != std::string::npos);
 }
 
+TEST_CASE("a time step that cannot be simulated is refused with its place") {
+  const auto with_step = [](const std::string& step) {
+    return written("step.xml",
+                   "<mujoco>\n<option timestep='" + step + "'/>\n<worldbody>\n" + a_table + "</worldbody>\n</mujoco>");
+  };
+  for (const char* step : {"0", "-1", "1e-6", "1e-12", "0.2", "nan", "inf"}) {
+    INFO(step);
+    const auto scene = load_scene(with_step(step));
+    REQUIRE_FALSE(scene.ok());
+    CHECK(scene.error().text().find("step.xml:2: ") != std::string::npos);
+  }
+  for (const char* step : {"1e-5", "0.002", "0.1"}) CHECK(load_scene(with_step(step)).ok());
+}
+
+TEST_CASE("inclusions and sizes beyond all use are refused with their place") {
+  written("i0.xml", "<mujoco>\n</mujoco>");
+  for (int depth = 1; depth <= 30; ++depth) {
+    const auto below = "<include file='i" + std::to_string(depth - 1) + ".xml'/>\n";
+    written("i" + std::to_string(depth) + ".xml", "<mujoco>\n" + below + below + "</mujoco>");
+  }
+  CHECK(error_of("bomb.xml", "<mujoco>\n<include file='i30.xml'/>\n</mujoco>").find("expected at most 1000") !=
+        std::string::npos);
+  for (const char* size : {"nkey='1000000'", "nuser_body='100000000'", "njmax='1e9'"}) {
+    const auto said = error_of("size.xml", "<mujoco>\n<size " + std::string(size) + "/>\n</mujoco>");
+    CHECK(said.find("size.xml:2: ") != std::string::npos);
+    CHECK(said.find("expected at most") != std::string::npos);
+  }
+}
+
 TEST_CASE("an error in an included file names that file and its line") {
   written("part.xml", "<mujoco>\n<worldbody>\n\n<geom kolor='1'/>\n</worldbody>\n</mujoco>");
   const std::string text = error_of("whole.xml",

@@ -140,8 +140,9 @@ TEST_CASE("the reports of all shards, in any order, are the report of a check th
     const auto files = *rc::gen::inRange<std::size_t>(0, 20);
     CheckReport whole{{1, 1}, files, 0, {}};
     for (std::size_t i = 0; i < files; ++i) {
-      auto one = trace_case(std::to_string(i), *rc::gen::element<std::string>("same", "changed"),
-                            *rc::gen::inRange(0, 3), *rc::gen::arbitrary<std::string>());
+      const bool same = *rc::gen::arbitrary<bool>();
+      auto one = trace_case(std::to_string(i), same ? "same" : "changed", *rc::gen::inRange(same ? 0 : 1, 3),
+                            *rc::gen::arbitrary<std::string>());
       one.is_trace = *rc::gen::arbitrary<bool>();
       one.line = *rc::gen::inRange<std::size_t>(0, 3);
       one.problems = {{"w", "s"}};
@@ -227,6 +228,39 @@ TEST_CASE("what is no report of a check is an error") {
       read_report(R"({"check": 1, "shard": [1, 1], "files": 1, "cases": [{"path": 7, "problems": [3, {}]}]})", "r");
   REQUIRE(odd.ok());
   CHECK(odd->status() == exit_impossible);
+}
+
+TEST_CASE("a report that says two things is not believed") {
+  struct Case {
+    const char* verdict;
+    Json status;
+  };
+  for (const auto& [verdict, status] :
+       {Case{"same", 256}, Case{"changed", -1}, Case{"changed", 3}, Case{"changed", 0}, Case{"not true", 0}}) {
+    auto report = json_of(some_report());
+    report["cases"][1]["verdict"] = verdict;
+    report["cases"][1]["status"] = status;
+    INFO(compact(report["cases"][1]));
+    const auto read = read_report(report.dump(), "r.json");
+    REQUIRE_FALSE(read.ok());
+    CHECK_THAT(read.error().text(), Catch::Matchers::Contains("status"));
+  }
+}
+
+TEST_CASE("a report that has a key twice is not believed") {
+  auto text = json_of(some_report()).dump();
+  text.replace(text.find("\"status\""), 8, "\"status\":0,\"status\"");
+  const auto read = read_report(text, "r.json");
+  REQUIRE_FALSE(read.ok());
+  CHECK_THAT(read.error().text(), Catch::Matchers::Contains("a second time"));
+}
+
+TEST_CASE("a folder without anything to check is an error") {
+  const TemporaryFolder folder;
+  folder.file("letter.txt", "x");
+  const auto items = items_of({folder.path().string()});
+  REQUIRE_FALSE(items.ok());
+  CHECK_THAT(items.error().text(), Catch::Matchers::Contains("nothing to check"));
 }
 
 TEST_CASE("each trace of a list has a name of its own") {

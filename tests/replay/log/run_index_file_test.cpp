@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "continua/replay/log/run_index.h"
+#include "continua/replay/log/run_index_file.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 
@@ -79,6 +80,34 @@ TEST_CASE("the kept index of a log is what reading the log gives") {
     CHECK(told(*other) != expected);
     CHECK(other->symbol(1)->stack != fresh->symbol(1)->stack);
   }
+}
+
+// A digest is no secret: an index may be forged so that it agrees with itself.
+TEST_CASE("an index that sends its readers out of the log, or in a circle, does not count") {
+  const TemporaryFolder folder;
+  const auto path = folder.file("long.run.jsonl", long_log("first"));
+  const auto fresh = RunIndex::open(path);
+  REQUIRE(fresh.ok());
+  const auto expected = told(*fresh);
+  const auto print = print_of(path);
+  REQUIRE(print);
+  const auto scan = kept_scan(path, *print);
+  REQUIRE(scan);
+  const auto forged = [&](auto change) {
+    auto log = *scan;
+    change(log);
+    keep_scan(log, *print);
+    const bool believed = kept_scan(path, *print).has_value();
+    const auto again = RunIndex::open(path);
+    return !believed && again.ok() && told(*again) == expected;
+  };
+  CHECK(forged([](ScannedLog& log) { log.entries[10].cause = 1'000'000'000'000; }));
+  CHECK(forged([](ScannedLog& log) { log.entries[10].cause = 10; }));
+  CHECK(forged([](ScannedLog& log) { log.entries[10].cause = 12, log.entries[12].cause = 10; }));
+  CHECK(forged([](ScannedLog& log) { log.entries[10].cause = -2; }));
+  CHECK(forged([](ScannedLog& log) { log.entries[10].offset = log.entries[11].offset; }));
+  CHECK(forged([](ScannedLog& log) { log.entries.back().offset = log.bytes + 1; }));
+  CHECK(forged([](ScannedLog& log) { std::swap(log.entries[10].offset, log.entries[12].offset); }));
 }
 
 TEST_CASE("of a short log, and of a log in memory, no index is kept") {

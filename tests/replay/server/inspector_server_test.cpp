@@ -117,5 +117,8 @@ TEST_CASE("a port in use is an error with a sentence") {
   const auto port = first.listen();
   REQUIRE(port.ok());
   InspectorServer second({});
+  const auto refused = second.listen("127.0.0.1", *port);
+  REQUIRE_FALSE(refused.ok());
+  CHECK_THAT(refused.error().text(), Contains("in use") && Contains("--port "));
   CHECK_THAT(InspectorServer({}).listen("203.0.113.1", 0).error().text(), Contains("cannot be listened on"));
 }

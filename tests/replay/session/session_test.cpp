@@ -172,6 +172,27 @@ TEST_CASE("with physics the object comes to lie where it was put, and the act sa
   CHECK_FALSE(of_kind(records, "rest").empty());
 }
 
+TEST_CASE("a run can be given up while nothing but physics happens, and being asked changes nothing") {
+  const Folder folder;
+  const auto log_with = [&](std::function<bool()> give_up) {
+    ReplayOptions options;
+    options.give_up = std::move(give_up);
+    auto session = Session::load(folder.file("talk.jsonl"), options);
+    REQUIRE(session.ok());
+    std::ostringstream log;
+    session->run(log);
+    return log.str();
+  };
+  const auto plain = log_with({});
+  int asked = 0;
+  CHECK(log_with([&] { return ++asked < 0; }) == plain);
+  CHECK(asked > 5);  // several times a second while the arm moves
+  int left = asked / 2;
+  const auto cut = log_with([&] { return --left < 0; });
+  CHECK(cut.size() < plain.size());
+  CHECK(left == -1);
+}
+
 TEST_CASE("an expectation that is not met is counted and logged with what there was") {
   const Folder folder;
   folder.write("unmet.jsonl",

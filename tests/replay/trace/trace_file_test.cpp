@@ -115,6 +115,17 @@ TEST_CASE("each entry of an n-best list counts once") {
   }
 }
 
+TEST_CASE("an n-best list has a limit, which is told with the line") {
+  const auto list_of = [](int count) {
+    std::string list;
+    for (int i = 0; i < count; ++i) list += R"({"text":"b","confidence":0.5},)";
+    list.pop_back();
+    return R"({"t":1,"kind":"gesture","name":"a","alternatives":[)" + list + "]}\n";
+  };
+  CHECK(error_of(list_of(100)).empty());
+  CHECK(error_of("\n" + list_of(101)) == "t.jsonl:3: 'alternatives' has 101 entries; expected at most 100");
+}
+
 TEST_CASE("a first line that is not a trace's is an error that shows one") {
   const std::string wanted =
       R"(; expected the first line of a trace, {"kind":"trace","version":1,"scene":…,"machine":…})";

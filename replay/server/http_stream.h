@@ -1,0 +1,35 @@
+// A whole request in memory, and the connection that its answer goes to.
+#pragma once
+
+#include <atomic>
+#include <string>
+
+// After Eigen, whose names are macros of a header of the library's.
+#include <httplib.h>
+
+namespace continua {
+
+class HttpStream : public httplib::Stream {
+ public:
+  /// `socket`: does not block, and outlives the stream. `stopping`: answers are cut short soon.
+  HttpStream(int socket, std::string request, const std::atomic<bool>& stopping)
+      : socket_(socket), request_(std::move(request)), stopping_(stopping) {}
+
+  bool is_readable() const override { return read_ < request_.size(); }
+  /// Whether the other side is still there and takes more.
+  bool is_writable() const override;
+  ssize_t read(char* into, size_t size) override;
+  /// All of it, or -1: the other side is gone, or takes less than least_bytes_per_s.
+  ssize_t write(const char* text, size_t size) override;
+  void get_remote_ip_and_port(std::string& ip, int& port) const override;
+  void get_local_ip_and_port(std::string& ip, int& port) const override;
+  socket_t socket() const override { return socket_; }
+
+ private:
+  int socket_;
+  std::string request_;
+  std::size_t read_ = 0;
+  const std::atomic<bool>& stopping_;
+};
+
+}  // namespace continua
