@@ -52,11 +52,10 @@ def contradictory():
     for scene, said, shown in (("place_setting", "knife", "cup"), ("place_setting", "plate", "cup_blue"), ("workbench", "knife", "cup"),
                                ("workbench", "block_red", "block_green"), ("emre_table", "knife", "plate"), ("staircase", "block7", "block5")):
         for shift, turn in both("take " + things.UNIQUE[scene][said], {"point": things.where(scene, shown)}):
-            # A finger that comes when the words have been answered finds the act begun; so does one of the same instant
-            # that is told after them.
-            asked = {"asks": True} if shift >= 0 else {"no_act": True, "asks": True}
+            # A finger that comes when the words have been answered finds the act begun.
+            asked = {"asks": True} if shift > 0 else {"no_act": True, "asks": True}
             yield f"contradictory {said} {shown} {scene} {shift}", scene, [turn], asked
-            settled = {"acts": [*(["take " + said] if shift >= 0 else []), "take " + shown]}
+            settled = {"acts": [*(["take " + said] if shift > 0 else []), "take " + shown]}
             yield f"contradictory {said} {shown} {scene} {shift} settled", scene, [turn, things.UNIQUE[scene][shown]], settled
     for shift, turn in both("yes", {"gesture": "negack"}):
         yield f"contradictory yes no {shift}", "place_setting", ["take the cup", turn], {"asks": True}
