@@ -25,7 +25,7 @@ auto order(const PointingSample& s) {
 }  // namespace
 
 SimTime settled_at(const Deixis& deixis) {
-  if (deixis.begun) return deixis.from + SimTime::from_seconds(deixis.samples > 1 ? least_dwell_s : alone_s);
+  if (deixis.begun) return deixis.from + SimTime::from_seconds(alone_s + (deixis.followed ? least_dwell_s : 0));
   if (deixis.gesture) return deixis.from;
   const double dwell_s = least_dwell_s / std::max(deixis.confidence, least_confidence);
   const SimTime lasted = deixis.from + SimTime::from_seconds(dwell_s);
@@ -47,6 +47,12 @@ std::vector<Deixis> PointingTrack::fixations(SimTime from, SimTime until) const 
   auto found = fixations_in(samples_, area_);
   std::erase_if(found, [&](const Deixis& each) { return each.until < from || each.from > until; });
   return found;
+}
+
+bool PointingTrack::follows(const Deixis& gesture) const {
+  return std::any_of(samples_.begin(), samples_.end(), [&](const PointingSample& each) {
+    return each.t > gesture.from && (each.hand == gesture.hand || each.hand.empty() || gesture.hand.empty());
+  });
 }
 
 void PointingTrack::forget_before(SimTime t) {

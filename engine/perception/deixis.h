@@ -30,6 +30,7 @@ struct Deixis {
   double spread_m = 0;            ///< robust standard deviation of the samples around it, along the worse axis
   bool gesture = false;           ///< a gesture's own target; else found in samples
   bool begun = false;             ///< a gesture of which the beginning alone is told: its target may be on the way
+  bool followed = false;          ///< samples of its hand came after that beginning
   double confidence = 1;          ///< mean confidence of its samples
   int samples = 0, left_out = 0;  ///< number of its samples, and of samples in its time that were not believed
   std::vector<int> serials;       ///< of the inputs of its samples, in order of time, without the left-out ones
@@ -60,6 +61,9 @@ class PointingTrack {
 
   /// Steady pointings in the samples so far that overlap [from, until], in order of time.
   std::vector<Deixis> fixations(SimTime from, SimTime until) const;
+
+  /// Whether there are samples of the gesture's hand after its beginning.
+  bool follows(const Deixis& gesture) const;
 
   /// Forgets samples that ended before `t`.
   void forget_before(SimTime t);

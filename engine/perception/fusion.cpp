@@ -220,8 +220,8 @@ Fusion::Plan Fusion::plan() const {
       return std::tie(std::get<0>(a).from, std::get<0>(a).until) < std::tie(std::get<0>(b).from, std::get<0>(b).until);
     });
     const auto all = track_.fixations(ever.from, ever.until);
-    for (const auto i : from) pointings.push_back(with_dwell(*waiting_[i].deixis, all));
-    for (const auto& each : released_) pointings.push_back(with_dwell(each, all));
+    for (const auto i : from) pointings.push_back(dwelling(*waiting_[i].deixis, all));
+    for (const auto& each : released_) pointings.push_back(dwelling(each, all));
     for (const auto& each : all)
       if (!is_of_gesture(each)) pointings.push_back(each);
     std::vector<Taker> bare;
@@ -246,6 +246,13 @@ Fusion::Plan Fusion::plan() const {
     }
   }
   return plan;
+}
+
+// The gesture, with what the samples of its hand have told of it so far.
+Deixis Fusion::dwelling(const Deixis& gesture, const std::vector<Deixis>& fixations) const {
+  Deixis deixis = with_dwell(gesture, fixations);
+  deixis.followed = gesture.begun && track_.follows(gesture);
+  return deixis;
 }
 
 bool Fusion::is_of_gesture(const Deixis& fixation) const {

@@ -122,6 +122,7 @@ class Fusion {
   std::optional<SimTime> next_complete() const;
   Plan plan() const;
   bool is_of_gesture(const Deixis& fixation) const;
+  Deixis dwelling(const Deixis& gesture, const std::vector<Deixis>& fixations) const;
   bool release_first(std::vector<Ensemble>& released);
   void release_up_to(std::size_t last, const std::vector<Plan::Part>& parts, std::vector<Ensemble>& released);
   void take(const Deixis& pointing);
