@@ -29,7 +29,7 @@ struct Percept {
   bool unfinished = false;                             ///< of speech: its sentence may go on
   SimTime spoken = {};                                 ///< of speech: the end of its words
   std::vector<int> pieces = {};                        ///< serials of earlier inputs whose words it goes on with
-  bool before_words = false;  ///< of a gesture: shown during words, it comes before them
+  bool before_words = false;                           ///< of a gesture: shown during words, it comes before them
   bool again = false;  ///< it is attended to a second time, in the state in which the first time left the dialogue
   std::vector<int> assured = {};  ///< serials of the inputs that made an unsure one sure; empty: it was not asked about
 };

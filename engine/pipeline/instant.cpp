@@ -25,9 +25,8 @@ std::string content_of(const Vec3& p) { return fmt::format("{} {} {}", p.x(), p.
 
 // All that tells two events apart, as a text.
 std::string content_of(const InputEvent& event) {
-  std::string content =
-      fmt::format("{} {} {} {} {} {} {}", name_of(event.modality), event.text, event.name, event.hand, event.direction,
-                  event.phase, event.until.value_or(event.t).us);
+  std::string content = fmt::format("{} {} {} {} {} {} {}", name_of(event.modality), event.text, event.name, event.hand,
+                                    event.direction, event.phase, event.until.value_or(event.t).us);
   if (event.target_W) content += " at " + content_of(*event.target_W);
   if (event.ray) content += " along " + content_of(event.ray->from_W) + " " + content_of(event.ray->direction_W);
   content += fmt::format(" {} {}", event.confidence, event.final);

@@ -7,8 +7,8 @@
 namespace continua {
 
 /// Whether `a` is received before `b`, if both become known at one instant. The order depends on their content alone:
-/// pointing gestures, samples, gestures that point where the hand does, gestures that are understood before their words,
-/// then the rest by the time at which it happened, speech first.
+/// pointing gestures, samples, gestures that point where the hand does, gestures that are understood before their
+/// words, then the rest by the time at which it happened, speech first.
 bool comes_before(const Engine& engine, const EngineState& state, const InputEvent& a, const InputEvent& b);
 
 }  // namespace continua

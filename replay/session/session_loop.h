@@ -34,7 +34,8 @@ class SessionLoop {
   void wait_until(SimTime t);
   /// REQUIRES wait_until(event.t). In order of time; the inputs of one instant in_order().
   void take(const TraceEvent& event);
-  /// The events of one instant as they are to be taken, now: neighbouring inputs by their content, not as they were told.
+  /// The events of one instant as they are to be taken, now: neighbouring inputs by their content, not as they were
+  /// told.
   std::vector<const TraceEvent*> in_order(std::span<const TraceEvent> events) const;
   /// Attends to all that waits, finishes acts that are under way, and writes the log's last line.
   Replayed finish();

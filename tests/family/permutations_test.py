@@ -61,7 +61,7 @@ def is_fused(machine, source):
 def traces(source, every, folder):
     """Name and lines of each trace."""
     for path in sorted((source / "traces").rglob("*.trace.jsonl")):
-        lines = path.read_text(encoding="utf-8").splitlines()
+        lines = [line for line in path.read_text(encoding="utf-8-sig").splitlines() if line.strip()]
         if is_fused(json.loads(lines[0]).get("machine", ""), source):
             yield "trace " + path.name.removesuffix(".trace.jsonl"), lines
     items = [item for path in sorted((FOLDER / "members").glob("*.py")) for item in hold_families.members_of(path)]

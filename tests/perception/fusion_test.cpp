@@ -119,10 +119,8 @@ TEST_CASE("words that do not point are understood when they have been said") {
 TEST_CASE("what is complete releases what began before it") {
   const auto there = speech(1, 2, put_it_there(2));
   CHECK(fused({there, gesture(2, 3.2, "posack")}) == "3.20 put it there [-]; 3.20 posack");
-  CHECK(fused({there, gesture(2, 2.2, "posack"), gesture(3, 2.6, "point")}) ==
-        "3.00 put it there [3]; 3.00 posack");
-  CHECK(fused({gesture(2, 1.5, "point"), speech(3, 1.8, {{"no", 1.8, 2}}), there}) ==
-        "2.00 no; 3.00 put it there [2]");
+  CHECK(fused({there, gesture(2, 2.2, "posack"), gesture(3, 2.6, "point")}) == "3.00 put it there [3]; 3.00 posack");
+  CHECK(fused({gesture(2, 1.5, "point"), speech(3, 1.8, {{"no", 1.8, 2}}), there}) == "2.00 no; 3.00 put it there [2]");
   // Pointing does not hurry words that wait for another.
   const auto both = speech(4, 5, put_that_there(5));
   CHECK(fused({both, gesture(5, 4.7, "point"), gesture(6, 6.5, "point")}) == "6.50 put that there [5] [6]");

@@ -26,9 +26,8 @@ struct Told {
     return std::make_shared<const Machine>(std::move(*loaded));
   }
   std::string in_order(std::vector<InputEvent> events) const {
-    std::stable_sort(events.begin(), events.end(), [&](const InputEvent& a, const InputEvent& b) {
-      return pipeline.comes_before(*state, a, b);
-    });
+    std::stable_sort(events.begin(), events.end(),
+                     [&](const InputEvent& a, const InputEvent& b) { return pipeline.comes_before(*state, a, b); });
     std::string all;
     for (const auto& event : events) all += (all.empty() ? "" : ", ") + symbol_of(event);
     return all;
