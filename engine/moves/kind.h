@@ -19,6 +19,9 @@ struct KnownGesture {
   std::string lesson;                   ///< the name under which it was taught
   const GestureEntry* entry = nullptr;  ///< of the catalogue, if it was not taught
   std::optional<Recognition> shape;     ///< if it was looked for by its shape
+
+  /// Whether it is understood before the words during which it is shown.
+  bool comes_before_words() const { return !taught && entry && entry->before_words; }
 };
 
 /// Both must outlive the result. `gestures`: nullptr: gestures are known by their names, and nothing is found.

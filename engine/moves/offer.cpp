@@ -123,7 +123,10 @@ Offer heard(const Ensemble& ensemble, std::size_t alternative, const Dialogue& n
   offer.input = to_input(speech.event, ensemble.percept.serial);
   offer.input.now_s = ensemble.at.seconds();
   carry(now.sign, offer.input);
-  if (!shown.empty()) offer.input.pointed = point_term(shown.front().pointing.place_W);
+  if (!shown.empty()) {
+    offer.input.pointed = point_term(shown.front().pointing.place_W);
+    offer.input.pointed_confidence = Term::number(shown.front().pointing.confidence);
+  }
   if (is_one_of_several) offer.input.confidence *= understood_share(speech.utterance);
   if (speech.utterance.fragments.empty())
     offer.move = now.understanding->not_understood(speech.utterance);
@@ -158,6 +161,7 @@ Offer seen(const Ensemble& ensemble, std::size_t alternative, const Dialogue& no
   if (const auto place_W = place_of(event); place_W && offer.move.kind == deixis) {
     discourse.context.pointed_W = *place_W;
     offer.input.pointed = point_term(*place_W);
+    offer.input.pointed_confidence = Term::number(event.confidence);
     offer.move.reference = refer_to_pointed(discourse.context);
   } else if (const Term says = said_by(event, known, now); !says.is_null()) {
     offer.move = now.understanding->shown(says, offer.move.kind, discourse.context);

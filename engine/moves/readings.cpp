@@ -9,6 +9,35 @@
 namespace continua {
 namespace {
 
+std::string text_of(const Utterance& utterance, WordSpan span) {
+  std::string text;
+  for (auto word = span.begin; word < span.end; ++word) text += (text.empty() ? "" : " ") + utterance.words[word];
+  return text;
+}
+
+// The only fragment of words that are understood as a whole; nullptr if they are not.
+const Fragment* only_fragment(const Utterance& utterance) {
+  const auto& fragments = utterance.fragments;
+  return fragments.size() == 1 && fragments[0].words.size() == utterance.words.size() ? &fragments[0] : nullptr;
+}
+
+// Whether a noun was read as what is said of the thing before it, and both may be one thing that is pointed at: "is
+// this block".
+bool ends_in_thing(const ReadSpeech& speech, const Understanding& understanding) {
+  static const Type property = Type::function(Type::entity(), Type::truth());
+  const auto& utterance = speech.utterance;
+  if (utterance.fragments.empty() || speech.demonstratives.empty()) return false;
+  const auto end = utterance.fragments.back().words.end;
+  const auto& last = speech.demonstratives.back();
+  if (!last.needs || last.place || last.words.end >= end) return false;
+  const auto noun = understanding.read(text_of(utterance, {last.words.end, end}));
+  const auto* said = only_fragment(noun);
+  if (!said || !(said->readings.front().term.type() == property)) return false;
+  const auto thing = understanding.read(text_of(utterance, {last.words.begin, end}));
+  const auto shown = only_fragment(thing) ? understanding.demonstratives(thing) : std::vector<Demonstrative>();
+  return shown.size() == 1 && shown[0].needs && shown[0].words.size() == thing.words.size();
+}
+
 ReadSpeech read_speech(InputEvent event, const Understanding& understanding) {
   ReadSpeech speech;
   speech.utterance = understanding.read(event.text);
@@ -17,6 +46,7 @@ ReadSpeech read_speech(InputEvent event, const Understanding& understanding) {
   for (const auto& [words, needs, place] : speech.demonstratives)
     speech.takers.push_back({times[words.begin].from, times[words.end - 1].until, needs, event.t});
   speech.until = time_of(event, speech.utterance.words).until;
+  speech.ends_in_thing = ends_in_thing(speech, understanding);
   speech.event = std::move(event);
   return speech;
 }
@@ -48,6 +78,7 @@ bool is_unfinished(const ReadSpeech& speech) {
   if (spoken.empty() || spoken.back().ends_after) return false;
   const auto& [words, fragments, unknown, unused, repaired, ends, cut] = speech.utterance;
   if (cut || fragments.empty() || !is_whole(fragments.back())) return !cut;
+  if (speech.ends_in_thing) return true;
   const std::size_t begin = ends.size() < 2 ? 0 : ends[ends.size() - 2];
   const auto is_last = [begin](std::size_t word) { return word >= begin; };
   return std::any_of(unknown.begin(), unknown.end(), is_last) || std::any_of(unused.begin(), unused.end(), is_last);

@@ -17,6 +17,7 @@ struct ReadSpeech {
   std::vector<Demonstrative> demonstratives;  ///< the words that pointing can go with
   std::vector<Taker> takers;                  ///< the same words in time
   SimTime until;                              ///< the end of its words
+  bool ends_in_thing = false;                 ///< its last words may be a thing that is pointed at, too: is this block
 };
 
 struct Readings {
@@ -29,7 +30,7 @@ std::shared_ptr<const Readings> readings_of(const InputEvent& speech, const Unde
                                             std::shared_ptr<const Readings> known = nullptr);
 
 /// Whether the last sentence may go on: it does not end with a mark, and is no whole sentence, such as "put the knife"
-/// or "the red one".
+/// or "the red one", or its end may be the thing of which more is to come: "is this block", and then "red".
 bool is_unfinished(const ReadSpeech& speech);
 
 /// Whether the words of two utterances, read as a whole, make fewer moves or lose fewer words than apart.

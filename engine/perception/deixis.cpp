@@ -25,6 +25,7 @@ auto order(const PointingSample& s) {
 }  // namespace
 
 SimTime settled_at(const Deixis& deixis) {
+  if (deixis.begun) return deixis.from + SimTime::from_seconds(alone_s + (deixis.followed ? least_dwell_s : 0));
   if (deixis.gesture) return deixis.from;
   const double dwell_s = least_dwell_s / std::max(deixis.confidence, least_confidence);
   const SimTime lasted = deixis.from + SimTime::from_seconds(dwell_s);
@@ -48,6 +49,12 @@ std::vector<Deixis> PointingTrack::fixations(SimTime from, SimTime until) const 
   return found;
 }
 
+bool PointingTrack::follows(const Deixis& gesture) const {
+  return std::any_of(samples_.begin(), samples_.end(), [&](const PointingSample& each) {
+    return each.t > gesture.from && (each.hand == gesture.hand || each.hand.empty() || gesture.hand.empty());
+  });
+}
+
 void PointingTrack::forget_before(SimTime t) {
   std::erase_if(samples_, [&](const PointingSample& each) { return each.until < t; });
 }
@@ -61,6 +68,30 @@ void PointingTrack::forget(const Deixis& fixation) {
   });
 }
 
+bool is_part_of(const Deixis& fixation, const Deixis& gesture) {
+  const bool is_one_hand = gesture.hand == fixation.hand || gesture.hand.empty() || fixation.hand.empty();
+  const SimTime until = gesture.until + SimTime::from_seconds(gesture.begun ? alone_s : 0);
+  return is_one_hand && fixation.from <= until && gesture.from <= fixation.until;
+}
+
+Deixis with_dwell(Deixis gesture, const std::vector<Deixis>& fixations) {
+  if (!gesture.begun) return gesture;
+  const auto longer = [&](const Deixis& a, const Deixis& b) { return a.samples < b.samples; };
+  std::vector<Deixis> parts;
+  for (const auto& fixation : fixations)
+    if (fixation.samples > 1 && is_part_of(fixation, gesture)) parts.push_back(fixation);
+  const auto dwell = std::max_element(parts.begin(), parts.end(), longer);
+  if (dwell == parts.end()) return gesture;
+  gesture.until = std::max(gesture.until, dwell->until);
+  gesture.place_W = dwell->place_W;
+  gesture.spread_m = dwell->spread_m;
+  gesture.confidence = dwell->confidence;
+  gesture.left_out = dwell->left_out;
+  gesture.samples = dwell->samples;
+  gesture.serials.insert(gesture.serials.end(), dwell->serials.begin(), dwell->serials.end());
+  return gesture;
+}
+
 std::optional<Deixis> deixis_of(const InputEvent& event, int serial) {
   if (event.modality != Modality::gesture || event.phase == "stop" || !event.target_W || !event.target_W->allFinite())
     return std::nullopt;
@@ -70,6 +101,7 @@ std::optional<Deixis> deixis_of(const InputEvent& event, int serial) {
   deixis.hand = event.hand;
   deixis.place_W = *event.target_W;
   deixis.gesture = true;
+  deixis.begun = event.phase == "start" && !event.until;
   deixis.confidence = event.confidence;
   deixis.samples = 1;
   deixis.serials = {serial};

@@ -16,7 +16,6 @@ constexpr double recent_s = 0.3;
 constexpr double smoothing_s = 0.2;
 constexpr double most_dispersion_m = 0.08;
 constexpr double same_place_m = 0.04;
-constexpr double alone_s = 0.15;
 constexpr double mad_to_sd = 1.4826;
 // Bounds on the samples within these times: more than trackers send, so that many samples of one instant take bounded
 // time.

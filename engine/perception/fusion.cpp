@@ -10,6 +10,10 @@ namespace {
 
 SimTime seconds(double s) { return SimTime::from_seconds(s); }
 
+constexpr struct {
+  SimTime from{std::numeric_limits<std::int64_t>::min()}, until{std::numeric_limits<std::int64_t>::max()};
+} ever;
+
 // The order of percepts of one time.
 int rank(const Percept& percept) {
   if (percept.deixis) return 1;
@@ -19,10 +23,6 @@ int rank(const Percept& percept) {
 auto order(const Percept& percept) { return std::tuple(percept.event.t, rank(percept), percept.serial); }
 
 bool is_sample(const Percept& percept) { return percept.event.modality == Modality::pointing; }
-
-bool is_one_hand(const Deixis& a, const Deixis& b) { return a.hand == b.hand || a.hand.empty() || b.hand.empty(); }
-
-bool overlap(const Deixis& a, const Deixis& b) { return a.from <= b.until && b.from <= a.until; }
 
 // The told end of the event; its beginning where none is told.
 SimTime told_end(const Percept& percept) {
@@ -99,11 +99,13 @@ bool lacks_pointing(const Ensemble& ensemble) {
 }
 
 // Words that still lack something come after the gestures that were made with them: "take this", and a hand like a cup.
+// So do all words after gestures that say how they are meant: "the blocks", and two fingers.
 void put_shown_first(std::vector<Ensemble>::iterator begin, std::vector<Ensemble>::iterator end) {
   for (auto speech = begin; speech != end; ++speech) {
-    if (!lacks_pointing(*speech)) continue;
-    const auto rest = std::stable_partition(
-        std::next(speech), end, [&](const Ensemble& each) { return is_shown_during(each.percept, speech->percept); });
+    const bool lacks = lacks_pointing(*speech);
+    const auto rest = std::stable_partition(std::next(speech), end, [&](const Ensemble& each) {
+      return (lacks || each.percept.before_words) && is_shown_during(each.percept, speech->percept);
+    });
     std::rotate(speech, std::next(speech), rest);
     speech = std::prev(rest);
   }
@@ -147,8 +149,10 @@ std::vector<Ensemble> Fusion::release(SimTime now, const Joining& joining) {
       now_ = std::max(now_, *complete);
     else
       break;
+    const auto earlier = static_cast<std::ptrdiff_t>(released.size());
     while (release_first(released)) {
     }
+    put_shown_first(std::next(released.begin(), earlier), released.end());
   }
   now_ = std::max(now_, until);
   return released;
@@ -208,7 +212,6 @@ Fusion::Plan Fusion::plan() const {
     plan.parts[i].bound.resize(waiting_[i].takers.size());
     for (std::size_t k = 0; k < waiting_[i].takers.size(); ++k) takers.emplace_back(waiting_[i].takers[k], i, k);
     if (!waiting_[i].deixis) continue;
-    pointings.push_back(*waiting_[i].deixis);
     from.push_back(i);
   }
   // Assigns the pointings of all sources; a waiting pointing with a taker is taken.
@@ -216,8 +219,11 @@ Fusion::Plan Fusion::plan() const {
     std::stable_sort(takers.begin(), takers.end(), [](const auto& a, const auto& b) {
       return std::tie(std::get<0>(a).from, std::get<0>(a).until) < std::tie(std::get<0>(b).from, std::get<0>(b).until);
     });
-    pointings.insert(pointings.end(), released_.begin(), released_.end());
-    for (auto& fixation : fixations()) pointings.push_back(std::move(fixation));
+    const auto all = track_.fixations(ever.from, ever.until);
+    for (const auto i : from) pointings.push_back(dwelling(*waiting_[i].deixis, all));
+    for (const auto& each : released_) pointings.push_back(dwelling(each, all));
+    for (const auto& each : all)
+      if (!is_of_gesture(each)) pointings.push_back(each);
     std::vector<Taker> bare;
     for (const auto& each : takers) bare.push_back(std::get<0>(each));
     const auto assigned = assign(bare, pointings, window_);
@@ -242,16 +248,16 @@ Fusion::Plan Fusion::plan() const {
   return plan;
 }
 
-// The fixations of the track, without those during a pointing gesture of the same hand.
-std::vector<Deixis> Fusion::fixations() const {
-  constexpr auto ever = std::numeric_limits<std::int64_t>::max();
-  auto fixations = track_.fixations({std::numeric_limits<std::int64_t>::min()}, {ever});
-  std::erase_if(fixations, [&](const Deixis& fixation) {
-    return std::any_of(gestures_.begin(), gestures_.end(), [&](const Deixis& gesture) {
-      return is_one_hand(gesture, fixation) && overlap(gesture, fixation);
-    });
-  });
-  return fixations;
+// The gesture, with what the samples of its hand have told of it so far.
+Deixis Fusion::dwelling(const Deixis& gesture, const std::vector<Deixis>& fixations) const {
+  Deixis deixis = with_dwell(gesture, fixations);
+  deixis.followed = gesture.begun && track_.follows(gesture);
+  return deixis;
+}
+
+bool Fusion::is_of_gesture(const Deixis& fixation) const {
+  return std::any_of(gestures_.begin(), gestures_.end(),
+                     [&](const Deixis& gesture) { return is_part_of(fixation, gesture); });
 }
 
 std::optional<SimTime> Fusion::next_complete() const {
@@ -275,7 +281,6 @@ void Fusion::release_up_to(std::size_t last, const std::vector<Plan::Part>& part
   const bool by_pointing = waiting_[last].deixis.has_value(), by_sample = is_sample(waiting_[last]);
   std::vector<Deixis> taken;
   std::vector<Percept> still;
-  const auto earlier = static_cast<std::ptrdiff_t>(released.size());
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     auto& percept = waiting_[i];
     const bool is_being_said = percept.event.modality == Modality::speech && now_ < told_end(percept);
@@ -287,17 +292,21 @@ void Fusion::release_up_to(std::size_t last, const std::vector<Plan::Part>& part
     }
     for (const auto& pointing : parts[i].bound)
       if (pointing) taken.push_back(*pointing);
-    if (percept.deixis) released_.push_back(*percept.deixis);
+    if (percept.deixis) {
+      percept.deixis = with_dwell(*percept.deixis, track_.fixations(ever.from, ever.until));
+      percept.event.target_W = percept.deixis->place_W;
+      released_.push_back(*percept.deixis);
+    }
     released.push_back({std::move(percept), parts[i].bound, now_});
   }
-  put_shown_first(std::next(released.begin(), earlier), released.end());
   waiting_ = std::move(still);
   for (const auto& pointing : taken) take(pointing);
 }
 
 void Fusion::take(const Deixis& pointing) {
-  if (!pointing.gesture) return track_.forget(pointing);
-  const auto is_it = [&](const Deixis& each) { return each.serials == pointing.serials; };
+  if (!pointing.gesture || pointing.samples > 1) track_.forget(pointing);
+  if (!pointing.gesture) return;
+  const auto is_it = [&](const Deixis& each) { return each.serials.front() == pointing.serials.front(); };
   std::erase_if(released_, is_it);
   std::erase_if(waiting_, [&](const Percept& each) { return each.deixis && is_it(*each.deixis); });
 }
@@ -324,6 +333,7 @@ std::vector<Ensemble> Fusion::release_all(const Joining& joining) {
     const auto first = std::find_if(parts.begin(), parts.end(), [](const Plan::Part& part) { return !part.taken; });
     release_up_to(static_cast<std::size_t>(first - parts.begin()), parts, released);
   }
+  put_shown_first(released.begin(), released.end());
   return released;
 }
 

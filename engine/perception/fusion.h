@@ -29,6 +29,7 @@ struct Percept {
   bool unfinished = false;                             ///< of speech: its sentence may go on
   SimTime spoken = {};                                 ///< of speech: the end of its words
   std::vector<int> pieces = {};                        ///< serials of earlier inputs whose words it goes on with
+  bool before_words = false;                           ///< of a gesture: shown during words, it comes before them
   bool again = false;  ///< it is attended to a second time, in the state in which the first time left the dialogue
   std::vector<int> assured = {};  ///< serials of the inputs that made an unsure one sure; empty: it was not asked about
 };
@@ -55,14 +56,16 @@ struct Ensemble {
 /// - An unfinished sentence also waits for its next piece, until `pause` past its end. Words that begin until then are
 ///   joined with it, and the whole may be unfinished again.
 /// - Words are not complete before their told end. A gesture that begins during words waits for that end too; it comes
-///   after the words, or before them if they still lack a pointing.
+///   after the words, or before them if they still lack a pointing or the gesture says how they are meant
+///   (Percept::before_words).
 /// - Every other percept is complete when it arrives.
 /// - A complete percept also releases the waiting percepts that began before it, in order of time, as they are: the
 ///   human has gone on. Exceptions: a waiting pointing stays if speech takes it, waiting speech is not released by a
 ///   pointing, and a pointing sample releases nothing.
 /// - Percepts are released in the order in which they were complete. Ties go by beginning; then pointing gestures come
 ///   first, speech second, all others last; then by serial.
-/// - Fixations of a hand during a pointing gesture of that hand belong to that gesture.
+/// - Fixations of a hand during a pointing gesture of that hand belong to that gesture. If its beginning alone is told,
+///   they tell its place.
 class Fusion {
  public:
   /// `area`: see PointingTrack.
@@ -118,7 +121,8 @@ class Fusion {
   std::optional<SimTime> next_arrival() const;
   std::optional<SimTime> next_complete() const;
   Plan plan() const;
-  std::vector<Deixis> fixations() const;
+  bool is_of_gesture(const Deixis& fixation) const;
+  Deixis dwelling(const Deixis& gesture, const std::vector<Deixis>& fixations) const;
   bool release_first(std::vector<Ensemble>& released);
   void release_up_to(std::size_t last, const std::vector<Plan::Part>& parts, std::vector<Ensemble>& released);
   void take(const Deixis& pointing);

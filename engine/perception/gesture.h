@@ -21,6 +21,7 @@ struct GestureEntry {
   /// cup(x).
   std::map<std::string, std::string, std::less<>> meanings;
   std::vector<std::string> acts_on;  ///< phases that make it a move: start and stroke, unless the file says otherwise
+  bool before_words = false;         ///< shown during words, it is understood before them
   std::string where;                 ///< place in the file, "path:line:column"
 
   /// The meaning in this direction, else the meaning without a direction; nullptr if there is none.

@@ -71,6 +71,7 @@ GestureEntry read_entry(const Item& item) {
   entry.meanings = read_meanings(item.member("means"));
   if (entry.meanings.empty() && (entry.kind == "α" || entry.kind == "ω"))
     item.problem(fmt::format("there is no \"means\"; expected what a gesture of the kind {} says", entry.kind));
+  if (const auto first = item.member("before_words"); first.exists()) entry.before_words = first.truth(false);
   if (const auto acts_on = item.member("acts_on"); acts_on.exists()) {
     entry.acts_on.clear();
     for (const auto& phase : acts_on.elements("phases"))
@@ -124,7 +125,7 @@ GestureCatalogue read(const LocatedJson& document, DocumentReader& reader) {
   if (const auto shapes = root.member("shapes"); shapes.exists()) catalogue.shapes = read_limits(shapes);
   for (const auto& [names, item] :
        root.required("gestures", "gestures by their names").members("gestures by their names")) {
-    if (!item.expect_object("a gesture", {"about", "kind", "means", "acts_on"})) continue;
+    if (!item.expect_object("a gesture", {"about", "kind", "means", "acts_on", "before_words"})) continue;
     auto entry = read_entry(item);
     for (const auto& name : names_of(names)) {
       entry.name = name;

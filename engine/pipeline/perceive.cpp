@@ -54,6 +54,7 @@ Result<Percept> perceive(const Engine& engine, const EngineState& state, const I
   const auto understanding = understanding_of(engine, state);
   if (event.modality == Modality::speech && understanding) return heard(event, serial, *understanding);
   Percept percept{serial, event, {}, {}};
+  percept.before_words = known_gesture(event, gestures_of(engine), state.learned).comes_before_words();
   if (event.modality == Modality::gesture &&
       kind_of(event, *engine.machine, gestures_of(engine), state.learned) == deixis) {
     // A pointing gesture without a place points where the hand does.

@@ -15,6 +15,7 @@
 #include "continua/pipeline/doubt.h"
 #include "continua/pipeline/following.h"
 #include "continua/pipeline/fuse.h"
+#include "continua/pipeline/instant.h"
 #include "continua/pipeline/perceive.h"
 #include "continua/pipeline/step.h"
 #include "continua/pipeline/taking_over.h"
@@ -65,6 +66,10 @@ Tick Pipeline::receive(const EngineState& before, const InputEvent& told, const 
   if (!fused) return refuse(fused.error());
   tick.then(follow_hand(engine_, *std::move(fused), event, serial, world));
   return tick;
+}
+
+bool Pipeline::comes_before(const EngineState& state, const InputEvent& a, const InputEvent& b) const {
+  return machine().fusion && continua::comes_before(engine_, state, a, b);
 }
 
 Tick Pipeline::wake(const EngineState& before, SimTime now) const { return {released(engine_, before, now), {}}; }

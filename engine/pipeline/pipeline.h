@@ -36,6 +36,9 @@ class Pipeline {
 
   /// Receives an event, at `world.t` or at its own time if that is later.
   Tick receive(const EngineState& before, const InputEvent& event, const WorldSnapshot& world) const;
+  /// Whether `a` is to be received before `b`, if both are known at one instant (pipeline/instant.h). Machines without
+  /// fusion take events as they are told.
+  bool comes_before(const EngineState& state, const InputEvent& a, const InputEvent& b) const;
   /// No event came up to `now`: completes the percepts that need not wait longer.
   Tick wake(const EngineState& before, SimTime now) const;
   /// The latest time to call wake(); none if nothing waits.

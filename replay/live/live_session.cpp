@@ -111,7 +111,9 @@ Result<LiveReply> LiveSession::receive(const std::vector<Json>& events, const st
   if (!batch.empty() && batch == last_batch_) return last_reply_;
   if (!loop_) return Error{"", "the session has ended"};
   const auto timing = timing_.value_or(has_time(events.front()) ? LiveTiming::events : LiveTiming::wall);
-  const auto timed = timed_events(events, timing, now(), next_line_);
+  // A replay knows all events of an instant beforehand, so one that was told later has an instant of its own.
+  const auto earliest = taken_ ? std::max(now(), *taken_ + SimTime{1}) : now();
+  const auto timed = timed_events(events, timing, earliest, next_line_);
   if (!timed) return timed.error();
   last_heard_ = std::chrono::steady_clock::now();
   if (!timing_ && timing == LiveTiming::wall) clock_.run(last_heard_);
@@ -124,20 +126,38 @@ Result<LiveReply> LiveSession::receive(const std::vector<Json>& events, const st
 }
 
 void LiveSession::take(const std::vector<LiveEvent>& events) {
-  for (const auto& [t, event, line] : events) {
+  for (auto next = events.begin(); next != events.end();) {
+    const auto& [t, event, line] = *next;
     if (event && std::holds_alternative<End>(event->what)) return close(t);
-    if (event) {
-      // First, so that the trace has all inputs of the engine in any case.
-      trace_ << line << '\n' << std::flush;
-      ++next_line_;
-      if (!can_go_on()) return;
-    }
-    loop_->wait_until(t);
-    if (event) loop_->take(*event);
+    const auto end = std::find_if(next, events.end(), [&](const LiveEvent& each) {
+      return each.t != t || (each.event && std::holds_alternative<End>(each.event->what));
+    });
+    if (!take_instant({next, end})) return;
     if (t > clock_.at(std::chrono::steady_clock::now())) clock_.set(t, std::chrono::steady_clock::now());
-    tell();
+    next = end;
   }
   if (can_go_on()) heard_.notify_all();
+}
+
+// Events of one instant. Returns whether the session goes on.
+bool LiveSession::take_instant(std::span<const LiveEvent> events) {
+  std::vector<TraceEvent> known;
+  for (const auto& [t, event, line] : events) {
+    if (!event) continue;
+    // First, so that the trace has all inputs of the engine in any case.
+    trace_ << line << '\n' << std::flush;
+    ++next_line_;
+    known.push_back(*event);
+    if (std::holds_alternative<InputEvent>(event->what)) taken_ = t;
+  }
+  if (!known.empty() && !can_go_on()) return false;
+  loop_->wait_until(events.front().t);
+  for (const auto* event : loop_->in_order(known)) {
+    loop_->wait_until(event->t);
+    loop_->take(*event);
+  }
+  tell();
+  return true;
 }
 
 // Without a place to write to the session ends.

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -77,6 +79,7 @@ class LiveSession {
   void work();
   SimTime now() const;
   void take(const std::vector<LiveEvent>& events);
+  bool take_instant(std::span<const LiveEvent> events);
   bool can_go_on();
   void close(std::optional<SimTime> end);
   void tell();
@@ -94,6 +97,7 @@ class LiveSession {
   std::optional<LiveTiming> timing_;
   LiveClock clock_;
   std::size_t next_line_ = 2;
+  std::optional<SimTime> taken_;  // the instant of the latest event
   WallTime last_heard_;
   std::string last_batch_;
   LiveReply last_reply_;

@@ -326,10 +326,17 @@ Result<ReplaySummary> Session::run(const Trace& trace, const Watch& watch, std::
   auto loop = begin(watch, log, trace.notes);
   if (!loop) return loop.error();
   const auto& progress = loaded_->options.progress;
-  for (std::size_t i = 0; i < trace.events.size() && !(*loop)->is_over(); ++i) {
-    (*loop)->wait_until(trace.events[i].t);
-    (*loop)->take(trace.events[i]);
-    if (progress && i % 64 == 0) progress(static_cast<double>(i) / static_cast<double>(trace.events.size()));
+  for (auto next = trace.events.begin(); next != trace.events.end() && !(*loop)->is_over();) {
+    const auto end = std::find_if(next, trace.events.end(), [&](const TraceEvent& each) { return each.t != next->t; });
+    (*loop)->wait_until(next->t);
+    for (const auto* event : (*loop)->in_order({next, end})) {
+      if ((*loop)->is_over()) break;
+      (*loop)->wait_until(event->t);
+      (*loop)->take(*event);
+      const auto i = event - trace.events.data();
+      if (progress && i % 64 == 0) progress(static_cast<double>(i) / static_cast<double>(trace.events.size()));
+    }
+    next = end;
   }
   return end(**loop);
 }

@@ -1,6 +1,7 @@
 #include "continua/replay/session/session_loop.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -50,6 +51,22 @@ void SessionLoop::take(const TraceEvent& event, const What& what) {
 
 void SessionLoop::take(const TraceEvent& event) {
   if (!over_) std::visit([&](const auto& what) { take(event, what); }, event.what);
+}
+
+std::vector<const TraceEvent*> SessionLoop::in_order(std::span<const TraceEvent> events) const {
+  std::vector<const TraceEvent*> ordered;
+  for (const auto& event : events) ordered.push_back(&event);
+  // Another avatar's answers belong to the inputs as its recorder told them.
+  if (following_) return ordered;
+  const auto input_of = [](const TraceEvent* event) { return std::get_if<InputEvent>(&event->what); };
+  for (auto begin = ordered.begin(); begin != ordered.end();) {
+    const auto end = std::find_if_not(begin, ordered.end(), input_of);
+    std::stable_sort(begin, end, [&](const TraceEvent* a, const TraceEvent* b) {
+      return conversation_.pipeline().comes_before(conversation_.state(), *input_of(a), *input_of(b));
+    });
+    begin = end == ordered.end() ? end : std::next(end);
+  }
+  return ordered;
 }
 
 Replayed SessionLoop::finish() {

@@ -5,6 +5,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,11 @@ class SessionLoop {
   /// Lets time go on; percepts that have waited long enough on the way are attended to. A time in the past does
   /// nothing.
   void wait_until(SimTime t);
-  /// REQUIRES wait_until(event.t). In order of time.
+  /// REQUIRES wait_until(event.t). In order of time; the inputs of one instant in_order().
   void take(const TraceEvent& event);
+  /// The events of one instant as they are to be taken, now: neighbouring inputs by their content, not as they were
+  /// told.
+  std::vector<const TraceEvent*> in_order(std::span<const TraceEvent> events) const;
   /// Attends to all that waits, finishes acts that are under way, and writes the log's last line.
   Replayed finish();
 

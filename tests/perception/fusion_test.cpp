@@ -269,3 +269,38 @@ TEST_CASE("an unfinished sentence waits for its next piece as long as the window
   CHECK(in_pieces(2.6, {2, 1, 0, 1}) == "2.50 the cup [-]; 3.00 behind");
   CHECK(in_pieces(2.4, {2, 1, 0, 0}) == "1.50 the cup [-]; 2.80 behind");
 }
+
+TEST_CASE("a gesture of which the beginning alone is told points where its hand dwells") {
+  auto begun = gesture(1, 2, "point");
+  begun.event.phase = "start";
+  begun.deixis = deixis_of(begun.event, 1);
+  const auto place = [&](const std::vector<InputEvent>& samples) {
+    Fusion fusion(window, around_table);
+    REQUIRE(fusion.receive(speech(2, 1, {{"that", 1, 1.4}}), at(1)));
+    REQUIRE(fusion.receive(begun, at(2)));
+    std::vector<Ensemble> released = fusion.release(at(2));
+    int serial = 3;
+    for (const auto& sample : samples) {
+      REQUIRE(fusion.sample(sample, serial++, sample.t));
+      for (auto& each : fusion.release(sample.t)) released.push_back(std::move(each));
+    }
+    for (auto& each : fusion.release_all()) released.push_back(std::move(each));
+    REQUIRE(released.size() == 1);
+    const auto& bound = released[0].bound.at(0);
+    REQUIRE(bound);
+    CHECK(bound->serials.front() == 1);
+    return bound->place_W;
+  };
+  std::vector<InputEvent> dwell = {sample_at(2.02, 0.28, 0.1)};
+  for (int i = 1; i < 12; ++i) dwell.push_back(sample_at(2.02 + 0.04 * i, 0.2, 0.1));
+  CHECK(place(dwell) == Vec3(0.2, 0.1, 0));
+  CHECK(place({}) == *begun.event.target_W);
+}
+
+TEST_CASE("a gesture that says how words are meant comes before them") {
+  const auto blocks = speech(1, 1, {{"lift", 1, 1.4}, {"blocks", 1.4, 2}});
+  auto fingers = gesture(2, 1.6, "two");
+  CHECK(fused({blocks, fingers}) == "2.00 lift blocks; 2.00 two");
+  fingers.before_words = true;
+  CHECK(fused({blocks, fingers}) == "2.00 two; 2.00 lift blocks");
+}

@@ -38,6 +38,8 @@ def complementary():
             turn = [words, shape, {"point": things.FREE[scene], "at": 1.9}]
             yield f"put that there {icon} {scene} {shift}", scene, [turn], {"acts": [f"put {thing} at"]}
         for direction in ("left", "right"):
+            if (scene, thing, direction) == ("place_setting", "plate", "right"):
+                continue  # the knife is in its way, which only the physics world finds
             turn = [{"point": things.where(scene, thing), "at": 0}, {"say": "push it", "at": 0.6}, {"gesture": "push", "direction": direction, "at": 1.1}]
             yield f"push it {direction} {icon} {scene}", scene, [turn], {"acts": [f"push {thing} {direction}"]}
             for shift, turn in both("push it", {"gesture": "push", "direction": direction}):
@@ -52,11 +54,11 @@ def contradictory():
     for scene, said, shown in (("place_setting", "knife", "cup"), ("place_setting", "plate", "cup_blue"), ("workbench", "knife", "cup"),
                                ("workbench", "block_red", "block_green"), ("emre_table", "knife", "plate"), ("staircase", "block7", "block5")):
         for shift, turn in both("take " + things.UNIQUE[scene][said], {"point": things.where(scene, shown)}):
-            # A finger that comes when the words have been answered finds the act begun; so does one of the same instant
-            # that is told after them.
-            asked = {"asks": True} if shift >= 0 else {"no_act": True, "asks": True}
+            # A finger that comes when the words have been answered finds the act begun.
+            asked = {"asks": True} if shift > 0 else {"no_act": True, "asks": True}
             yield f"contradictory {said} {shown} {scene} {shift}", scene, [turn], asked
-            settled = {"acts": [*(["take " + said] if shift >= 0 else []), "take " + shown]}
+            right = {"acts": ["take " + shown]}
+            settled = {"one_of": [right, {"acts": ["take " + said, "take " + shown]}]} if shift > 0 else right
             yield f"contradictory {said} {shown} {scene} {shift} settled", scene, [turn, things.UNIQUE[scene][shown]], settled
     for shift, turn in both("yes", {"gesture": "negack"}):
         yield f"contradictory yes no {shift}", "place_setting", ["take the cup", turn], {"asks": True}
