@@ -68,7 +68,13 @@ class Explorer::Work {
       for (const auto& event : node.events)  // branches of one step may share the symbols of its beginning
         if (const auto* made = std::get_if<MadeSymbol>(&event); made && told.insert(made->id).second)
           if (!result_.after.branches.empty()) result_.made.push_back(event);
-      if (result_.after.branches.empty()) result_.events = std::move(node.events);
+      if (result_.after.branches.empty()) {
+        result_.events = std::move(node.events);
+      } else {
+        std::erase_if(node.events, [](const StepEvent& event) { return std::holds_alternative<MadeSymbol>(event); });
+        if (!node.events.empty())
+          result_.others.push_back({node.branch.id, node.branch.parent, std::move(node.events)});
+      }
       result_.after.branches.push_back(std::move(node.branch));
     }
     return std::move(result_);

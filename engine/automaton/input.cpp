@@ -22,6 +22,7 @@ std::span<const Carried> carried_terms() {
       Carried{"observed_gestures", "term*", &Input::observed_gestures},
       Carried{"observed_acts", "term*", &Input::observed_acts},
       Carried{"pointed", "loc", &Input::pointed, true},
+      Carried{"pointing", "e* • loc", &Input::pointing, true},
       Carried{"move", "text", &Input::move, true},
       Carried{"reading", "term", &Input::reading, true},
       Carried{"meaning", "term", &Input::meaning, true},
