@@ -84,22 +84,33 @@ class Explorer::Work {
   struct Node {
     Branch branch;
     std::vector<StepEvent> events;  // since the step began
+    const Input* input = nullptr;   // that the step takes; what follows from it by ε draws on it too
     bool settles = true;            // ε-transitions are to be tried
     bool pruned = false;
   };
+
+  // A firing with these inputs. Without any it is ε, after the input that the step took.
+  Firing firing_of(const Node& from, Configuration configuration, std::span<const Input> inputs,
+                   std::vector<StepEvent>* account) const {
+    if (!inputs.empty() || !from.input) return stepper_.firing(std::move(configuration), inputs, facts_, account);
+    auto firing = stepper_.firing(std::move(configuration), from.input, facts_, account);
+    firing.forget_input();
+    return firing;
+  }
 
   // Fires every applicable transition of `from`, each on a copy. Returns whether any fired.
   bool fire_all(const Node& from, std::span<const Input> inputs) {
     const auto& configuration = from.branch.configuration;
     std::vector<StepEvent> unused;
-    const auto found = stepper_.firing(configuration, inputs, facts_, &unused).applicable();
+    const auto found = firing_of(from, configuration, inputs, &unused).applicable();
     double total = 0;
     for (const auto& candidate : found.candidates) total += candidate.weight;
     bool any = false;
     for (const auto& candidate : found.candidates) {
       Node node = from;
       node.branch.configuration.next_symbol = result_.after.next_symbol;
-      auto firing = stepper_.firing(std::move(node.branch.configuration), inputs, facts_, &node.events);
+      auto firing = firing_of(from, std::move(node.branch.configuration), inputs, &node.events);
+      if (!inputs.empty()) node.input = &inputs[candidate.alternative];
       const Chosen chosen{candidate.transition, candidate.weight / total, std::nullopt, false, candidate.alternative};
       const auto settles = firing.fire(chosen, found, ++result_.after.steps);
       if (!settles) continue;
@@ -129,6 +140,7 @@ class Explorer::Work {
         known.branch.parent = node.branch.parent;
         known.branch.configuration = std::move(node.branch.configuration);
         known.events = std::move(node.events);
+        known.input = node.input;
       }
       return;
     }

@@ -90,6 +90,16 @@ TEST_CASE("the other branches tell what they did, each its whole way since the s
   }
 }
 
+TEST_CASE("what follows from an input by ε draws on that input, at its time") {
+  Exploring exploring(R"json({"machine":1,"name":"m","start":"A","programs":{"go":"num -> t"},"transitions":[
+    {"id":"take","from":"A","on":"x","to":"B"},
+    {"id":"then","from":"B","on":null,"to":"C","do":[{"act":"go(now)"}]}]})json");
+  exploring.feed("x");
+  const auto& acted = std::get<Acted>(exploring.latest().events.back());
+  CHECK(acted.because == std::vector<int>{1});
+  CHECK(print(acted.term) == "go(0)");
+}
+
 TEST_CASE("a configuration that cannot take what another can is dropped; the lead goes over") {
   Exploring exploring(forking);
   exploring.feed("xb");

@@ -1,4 +1,7 @@
-"""Under `explore`: the branches that do not lead. Each is followed from where its parent stood, by its own records."""
+"""Under `explore`: the branches that do not lead. Each is followed from where its parent stood, by its own records.
+
+Applications are those of all branches together: what words mean is told once, before the branches part.
+"""
 import copy
 
 # What a branch has of its own; the rest of a log is common to all.
@@ -8,15 +11,12 @@ OWN = ("state", "stack", "ids", "history", "registers", "after_rewrite", "left",
 
 def standing(log):
     """Where a branch stands: a copy, as far as later steps change it."""
-    own = {name: copy.copy(getattr(log, name)) for name in OWN}
-    return own, list(log.acts.applications), set(log.pointings)
+    return {name: copy.copy(getattr(log, name)) for name in OWN}
 
 
 def stand(log, at):
-    own, applications, pointings = at
-    for name, value in own.items():
+    for name, value in at.items():
         setattr(log, name, copy.copy(value))
-    log.acts.applications, log.pointings = list(applications), set(pointings)
 
 
 class Branches:
@@ -47,6 +47,8 @@ class Branches:
     def after_step(self, record):
         """A `branches` record: follows the others, and keeps where each stands now."""
         log, before = self.log, self.stands
+        if log.records[record["n"] - 1]["kind"] == "refusal":  # the set stays
+            return
         now = {record["branches"][0]["id"]: standing(log)}
         leading = now[record["branches"][0]["id"]]
         for branch in record["branches"][1:]:

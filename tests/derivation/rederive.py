@@ -245,6 +245,9 @@ class Log(Choices, Applications):
     def raised(self, value, wanted):
         if wanted == "term" or value in stacks.EMPTY:
             return value
+        if wanted == "region" and value[0] == "point":  # to the types the same as loc, but it has an extent
+            rules = [each for each in self.machine.raising["rules"] if each["to"] == wanted]
+            return self.evaluation({}).raised_by(rules[0], value) if rules else value
         return self.evaluation({}).fitting(value, types.read_type(wanted))
 
     # Inputs
