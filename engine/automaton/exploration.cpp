@@ -68,7 +68,13 @@ class Explorer::Work {
       for (const auto& event : node.events)  // branches of one step may share the symbols of its beginning
         if (const auto* made = std::get_if<MadeSymbol>(&event); made && told.insert(made->id).second)
           if (!result_.after.branches.empty()) result_.made.push_back(event);
-      if (result_.after.branches.empty()) result_.events = std::move(node.events);
+      if (result_.after.branches.empty()) {
+        result_.events = std::move(node.events);
+      } else {
+        std::erase_if(node.events, [](const StepEvent& event) { return std::holds_alternative<MadeSymbol>(event); });
+        if (!node.events.empty())
+          result_.others.push_back({node.branch.id, node.branch.parent, std::move(node.events)});
+      }
       result_.after.branches.push_back(std::move(node.branch));
     }
     return std::move(result_);
@@ -78,22 +84,33 @@ class Explorer::Work {
   struct Node {
     Branch branch;
     std::vector<StepEvent> events;  // since the step began
+    const Input* input = nullptr;   // that the step takes; what follows from it by ε draws on it too
     bool settles = true;            // ε-transitions are to be tried
     bool pruned = false;
   };
+
+  // A firing with these inputs. Without any it is ε, after the input that the step took.
+  Firing firing_of(const Node& from, Configuration configuration, std::span<const Input> inputs,
+                   std::vector<StepEvent>* account) const {
+    if (!inputs.empty() || !from.input) return stepper_.firing(std::move(configuration), inputs, facts_, account);
+    auto firing = stepper_.firing(std::move(configuration), from.input, facts_, account);
+    firing.forget_input();
+    return firing;
+  }
 
   // Fires every applicable transition of `from`, each on a copy. Returns whether any fired.
   bool fire_all(const Node& from, std::span<const Input> inputs) {
     const auto& configuration = from.branch.configuration;
     std::vector<StepEvent> unused;
-    const auto found = stepper_.firing(configuration, inputs, facts_, &unused).applicable();
+    const auto found = firing_of(from, configuration, inputs, &unused).applicable();
     double total = 0;
     for (const auto& candidate : found.candidates) total += candidate.weight;
     bool any = false;
     for (const auto& candidate : found.candidates) {
       Node node = from;
       node.branch.configuration.next_symbol = result_.after.next_symbol;
-      auto firing = stepper_.firing(std::move(node.branch.configuration), inputs, facts_, &node.events);
+      auto firing = firing_of(from, std::move(node.branch.configuration), inputs, &node.events);
+      if (!inputs.empty()) node.input = &inputs[candidate.alternative];
       const Chosen chosen{candidate.transition, candidate.weight / total, std::nullopt, false, candidate.alternative};
       const auto settles = firing.fire(chosen, found, ++result_.after.steps);
       if (!settles) continue;
@@ -123,6 +140,7 @@ class Explorer::Work {
         known.branch.parent = node.branch.parent;
         known.branch.configuration = std::move(node.branch.configuration);
         known.events = std::move(node.events);
+        known.input = node.input;
       }
       return;
     }

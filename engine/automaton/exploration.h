@@ -29,10 +29,17 @@ struct Exploration {
   int steps = 0;        ///< transitions fired so far, over all branches
 };
 
+/// The events of a branch since the step began, in order; those before a fork are events of each branch after it.
+struct BranchEvents {
+  int branch = 0, parent = 0;
+  std::vector<StepEvent> events;
+};
+
 struct ExplorationStep {
   Exploration after;
   std::vector<StepEvent> events;  ///< of the leading branch; or RefusedInput
-  std::vector<StepEvent> made;    ///< the new symbols of the other branches
+  std::vector<StepEvent> made;    ///< the new symbols of the other branches, each once
+  std::vector<BranchEvents> others;  ///< the other branches, without their symbols
   std::vector<int> dropped;       ///< branches that could not take the input while others could
   int merged = 0;                 ///< configurations that were reached once more
   int pruned = 0;                 ///< configurations dropped because the set was full, the lightest first

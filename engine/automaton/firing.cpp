@@ -196,6 +196,23 @@ void Firing::apply(const Change& change) {
   if (!result.trouble.empty()) note(Trouble{std::move(result.trouble)});
   configuration_.stack = std::move(result.stack);
   configuration_.next_symbol = result.next_symbol;
+  clear_registers(change.operation->kind);
+}
+
+// FLUSH and pop_until set the registers that the machine declares for them to their first values.
+void Firing::clear_registers(Operation::Kind kind) {
+  const bool flushes = kind == Operation::Kind::flush, pops = kind == Operation::Kind::pop_until;
+  if (!flushes && !pops) return;
+  std::optional<std::vector<Cell>> cleared;
+  for (std::size_t i = 0; i < machine_.memory.size(); ++i) {
+    const auto& one = machine_.memory[i];
+    if (!(flushes ? one.cleared_by_flush : one.cleared_by_pop_until)) continue;
+    if ((*configuration_.memory)[i].value == one.initial) continue;
+    if (!cleared) cleared = *configuration_.memory;
+    (*cleared)[i] = {one.initial, origin_.sources};
+    note(Remembered{i, one.initial});
+  }
+  if (cleared) configuration_.memory = std::make_shared<const std::vector<Cell>>(*std::move(cleared));
 }
 
 bool Firing::perform_and_rewrite(const std::vector<Effect>& effects) {

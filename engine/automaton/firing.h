@@ -87,6 +87,7 @@ class Firing {
   /// Performs effects. If a rewrite ends them, returns its evaluated change, which is not applied yet.
   std::optional<Change> perform(const std::vector<Effect>& effects);
   void apply(const Change& change);
+  void clear_registers(Operation::Kind kind);
   void enter(StateIndex state);
 
  private:

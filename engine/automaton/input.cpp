@@ -23,6 +23,7 @@ std::span<const Carried> carried_terms() {
       Carried{"observed_acts", "term*", &Input::observed_acts},
       Carried{"pointed", "loc", &Input::pointed, true},
       Carried{"pointed_confidence", "num", &Input::pointed_confidence, true},
+      Carried{"pointing", "e* • loc", &Input::pointing, true},
       Carried{"move", "text", &Input::move, true},
       Carried{"reading", "term", &Input::reading, true},
       Carried{"meaning", "term", &Input::meaning, true},

@@ -22,6 +22,7 @@ struct Input {
   Term gesture;             ///< text: the name of the gesture
   Term sign;                ///< text: the taught gesture that was shown last, this one or an earlier one
   Term sign_at;             ///< num: when that was, seconds
+  Term pointing;            ///< e* • loc: of a pointing alone, the things there and the place, until a type selects a half
   Term pointed;             ///< loc: where the human pointed last, if that was just now
   Term pointed_confidence;  ///< num: the recogniser's, of that pointing
 

@@ -40,6 +40,7 @@ struct Register {
   std::string name;
   Type type;
   Term initial;
+  bool cleared_by_flush = false, cleared_by_pop_until = false;  ///< such an operation sets it to `initial`
 };
 
 /// A slot and the term that fills it; nullopt is the JSON null, which clears it.

@@ -152,7 +152,9 @@ void PerformanceTurn::perform(const Term& program, bool documented) {
   const auto name = name_of(program);
   const bool own = !act_.frames.empty() && !name.empty() && name_of(act_.frames.back().program) == name;
   const auto* voxeme = own || name.empty() || !catalogue_ ? nullptr : catalogue_->find(Voxeme::Entity::program, name);
-  if (!voxeme || voxeme->body.empty()) return push({of_body(program, documented), true, {}, {}});
+  // The body does an assignment as a whole: it extends the finger, and whoever looks on names what the vector meets.
+  const bool whole = !voxeme || voxeme->body.empty() || voxeme->head.name == "assignment";
+  if (whole) return push({of_body(program, documented), true, {}, {}});
   const auto bindings = bind(*voxeme, program, documented);
   if (!bindings) return;
   if (const auto* thing = there_already(*voxeme, *bindings)) {

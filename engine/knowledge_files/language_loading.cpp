@@ -9,6 +9,7 @@
 #include "continua/core/digest.h"
 #include "continua/core/located_json.h"
 #include "continua/facts/world_facts.h"
+#include "continua/knowledge_files/deictic_program.h"
 #include "continua/language/vocabulary.h"
 #include "continua/machine_file/machine_loader.h"
 #include "continua/term/raising_file.h"
@@ -135,6 +136,9 @@ Result<Language> load_language(const DataPaths& data, const Machine& machine) {
   }
   auto voxemes = read_catalogue((data.knowledge / "voxemes").lexically_normal().string());
   if (!voxemes.problems.empty()) return voxemes.problems.front();
+  auto point = deictic_program(voxemes.catalogue);
+  if (!point) return point.error();
+  language.deixis = *std::move(point);
   language.voxemes = std::make_shared<const Catalogue>(std::move(voxemes.catalogue));
   if (!machine.gestures.empty()) {
     auto gestures =

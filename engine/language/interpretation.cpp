@@ -318,9 +318,34 @@ class Interpreter {
           spoken_of_.push_back(value.name());
           referring_.named(value.name());
         }
+    for (const auto& each : meant.within) select_half(each);
+    select_half(meant.resolution);
     result_.resolutions.insert(result_.resolutions.end(), meant.within.begin(), meant.within.end());
     result_.resolutions.push_back(meant.resolution);
     return meant;
+  }
+
+  // A phrase that goes with a pointing: the pointing, of things and a place, comes about; then the phrase's type selects
+  // a half of it. Nothing is selected where words lead to a thing that the pointing only helped to find.
+  void select_half(const Resolution& phrase) {
+    const auto made = phrase.showing ? referring_.pointing(*phrase.showing) : std::nullopt;
+    if (!made) return;
+    const std::vector<By> by = {By::pointed};
+    if (pointings_.insert(*phrase.showing).second) result_.applied.push_back({*made, by});
+    for (const auto& wanted : {phrase.value.type(), Type::list(Type::entity())}) {
+      Evaluation evaluation(*meanings_.rules, meanings_.lookup, facts_);
+      const auto half = raised(made->result, wanted, raising_, evaluation);
+      if (!half || !(half->term == phrase.value || is_among(phrase.value, half->term))) continue;
+      const auto rule = std::find_if(raising_.begin(), raising_.end(),
+                                     [&](const RaisingRule& each) { return each.name == half->rule; });
+      result_.applied.push_back({{rule->by, made->result, half->term, half->rule}, by});
+      return;
+    }
+  }
+  static bool is_among(const Term& thing, const Term& things) {
+    if (things.kind() != Term::Kind::list) return false;
+    const auto& all = things.elements();
+    return thing.is_null() ? !all.empty() : std::find(all.begin(), all.end(), thing) != all.end();
   }
 
   // The meaning found for a phrase, and the variable that stands for it where it is open.
@@ -341,6 +366,7 @@ class Interpreter {
   std::unordered_map<Term, std::shared_ptr<std::optional<Value>>, TermHash> each_now_;  // as Found::now, of a list
   std::set<std::string> names_;         // taken, so that no variable has them
   std::vector<Term> enclosing_;         // variables of the lambdas around
+  std::set<std::size_t> pointings_;     // the showings whose pointing was told
   std::vector<std::string> spoken_of_;  // objects mentioned since the command began
   std::size_t commands_ = 1;            // number of times that the rest of the sentence is being done
   Interpretation result_;

@@ -66,9 +66,9 @@ Term located(Sides sides) {
 }
 
 // The region that pointing at a place may mean: three standard deviations to each side.
-Term pointed_region(const Vec3& p_W) {
+Term pointed_region(const Vec3& p_W, double sd_m) {
   const Vec3 p = on_grid(p_W);
-  constexpr double reach_m = 3 * hand_sd_m;
+  const double reach_m = 3 * sd_m;
   return Term::place({{p.x() - reach_m, p.y() - reach_m, p.z()}, {p.x() + reach_m, p.y() + reach_m, p.z()}, true});
 }
 
@@ -94,7 +94,7 @@ Term NounPhraseSearch::resolved(const Term& term) const {
         return Term::list(std::move(objects), Type::entity());
       }
       case Proform::Source::pointed:
-        return context_.pointed_W ? pointed_region(*context_.pointed_W) : Term::null();
+        return context_.pointed_W ? pointed_region(*context_.pointed_W, context_.pointed_sd_m) : Term::null();
       case Proform::Source::topic:
         return context_.topics.empty() ? anything() : context_.topics.front();
       case Proform::Source::avatar:
@@ -187,20 +187,20 @@ const std::vector<Term>& NounPhraseSearch::referents(const Term& phrase, const s
   for (const auto& each : context_.facts.world->objects)
     if (!determiner.other || each.name != about) objects.push_back(&each);
   Fitting fits = fitting(objects, phrase.argument(), about);
-  if (determiner.deictic && pointed_W_) keep_pointed(*pointed_W_, fits, margin_);
+  if (determiner.deictic && pointed_W_) keep_pointed(*pointed_W_, context_.pointed_sd_m, fits, margin_);
   compared_ = compared;
   --depth_;
   for (const auto* each : fits.objects) referents.push_back(Term::entity(each->name));
   return referents;
 }
 
-std::vector<double> keep_pointed(const Vec3& pointed_W, Fitting& fitting, double& margin) {
+std::vector<double> keep_pointed(const Vec3& pointed_W, double sd_m, Fitting& fitting, double& margin) {
   struct Candidate {
     const ObjectState* object;
     double density;
   };
   std::vector<Candidate> candidates;
-  for (const auto* each : fitting.objects) candidates.push_back({each, pointing_density(pointed_W, *each)});
+  for (const auto* each : fitting.objects) candidates.push_back({each, pointing_density(pointed_W, *each, sd_m)});
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.density > b.density; });
   fitting.objects.clear();
@@ -208,13 +208,13 @@ std::vector<double> keep_pointed(const Vec3& pointed_W, Fitting& fitting, double
   for (const auto& [object, density] : candidates) {
     const auto& best = candidates.front();
     if (object != best.object)
-      margin = std::min(margin, pointing_margin(pointed_W, *object, *best.object, least_share));
+      margin = std::min(margin, pointing_margin(pointed_W, *object, *best.object, least_share, sd_m));
     if (density < least_share * best.density) {
       fitting.ruled_out.push_back({object->name, "not pointed at"});
       continue;
     }
     if (!fitting.objects.empty())
-      margin = std::min(margin, pointing_margin(pointed_W, *fitting.objects.back(), *object, 1));
+      margin = std::min(margin, pointing_margin(pointed_W, *fitting.objects.back(), *object, 1, sd_m));
     fitting.objects.push_back(object);
     densities.push_back(density);
   }

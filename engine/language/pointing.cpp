@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "continua/term/rules.h"
+#include "continua/term/substitution.h"
 
 namespace continua {
 namespace {
@@ -14,12 +18,12 @@ struct Aim {
   double variance_x, variance_y;
 };
 
-double variance(double extent_m) { return hand_sd_m * hand_sd_m + extent_m * extent_m / 36; }
+double variance(double extent_m, double sd_m) { return sd_m * sd_m + extent_m * extent_m / 36; }
 
-Aim aim(const Vec3& pointed_W, const ObjectState& object) {
+Aim aim(const Vec3& pointed_W, const ObjectState& object, double sd_m) {
   const Box bounds = object.bounds_W();
   const Vec3 offset = on_grid(pointed_W) - bounds.center(), extent = bounds.max - bounds.min;
-  return {offset.x(), offset.y(), variance(extent.x()), variance(extent.y())};
+  return {offset.x(), offset.y(), variance(extent.x(), sd_m), variance(extent.y(), sd_m)};
 }
 
 // The distance from the object's centre in standard deviations.
@@ -44,23 +48,53 @@ double movement(double gap, const Steepness& of) {
 
 }  // namespace
 
-double pointing_density(const Vec3& pointed_W, const ObjectState& object) {
-  const Aim at = aim(pointed_W, object);
+double DeicticProgram::sd_m(std::optional<double> distance_m) const {
+  return std::max(least_sd_m, distance_m.value_or(0) * sd_per_metre_m);
+}
+
+const Term& met_name() {
+  static const Term met = Term::constant("met", Type::parse("loc -> num -> e*").value());
+  return met;
+}
+
+const Term& vector_name() {
+  static const Term vec = Term::constant("vec", Type::parse("e -> e -> loc -> loc").value());
+  return vec;
+}
+
+Term pointing_term(const std::vector<std::string>& things, const Vec3& place_W) {
+  std::vector<Term> objects;
+  for (const auto& each : things) objects.push_back(Term::entity(each));
+  Term pointing = Term::apply(pointing_constructor(), Term::list(std::move(objects), Type::entity()));
+  return Term::apply(std::move(pointing), Term::point(place_W.x(), place_W.y(), place_W.z()));
+}
+
+Application application_of(const DeicticProgram& program, const std::string& hand, double sd_m, const Vec3& place_W,
+                           const std::vector<std::string>& things) {
+  Term of_place = program.function;
+  for (const auto& given : {Term::entity("human"), Term::entity(hand.empty() ? "finger" : hand + "_finger"),
+                            Term::number(std::round(sd_m * 1e6) / 1e6)})
+    of_place = instantiate(of_place.body(), given);
+  return {of_place, Term::point(place_W.x(), place_W.y(), place_W.z()), pointing_term(things, place_W), ""};
+}
+
+double pointing_density(const Vec3& pointed_W, const ObjectState& object, double sd_m) {
+  const Aim at = aim(pointed_W, object, sd_m);
   const double square = deviations(at) * deviations(at);
   return std::exp(-square / 2) / (full_turn * std::sqrt(at.variance_x * at.variance_y)) + astray_per_m2;
 }
 
-bool is_pointed_at(const Vec3& pointed_W, const ObjectState& object) {
-  return deviations(aim(pointed_W, object)) <= farthest_aim;
+bool is_pointed_at(const Vec3& pointed_W, const ObjectState& object, double sd_m) {
+  return deviations(aim(pointed_W, object, sd_m)) <= farthest_aim;
 }
 
-double pointing_margin(const Vec3& pointed_W, const ObjectState& a, const ObjectState& b, double ratio) {
-  const double gap = std::log(pointing_density(pointed_W, a) / pointing_density(pointed_W, b) / ratio);
-  return movement(gap, steepness(aim(pointed_W, a)) + steepness(aim(pointed_W, b)));
+double pointing_margin(const Vec3& pointed_W, const ObjectState& a, const ObjectState& b, double ratio, double sd_m) {
+  const double gap = std::log(pointing_density(pointed_W, a, sd_m) / pointing_density(pointed_W, b, sd_m) / ratio);
+  return movement(gap, steepness(aim(pointed_W, a, sd_m)) + steepness(aim(pointed_W, b, sd_m)));
 }
 
-double pointing_margin(const Vec3& pointed_W, const ObjectState& object) {
-  const Aim at = aim(pointed_W, object);
+double pointing_margin(const Vec3& pointed_W, const ObjectState& object, double sd_m) {
+  const Aim at = aim(pointed_W, object, sd_m);
   // If place and object both move by m, the offset changes by up to 2m.
   return std::abs(deviations(at) - farthest_aim) * std::sqrt(std::min(at.variance_x, at.variance_y)) / 2;
 }

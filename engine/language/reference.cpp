@@ -86,7 +86,7 @@ Reference refer(const Term& condition, const Determiner& determiner, const Conte
   reference.sides = sides;
   reference.margin = search.margin();
   std::vector<double> densities(fitting.objects.size(), 1);
-  if (determiner.deictic && pointed_W) densities = keep_pointed(*pointed_W, fitting, reference.margin);
+  if (determiner.deictic && pointed_W) densities = keep_pointed(*pointed_W, context.pointed_sd_m, fitting, reference.margin);
   reference.referents = ranked(fitting, densities, context);
   ruled_out.insert(ruled_out.end(), fitting.ruled_out.begin(), fitting.ruled_out.end());
   reference.ruled_out = in_scene_order(std::move(ruled_out), *context.facts.world);
@@ -115,14 +115,16 @@ Reference refer_to_pointed(const Context& context) {
   Reference reference;
   Fitting fitting;
   for (const auto* each : asked_about(context, fitting.ruled_out)) {
-    if (context.pointed_W) reference.margin = std::min(reference.margin, pointing_margin(*context.pointed_W, *each));
-    if (context.pointed_W && is_pointed_at(*context.pointed_W, *each))
+    if (context.pointed_W)
+      reference.margin =
+          std::min(reference.margin, pointing_margin(*context.pointed_W, *each, context.pointed_sd_m));
+    if (context.pointed_W && is_pointed_at(*context.pointed_W, *each, context.pointed_sd_m))
       fitting.objects.push_back(each);
     else
       fitting.ruled_out.push_back({each->name, "not pointed at"});
   }
   std::vector<double> densities;
-  if (context.pointed_W) densities = keep_pointed(*context.pointed_W, fitting, reference.margin);
+  if (context.pointed_W) densities = keep_pointed(*context.pointed_W, context.pointed_sd_m, fitting, reference.margin);
   reference.referents = ranked(fitting, densities, context);
   reference.ruled_out = in_scene_order(std::move(fitting.ruled_out), *context.facts.world);
   if (!reference.referents.empty() || context.among.empty()) return reference;

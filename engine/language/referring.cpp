@@ -130,8 +130,9 @@ bool Referring::shows_another(const Term& phrase, std::size_t occurrence) const 
   const auto showing = showing_of(phrase, occurrence);
   if (!showing || !context_.showings[*showing].is_gesture) return false;
   const auto pointed = refer_to_pointed(context_of(phrase, occurrence)).referents;
+  const auto& shown = context_.showings[*showing];
   return !pointed.empty() &&
-         is_pointed_at(context_.showings[*showing].place_W, *context_.facts.world->find(pointed.front().object)) &&
+         is_pointed_at(shown.place_W, *context_.facts.world->find(pointed.front().object), shown.sd_m) &&
          std::find(named_.begin(), named_.end(), pointed.front().object) == named_.end();
 }
 
@@ -266,7 +267,8 @@ Reference Referring::found(const Term& condition, const Determiner& determiner, 
   const auto fits = [&](const Reference& reference) {
     return !reference.referents.empty() &&
            (!shown ||
-            is_pointed_at(*context.pointed_W, *context.facts.world->find(reference.referents.front().object)));
+            is_pointed_at(*context.pointed_W, *context.facts.world->find(reference.referents.front().object),
+                          context.pointed_sd_m));
   };
   Reference asked;
   if (!context.among.empty()) {
@@ -373,8 +375,22 @@ Context Referring::context_of(const Term& phrase, std::size_t occurrence) const 
   if (context_.showings.empty()) return context_;
   Context context = context_;
   context.pointed_W.reset();
-  if (const auto showing = showing_of(phrase, occurrence)) context.pointed_W = context_.showings[*showing].place_W;
+  if (const auto showing = showing_of(phrase, occurrence)) {
+    context.pointed_W = context_.showings[*showing].place_W;
+    context.pointed_sd_m = context_.showings[*showing].sd_m;
+  }
   return context;
+}
+
+std::optional<Application> Referring::pointing(std::size_t showing) const {
+  if (!context_.deixis || showing >= context_.showings.size()) return std::nullopt;
+  const Showing& shown = context_.showings[showing];
+  Context there = context_;
+  there.pointed_W = shown.place_W;
+  there.pointed_sd_m = shown.sd_m;
+  std::vector<std::string> things;
+  for (const auto& each : refer_to_pointed(there).referents) things.push_back(each.object);
+  return application_of(*context_.deixis, shown.hand, shown.sd_m, shown.place_W, things);
 }
 
 void Referring::named(const std::string& object) {

@@ -39,6 +39,9 @@ class Referring {
   bool is_noun(const Term& term) const;
   Meant meant_by_noun(const Term& noun) const;
 
+  /// The application of [[point]] by which this showing of the context came about; nothing if that is not told.
+  std::optional<Application> pointing(std::size_t showing) const;
+
   /// The command names this object: "it" means another one if there is one.
   void named(const std::string& object);
   /// The command uses this object's place as its goal: "it" means another object.

@@ -22,7 +22,7 @@ constexpr KindOfObject kinds[] = {
     {"the fading of looks", "half_life least about"},
     {"a parameter", "value until about"},
     {"a slot", "type persists about"},
-    {"a register", "type initial about"},
+    {"a register", "type initial cleared_by about"},
     {"a state", "gate enter passing about layout"},
     {"a gate", "when else push push_each pop rewrite rewrite_each flush pop_until none about"},
     {"a transition",

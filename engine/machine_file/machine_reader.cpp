@@ -66,6 +66,7 @@ class MachineReader {
       read_header();
       read_perception();
       read_dialogue();
+      check_memory(root_.member("memory"), machine_);
       symbols_.report_misspelt();
       symbols_.report_unmatched_keys();
       check_sureness(machine_, root_);

@@ -92,8 +92,10 @@ Offer understood(Offer offer, const Ensemble& ensemble, const Dialogue& now) {
   const auto& speech = speech_of(offer, ensemble);
   auto discourse = discourse_of(offer.input, now);
   discourse.pieces = ensemble.percept.pieces;
+  discourse.context.deixis = now.understanding->deixis();
   for (const auto& [words, pointing] : shown_words(speech, ensemble, now.window)) {
-    discourse.context.showings.push_back({words, pointing.place_W, pointing.gesture});
+    discourse.context.showings.push_back({words, pointing.place_W, pointing.gesture,
+                                          now.understanding->pointing_sd_m(pointing.distance_m), pointing.hand});
     discourse.shown.push_back(pointing.serials);
   }
   // Words with pointings of their own draw on no earlier ones.
@@ -144,6 +146,18 @@ Term said_by(const InputEvent& gesture, const KnownGesture& known, const Dialogu
   return meaning ? now.understanding->meaning_of(*meaning) : Term::null();
 }
 
+// Carries the pointing, things and place, to the input. Returns the application of [[point]] by which it came about;
+// nothing at the end of a gesture, or where no document tells that program.
+std::optional<Application> point(Offer& offer, const InputEvent& event, const Vec3& place_W, const Context& context,
+                                 const Dialogue& now) {
+  std::vector<std::string> things;
+  for (const auto& each : offer.move.reference.referents) things.push_back(each.object);
+  offer.input.pointing = pointing_term(things, place_W);
+  const auto* program = now.understanding->deixis();
+  if (!program || event.phase == "stop") return std::nullopt;
+  return application_of(*program, event.hand, context.pointed_sd_m, place_W, things);
+}
+
 Offer seen(const Ensemble& ensemble, std::size_t alternative, const Dialogue& now) {
   const InputEvent event = continua::alternative(ensemble.percept.event, alternative);
   Offer offer;
@@ -158,17 +172,21 @@ Offer seen(const Ensemble& ensemble, std::size_t alternative, const Dialogue& no
   if (known.taught) offer.sign = Sign{event.name, event.t};
   carry(offer.sign ? offer.sign : now.sign, offer.input);
   auto discourse = discourse_of(offer.input, now);
+  std::optional<Application> pointing;
   if (const auto place_W = place_of(event); place_W && offer.move.kind == deixis) {
     discourse.context.pointed_W = *place_W;
+    discourse.context.pointed_sd_m = now.understanding->pointing_sd_m(distance_of(event));
     offer.input.pointed = point_term(*place_W);
     offer.input.pointed_confidence = Term::number(event.confidence);
     offer.move.reference = refer_to_pointed(discourse.context);
+    pointing = point(offer, event, *place_W, discourse.context, now);
   } else if (const Term says = said_by(event, known, now); !says.is_null()) {
     offer.move = now.understanding->shown(says, offer.move.kind, discourse.context);
   }
   offer.move.shape = known.shape;
   offer = complete(std::move(offer), event, discourse, now);
   add_assured(ensemble, offer.input.because);
+  if (pointing) offer.applied.insert(offer.applied.begin(), {*std::move(pointing), {offer.input.serial}});
   return offer;
 }
 

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "continua/language/demonstratives.h"
 #include "continua/language/parser.h"
+#include "continua/language/pointing.h"
 #include "continua/language/vocabulary.h"
 #include "continua/moves/move.h"
 #include "continua/perception/gesture.h"
@@ -24,6 +26,7 @@ struct Language {
   std::shared_ptr<const GestureCatalogue> gestures;
   RaisingRules raising;
   std::shared_ptr<const Catalogue> voxemes;  ///< meanings of words in space; null: there are none
+  std::optional<DeicticProgram> deixis = {};  ///< [[point]], if the voxemes have it
 };
 
 class Understanding {
@@ -33,6 +36,12 @@ class Understanding {
       : language_(language), rules_(rules), vocabulary_(std::move(words)) {}
 
   const std::shared_ptr<const Vocabulary>& words() const { return vocabulary_; }
+  /// The program by whose application a pointing comes about; nullptr if there is none.
+  const DeicticProgram* deixis() const { return language_.deixis ? &*language_.deixis : nullptr; }
+  /// The spread of a pointing over this distance, metres.
+  double pointing_sd_m(std::optional<double> distance_m) const {
+    return language_.deixis ? language_.deixis->sd_m(distance_m) : hand_sd_m;
+  }
 
   Utterance read(std::string_view text) const { return continua::read(text, *vocabulary_); }
 

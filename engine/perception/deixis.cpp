@@ -36,7 +36,8 @@ void PointingTrack::add(const InputEvent& event, int serial) {
   if (event.modality != Modality::pointing) return;
   PointingSample sample{event.t,          std::max(event.t, event.until.value_or(event.t)),
                         event.hand,       place_or_nowhere(event),
-                        event.confidence, serial};
+                        event.confidence, serial,
+                        distance_of(event)};
   const auto after = std::upper_bound(samples_.begin(), samples_.end(), sample,
                                       [](const auto& a, const auto& b) { return order(a) < order(b); });
   samples_.insert(after, std::move(sample));
@@ -100,6 +101,7 @@ std::optional<Deixis> deixis_of(const InputEvent& event, int serial) {
   deixis.until = std::max(event.t, event.until.value_or(event.t));
   deixis.hand = event.hand;
   deixis.place_W = *event.target_W;
+  deixis.distance_m = distance_of(event);
   deixis.gesture = true;
   deixis.begun = event.phase == "start" && !event.until;
   deixis.confidence = event.confidence;

@@ -28,6 +28,7 @@ struct Deixis {
   std::string hand;               ///< "left", "right" or empty
   Vec3 place_W = Vec3::Zero();    ///< on the table's plane; the robust centre of its samples
   double spread_m = 0;            ///< robust standard deviation of the samples around it, along the worse axis
+  std::optional<double> distance_m = {};  ///< from the hand, where a ray tells it; the median of its samples
   bool gesture = false;           ///< a gesture's own target; else found in samples
   bool begun = false;             ///< a gesture of which the beginning alone is told: its target may be on the way
   bool followed = false;          ///< samples of its hand came after that beginning
@@ -47,6 +48,7 @@ struct PointingSample {
   Vec3 place_W = Vec3::Zero();  ///< not finite if it misses the table's plane
   double confidence = 1;
   int serial = 0;
+  std::optional<double> distance_m = {};  ///< from the hand, where a ray tells it
 };
 
 /// The samples of the last seconds, the latest 1024 at most: a value. Its answers depend only on the samples' times,

@@ -154,13 +154,15 @@ Deixis deixis_of(const Tracklet& stay, const Samples& samples) {
   deixis.until = end_of(stay, samples);
   deixis.hand = hand_of(stay, samples);
   deixis.place_W = center_of(stay, samples);
-  std::vector<Weighed> x, y;
+  std::vector<Weighed> x, y, distances;
   for (const auto i : stay) {
     x.push_back({std::abs(samples[i].place_W.x() - deixis.place_W.x()), samples[i].confidence});
     y.push_back({std::abs(samples[i].place_W.y() - deixis.place_W.y()), samples[i].confidence});
+    if (samples[i].distance_m) distances.push_back({*samples[i].distance_m, samples[i].confidence});
     deixis.serials.push_back(samples[i].serial);
   }
   deixis.spread_m = mad_to_sd * std::max(median(std::move(x)), median(std::move(y)));
+  if (!distances.empty()) deixis.distance_m = median(std::move(distances));
   deixis.samples = static_cast<int>(stay.size());
   deixis.confidence = mean_confidence(stay, samples);
   auto own = stay.begin();

@@ -121,4 +121,11 @@ std::optional<Vec3> place_of(const InputEvent& event) {
   return place_W;
 }
 
+std::optional<double> distance_of(const InputEvent& event) {
+  const auto place_W = place_of(event);
+  if (!event.ray || !place_W) return std::nullopt;
+  const double distance_m = (*place_W - event.ray->from_W).norm();
+  return std::isfinite(distance_m) ? std::optional(distance_m) : std::nullopt;
+}
+
 }  // namespace continua

@@ -71,6 +71,9 @@ InputEvent event_of(std::string_view symbol);
 /// that plane.
 std::optional<Vec3> place_of(const InputEvent& event);
 
+/// The distance in metres from the hand or the eyes to that place; nothing without a ray or a place.
+std::optional<double> distance_of(const InputEvent& event);
+
 /// The event with the text or name and the confidence of its k-th alternative, and without further alternatives; 0 is
 /// the event itself. REQUIRES k <= alternatives.size().
 InputEvent alternative(const InputEvent& event, std::size_t k);

@@ -91,7 +91,13 @@ struct Unplanned {
   std::string reason;
 };
 
-/// Under `explore`: all branches. The events before it belong to the leading one.
+/// Under `explore`: an event of a branch that does not lead. Its acts and words are not carried out.
+struct Branched {
+  int branch = 0, parent = 0;
+  StepEvent event;
+};
+
+/// Under `explore`: all branches. The other events before it belong to the leading one.
 struct Explored {
   std::vector<Branch> branches;
   std::vector<int> dropped;
@@ -112,7 +118,7 @@ struct Corrected {
   std::size_t depth = 0;
 };
 
-using EngineEvent = std::variant<Perceived, Attended, Understood, BeliefChange, StepEvent, Explored, Corrected,
+using EngineEvent = std::variant<Perceived, Attended, Understood, BeliefChange, StepEvent, Branched, Explored, Corrected,
                                  GestureCommand, Unplanned, ActStep, ActEnd>;
 
 struct Tick {

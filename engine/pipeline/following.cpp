@@ -18,6 +18,8 @@ Move shown_by(const Engine& engine, EngineState& state, const InputEvent& sample
               const WorldSnapshot& world) {
   auto discourse = discourse_of(engine.stepper, state.configuration, to_input(sample, serial), facts_of(state, world));
   discourse.context.pointed_W = place_W;
+  if (const auto understanding = understanding_of(engine, state); understanding && sample.modality != Modality::gaze)
+    discourse.context.pointed_sd_m = understanding->pointing_sd_m(distance_of(sample));
   Move move;
   move.kind = sample.modality == Modality::gaze ? name_of(Modality::gaze) : deixis;
   move.reference = refer_to_pointed(discourse.context);

@@ -20,6 +20,8 @@ Stepped explored(EngineState state, ExplorationStep step) {
   std::vector<EngineEvent> others;
   if (branches.size() > 1 || !step.dropped.empty() || step.merged > 0 || step.pruned > 0) {
     for (auto& made : step.made) others.push_back(std::move(made));
+    for (auto& other : step.others)
+      for (auto& event : other.events) others.push_back(Branched{other.branch, other.parent, std::move(event)});
     others.push_back(Explored{branches, std::move(step.dropped), step.merged, step.pruned});
   }
   return {std::move(state), std::move(step.events), std::move(others), 0};

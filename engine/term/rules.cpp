@@ -15,6 +15,7 @@ struct Language {
     add_term_functions(rules, signature);
     add_place_functions(rules, signature);
     signature.emplace("each", Type::parse("'a* -> 'a").value());  // without a rule: readings contain it
+    signature.emplace("dot", pointing_constructor().type());      // without a rule: a pointing is made with it
   }
 };
 

@@ -22,6 +22,9 @@ struct Function {
 /// call. A name declared twice is a broken invariant.
 void add_functions(std::initializer_list<Function> functions, Rules& rules, Signature& signature);
 
+/// dot : e* -> loc -> e* • loc, the name that makes a pointing of the things there and the place. It computes nothing.
+const Term& pointing_constructor();
+
 /// The functions of the language, each file one table.
 void add_operators(Rules& rules, Signature& signature);
 void add_list_functions(Rules& rules, Signature& signature);

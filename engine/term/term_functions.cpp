@@ -99,9 +99,21 @@ Term join(Arguments a, Evaluation& evaluation) {
   return Term::text(std::move(joined));
 }
 
+// One half of a pointing dot(things, place); null of anything else.
+Term half(const Term& pointing, std::size_t which) {
+  const auto [head, halves] = pointing.spine();
+  return head == pointing_constructor() && halves.size() == 2 ? halves[which] : Term::null();
+}
+
 Term lower(Arguments a, Evaluation&) { return Term::text(folded(a[0].text_value())); }
 
 }  // namespace
+
+const Term& pointing_constructor() {
+  static const Term dot =
+      Term::constant("dot", Type::function(Type::list(Type::entity()), Type::function(Type::location(), Type::pointing())));
+  return dot;
+}
 
 void add_term_functions(Rules& rules, Signature& signature) {
   const auto open = [](Arguments a, Evaluation&) { return Term::truth(is_open(a[0])); };
@@ -125,6 +137,8 @@ void add_term_functions(Rules& rules, Signature& signature) {
           {"mentions", "term -> text -> t", mentions_text},
           {"text", "term -> text", text},
           {"place", "term -> loc", place},
+          {"things_of", "e* • loc -> e*", [](Arguments a, Evaluation&) { return half(a[0], 0); }},
+          {"place_of", "e* • loc -> loc", [](Arguments a, Evaluation&) { return half(a[0], 1); }},
           {"words", "text -> text*", words},
           {"starts_with", "text -> text -> t", starts_with},
           {"join", "text* -> text -> text", join},

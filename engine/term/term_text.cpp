@@ -23,6 +23,10 @@ void collect_base_types(const Type& type, std::vector<std::string>& names) {
     case Type::Kind::list:
       collect_base_types(type.element(), names);
       break;
+    case Type::Kind::dot:
+      collect_base_types(type.first(), names);
+      collect_base_types(type.second(), names);
+      break;
     case Type::Kind::function:
       collect_base_types(type.from(), names);
       collect_base_types(type.to(), names);

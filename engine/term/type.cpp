@@ -15,7 +15,7 @@ struct Type::Node {
   Kind kind;
   std::string name;
   int index = 0;
-  std::vector<Type> parts;  // the element of a list; `from` and `to` of a function
+  std::vector<Type> parts;  // the element of a list; the halves of a dot; `from` and `to` of a function
   bool polymorphic = false;
 };
 
@@ -42,6 +42,11 @@ Type Type::list(Type element) {
   return Type(std::make_shared<const Node>(Node{Kind::list, {}, 0, {std::move(element)}, polymorphic}));
 }
 
+Type Type::dot(Type first, Type second) {
+  const bool polymorphic = first.polymorphic() || second.polymorphic();
+  return Type(std::make_shared<const Node>(Node{Kind::dot, {}, 0, {std::move(first), std::move(second)}, polymorphic}));
+}
+
 Type Type::function(Type from, Type to) {
   const bool polymorphic = from.polymorphic() || to.polymorphic();
   return Type(std::make_shared<const Node>(Node{Kind::function, {}, 0, {std::move(from), std::move(to)}, polymorphic}));
@@ -64,6 +69,11 @@ CONTINUA_BUILT_IN_TYPE(text_type, "text")
 CONTINUA_BUILT_IN_TYPE(term, "term")
 #undef CONTINUA_BUILT_IN_TYPE
 
+const Type& Type::pointing() {
+  static const Type type = dot(list(entity()), location());
+  return type;
+}
+
 Type::Kind Type::kind() const { return node_->kind; }
 const std::string& Type::name() const {
   require(node_->kind == Kind::base, "name() of a type that is no base type");
@@ -72,6 +82,14 @@ const std::string& Type::name() const {
 const Type& Type::element() const {
   require(node_->kind == Kind::list, "element() of a type that is no list");
   return node_->parts[0];
+}
+const Type& Type::first() const {
+  require(node_->kind == Kind::dot, "first() of a type that is no dot");
+  return node_->parts[0];
+}
+const Type& Type::second() const {
+  require(node_->kind == Kind::dot, "second() of a type that is no dot");
+  return node_->parts[1];
 }
 const Type& Type::from() const {
   require(node_->kind == Kind::function, "from() of a type that is no function");
@@ -97,8 +115,9 @@ bool Type::operator==(const Type& other) const {
       return index() == other.index();
     case Kind::list:
       return element() == other.element();
+    case Kind::dot:
     case Kind::function:
-      return from() == other.from() && to() == other.to();
+      return node_->parts == other.node_->parts;
   }
   return false;
 }
@@ -112,6 +131,8 @@ bool consistent(const Type& a, const Type& b) {
   switch (a.kind()) {
     case Type::Kind::list:
       return consistent(a.element(), b.element());
+    case Type::Kind::dot:
+      return consistent(a.first(), b.first()) && consistent(a.second(), b.second());
     case Type::Kind::function:
       return consistent(a.from(), b.from()) && consistent(a.to(), b.to());
     default:
@@ -127,8 +148,17 @@ std::string Type::text() const {
       const std::string letter = {'\'', static_cast<char>('a' + index() % 26)};
       return index() < 26 ? letter : letter + std::to_string(index() / 26);
     }
-    case Kind::list:
-      return element().kind() == Kind::function ? "(" + element().text() + ")*" : element().text() + "*";
+    case Kind::list: {
+      const bool loose = element().kind() == Kind::function || element().kind() == Kind::dot;
+      return loose ? "(" + element().text() + ")*" : element().text() + "*";
+    }
+    case Kind::dot: {
+      const auto half = [](const Type& type) {
+        const bool loose = type.kind() == Kind::function || type.kind() == Kind::dot;
+        return loose ? "(" + type.text() + ")" : type.text();
+      };
+      return half(first()) + " • " + half(second());
+    }
     case Kind::function:
       return (from().kind() == Kind::function ? "(" + from().text() + ")" : from().text()) + " -> " + to().text();
   }
@@ -151,11 +181,19 @@ class TypeReader {
  private:
   Result<Type> arrow(int nesting) {
     if (nesting > deepest_nesting) return error(at_, fmt::format("the type is nested deeper than {}", deepest_nesting));
-    auto from = starred(nesting);
+    auto from = dotted(nesting);
     if (!from || !take("->")) return from;
     auto to = arrow(nesting + 1);
     if (!to) return to;
     return Type::function(*from, *to);
+  }
+
+  Result<Type> dotted(int nesting) {
+    auto first = starred(nesting);
+    if (!first || !take("•")) return first;
+    auto second = starred(nesting);
+    if (!second) return second;
+    return Type::dot(*first, *second);
   }
 
   Result<Type> starred(int nesting) {

@@ -1,5 +1,5 @@
-// Types of terms: e (object), loc (place or region), t (truth value, event description), num, text, lists a*,
-// functions a -> b, and `term`, the dynamic type: a term of any type, which is not checked at load (a stack slot for
+// Types of terms: e (object), loc (place or region), t (truth value, event description), num, text, lists a*, dot types
+// a • b (both at once, until a type selects one half: a pointing is e* • loc), functions a -> b, and `term`, the dynamic type: a term of any type, which is not checked at load (a stack slot for
 // commands of various shapes). SEMANTICS.md §2.
 #pragma once
 
@@ -16,10 +16,12 @@ namespace continua {
 /// An immutable value; copying shares.
 class Type {
  public:
-  enum class Kind { base, list, function, variable };
+  enum class Kind { base, list, dot, function, variable };
 
   static Type base(std::string name);
   static Type list(Type element);
+  /// The compound of two types (Pustejovsky's dot object; paper, figure of [[point]]: physobj[] • location).
+  static Type dot(Type first, Type second);
   static Type function(Type from, Type to);
   /// A type variable of a polymorphic constant, such as a in `head : a* -> a`.
   static Type variable(int index);
@@ -31,10 +33,13 @@ class Type {
   static const Type& number();     ///< num
   static const Type& text_type();  ///< text
   static const Type& term();       ///< term, consistent with every type
+  static const Type& pointing();   ///< e* • loc, things and the place
 
   Kind kind() const;
   const std::string& name() const;  ///< REQUIRES base
   const Type& element() const;      ///< REQUIRES list
+  const Type& first() const;        ///< REQUIRES dot
+  const Type& second() const;       ///< REQUIRES dot
   const Type& from() const;         ///< REQUIRES function
   const Type& to() const;           ///< REQUIRES function
   int index() const;                ///< REQUIRES variable
@@ -44,7 +49,8 @@ class Type {
 
   bool operator==(const Type& other) const;
 
-  /// "e -> (loc -> t)*"; arrows associate to the right, `*` binds tightest; variables print as 'a, 'b, ….
+  /// "e -> (loc -> t)*", "loc -> e* • loc"; arrows associate to the right, `*` binds tightest, then `•`; variables
+  /// print as 'a, 'b, ….
   std::string text() const;
   /// Reads the notation of text(). `entity` and `location` are other names of e and loc. An unknown name is an error;
   /// `extra`: base types besides the built-in ones. Errors name the column; the first column is `first_column`.

@@ -21,6 +21,10 @@ Type renewed(const Type& type, std::map<int, Type>& renewals, Unifier& unifier) 
     }
     case Type::Kind::list:
       return Type::list(renewed(type.element(), renewals, unifier));
+    case Type::Kind::dot: {
+      auto first = renewed(type.first(), renewals, unifier);
+      return Type::dot(std::move(first), renewed(type.second(), renewals, unifier));
+    }
     case Type::Kind::function: {
       auto from = renewed(type.from(), renewals, unifier);
       return Type::function(std::move(from), renewed(type.to(), renewals, unifier));
@@ -60,6 +64,8 @@ bool Unifier::occurs(int variable, const Type& type) {
       return at.index() == variable;
     case Type::Kind::list:
       return occurs(variable, at.element());
+    case Type::Kind::dot:
+      return occurs(variable, at.first()) || occurs(variable, at.second());
     case Type::Kind::function:
       return occurs(variable, at.from()) || occurs(variable, at.to());
   }
@@ -83,6 +89,8 @@ bool Unifier::unify(const Type& a, const Type& b) {
   switch (left.kind()) {
     case Type::Kind::list:
       return unify(left.element(), right.element());
+    case Type::Kind::dot:
+      return unify(left.first(), right.first()) && unify(left.second(), right.second());
     case Type::Kind::function:
       return unify(left.from(), right.from()) && unify(left.to(), right.to());
     default:
@@ -101,6 +109,8 @@ Type Unifier::resolved(const Type& type) {
       return Type::term();
     case Type::Kind::list:
       return Type::list(resolved(at.element()));
+    case Type::Kind::dot:
+      return Type::dot(resolved(at.first()), resolved(at.second()));
     case Type::Kind::function:
       return Type::function(resolved(at.from()), resolved(at.to()));
   }
@@ -117,6 +127,8 @@ std::string Unifier::described(const Type& type) {
       return "anything";
     case Type::Kind::list:
       return unknown(at.element()) ? "a list" : resolved(at).text();
+    case Type::Kind::dot:
+      return resolved(at).text();
     case Type::Kind::function: {
       std::string text = "a function";
       if (!unknown(at.from())) text += " from " + resolved(at.from()).text();

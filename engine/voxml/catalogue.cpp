@@ -27,6 +27,17 @@ std::string_view name_of(Voxeme::Entity entity) {
   return "";
 }
 
+std::vector<std::string> halves_of(const std::string& type) {
+  constexpr std::string_view dot = "•";
+  std::vector<std::string> halves;
+  for (std::size_t from = 0; from <= type.size();) {
+    const auto end = std::min(type.find(dot, from), type.size());
+    halves.push_back(type.substr(from, end - from));
+    from = end + dot.size();
+  }
+  return halves;
+}
+
 void Catalogue::add(Voxeme voxeme) {
   auto key = std::pair(voxeme.entity, voxeme.predicate);
   voxemes_.insert_or_assign(std::move(key), std::move(voxeme));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <pugixml.hpp>
@@ -160,7 +162,9 @@ class DocumentReader {
 
   static bool is_clause(const Kind& kind) { return std::string_view(kind.attribute) == "Name"; }
   static bool is_clause(const Kind& kind, const pugi::xml_attribute& attribute) {
-    return is_clause(kind) && same_letters(without_prefix(attribute.name()), "Value");
+    const std::string_view name = without_prefix(attribute.name());
+    if (std::string_view(kind.attribute) == "Least") return same_letters(name, "PerMetre");
+    return is_clause(kind) && same_letters(name, "Value");
   }
 
   // Elements that only contain others.
@@ -186,6 +190,7 @@ class DocumentReader {
         {"Type/ReflSym", {"Value", &R::list<&Voxeme::reflectional_symmetry>}},
         {"Type/Args/Arg", {"Value", &R::argument}},
         {"Type/Body/Subevent", {"Value", &R::subevent}},
+        {"Type/Spread", {"Least", &R::spread}},
         {"Type/Scale", {"Value", nullptr}},
         {"Type/Arity", {"Value", nullptr}},
         {"Type/Class", {"Value", nullptr}},
@@ -241,6 +246,21 @@ class DocumentReader {
   void clause(const pugi::xml_node& node, const std::string& name) {
     HabitatClause clause{numbered(name), value_of(node, "Value")};
     if (!name.empty() || !clause.value.empty()) (voxeme().*member).push_back(std::move(clause));
+  }
+
+  // A number of metres, at least 0; nothing if it is none.
+  std::optional<double> metres(const pugi::xml_node& node, const std::string& value) {
+    double read = 0;
+    const auto [end, problem] = std::from_chars(value.data(), value.data() + value.size(), read);
+    if (problem == std::errc() && end == value.data() + value.size() && read >= 0 && std::isfinite(read)) return read;
+    note(node, fmt::format("found {}, expected metres, such as 0.024", in_quotes(value)));
+    return std::nullopt;
+  }
+  void spread(const pugi::xml_node& node, const std::string& value) {
+    const auto least = metres(node, value);
+    const auto more = value_of(node, "PerMetre");
+    const auto per_metre = more.empty() ? std::optional(0.0) : metres(node, more);
+    if (least && per_metre) voxeme().spread = VoxemeSpread{*least, *per_metre};
   }
 
   void unread(const pugi::xml_node& node, const std::string& path, const std::string& value, const Error& problem) {

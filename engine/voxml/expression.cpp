@@ -101,12 +101,19 @@ void skip_label(ExpressionReader& reader) {
 
 }  // namespace
 
+bool is_vector(const Expression& expression) {
+  return expression.kind == Kind::call && expression.name == "vec" && expression.arguments.size() == 3;
+}
+
 std::string print(const Expression& expression) {
   const auto& arguments = expression.arguments;
   switch (expression.kind) {
     case Kind::name:
       return expression.name;
     case Kind::call:
+      if (is_vector(expression))
+        return fmt::format("{}({} -> {} × {})", expression.name, print(arguments[0]), print(arguments[1]),
+                           print(arguments[2]));
       return expression.name + "(" + joined(arguments, ", ") + ")";
     case Kind::component:
       return "[" + expression.name + "]";

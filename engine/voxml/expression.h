@@ -12,7 +12,7 @@ namespace continua {
 struct Expression {
   enum class Kind {
     name,       ///< x, z, E_y, VoxSimPlatform.Pathfinding.AStarSearch.PlanPath
-    call,       ///< name(arguments)
+    call,       ///< name(arguments); vec(x -> y × z), a vector from x through y onto z, has the arguments x, y, z
     component,  ///< [2]: the part of the voxeme with this number; the number is in `name`
     text,       ///< '…', without its quotation marks
     negation,   ///< !a
@@ -26,11 +26,14 @@ struct Expression {
   friend bool operator==(const Expression&, const Expression&) = default;
 };
 
+/// Whether it is a vector from an agent through a finger onto a place: vec(x -> y × z).
+bool is_vector(const Expression& expression);
+
 /// Prints the notation of documents, with a space after commas and around ^ and |. REQUIRES two or more arguments of
 /// `both` and `either`, one of `negation`.
 std::string print(const Expression& expression);
 
-/// Other spellings are read too: && and ∧ for ^, || and ∨ for |, ¬ and ~ for !, → for ->, "…" for '…', `;` for the
+/// Other spellings are read too: * for × in vectors, && and ∧ for ^, || and ∨ for |, ¬ and ~ for !, → for ->, "…" for '…', `;` for the
 /// comma of lists. The operands of ^ or | become one list, however they were bracketed. Errors name the found and the
 /// expected text, and the character of `text`. Brackets more than 100 deep are an error.
 Result<Expression> parse_expression(std::string_view text);

@@ -17,7 +17,7 @@ constexpr int deepest = 100;
 constexpr std::string_view space = " \t\r\n\f\v";
 
 // Signs with their spellings. A spelling stands before the spellings that it begins with.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 15> spellings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> spellings = {{
     {"!", "!"},
     {"!", "¬"},
     {"!", "~"},
@@ -30,6 +30,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 15> spelling
     {"|", "∨"},
     {"->", "->"},
     {"->", "→"},
+    {"×", "×"},
     {"'", "'"},
     {"'", "’"},
     {"'", "‘"},
@@ -193,6 +194,19 @@ Result<Expression> ExpressionReader::vector() {
   return Expression{Kind::name, text + ">", {}};
 }
 
+// The rest of vec(x -> y × z), after the arrow.
+Result<Expression> ExpressionReader::vector_onto(Expression vector) {
+  auto through = expression();
+  if (!through) return through;
+  if (!take("×") && !take("*")) return expected("'×', as in vec(x -> y × z)");
+  auto onto = expression();
+  if (!onto) return onto;
+  vector.arguments.push_back(std::move(*through));
+  vector.arguments.push_back(std::move(*onto));
+  if (auto problem = close(")")) return *problem;
+  return vector;
+}
+
 std::size_t ExpressionReader::name_length() const {
   const auto here = rest();
   std::size_t length = name_character(here, true);
@@ -223,6 +237,8 @@ Result<Expression> ExpressionReader::named() {
     auto each = this->expression();
     if (!each) return each;
     expression.arguments.push_back(std::move(*each));
+    if (expression.name == "vec" && expression.arguments.size() == 1 && take("->"))
+      return vector_onto(std::move(expression));
   } while (take(",") || take(";"));
   if (auto problem = close(")")) return *problem;
   return expression;

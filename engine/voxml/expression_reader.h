@@ -44,6 +44,7 @@ class ExpressionReader {
   Result<Expression> bracket();
   Result<Expression> quoted();
   Result<Expression> vector();
+  Result<Expression> vector_onto(Expression vector);
   Result<Expression> named();
 
   std::string_view text_;

@@ -49,8 +49,15 @@ class ProgramCheck {
   }
 
   void event(const Expression& each) {
+    const bool assigns = program_->head.name == "assignment";
     if (each.kind == Kind::both) {
       for (const auto& part : each.arguments) event(part);
+    } else if (assigns && each.kind == Kind::call && each.name == "extend") {
+      if (each.arguments.size() != 2) problem(each, "expected extend(x,y): the agent and the finger");
+      arguments_of(each);
+    } else if (assigns && each.kind == Kind::call && each.name == "def" && !each.arguments.empty() &&
+               is_vector(each.arguments[0])) {
+      assignment(each);
     } else if (each.kind == Kind::call && (each.name == "def" || each.name == "repeat")) {
       builtin(each);
     } else if (const auto* voxeme =
@@ -60,6 +67,37 @@ class ProgramCheck {
     } else {
       problem(each, fmt::format("there is no program {}", in_quotes(each.name)));
     }
+  }
+
+  // The declared argument that the name means; nullptr if there is none, which is a problem.
+  const VoxemeArgument* argument(const Expression& name, const Expression& in) {
+    for (const auto& each : program_->arguments)
+      if (name.kind == Kind::name && each.name == name.name) return &each;
+    problem(in, fmt::format("{} is no argument of the program", in_quotes(print(name))));
+    return nullptr;
+  }
+  void arguments_of(const Expression& call) {
+    for (const auto& each : call.arguments) argument(each, call);
+  }
+
+  // def(vec(x -> y × z), as(w)): the things that the vector meets, and the place, become w.
+  void assignment(const Expression& def) {
+    const auto& vector = def.arguments[0];
+    const auto& label = def.arguments.back();
+    if (def.arguments.size() != 2 || label.kind != Kind::call || label.name != "as" || label.arguments.size() != 1)
+      return problem(def, "expected def(vec(x -> y × z),as(w))");
+    arguments_of(vector);
+    const auto extended = std::any_of(program_->body.begin(), program_->body.end(), [&](const Subevent& step) {
+      return step.event.name == "extend" && step.event.arguments.size() == 2 &&
+             step.event.arguments[1] == vector.arguments[1];
+    });
+    if (!extended) problem(def, fmt::format("no step extends {}", in_quotes(print(vector.arguments[1]))));
+    const auto* assigned = argument({label.arguments[0].kind == Kind::text ? Kind::name : label.arguments[0].kind,
+                                     label.arguments[0].name, label.arguments[0].arguments},
+                                    def);
+    if (assigned && halves_of(assigned->type).size() != 2)
+      problem(def, fmt::format("{} has the type {}, expected a compound such as physobj[]•location",
+                               in_quotes(assigned->name), in_quotes(assigned->type)));
   }
 
   void builtin(const Expression& call) {

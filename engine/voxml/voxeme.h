@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,15 @@ struct VoxemeArgument {
   std::string name, type;
 };
 
+/// The parts of a compound type, physobj[] and location of physobj[]•location; a simple type is its only part.
+std::vector<std::string> halves_of(const std::string& type);
+
+/// How far a vector strays from the place that it means: one standard deviation, by the distance that it extends.
+struct VoxemeSpread {
+  double least_m = 0;      ///< at any distance
+  double per_metre_m = 0;  ///< for each metre of distance, if that is more
+};
+
 struct Voxeme {
   enum class Entity { object, program, attribute, relation, function };
   Entity entity = Entity::object;
@@ -40,6 +50,7 @@ struct Voxeme {
 
   std::vector<VoxemeArgument> arguments;  ///< Type/Args
   std::vector<Subevent> body;             ///< Type/Body, of programs
+  std::optional<VoxemeSpread> spread;     ///< Type/Spread, of programs with a vector
 
   std::vector<HabitatClause> intrinsic, extrinsic;
   std::vector<Affordance> affordances;

@@ -75,6 +75,13 @@ std::string Branches::brief() const {
   return states;
 }
 
+// The branch, the kind, and the member that tells most.
+std::string Branched::brief() const {
+  for (const char* key : {"id", "program", "text", "gesture", "register", "result", "state", "message"})
+    if (auto told = text_in(record, key); !told.empty()) return joined({std::to_string(branch), what, told});
+  return joined({std::to_string(branch), what});
+}
+
 std::string Symbol::brief() const {
   std::string told;
   for (const auto& [slot, value] : slots) told += (told.empty() ? "" : ", ") + slot + " " + value;

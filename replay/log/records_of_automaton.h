@@ -191,7 +191,7 @@ struct Branches {
   static constexpr Kind kind{.name = "branches",
                              .when =
                                  "Under `explore`, after a step, while there is more than one branch. The records "
-                                 "before it are the leading branch's.",
+                                 "before it are the leading branch's, but for those of kind `branched`.",
                              .decision = Decision::yes,
                              .brief_adds = "or"};
   static constexpr auto fields() {
@@ -200,6 +200,36 @@ struct Branches {
         field("dropped", &Branches::dropped, Says::how, "The branches that could not take the input."),
         field("merged", &Branches::merged, Says::how, "Number of configurations that equalled another."),
         field("pruned", &Branches::pruned, Says::how, "Number of configurations beyond the bound.")};
+  }
+  std::string brief() const;
+};
+
+/// A record of a branch that does not lead.
+struct Branched {
+  std::int64_t branch = 0, parent = 0;
+  std::string what;
+  Json record;
+
+  static constexpr Kind kind{.name = "branched",
+                             .when =
+                                 "Under `explore`: a branch that does not lead went on. Nothing is carried out of it. "
+                                 "Written before the record of `branches`, for each branch its whole way since the "
+                                 "input, so branches that forked later repeat the transitions that they share (with "
+                                 "one `step`).",
+                             .decision = Decision::yes,
+                             .stop = Stop::never};
+  static constexpr auto fields() {
+    return std::tuple{
+        field("branch", &Branched::branch, Says::where, "Number of the branch, as in `branches`.").briefly(),
+        field("parent", &Branched::parent, Says::where, "The branch that it comes from."),
+        field("what", &Branched::what, Says::what,
+              "Kind of the record: `transition`, `rewrite`, `application`, `memory`, `utterance`, `gesture`, `act`, "
+              "`problem`.")
+            .briefly(),
+        field("record", &Branched::record, Says::what,
+              "Its members, as that kind has them, without those of every record; an act has the number 0.")
+            .without({"stack", "step"})
+            .briefly()};
   }
   std::string brief() const;
 };
@@ -296,6 +326,6 @@ struct Refusal {
 };
 
 using RecordsOfAutomaton =
-    Kinds<Belief, Memory, Transition, Correction, Branches, Symbol, Rewrite, Application, Refusal>;
+    Kinds<Belief, Memory, Transition, Correction, Branches, Branched, Symbol, Rewrite, Application, Refusal>;
 
 }  // namespace continua::log

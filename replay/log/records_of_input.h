@@ -41,6 +41,7 @@ struct Deixis {
   bool gesture = false;
   double spread_m = 0;
   std::int64_t samples = 0, left_out = 0;
+  std::optional<double> distance_m;
 
   static constexpr auto fields() {
     return std::tuple{
@@ -52,7 +53,10 @@ struct Deixis {
               "Whether the place is a gesture's own target; else it was found in samples."),
         field("spread_m", &Deixis::spread_m, Says::where, "Spread of the samples around the place.").as("metres"),
         field("samples", &Deixis::samples, Says::where, "Number of its samples."),
-        field("left_out", &Deixis::left_out, Says::where, "Number of samples in its time that were not believed.")};
+        field("left_out", &Deixis::left_out, Says::where, "Number of samples in its time that were not believed."),
+        field("distance_m", &Deixis::distance_m, Says::where,
+              "Distance from the hand to the place; left out where no ray tells it.")
+            .as("metres")};
   }
 };
 

@@ -98,6 +98,26 @@ void Recorder::one(const Acted& acted) {
   moves_.push_back({"action", program, n});
 }
 
+// The record that the event would be if its branch led. Lessons are none: they are known only once they are learned.
+void Recorder::one(const Branched& branched) {
+  const auto of = [this](const auto& event) -> std::optional<log::Record> {
+    using Event = std::decay_t<decltype(event)>;
+    if constexpr (std::is_same_v<Event, Acted>)
+      return log::Act{0, print(event.term), "asked", {}, records_of(event.because, input_record_), {}};
+    else if constexpr (std::is_same_v<Event, Reattended> || std::is_same_v<Event, Taught> ||
+                       std::is_same_v<Event, Forgotten>)
+      return std::nullopt;
+    else if constexpr (requires { record_of(event, *machine_); })
+      return record_of(event, *machine_);
+    else if constexpr (requires { record_of(event, input_record_); })
+      return record_of(event, input_record_);
+    else
+      return record_of(event);
+  };
+  if (const auto record = std::visit(of, branched.event))
+    write(log::Branched{branched.branch, branched.parent, std::string(log::kind_of(*record)), log::members_of(*record)});
+}
+
 void Recorder::write_act(int number, log::Act record, SimTime t) {
   auto& act = acts_.at(number);
   record.act = number;

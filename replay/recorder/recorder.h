@@ -63,6 +63,7 @@ class Recorder {
   void one(const Said& said);
   void one(const Gestured& gestured);
   void one(const Acted& acted);
+  void one(const Branched& branched);
 
   void report(const ActReport& act);
   void pose(const PoseSample& sample);

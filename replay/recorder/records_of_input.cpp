@@ -46,6 +46,7 @@ log::Deixis record_of(const Deixis& pointing) {
   record.spread_m = rounded(pointing.spread_m, pose_steps_per_metre);
   record.samples = static_cast<std::int64_t>(pointing.samples);
   record.left_out = static_cast<std::int64_t>(pointing.left_out);
+  if (pointing.distance_m) record.distance_m = rounded(*pointing.distance_m, pose_steps_per_metre);
   return record;
 }
 

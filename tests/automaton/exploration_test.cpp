@@ -68,6 +68,38 @@ TEST_CASE("every applicable transition is taken; the heaviest configuration lead
   CHECK(Exploring(forking).feed("x").branches() == "C 0.75 #0 (heavy), B 0.25 #1 (light)");
 }
 
+TEST_CASE("the other branches tell what they did, each its whole way since the step began") {
+  Exploring exploring(forking);
+  exploring.feed("x");
+  const auto& others = exploring.latest().others;
+  REQUIRE(others.size() == 1);
+  CHECK(others[0].branch == 1);
+  CHECK(others[0].parent == 0);
+  REQUIRE(others[0].events.size() == 1);
+  CHECK(std::get<Fired>(others[0].events[0]).step == 1);
+  const auto ways = R"({"machine":1,"name":"m","start":"A","slots":{"s":"text"},"transitions":[
+    {"id":"push","from":"A","on":"x","to":"B","push":{"s":"'x'"},"do":[{"say":"x"}]},
+    {"id":"go","from":"B","on":null,"to":"C","weight":3},
+    {"id":"stay","from":"B","on":null,"to":"D","pop":1}]})";
+  Exploring forked(ways);
+  forked.feed("x");
+  REQUIRE(forked.latest().others.size() == 2);
+  for (const auto& each : forked.latest().others) {
+    CHECK(std::get<Fired>(each.events.at(0)).step == 1);
+    CHECK(std::get<Said>(each.events.at(1)).text == "x");
+  }
+}
+
+TEST_CASE("what follows from an input by ε draws on that input, at its time") {
+  Exploring exploring(R"json({"machine":1,"name":"m","start":"A","programs":{"go":"num -> t"},"transitions":[
+    {"id":"take","from":"A","on":"x","to":"B"},
+    {"id":"then","from":"B","on":null,"to":"C","do":[{"act":"go(now)"}]}]})json");
+  exploring.feed("x");
+  const auto& acted = std::get<Acted>(exploring.latest().events.back());
+  CHECK(acted.because == std::vector<int>{1});
+  CHECK(print(acted.term) == "go(0)");
+}
+
 TEST_CASE("a configuration that cannot take what another can is dropped; the lead goes over") {
   Exploring exploring(forking);
   exploring.feed("xb");

@@ -288,6 +288,31 @@ TEST_CASE("a content of another type is raised to that of its slot or register, 
   CHECK(player.all<Trouble>().size() == 1);
 }
 
+TEST_CASE("FLUSH and pop_until set the registers to their first values that the machine declares for them") {
+  Player player(R"json({"machine":1,"name":"m","start":"A","slots":{"s":"num"},
+    "memory":{"both":{"type":"num","initial":"1","cleared_by":["flush","pop_until"]},
+              "popped":{"type":"text","cleared_by":["pop_until"]},"kept":{"type":"num"}},"transitions":[
+    {"id":"set","from":"A","on":"set","to":"A","push":{"s":"1"},
+      "do":[{"remember":{"both":"7","popped":"'x'","kept":"3"}}]},
+    {"id":"flush","from":"A","on":"flush","to":"A","flush":{}},
+    {"id":"back","from":"A","on":"back","to":"A","pop_until":"A"},
+    {"id":"told","from":"A","on":"told","to":"A","flush":{},"do":[{"remember":{"both":"both + 1"}}]}]})json");
+  const auto registers = [&] {
+    std::string all;
+    for (const auto& each : *player.configuration().memory) all += print(each.value) + " ";
+    return all;
+  };
+  player.feed("set, flush");
+  CHECK(registers() == "1 'x' 3 ");
+  CHECK(player.all<Remembered>().size() == 1);
+  player.feed("flush");
+  CHECK(player.all<Remembered>().empty());
+  player.feed("set, back");
+  CHECK(registers() == "1 null 3 ");
+  player.feed("set, told");
+  CHECK(registers() == "2 'x' 3 ");
+}
+
 TEST_CASE("to act on a list is to act on each of its programs") {
   Player player(R"json({"machine":1,"name":"m","start":"A","programs":{"go":"num -> t"},"transitions":[
     {"id":"go","from":"A","on":"go","to":"A","do":[{"act":"map([1, 2], go)"}]}]})json");

@@ -99,7 +99,7 @@ class Acts:
 
     def effect_that_asks(self, record, program):
         """The term of an effect whose value is the act, or a list that has it; None where none is known."""
-        cause, unknown = self.log.records[record["cause"]], None
+        cause, unknown = record.get("caused by") or self.log.records[record["cause"]], None
         for text in self.effects_of(cause):
             try:
                 value = self.log.known(text, self.log.moment)

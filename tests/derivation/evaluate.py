@@ -11,7 +11,7 @@ from terms import FALSE, NULL, TRUE
 
 WORLD = set("scene table held position bounds attribute volume closest located located_roughly "
             "located_loosely as_seen_by common_place offset displaced clear fits free_place learned meaning_of affords "
-            "obstacle".split())
+            "obstacle met".split())
 TYPES = {
     "and": "t -> t -> t", "or": "t -> t -> t", "not": "t -> t", "if": "t -> 'a -> 'a -> 'a", "=": "'a -> 'a -> t",
     "!=": "'a -> 'a -> t", "<": "num -> num -> t", "<=": "num -> num -> t", ">": "num -> num -> t",
@@ -25,6 +25,7 @@ TYPES = {
     "open": "term -> t", "missing": "term -> text", "type": "term -> text", "fill": "term -> term -> term",
     "each": "'a* -> 'a", "lacking": "term -> term -> term", "program": "term -> text",
     "argument": "term -> num -> term",
+    "dot": "e* -> loc -> e* • loc", "things_of": "e* • loc -> e*", "place_of": "e* • loc -> loc",
     "mentions": "term -> text -> t", "text": "term -> text", "place": "term -> loc", "words": "text -> text*",
     "starts_with": "text -> text -> t", "join": "text* -> text -> text", "lower": "text -> text",
     "xyz": "num -> num -> num -> loc", "box": "loc -> loc -> loc", "x": "loc -> num", "y": "loc -> num",
@@ -36,9 +37,10 @@ TYPES = {
     "located_roughly": "e -> loc -> t", "located_loosely": "e -> loc -> t", "as_seen_by": "e -> loc -> loc",
     "common_place": "e -> loc -> loc -> loc", "offset": "e -> text -> num", "displaced": "e -> text -> num -> loc",
     "clear": "e -> num -> t", "fits": "e -> loc -> e* -> t", "free_place": "e -> loc -> loc", "learned": "text -> t",
-    "meaning_of": "text -> term", "affords": "e -> text -> t", "obstacle": "t -> text"}
+    "meaning_of": "text -> term", "affords": "e -> text -> t", "obstacle": "t -> text", "met": "loc -> num -> e*",
+    "vec": "e -> e -> loc -> loc"}
 ARITY = {name: text.replace("('a -> ", "(").count("->") for name, text in TYPES.items()}
-COMPUTES_NOTHING = {"each"}
+COMPUTES_NOTHING = {"each", "dot", "vec"}
 MOST_STEPS = 100000
 
 
@@ -441,6 +443,18 @@ class Evaluation:
 
     def do_text(self, term):
         return term if term[0] == "text" else ("text", terms.text_of(term))
+
+    @staticmethod
+    def half(pointing, which):
+        """A half of dot(things, place)."""
+        made = pointing[0] == "app" and pointing[1] == ("name", "dot") and len(pointing[2]) == 2
+        return pointing[2][which] if made else NULL
+
+    def do_things_of(self, pointing):
+        return self.half(pointing, 0)
+
+    def do_place_of(self, pointing):
+        return self.half(pointing, 1)
 
     def do_place(self, term):
         return first_place(term)

@@ -16,11 +16,14 @@ import sys
 import tempfile
 
 import evaluate
+import explored
 import moments
 import stacks
 import terms
 import types_of_terms as types
 from acts import Acts
+from applications import Applications
+from choices import Choices
 from evaluate import Unknown
 from machine import Machine, MachineEvaluation, flat_effects, operation_of
 from terms import NULL
@@ -45,7 +48,15 @@ class Tally:
         print(f"disagreements: {len(self.disagreements)}")
 
 
-class Log:
+def opaque_in(term):
+    """What is not known in a value."""
+    if term[0] == "opaque":
+        yield term[1]
+    for part, _ in terms.parts_of(term):
+        yield from opaque_in(part)
+
+
+class Log(Choices, Applications):
     """One run log, record by record."""
 
     def __init__(self, name, records, tally, raising):
@@ -58,12 +69,14 @@ class Log:
         self.symbols, self.below, self.certainties = {}, {}, {}
         self.registers = {name: self.machine.empty(each) for name, each in self.machine.registers.items()}
         self.state = self.machine.document["start"]
-        self.stack, self.ids, self.history, self.branches = [], [], [], None
+        self.stack, self.ids, self.history = [], [], []
         self.readings = moments.Readings(records)
         self.name_types, self.moment, self.offers = self.types_told(), {}, {}
         self.left, self.latest, self.named = None, None, {0}
         self.before_step, self.after_rewrite, self.pointing, self.gaze = None, False, False, False
+        self.pointings = set()
         self.acts = Acts(self)
+        self.branches = explored.Branches(self)
 
     def types_told(self):
         return {record["function"]: record["types"]["function"] for record in self.records
@@ -124,6 +137,7 @@ class Log:
         if not stacks.same(bottom, symbol):
             self.disagree(record, "the symbol at the bottom is not that of the machine")
         self.stack, self.ids, self.history = [symbol], [record["id"]], [(self.state, symbol)]
+        self.branches.begin_step()
 
     def chain(self, top):
         """The ids from the bottom up to this one, by the records of symbols."""
@@ -199,7 +213,10 @@ class Log:
                 continue
             evaluation = self.evaluation(moment)
             try:
-                self.add_values(record, slot, self.known(text, moment, evaluation), kind.endswith("_each"), values)
+                value = self.known(text, moment, evaluation)
+                for hidden in opaque_in(value):
+                    raise Unknown(hidden)
+                self.add_values(record, slot, value, kind.endswith("_each"), values)
                 self.count("contents of slots")
                 self.compare_fills(record, evaluation.fills)
             except Unknown as why:
@@ -208,8 +225,8 @@ class Log:
 
     def compare_fills(self, record, fills):
         """Each `fill` in a content is an application, which the log has since the step before."""
-        logged, n = [], record["n"] - 1
-        while self.records[n]["kind"] in ("symbol", "application", "block"):
+        logged, n = [terms.read(each["result"]) for each in self.branches.made], record["n"] - 1
+        while not self.branches.follows and self.records[n]["kind"] in ("symbol", "application", "block"):
             if self.records[n]["kind"] == "application":
                 logged.append(terms.read(self.records[n]["result"]))
             n -= 1
@@ -228,6 +245,9 @@ class Log:
     def raised(self, value, wanted):
         if wanted == "term" or value in stacks.EMPTY:
             return value
+        if wanted == "region" and value[0] == "point":  # to the types the same as loc, but it has an extent
+            rules = [each for each in self.machine.raising["rules"] if each["to"] == wanted]
+            return self.evaluation({}).raised_by(rules[0], value) if rules else value
         return self.evaluation({}).fitting(value, types.read_type(wanted))
 
     # Inputs
@@ -313,9 +333,8 @@ class Log:
     # Steps
 
     def on_transition(self, record):
-        if self.explores:
-            self.choose_branch(record)
         if record["input"] is not None:
+            self.begin_branches(record)
             self.at_rest(record)
             self.before_step = (self.state, self.stack, self.ids, self.history)
             self.offers = self.offers_at(record)
@@ -389,113 +408,6 @@ class Log:
                 if found[name] != own:
                     self.disagree(record, f"{name} is {found[name]} in the log, {own} by the rules")
 
-    # Candidates
-
-    def compare_candidates(self, record, place=None):
-        place = place or record
-        for number, (symbol, moment) in self.offers.items():
-            if symbol is None and record["input"] is not None:
-                self.skip("candidate lists", "the input symbol of an alternative")
-                continue
-            logged = {kind: [each["id"] for each in record[kind] if each.get("alternative") == number]
-                      for kind in ("candidates", "refused")}
-            self.compare_list(place, logged, self.machine.fitting(self.state, symbol), moment)
-
-    def compare_list(self, record, logged, fitting, moment):
-        self.count("candidate lists")
-        own = [each["id"] for each in fitting]
-        if sorted(logged["candidates"] + logged["refused"]) != sorted(own):
-            self.disagree(record, f"the log has the transitions {logged}, those of state and input are {own}")
-        evaluation = self.evaluation(moment)
-        holding = [(each, self.holds(each, evaluation)) for each in fitting]
-        self.count("candidate lists of which every condition was checked" if all(holds is not None for _, holds in holding)
-                   else "candidate lists checked in part")
-        self.compare_conditions(record, logged, holding)
-
-    def holds(self, transition, evaluation):
-        """Whether its condition holds, by our own evaluation; None if that is not known."""
-        text = transition.get("when")
-        if text is None:
-            self.count("transitions without a condition")
-            return True
-        try:
-            holds = evaluate.truth(evaluation.known(self.known(text, {}, evaluation)))
-        except Unknown as why:
-            self.skip("conditions", why)
-            return None
-        self.count("conditions")
-        return holds
-
-    def compare_conditions(self, record, logged, holding):
-        """The candidates are those of the highest rank among the transitions whose conditions hold."""
-        rank = {each["id"]: each.get("rank", 0) for each, _ in holding}
-        highest = max([rank[each["id"]] for each, holds in holding if holds] +
-                      [rank[each] for each in logged["candidates"]], default=0)
-        for transition, holds in holding:
-            name = transition["id"]
-            is_candidate = name in logged["candidates"]
-            if is_candidate and rank[name] != highest:
-                self.disagree(record, f"'{name}' is of rank {rank[name]}, but another candidate is of rank {highest}")
-            elif holds is not None and (holds and rank[name] == highest) != is_candidate:
-                self.disagree(record, f"the condition of '{name}', {transition.get('when')}, "
-                                      f"{'holds' if holds else 'does not hold'}; the log has the opposite")
-
-    def compare_choice(self, record):
-        """The weights, and which of the candidates was taken."""
-        weights = [each["weight"] for each in record["candidates"]]
-        for each in record["candidates"]:
-            moment = self.offers.get(each.get("alternative"), (None, {}))[1]
-            confidence = moment.get("confidence", ("num", 1.0))[1] if record["input"] is not None else 1.0
-            expected = self.machine.by_id[each["id"]].get("weight", 1) * confidence
-            self.count("weights")
-            if abs(expected - each["weight"]) > 1e-9:
-                self.disagree(record, f"the weight of '{each['id']}' is {expected}, the log has {each['weight']}")
-        if not weights:
-            self.disagree(record, f"'{record['id']}' was taken without a candidate")
-        if record["forced"] or self.choice == "explore" or not weights:
-            return
-        taken = (record["id"], record.get("alternative"))
-        keys = [(each["id"], each.get("alternative")) for each in record["candidates"]]
-        self.count("choices")
-        if taken not in keys:
-            self.disagree(record, f"'{record['id']}' is none of the candidates")
-        elif self.choice != "sample" and taken != keys[weights.index(max(weights))]:
-            self.disagree(record, f"'{record['id']}' was taken, but another candidate is heavier or earlier")
-        elif abs(weights[keys.index(taken)] / sum(weights) - record["probability"]) > 1e-9:
-            self.disagree(record, f"the probability is not the share of the weights")
-
-    def compare_way(self, record, moment):
-        """The gates on the way, the state that they lead to and the operation done."""
-        transition = self.machine.by_id[record["id"]]
-        to, operation, tested = transition["to"], operation_of(transition), []
-        for logged in record["gates"]:
-            gate = self.machine.states.get(to, {}).get("gate")
-            if logged["state"] != to or not gate:
-                self.disagree(record, f"a gate of {logged['state']} was tested on the way to {to}")
-                return
-            self.compare_gate(record, gate, logged, moment)
-            if not logged["passed"]:
-                to, operation = gate["else"], operation_of(gate)
-            tested.append(logged["passed"])
-        if tested and not tested[-1] or not tested:
-            if self.machine.states.get(to, {}).get("gate"):
-                self.disagree(record, f"the gate of {to} was not tested")
-        if to != record["to"]:
-            self.disagree(record, f"leads to {to}, the log has {record['to']}")
-        if operation != record["operation"]:
-            self.disagree(record, f"the operation is {operation}, the log has {record['operation']}")
-
-    def compare_gate(self, record, gate, logged, moment):
-        try:
-            passed = evaluate.truth(self.known(gate["when"], moment))
-        except Unknown as why:
-            self.skip("gates", why)
-            return
-        self.count("gates")
-        if passed != logged["passed"]:
-            self.disagree(record, f"the gate of {logged['state']}, {gate['when']}, "
-                                  f"{'holds' if passed else 'does not hold'}; the log has the opposite")
-
     def at_rest(self, record):
         """Before the next input no ε-transition may apply."""
         if self.explores or self.choice == "unique" and not self.after_rewrite or not self.stack:
@@ -515,71 +427,21 @@ class Log:
 
     # Branches
 
+    def begin_branches(self, record):
+        if self.explores and not self.branches.follows:
+            self.branches.begin_step()
+            self.branches.lead(record)
+
+    def on_branched(self, record):
+        self.branches.waiting.append(record)
+
     def on_branches(self, record):
-        self.branches = [(each["state"], each["stack"], each["depth"]) for each in record["branches"]]
-        for state, top, depth in self.branches:
+        for branch in record["branches"]:
             self.count("stacks of branches")
-            if len(self.chain(top)) != depth:
-                self.disagree(record, f"a branch in {state} has {len(self.chain(top))} symbols, not {depth}")
-
-    def choose_branch(self, record):
-        """Under `explore`: the branch that the transition leaves, by its state; of several the first."""
-        before = self.records[record["cause"]]["kind"] if "cause" in record else "transition"
-        if self.branches is None or before == "transition" and record["input"] is None:
-            return
-        fitting = [(state, top) for state, top, _ in self.branches if state == record["from"]]
-        if fitting:
-            self.state, self.ids = fitting[0][0], self.chain(fitting[0][1])
-            self.stack = [self.symbols[each] for each in self.ids]
-
-    # Applications
-
-    def on_application(self, record):
-        """Is the result the function of the argument, raised by the rule that the record names? Words that compute
-        leave an application of a name as it is; below a lambda they may have computed."""
-        function, argument, result = (terms.read(record[name]) for name in ("function", "argument", "result"))
-        try:
-            argument = self.raised_argument(record, argument)
-        except Unknown as why:
-            self.skip("applications", why)
-            return
-        self.compare_types(record)
-        if stacks.near(terms.beta(function, argument), result):
-            self.count("applications by β-reduction alone")
-            return
-        try:
-            value = self.evaluation({}, {}).applied(function, [argument])
-        except Unknown as why:
-            if function[0] != "lam":
-                self.disagree(record, f"{record['function']} of {terms.text_of(argument)} is not {record['result']}")
-            else:
-                self.skip("applications", why)
-            return
-        self.count("applications by β-reduction and functions of the language")
-        if not stacks.near(value, result):
-            self.disagree(record, f"{record['function']} of {terms.text_of(argument)} is {terms.text_of(value)}, "
-                                  f"the log has {record['result']}")
-
-    def raised_argument(self, record, argument):
-        if record["rule"] is None:
-            return argument
-        rule = next((each for each in self.machine.raising["rules"] if each["name"] == record["rule"]), None)
-        if rule is None:
-            self.disagree(record, f"there is no rule '{record['rule']}'")
-            return argument
-        self.count("raised arguments")
-        if rule["from"] != record["types"]["argument"]:
-            self.disagree(record, f"'{rule['name']}' raises {rule['from']}, not {record['types']['argument']}")
-        return self.evaluation({}, {}).raised_by(rule, argument)
-
-    def compare_types(self, record):
-        told = record["types"]
-        function, argument, result = (types.read_type(told[name]) for name in ("function", "argument", "result"))
-        self.count("types of applications")
-        try:
-            types.unify(function, ("->", argument if record["rule"] is None else types.Variable(), result))
-        except types.NoType:
-            self.disagree(record, f"the types {record['types']} do not go together")
+            if len(self.chain(branch["stack"])) != branch["depth"]:
+                self.disagree(record, f"a branch in {branch['state']} has {len(self.chain(branch['stack']))} symbols, "
+                                      f"not {branch['depth']}")
+        self.branches.after_step(record)
 
 
 def read_log(path):

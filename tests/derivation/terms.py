@@ -17,7 +17,7 @@ import re
 NULL, TRUE, FALSE = ("null",), ("bool", True), ("bool", False)
 TOKEN = re.compile(
     r"\s*(?:(?P<number>\d+(?:\.\d+)?(?:[eE][-+]?\d+)?)|(?P<name>[^\W\d]\w*'*)|'(?P<text>(?:[^'\\]|\\.)*)'"
-    r"|`(?P<quoted>(?:[^`\\]|\\.)*)`|(?P<sign>->|!=|<=|>=|[\\λ.,:()\[\]<>=+\-*/]))")
+    r"|`(?P<quoted>(?:[^`\\]|\\.)*)`|(?P<sign>->|!=|<=|>=|[\\λ.,:()\[\]<>=+\-*/•]))")
 COMPARISONS = ("=", "!=", "<", "<=", ">", ">=")
 LEVELS = [("or",), ("and",), COMPARISONS, ("+", "-"), ("*", "/")]
 PREFIX_LEVEL, TIGHT = len(LEVELS), len(LEVELS) + 1

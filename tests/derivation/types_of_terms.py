@@ -1,6 +1,6 @@
 """Types of terms, inferred by unification. `term` goes with every type; `region` is `loc`.
 
-A type is a text ("e", "loc", …), ("*", element), ("->", from, to) or a Variable.
+A type is a text ("e", "loc", …), ("*", element), ("•", first, second), ("->", from, to) or a Variable.
 """
 import re
 
@@ -19,15 +19,22 @@ class UnknownType(Exception):
 
 
 def read_type(text, variables=None):
-    tokens = re.findall(r"->|[()*]|'?\w+", text)
+    tokens = re.findall(r"->|[()*•]|'?\w+", text)
     variables = {} if variables is None else variables
 
     def arrow():
-        left = starred()
+        left = dotted()
         if tokens and tokens[0] == "->":
             tokens.pop(0)
             return ("->", left, arrow())
         return left
+
+    def dotted():
+        first = starred()
+        if tokens and tokens[0] == "•":
+            tokens.pop(0)
+            return ("•", first, starred())
+        return first
 
     def starred():
         token = tokens.pop(0)
@@ -77,6 +84,9 @@ def type_text(type_, level=0):
         return type_
     if type_[0] == "*":
         return type_text(type_[1], 2) + "*"
+    if type_[0] == "•":
+        text = f"{type_text(type_[1], 2)} • {type_text(type_[2], 2)}"
+        return f"({text})" if level == 2 else text
     text = f"{type_text(type_[1], 1)} -> {type_text(type_[2])}"
     return f"({text})" if level else text
 

@@ -25,6 +25,21 @@ TEST_CASE("types are read and printed") {
   CHECK(read_type("gesture*") == "gesture*");
 }
 
+TEST_CASE("a dot type has two halves, is read and printed, and goes with no half of it alone") {
+  CHECK(read_type("e*•loc") == "e* • loc");
+  CHECK(read_type("e -> loc -> e* • loc") == "e -> loc -> e* • loc");
+  CHECK(read_type("(e • loc)*") == "(e • loc)*");
+  CHECK(read_type("(e -> t) • ('a • 'b)") == "(e -> t) • ('a • 'b)");
+  CHECK(read_type("e •") == "column 6: the type ends here, expected a type");
+  CHECK(type("e* • loc") == Type::pointing());
+  CHECK(type("e* • loc").first() == type("e*"));
+  CHECK(type("e* • loc").second() == type("loc"));
+  CHECK(consistent(type("e* • loc"), type("term • region")));
+  CHECK_FALSE(consistent(type("e* • loc"), type("loc")));
+  CHECK_FALSE(consistent(type("e* • loc"), type("e* -> loc")));
+  CHECK(result_type(type("'a • 'b -> 'b • 'a"), type("e • loc")) == type("loc • e"));
+}
+
 TEST_CASE("what is no type is said where it stands") {
   CHECK(read_type("") == "column 1: the type ends here, expected a type");
   CHECK(read_type("e ->") == "column 5: the type ends here, expected a type");

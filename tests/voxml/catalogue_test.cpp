@@ -24,6 +24,7 @@ std::string told(const Result<ReadVoxeme>& read) {
   for (const auto& each : v.reflectional_symmetry) out += "reflection " + each + "\n";
   for (const auto& each : v.arguments) out += "argument " + each.name + " : " + each.type + "\n";
   for (const auto& each : v.body) out += "step " + print(each) + "\n";
+  if (v.spread) out += fmt::format("spread {} {}\n", v.spread->least_m, v.spread->per_metre_m);
   for (const auto& each : v.intrinsic) out += "intrinsic " + of(each.name) + " = " + each.value + "\n";
   for (const auto& each : v.extrinsic) out += "extrinsic " + of(each.name) + " = " + each.value + "\n";
   for (const auto& each : v.affordances) out += "affords " + print(each) + "\n";
@@ -233,4 +234,11 @@ TEST_CASE("A folder's documents are read in the order of their paths, and later 
   CHECK(read_catalogue(same.path().string()).catalogue.digest() == read.catalogue.digest());
   CHECK(read_catalogue(path + "/none").documents == 0);
   CHECK(read_catalogue(path + "/none").catalogue.digest().empty());
+}
+
+TEST_CASE("the spread of a vector is read in metres; another value is a note") {
+  CHECK(told(with("<Type><Spread Least='0.024' PerMetre='0.03'/></Type>")) == told(with("")) + "spread 0.024 0.03\n");
+  CHECK(told(with("<Type><Spread Least='0.02'/></Type>")) == told(with("")) + "spread 0.02 0\n");
+  CHECK(told(with("<Type><Spread Least='2 cm'/></Type>")) ==
+        told(with("")) + "note d.xml:1: found '2 cm', expected metres, such as 0.024\n");
 }

@@ -53,6 +53,33 @@ TEST_CASE("Steps name programs and relations that exist, with as many arguments 
         "tried.xml: 'repeat(2, 'grasp(y)')': repeats within what is repeated\n");
 }
 
+TEST_CASE("A program that points extends a finger and names the things that its vector meets, with their place") {
+  const auto wrong = [](const char* body, const char* head = "assignment", const char* w = "physobj[]•location") {
+    Voxeme point;
+    point.entity = Voxeme::Entity::program;
+    point.predicate = "point";
+    point.path = "point.xml";
+    point.head.name = head;
+    point.arguments = {{"x", "agent"}, {"y", "finger"}, {"z", "location"}, {"w", w}};
+    point.body = parse_subevents(body).value();
+    Catalogue catalogue;
+    catalogue.add(std::move(point));
+    std::string all;
+    for (const auto& problem : check_programs(catalogue)) all += problem.text() + "\n";
+    return all;
+  };
+  CHECK(wrong("extend(x,y);def(vec(x->y×z),as(w))").empty());
+  CHECK(wrong("extend(x);def(vec(x->y×z),as(w))") ==
+        "point.xml: 'extend(x)': expected extend(x,y): the agent and the finger\n"
+        "point.xml: 'def(vec(x -> y × z), as(w))': no step extends 'y'\n");
+  CHECK(wrong("extend(x,y);def(vec(x->y×v),as(w))") ==
+        "point.xml: 'vec(x -> y × v)': 'v' is no argument of the program\n");
+  CHECK(wrong("extend(x,y);def(vec(x->y×z),as(w))", "assignment", "location") ==
+        "point.xml: 'def(vec(x -> y × z), as(w))': 'w' has the type 'location', expected a compound such as "
+        "physobj[]•location\n");
+  CHECK(wrong("extend(x,y)", "transition") == "point.xml: 'extend(x, y)': there is no program 'extend'\n");
+}
+
 TEST_CASE("The project's own voxemes load without a note, and their programs name what exists") {
   const auto read = read_catalogue(CONTINUA_SOURCE_DIR "/engine/knowledge/voxemes");
   CHECK(read.documents > 0);
