@@ -34,6 +34,7 @@ std::span<const Carried> carried_terms() {
       Carried{"next", "text", &Input::next, true},
       Carried{"previous", "text", &Input::previous, true},
       Carried{"unknown", "text*", &Input::unknown, true},
+      Carried{"repaired", "text*", &Input::repaired, true},
       Carried{"left_out", "text*", &Input::left_out, true},
   };
   return terms;

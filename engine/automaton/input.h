@@ -52,7 +52,8 @@ struct Input {
   Term next;       ///< text: the kind of the utterance's next move after this one; null if there is none
   Term previous;   ///< text: the kind of its move before this one; null if this is the first
   Term unknown;    ///< text*: words near it that the lexicon does not have
-  Term left_out;   ///< text*: words of its sentence that are unknown, misheard or fit nowhere
+  Term repaired;   ///< text*: misspelt words that were read as others
+  Term left_out;   ///< text*: words of its sentence that are unknown, not surely repaired, or fit nowhere
 };
 
 /// A term of an input, with the name and type under which machines know it.

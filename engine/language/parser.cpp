@@ -58,8 +58,9 @@ class Hearing {
     const bool name = !known && (unknown_ == Unknown::names || unknown_ == Unknown::renamed);
     const auto meant = known || unknown_ != Unknown::repaired ? std::nullopt : vocabulary_.resembling(text);
     if (meant) {
-      add({*meant, false, {}});
+      add({meant->word, false, {}});
       utterance_.repaired.push_back(place);
+      if (!meant->sure) utterance_.guessed.push_back(place);
     } else if (known) {
       if (unknown_ == Unknown::renamed) number = joined(std::move(number), vocabulary_.as_name(text, true));
       add({text, false, std::move(number)});

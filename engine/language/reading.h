@@ -55,6 +55,7 @@ struct Utterance {
   std::vector<std::size_t> unknown;   ///< words that the lexicon does not have
   std::vector<std::size_t> unused;    ///< known words that fit nowhere
   std::vector<std::size_t> repaired;  ///< unknown words that were read as known ones which are spelt almost like them
+  std::vector<std::size_t> guessed;   ///< repaired words that may have been others
   std::vector<std::size_t> ends;      ///< of its sentences: the number of words up to each
   bool cut = false;                   ///< words after the first most_words were not read
 };

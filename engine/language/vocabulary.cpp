@@ -6,6 +6,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/words.h"
+#include "continua/language/misspelling.h"
 #include "continua/language/reduction.h"
 
 namespace continua {
@@ -14,6 +15,10 @@ namespace {
 // A word that resembles another has at most one mistake in so many letters: "nife" and "knife", not "snack" and
 // "black". Short words resemble each other by chance.
 constexpr std::size_t letters_in_one_mistake = 3, fewest_letters = 4;
+
+// A word that names nothing in the scene is known again in fewer letters if two of them are exchanged ("teh"), but needs
+// more of them if one is missing or too many ("behnd"): "pace" is no "place".
+constexpr std::size_t fewest_letters_exchanged = 3, fewest_letters_otherwise = 6;
 
 // The words for a value: "light_blue" is said "light blue".
 std::string spoken(const std::string& value) {
@@ -122,17 +127,36 @@ WordEntry Vocabulary::as_number(const std::string& word) const {
   return entry;
 }
 
-std::optional<std::string> Vocabulary::resembling(const std::string& word) const {
-  std::optional<std::string> nearest;
+std::optional<Vocabulary::Resemblance> Vocabulary::resembling(const std::string& word) const {
+  const auto thing = resembling_thing(word);
+  if (thing && thing->sure) return thing;
+  const auto other = resembling_word(word);
+  return other ? other : thing;
+}
+
+std::optional<Vocabulary::Resemblance> Vocabulary::resembling_thing(const std::string& word) const {
+  std::optional<Resemblance> nearest;
   std::size_t best = word.size();
   for (const auto& each : said_of_scene_) {
     const auto distance = edit_distance(word, each);
     const auto letters = std::max(word.size(), each.size());
     if (distance > best || letters < fewest_letters || letters_in_one_mistake * distance > letters) continue;
-    nearest = distance < best ? std::optional(each) : std::nullopt;
+    nearest = distance < best ? std::optional(Resemblance{each, is_of_the_fingers(slip(word, each))}) : std::nullopt;
     best = distance;
   }
   return nearest;
+}
+
+std::optional<Vocabulary::Resemblance> Vocabulary::resembling_word(const std::string& word) const {
+  std::optional<Resemblance> only;
+  for (const auto& each : parts_) {
+    const auto found = slip(word, each);
+    const auto fewest = found == Slip::exchanged ? fewest_letters_exchanged : fewest_letters_otherwise;
+    if (!is_of_the_fingers(found) || std::min(word.size(), each.size()) < fewest) continue;
+    if (only) return std::nullopt;
+    only = Resemblance{each, true};
+  }
+  return only;
 }
 
 const WordEntry* Vocabulary::find(std::string_view words) const {

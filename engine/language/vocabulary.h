@@ -33,9 +33,15 @@ class Vocabulary {
   WordEntry as_name(const std::string& words, bool known) const;
   /// The senses of a number in digits, by the lexicon's `numbers` templates; none if the word is no number.
   WordEntry as_number(const std::string& word) const;
-  /// The word for a thing of the scene or for one of its attributes that is spelt most like this unknown one; none if
-  /// none resembles it, or two do equally.
-  std::optional<std::string> resembling(const std::string& word) const;
+  /// A word that an unknown one may stand for, and whether that is sure enough not to ask.
+  struct Resemblance {
+    std::string word;
+    bool sure = false;
+    friend bool operator==(const Resemblance&, const Resemblance&) = default;
+  };
+  /// The known word that is spelt most like this unknown one, preferably one for a thing of the scene or for one of its
+  /// attributes; none if none resembles it, or two do equally. Other words must differ by a slip of the fingers alone.
+  std::optional<Resemblance> resembling(const std::string& word) const;
   /// Whether the word is an entry, or a part of an entry of several words.
   bool knows(std::string_view word) const { return parts_.contains(word); }
   /// Number of words of the longest entry.
@@ -55,6 +61,8 @@ class Vocabulary {
   void add_word(const std::string& word, WordSense sense);
   void add_parts(std::string_view words);
   std::string plural(const std::string& word) const;
+  std::optional<Resemblance> resembling_thing(const std::string& word) const;
+  std::optional<Resemblance> resembling_word(const std::string& word) const;
   void note_said_of_scene(const WorldSnapshot& world);
 
   std::shared_ptr<const Lexicon> lexicon_;

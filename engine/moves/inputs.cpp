@@ -38,6 +38,7 @@ void carry(const Move& move, Input& input) {
   for (const auto& referent : move.reference.referents) referents.push_back(referent.object);
   input.referents = entities(referents);
   input.unknown = texts(move.unknown);
+  input.repaired = texts(move.repaired);
   input.left_out = texts(move.left_out);
   if (move.readings.empty()) return;
   input.reading = move.readings[move.chosen].term;

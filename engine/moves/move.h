@@ -31,7 +31,7 @@ struct Move {
   std::vector<std::string> unused;    ///< known words near it that fit nowhere
   std::vector<std::string> repaired;  ///< unknown words near it that were read as words which resemble them
   std::optional<Recognition> shape;   ///< of a gesture that does not go by its name, if its form is known
-  std::vector<std::string> left_out;  ///< words of its sentence that are unknown, misheard or fit nowhere
+  std::vector<std::string> left_out;  ///< words of its sentence that are unknown, not surely repaired, or fit nowhere
 };
 
 }  // namespace continua

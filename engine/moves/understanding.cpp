@@ -42,7 +42,7 @@ WordSpan sentence_of(const Utterance& utterance, std::size_t fragment) {
 std::vector<std::string> left_out_in(const Utterance& utterance, WordSpan span) {
   auto places = utterance.unknown;
   places.insert(places.end(), utterance.unused.begin(), utterance.unused.end());
-  places.insert(places.end(), utterance.repaired.begin(), utterance.repaired.end());
+  places.insert(places.end(), utterance.guessed.begin(), utterance.guessed.end());
   std::sort(places.begin(), places.end());
   return words_at(utterance, places, span);
 }

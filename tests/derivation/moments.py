@@ -32,6 +32,7 @@ def of_reading(reading):
     said["referents"] = names(reading.get("referents", []))
     if not any(reading.get(words) for words in ("unknown", "unused", "repaired")):
         said["left_out"] = said["unknown"] = texts([])
+    said["repaired"] = texts(reading.get("repaired", []))
     return said
 
 

@@ -78,7 +78,7 @@ def direction_to(point, position):
 
 def acts_in_words(program, positions):
     """The ways to tell an act: put(knife, on(plate)) as "put knife on plate"; a point or a region as "at", or by the
-    direction in which the thing goes; a side of the thing itself or of someone also as that side: push(cup, behind(cup)) as
+    direction in which the thing goes; beside something also as near it; a side of the thing itself or of someone also as that side: push(cup, behind(cup)) as
     "push cup back"."""
     words = re.findall(r"-?[\w.]+|<", program)
     said = [VERBS.get(words[0], words[0]), *words[1:2]]
@@ -92,6 +92,8 @@ def acts_in_words(program, positions):
         return [" ".join([*said, SIDES[place[0]]]), " ".join([*said, *place])]
     if said[0] == "push" and place[0:1] == ["near"] and place[1] in SIDE_OF:
         return [" ".join([*said, SIDE_OF[place[1]]]), " ".join([*said, *place])]
+    if place[0:1] == ["beside"]:
+        return [" ".join([*said, *place]), " ".join([*said, "near", *place[1:]])]
     return [" ".join([*said, *place])]
 
 

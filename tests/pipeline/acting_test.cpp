@@ -3,7 +3,7 @@
 
 #include "continua/automaton/stepper.h"
 #include "continua/facts/world_facts.h"
-#include "continua/machine_file/machine_loader.h"
+#include "continua/knowledge_files/language_loading.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -33,9 +33,9 @@ WorldSnapshot world_with_cups() {
 class Talk {
  public:
   explicit Talk(const std::string& language) : facts_(Perspective::human) {
-    const std::string knowledge = CONTINUA_SOURCE_DIR "/engine/knowledge/";
-    auto machine =
-        load_machine(knowledge + "machines/interaction.json", WorldFacts::signature(), knowledge + "phrases", language);
+    const auto data = find_data_paths();
+    if (!data) FAIL(data.error().text());
+    auto machine = load_machine((data->knowledge / "machines/interaction.json").string(), *data, language);
     if (!machine) FAIL(machine.error().text());
     machine_ = std::make_shared<const Machine>(*std::move(machine));
   }
