@@ -41,7 +41,7 @@ class Derivation {
       auto& children = node["children"] = Json::array();
       if (!parts.head.empty()) children.push_back(of(parts.head, "", at, open));
       for (const auto& element : parts.elements) children.push_back(of(element, "", at, open));
-      return node;
+      return of_machine(children) ? of_machine_alone(std::move(node)) : node;
     }
     return leaf(std::move(node), settled(origin_of(scope_, term, at), at));
   }
@@ -92,8 +92,27 @@ class Derivation {
     auto origin = origin_of(scope_, name, at);
     if (text_of(origin, "kind") == "open") return origin;
     origin["kind"] = "open";
+    origin["by"] = "machine";
     origin["text"] = "left open by the machine";
     return origin;
+  }
+
+  // Whether nobody said or showed any of the parts.
+  static bool of_machine(const Json& parts) {
+    return std::all_of(parts.begin(), parts.end(), [](const Json& part) {
+      const auto& origin = member_of(part, "origin");
+      return text_of(part, "how") == "leaf" && (text_of(origin, "kind") == "machine" || !text_of(origin, "by").empty());
+    });
+  }
+
+  // A term of the machine itself is one leaf: its parts would say the same again.
+  static Json of_machine_alone(Json node) {
+    const auto parts = node["children"];
+    node.erase("children");
+    const auto told = std::find_if(parts.begin(), parts.end(), [](const Json& part) {
+      return text_of(member_of(part, "origin"), "kind") == "machine";
+    });
+    return leaf(std::move(node), (told == parts.end() ? parts.front() : *told)["origin"]);
   }
 
   // A choice among several is settled by the words or gestures since.
@@ -128,7 +147,7 @@ class Derivation {
     node["how"] = "abstraction";
     open.insert(parts.binders.begin(), parts.binders.end());
     node["children"] = Json::array({of(parts.body, "", at, open)});
-    return node;
+    return of_machine(node["children"]) ? of_machine_alone(std::move(node)) : node;
   }
 
   ExplainScope& scope_;

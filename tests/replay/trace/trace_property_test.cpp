@@ -51,7 +51,7 @@ InputEvent any_input(SimTime t) {
     event.final = coin();
     while (coin()) event.words.push_back({any_text(), t + SimTime{*rc::gen::inRange<std::int64_t>(0, 1'000'000)}});
   }
-  if (event.modality != Modality::pointing)
+  if (!is_directed)
     while (coin()) event.alternatives.push_back({any_text(), any_confidence()});
   return event;
 }
