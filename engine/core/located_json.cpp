@@ -13,6 +13,9 @@
 #include "continua/core/json_pointer.h"
 
 template class nlohmann::basic_json<nlohmann::ordered_map>;
+template class nlohmann::detail::lexer<continua::Json, continua::detail::TextOfString>;
+template class nlohmann::detail::lexer<continua::Json, continua::detail::TextOfView>;
+template class nlohmann::detail::serializer<continua::Json>;
 
 namespace continua {
 namespace {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -21,6 +22,19 @@ using Json = nlohmann::ordered_json;
 
 // Compiled once, in located_json.cpp. Otherwise every file that reads JSON would take seconds to compile it again.
 extern template class nlohmann::basic_json<nlohmann::ordered_map>;
+
+namespace continua::detail {
+
+/// The way in which the library reads a std::string or a view of one.
+using TextOfString = decltype(nlohmann::detail::input_adapter(std::declval<const std::string&>()));
+using TextOfView = decltype(nlohmann::detail::input_adapter(std::declval<const std::string_view&>()));
+
+}  // namespace continua::detail
+
+// The tests are not optimised; where they instantiate a template too, the linker would take theirs for the whole program.
+extern template class nlohmann::detail::lexer<continua::Json, continua::detail::TextOfString>;
+extern template class nlohmann::detail::lexer<continua::Json, continua::detail::TextOfView>;
+extern template class nlohmann::detail::serializer<continua::Json>;
 
 namespace continua {
 
