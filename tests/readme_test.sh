@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Runs the commands in the console blocks of README.md and of docs/ in the source tree, with `build/` standing for the
 # build tree given as the first argument, and compares the output with the page. The time that a check took is a second
-# there. Each page is run from an empty folder for `build/`.
+# there. Each page is run from an empty folder for `build/`. With CONTINUA_RENEW_PAGES=1 the pages get the output that
+# is printed now.
 set -uo pipefail
 build=$1
 cd "$(dirname "$0")/.."
@@ -27,7 +28,9 @@ check() {
   [[ -n $command ]] || return
   local found
   found=$(run "$command")
-  if [[ "$found" != "${expected%$'\n'}" ]]; then
+  renewed+="$ $command"$'\n'
+  if [[ -n $found ]]; then renewed+=$found$'\n'; fi
+  if [[ "$found" != "${expected%$'\n'}" && -z ${CONTINUA_RENEW_PAGES:-} ]]; then
     printf '$ %s\n--- %s says\n%s\n--- it prints\n%s\n' "$command" "$page" "${expected%$'\n'}" "$found" >&2
     failed=1
   fi
@@ -36,15 +39,19 @@ check() {
 
 # Runs the console blocks of $page, and counts their commands.
 check_page() {
-  local inside=false command='' expected='' line
+  local inside=false command='' expected='' line renewed=''
   while IFS= read -r line; do
     case "$line" in
-      '```console') inside=true ;;
-      '```') if [[ $inside == true ]]; then check; fi; inside=false command='' expected='' ;;
-      '$ '*) if [[ $inside == true ]]; then check; command=${line#'$ '} expected=''; fi ;;
-      *) if [[ $inside == true ]]; then expected+=$line$'\n'; fi ;;
+      '```console') inside=true renewed+=$line$'\n' ;;
+      '```')
+        if [[ $inside == true ]]; then check; fi
+        inside=false command='' expected='' renewed+=$line$'\n'
+        ;;
+      '$ '*) if [[ $inside == true ]]; then check; command=${line#'$ '} expected=''; else renewed+=$line$'\n'; fi ;;
+      *) if [[ $inside == true ]]; then expected+=$line$'\n'; else renewed+=$line$'\n'; fi ;;
     esac
   done < "$page"
+  if [[ -n ${CONTINUA_RENEW_PAGES:-} ]]; then printf '%s' "$renewed" > "$page"; fi
 }
 
 for page in README.md docs/tour.md docs/*.md; do
