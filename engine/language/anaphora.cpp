@@ -27,6 +27,17 @@ const Phrase* last_before(std::size_t word, const Reading& reading, Fit fit) {
   return last;
 }
 
+// Among the noun phrases that end before `word` and satisfy `fit`, the one that begins first: the subject.
+template <typename Fit>
+const Phrase* first_before(std::size_t word, const Reading& reading, Fit fit) {
+  const Phrase* first = nullptr;
+  for (const auto& phrase : reading.phrases)
+    if (is_noun_phrase(phrase) && phrase.words.end <= word && fit(phrase) &&
+        (!first || phrase.words.begin < first->words.begin))
+      first = &phrase;
+  return first;
+}
+
 const Phrase* smallest_around(const WordSpan& words, const Reading& reading) {
   const Phrase* around = nullptr;
   for (const auto& phrase : reading.phrases)
@@ -55,16 +66,22 @@ Reading with_it(Reading reading, const Operators& operators) {
     return proform && proform->source == Proform::Source::focus && phrase.term.type() == Type::entity();
   };
   const auto& phrases = reading.phrases;
-  if (std::count_if(phrases.begin(), phrases.end(), says_it) != 1) return reading;
-  const Phrase it = *std::find_if(phrases.begin(), phrases.end(), says_it);
-  const auto clauses = reading.term.spine().arguments;
-  const bool nested = smallest_around(it.words, reading) != nullptr;
-  if (!nested && !are_clauses(clauses)) return reading;
-  const auto* antecedent = last_before(it.words.begin, reading, [&](const Phrase& phrase) {
-    return nested || std::none_of(clauses.begin(), clauses.end(), [&](const Term& clause) {
-             return contains(clause, it.term) && contains(clause, phrase.term);
-           });
+  const auto found = std::find_if(phrases.begin(), phrases.end(), says_it);
+  if (found == phrases.end()) return reading;
+  const Phrase it = *found;
+  const bool nested = std::any_of(found, phrases.end(), [&](const Phrase& phrase) {
+    return says_it(phrase) && smallest_around(phrase.words, reading) != nullptr;
   });
+  if (nested && std::count_if(found, phrases.end(), says_it) != 1) return reading;
+  const auto clauses = reading.term.spine().arguments;
+  if (!nested && !are_clauses(clauses)) return reading;
+  const auto is_of_other_clause = [&](const Phrase& phrase) {
+    return std::none_of(clauses.begin(), clauses.end(), [&](const Term& clause) {
+      return contains(clause, it.term) && contains(clause, phrase.term);
+    });
+  };
+  const auto* antecedent = nested ? last_before(it.words.begin, reading, [](const Phrase&) { return true; })
+                                  : first_before(it.words.begin, reading, is_of_other_clause);
   if (!antecedent) return reading;
   const Term meant = antecedent->term;
   std::erase_if(reading.phrases, says_it);

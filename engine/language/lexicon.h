@@ -88,6 +88,8 @@ struct Lexicon {
   std::vector<std::pair<std::string, std::string>> plurals;  ///< ending of the singular and of the plural; first wins
   /// Endings of two forms of a verb, "capping" and "cap": a taught verb is known in all its forms.
   std::vector<std::pair<std::string, std::string>> forms;
+  /// Endings of words with another word contracted into them, and that word: "'s" is "is".
+  std::vector<std::pair<std::string, std::string>> contracted;
   std::vector<UnaryRule> rules;
   std::vector<NameTemplate> learned;  ///< for programs that the human named
   std::vector<NameTemplate> unknown;  ///< for unknown words, as texts: "call that (hoist)"

@@ -14,7 +14,8 @@ namespace {
 
 const std::vector<std::string> sections = {
     "about", "categories", "names",  "define",  "determiners", "proforms", "words", "skip",   "attributes", "plural",
-    "unary", "examples",   "sample", "learned", "unknown",     "numbers",  "nouns", "asides", "forms",      "taken"};
+    "unary", "examples",   "sample", "learned", "unknown",     "numbers",  "nouns", "asides", "forms",      "taken",
+    "contracted"};
 
 }  // namespace
 
@@ -41,6 +42,7 @@ Lexicon LexiconReader::read() {
   read_attributes();
   read_plurals();
   read_forms();
+  read_contracted();
   read_rules();
   lexicon_.learned = read_name_templates("learned");
   lexicon_.unknown = read_name_templates("unknown");

@@ -131,6 +131,11 @@ void LexiconReader::read_forms() {
       lexicon_.forms.emplace_back(ending, other);
 }
 
+void LexiconReader::read_contracted() {
+  for (const auto& [ending, word] : members_of("contracted", "endings that stand for a word"))
+    lexicon_.contracted.emplace_back(ending, word.text("the word that the ending stands for"));
+}
+
 void LexiconReader::read_rules() {
   for (const auto& item : elements_of("unary", "rules that change a category")) {
     if (!item.expect_object("a rule", {"name", "from", "to", "term", "cost", "about"})) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "continua/core/words.h"
@@ -105,19 +106,41 @@ class Hearing {
 // Without words that are said twice in a row, as speakers do who start again: "on the, on the plate".
 std::vector<SpokenWord> without_repeats(const std::vector<SpokenWord>& spoken) {
   constexpr std::size_t longest_repeat = 4;  // words
+  const auto is_comma = [&](std::size_t at) { return at < spoken.size() && spoken[at].comma; };
   std::vector<SpokenWord> heard;
   for (std::size_t at = 0; at < spoken.size();) {
-    const auto repeats = [&](std::size_t count) {
-      const auto from = spoken.begin() + static_cast<std::ptrdiff_t>(at);
-      const auto to = from + static_cast<std::ptrdiff_t>(count);
-      return at + 2 * count <= spoken.size() && std::equal(from, to, to, [](const SpokenWord& a, const SpokenWord& b) {
-               return a.text == b.text && !a.ends_after && !a.comma;
-             });
+    // The place of the words that repeat the `count` words from `at` on; none if there are no such words.
+    const auto repeated_at = [&](std::size_t count) -> std::optional<std::size_t> {
+      const auto to = at + count + (is_comma(at + count) ? 1 : 0);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (to + i >= spoken.size()) return std::nullopt;
+        const auto& word = spoken[at + i];
+        if (word.text != spoken[to + i].text || word.ends_after || word.comma) return std::nullopt;
+      }
+      return to;
     };
-    std::size_t count = longest_repeat;
-    while (count > 0 && !repeats(count)) --count;
-    if (count == 0) heard.push_back(spoken[at]);
-    at += std::max<std::size_t>(count, 1);
+    std::optional<std::size_t> again;
+    for (auto count = longest_repeat; count > 0 && !again; --count) again = repeated_at(count);
+    if (!again) heard.push_back(spoken[at]);
+    at = again.value_or(at + 1);
+  }
+  return heard;
+}
+
+// With a word of its own for each contracted one: "the cup's empty" is "the cup is empty".
+std::vector<SpokenWord> without_contractions(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabulary) {
+  std::vector<SpokenWord> heard;
+  for (const auto& word : spoken) {
+    const auto& all = vocabulary.lexicon().contracted;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& each) {
+      return word.text.size() > each.first.size() && word.text.ends_with(each.first);
+    });
+    heard.push_back(word);
+    if (found == all.end() || vocabulary.knows(word.text)) continue;
+    auto& shorter = heard.back();
+    shorter.text.resize(word.text.size() - found->first.size());
+    shorter.ends_after = shorter.colon = false;
+    heard.push_back({found->second, false, word.ends_after, word.colon});
   }
   return heard;
 }
@@ -201,11 +224,17 @@ Utterance read(std::string_view text, const Vocabulary& vocabulary) {
   bool cut = false;
   const auto spoken = words_of(text, most_words, &cut);
   Utterance utterance = read(spoken, vocabulary);
-  if (const auto heard = without_repeats(spoken); lost_words(utterance) > 0 && heard.size() < spoken.size())
+  const auto hear = [&](const std::vector<SpokenWord>& heard) {
+    if (lost_words(utterance) == 0 || heard.size() == spoken.size()) return;
     if (auto again = read(heard, vocabulary); lost_words(again) < lost_words(utterance)) utterance = std::move(again);
-  if (lost_words(utterance) > 0 &&
-      std::any_of(spoken.begin(), spoken.end(), [](const auto& word) { return word.colon; }))
-    if (auto whole = read(without_colons(spoken), vocabulary); lost_words(whole) == 0) utterance = std::move(whole);
+  };
+  hear(without_repeats(spoken));
+  hear(without_contractions(spoken, vocabulary));
+  hear(without_contractions(without_repeats(spoken), vocabulary));
+  if (std::any_of(spoken.begin(), spoken.end(), [](const auto& word) { return word.colon; }))
+    if (auto whole = read(without_colons(spoken), vocabulary);
+        lost_words(whole) == 0 && (lost_words(utterance) > 0 || whole.fragments.size() < utterance.fragments.size()))
+      utterance = std::move(whole);
   std::size_t begin = 0;
   for (const auto end : std::vector(utterance.ends)) {
     keep_longest({begin, end}, utterance);
