@@ -330,6 +330,18 @@ TEST_CASE("words that are said twice in a row count once where that helps") {
   CHECK(reading_of("put it on on the the") == reading_of("put it on the"));
   CHECK(reading_of("grab it put the put the zork") == reading_of("grab it put the zork"));
   CHECK(reading_of("left of it left of it") == reading_of("left of it") + "; " + reading_of("left of it"));
+  CHECK(reading_of("put the, put the cup on it") == reading_of("put the cup on it"));
+  CHECK(reading_of("put it on the, on the cup") == reading_of("put it on the cup"));
+}
+
+TEST_CASE("a word that is contracted into another one is read as a word of its own where less is lost so") {
+  CHECK(reading_of("where's it") == reading_of("where is it"));
+  CHECK(reading_of("the cup's on it") == reading_of("the cup is on it"));
+}
+
+TEST_CASE("what follows a colon is read with what is before it where that makes fewer fragments") {
+  CHECK(reading_of("to tidy means: take it").find(';') == std::string::npos);
+  CHECK(reading_of("listen: take it").find("grasp(it)") != std::string::npos);
 }
 
 TEST_CASE("a misspelt word for something in the scene is repaired, and told") {
