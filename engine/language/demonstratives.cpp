@@ -54,7 +54,10 @@ std::vector<Demonstrative> demonstratives(const Reading& reading, const Operator
       found.back().words.end = std::min(found.back().words.end, words.begin);
     }
     const bool asks_place = !by_itself && asks(term, operators);
-    found.push_back({words, by_itself || asks_place, asks_place});
+    // Each of "these two" is pointed at.
+    const auto* determiner = by_itself ? determiner_of(term, operators) : nullptr;
+    const int things = determiner ? std::max(determiner->count, 1) : 1;
+    for (int k = 0; k < things; ++k) found.push_back({words, by_itself || asks_place, asks_place});
     end = std::max(end, words.end);
   }
   return found;

@@ -107,6 +107,10 @@ Meant Referring::by_determiner(const Term& phrase, const Term& noun, Determiner 
                                std::size_t occurrence) const {
   std::vector<Resolution> within;
   const Term condition = with_shown(phrase, noun, occurrence, within);
+  if (auto each = by_showings(phrase, condition, determiner, words_of(noun, occurrence), occurrence)) {
+    each->within = std::move(within);
+    return *std::move(each);
+  }
   const Context context = context_of(phrase, occurrence);
   if (determiner.deictic && !context.pointed_W && is_anything(condition))
     return undefined(phrase, determiner, occurrence);
@@ -122,6 +126,32 @@ Meant Referring::by_determiner(const Term& phrase, const Term& noun, Determiner 
   Meant meant = chosen(phrase, std::move(reference), determiner, words_of(noun, occurrence), context, occurrence);
   meant.within = std::move(within);
   return meant;
+}
+
+// "these two" with a pointing for each: the thing at each of them. Nothing where there are fewer pointings, or where one
+// of them shows no such thing.
+std::optional<Meant> Referring::by_showings(const Term& phrase, const Term& condition, const Determiner& determiner,
+                                            std::string noun, std::size_t occurrence) const {
+  const auto span = span_of(phrase, occurrence);
+  if (!span || !determiner.deictic || determiner.count < 2) return std::nullopt;
+  Determiner one = determiner;
+  one.count = 0;
+  one.many = false;
+  Reference all;
+  Context there = context_;
+  for (const auto& showing : context_.showings) {
+    if (showing.words.begin < span->begin || showing.words.end > span->end) continue;
+    there.pointed_W = showing.place_W;
+    there.pointed_sd_m = showing.sd_m;
+    auto shown = found(condition, one, there).referents;
+    const auto* thing = shown.empty() ? nullptr : context_.facts.world->find(shown.front().object);
+    if (!thing || !is_pointed_at(showing.place_W, *thing, showing.sd_m)) return std::nullopt;
+    const bool known = std::any_of(all.referents.begin(), all.referents.end(),
+                                   [&](const Referent& each) { return each.object == shown.front().object; });
+    if (!known) all.referents.push_back(std::move(shown.front()));
+  }
+  if (all.referents.size() != static_cast<std::size_t>(determiner.count)) return std::nullopt;
+  return chosen(phrase, std::move(all), determiner, std::move(noun), there, occurrence);
 }
 
 // Whether a pointing gesture goes with "it", and means a thing that the command does not name otherwise. A hand that

@@ -53,6 +53,8 @@ class Referring {
   const Determiner* determiner(const Term& term) const;
   const Proform* proform(const Term& term) const;
   Meant by_determiner(const Term& phrase, const Term& noun, Determiner determiner, std::size_t occurrence) const;
+  std::optional<Meant> by_showings(const Term& phrase, const Term& condition, const Determiner& determiner,
+                                   std::string noun, std::size_t occurrence) const;
   Meant undefined(const Term& phrase, const Determiner& determiner, std::size_t occurrence) const;
   Meant by_proform(const Term& phrase, const Proform& proform, std::size_t occurrence) const;
   Meant chosen(const Term& phrase, Reference reference, const Determiner& determiner, std::string noun,

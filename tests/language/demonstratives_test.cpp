@@ -36,4 +36,5 @@ TEST_CASE("demonstratives need pointing, definite noun phrases and nouns alone c
   CHECK(takers("take a cup") == "");
   CHECK(takers("never mind") == "");
   CHECK(takers("no, that one") == "that one!");
+  CHECK(takers("take these two cups") == "these two cups!, these two cups!");
 }
