@@ -37,12 +37,12 @@ struct BranchEvents {
 
 struct ExplorationStep {
   Exploration after;
-  std::vector<StepEvent> events;  ///< of the leading branch; or RefusedInput
-  std::vector<StepEvent> made;    ///< the new symbols of the other branches, each once
+  std::vector<StepEvent> events;     ///< of the leading branch; or RefusedInput
+  std::vector<StepEvent> made;       ///< the new symbols of the other branches, each once
   std::vector<BranchEvents> others;  ///< the other branches, without their symbols
-  std::vector<int> dropped;       ///< branches that could not take the input while others could
-  int merged = 0;                 ///< configurations that were reached once more
-  int pruned = 0;                 ///< configurations dropped because the set was full, the lightest first
+  std::vector<int> dropped;          ///< branches that could not take the input while others could
+  int merged = 0;                    ///< configurations that were reached once more
+  int pruned = 0;                    ///< configurations dropped because the set was full, the lightest first
 };
 
 /// Steps the whole set, breadth first: from each configuration every transition that takes the input, then every chain

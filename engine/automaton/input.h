@@ -17,13 +17,13 @@ struct Input {
   double confidence = 1;
   double now_s = 0;
 
-  Term target;              ///< loc: where it points
-  Term said;                ///< text: its words
-  Term gesture;             ///< text: the name of the gesture
-  Term sign;                ///< text: the taught gesture that was shown last, this one or an earlier one
-  Term sign_at;             ///< num: when that was, seconds
-  Term pointing;            ///< e* • loc: of a pointing alone, the things there and the place, until a type selects a half
-  Term pointed;             ///< loc: where the human pointed last, if that was just now
+  Term target;    ///< loc: where it points
+  Term said;      ///< text: its words
+  Term gesture;   ///< text: the name of the gesture
+  Term sign;      ///< text: the taught gesture that was shown last, this one or an earlier one
+  Term sign_at;   ///< num: when that was, seconds
+  Term pointing;  ///< e* • loc: of a pointing alone, the things there and the place, until a type selects a half
+  Term pointed;   ///< loc: where the human pointed last, if that was just now
   Term pointed_confidence;  ///< num: the recogniser's, of that pointing
 
   Term act;        ///< t: at the end of an act, its program

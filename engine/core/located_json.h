@@ -31,7 +31,8 @@ using TextOfView = decltype(nlohmann::detail::input_adapter(std::declval<const s
 
 }  // namespace continua::detail
 
-// The tests are not optimised; where they instantiate a template too, the linker would take theirs for the whole program.
+// The tests are not optimised; where they instantiate a template too, the linker would take theirs for the whole
+// program.
 extern template class nlohmann::detail::lexer<continua::Json, continua::detail::TextOfString>;
 extern template class nlohmann::detail::lexer<continua::Json, continua::detail::TextOfView>;
 extern template class nlohmann::detail::serializer<continua::Json>;

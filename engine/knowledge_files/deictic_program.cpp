@@ -60,7 +60,8 @@ Result<std::optional<DeicticProgram>> deictic_program(const Catalogue& catalogue
                                in_quotes(print(vector)), in_quotes(type), vector_types[i]));
   const auto& named = assigns->arguments[1].arguments[0];
   if (const auto& type = type_of(named, *program); halves_of(type) != std::vector<std::string>{"physobj[]", "location"})
-    return wrong(fmt::format("{} has the type {}, expected physobj[]•location", in_quotes(named.name), in_quotes(type)));
+    return wrong(
+        fmt::format("{} has the type {}, expected physobj[]•location", in_quotes(named.name), in_quotes(type)));
   DeicticProgram read{program->predicate, function_of(vector)};
   if (program->spread) {
     read.least_sd_m = program->spread->least_m;

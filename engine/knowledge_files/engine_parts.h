@@ -11,6 +11,7 @@
 #include "continua/core/located_json.h"
 #include "continua/core/result.h"
 #include "continua/knowledge_files/data_paths.h"
+#include "continua/knowledge_files/knowledge_shelf.h"
 #include "continua/moves/understanding.h"
 #include "continua/world/perspective.h"
 
@@ -31,9 +32,9 @@ struct EngineParts {
   Chooser chooser() const { return {choice, Random(seed), forced, 0, outside}; }
 };
 
-/// The parts for a loaded machine: its language from `data`, its own choice and perspective. The error is the first
-/// problem of a file.
-Result<EngineParts> load_engine_parts(Machine machine, const DataPaths& data);
+/// The parts for a loaded machine: its language from `data`, or from the shelf if that has it; its own choice and
+/// perspective. The error is the first problem of a file.
+Result<EngineParts> load_engine_parts(Machine machine, const DataPaths& data, KnowledgeShelf& shelf);
 
 /// The parts for a machine by its name or path (resolve_machine()), in `language` unless that is empty.
 Result<EngineParts> load_engine_parts(const std::string& machine, const DataPaths& data,

@@ -76,9 +76,8 @@ Reading with_it(Reading reading, const Operators& operators) {
   const auto clauses = reading.term.spine().arguments;
   if (!nested && !are_clauses(clauses)) return reading;
   const auto is_of_other_clause = [&](const Phrase& phrase) {
-    return std::none_of(clauses.begin(), clauses.end(), [&](const Term& clause) {
-      return contains(clause, it.term) && contains(clause, phrase.term);
-    });
+    return std::none_of(clauses.begin(), clauses.end(),
+                        [&](const Term& clause) { return contains(clause, it.term) && contains(clause, phrase.term); });
   };
   const auto* antecedent = nested ? last_before(it.words.begin, reading, [](const Phrase&) { return true; })
                                   : first_before(it.words.begin, reading, is_of_other_clause);

@@ -14,9 +14,10 @@ struct Demonstrative {
   bool place = false;  ///< asks for a place: there, the block there; if false, for a thing
 };
 
-/// The demonstratives of a reading, in the order of their words: definite noun phrases, other noun phrases that ask for
-/// pointing, a noun alone, and pro-forms of source `pointed` or `focus`. A thing inside another that is pointed at by
-/// itself cuts the outer one short: "the block between", "this", "this". "these two" are two, each of which is pointed at.
+/// The demonstratives of a reading, in the order of their words: definite noun phrases, other noun phrases that ask
+/// for pointing, a noun alone, and pro-forms of source `pointed` or `focus`. A thing inside another that is pointed at
+/// by itself cuts the outer one short: "the block between", "this", "this". "these two" are two, each of which is
+/// pointed at.
 std::vector<Demonstrative> demonstratives(const Reading& reading, const Operators& operators);
 
 /// Whether the phrase is a thing that is pointed at by itself: this, that cup.

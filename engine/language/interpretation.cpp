@@ -325,8 +325,8 @@ class Interpreter {
     return meant;
   }
 
-  // A phrase that goes with a pointing: the pointing, of things and a place, comes about; then the phrase's type selects
-  // a half of it. Nothing is selected where words lead to a thing that the pointing only helped to find.
+  // A phrase that goes with a pointing: the pointing, of things and a place, comes about; then the phrase's type
+  // selects a half of it. Nothing is selected where words lead to a thing that the pointing only helped to find.
   void select_half(const Resolution& phrase) {
     const auto made = phrase.showing ? referring_.pointing(*phrase.showing) : std::nullopt;
     if (!made) return;

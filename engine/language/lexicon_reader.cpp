@@ -12,10 +12,10 @@
 namespace continua {
 namespace {
 
-const std::vector<std::string> sections = {
-    "about", "categories", "names",  "define",  "determiners", "proforms", "words", "skip",   "attributes", "plural",
-    "unary", "examples",   "sample", "learned", "unknown",     "numbers",  "nouns", "asides", "forms",      "taken",
-    "contracted"};
+const std::vector<std::string> sections = {"about",  "categories", "names",      "define",  "determiners", "proforms",
+                                           "words",  "skip",       "attributes", "plural",  "unary",       "examples",
+                                           "sample", "learned",    "unknown",    "numbers", "nouns",       "asides",
+                                           "forms",  "taken",      "contracted"};
 
 }  // namespace
 

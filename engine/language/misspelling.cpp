@@ -20,8 +20,6 @@ Slip slip(std::string_view written, std::string_view meant) {
   return rest.empty() ? Slip::missing : Slip::added;
 }
 
-bool is_of_the_fingers(Slip slip) {
-  return slip == Slip::exchanged || slip == Slip::missing || slip == Slip::added;
-}
+bool is_of_the_fingers(Slip slip) { return slip == Slip::exchanged || slip == Slip::missing || slip == Slip::added; }
 
 }  // namespace continua

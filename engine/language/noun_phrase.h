@@ -57,8 +57,8 @@ class NounPhraseSearch {
   double margin_ = std::numeric_limits<double>::infinity();
 };
 
-/// Drops from `fitting` the objects that pointing with this spread speaks against, the likeliest first; returns the densities of those
-/// that stay. Lowers `margin` to the distance from another outcome.
+/// Drops from `fitting` the objects that pointing with this spread speaks against, the likeliest first; returns the
+/// densities of those that stay. Lowers `margin` to the distance from another outcome.
 std::vector<double> keep_pointed(const Vec3& pointed_W, double sd_m, Fitting& fitting, double& margin);
 
 }  // namespace continua

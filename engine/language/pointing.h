@@ -18,8 +18,8 @@ inline constexpr double hand_sd_m = 0.024;
 
 /// [[point]] (paper, figure of [[point]]), read from its VoxML document.
 struct DeicticProgram {
-  std::string name;             ///< point
-  Term function;                ///< e -> e -> num -> loc -> e* • loc: of agent, finger, spread and place
+  std::string name;  ///< point
+  Term function;     ///< e -> e -> num -> loc -> e* • loc: of agent, finger, spread and place
   double least_sd_m = hand_sd_m, sd_per_metre_m = 0;
 
   /// Standard deviation of a pointing that extends so far, in metres. Without a distance it is the least.
@@ -48,7 +48,8 @@ inline constexpr double least_share = 0.05;
 
 /// Likelihood of pointing there when the object is meant: a density over the table, 1/m². It is the sum of
 /// `astray_per_m2` and a normal distribution around the centre of the object's footprint. The variance along each axis
-/// is the hand's (`sd_m`, squared) plus the aim's; the standard deviation of the aim is a third of half the object's extent.
+/// is the hand's (`sd_m`, squared) plus the aim's; the standard deviation of the aim is a third of half the object's
+/// extent.
 double pointing_density(const Vec3& pointed_W, const ObjectState& object, double sd_m = hand_sd_m);
 
 /// Beyond so many standard deviations from the object's centre, along either axis, a pointing means a place: of those

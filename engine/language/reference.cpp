@@ -86,7 +86,8 @@ Reference refer(const Term& condition, const Determiner& determiner, const Conte
   reference.sides = sides;
   reference.margin = search.margin();
   std::vector<double> densities(fitting.objects.size(), 1);
-  if (determiner.deictic && pointed_W) densities = keep_pointed(*pointed_W, context.pointed_sd_m, fitting, reference.margin);
+  if (determiner.deictic && pointed_W)
+    densities = keep_pointed(*pointed_W, context.pointed_sd_m, fitting, reference.margin);
   reference.referents = ranked(fitting, densities, context);
   ruled_out.insert(ruled_out.end(), fitting.ruled_out.begin(), fitting.ruled_out.end());
   reference.ruled_out = in_scene_order(std::move(ruled_out), *context.facts.world);
@@ -116,8 +117,7 @@ Reference refer_to_pointed(const Context& context) {
   Fitting fitting;
   for (const auto* each : asked_about(context, fitting.ruled_out)) {
     if (context.pointed_W)
-      reference.margin =
-          std::min(reference.margin, pointing_margin(*context.pointed_W, *each, context.pointed_sd_m));
+      reference.margin = std::min(reference.margin, pointing_margin(*context.pointed_W, *each, context.pointed_sd_m));
     if (context.pointed_W && is_pointed_at(*context.pointed_W, *each, context.pointed_sd_m))
       fitting.objects.push_back(each);
     else

@@ -27,14 +27,14 @@ struct Showing {
 
 /// The context in which an utterance or a gesture is understood. REQUIRES a world.
 struct Context {
-  Facts facts;                       ///< with the world
-  std::optional<Vec3> pointed_W;     ///< where the human points, on the table
-  double pointed_sd_m = hand_sd_m;   ///< the spread of that pointing
-  std::vector<Showing> showings;     ///< pointings of an utterance; if there are any, they replace pointed_W
-  std::vector<std::string> focus;    ///< objects being talked about, the most salient first
-  std::vector<std::string> among;    ///< if not empty: the question was about these only
-  std::vector<std::string> handled;  ///< objects that the avatar acted on, the latest first
-  std::vector<Term> topics;          ///< possible meanings of "one", of type e -> t, the likeliest first
+  Facts facts;                             ///< with the world
+  std::optional<Vec3> pointed_W;           ///< where the human points, on the table
+  double pointed_sd_m = hand_sd_m;         ///< the spread of that pointing
+  std::vector<Showing> showings;           ///< pointings of an utterance; if there are any, they replace pointed_W
+  std::vector<std::string> focus;          ///< objects being talked about, the most salient first
+  std::vector<std::string> among;          ///< if not empty: the question was about these only
+  std::vector<std::string> handled;        ///< objects that the avatar acted on, the latest first
+  std::vector<Term> topics;                ///< possible meanings of "one", of type e -> t, the likeliest first
   const DeicticProgram* deixis = nullptr;  ///< how pointings come about; nullptr: it is not told
 };
 

@@ -128,8 +128,8 @@ Meant Referring::by_determiner(const Term& phrase, const Term& noun, Determiner 
   return meant;
 }
 
-// "these two" with a pointing for each: the thing at each of them. Nothing where there are fewer pointings, or where one
-// of them shows no such thing.
+// "these two" with a pointing for each: the thing at each of them. Nothing where there are fewer pointings, or where
+// one of them shows no such thing.
 std::optional<Meant> Referring::by_showings(const Term& phrase, const Term& condition, const Determiner& determiner,
                                             std::string noun, std::size_t occurrence) const {
   const auto span = span_of(phrase, occurrence);
@@ -296,9 +296,8 @@ Reference Referring::found(const Term& condition, const Determiner& determiner, 
   const bool shown = determiner.deictic && context.pointed_W;
   const auto fits = [&](const Reference& reference) {
     return !reference.referents.empty() &&
-           (!shown ||
-            is_pointed_at(*context.pointed_W, *context.facts.world->find(reference.referents.front().object),
-                          context.pointed_sd_m));
+           (!shown || is_pointed_at(*context.pointed_W, *context.facts.world->find(reference.referents.front().object),
+                                    context.pointed_sd_m));
   };
   Reference asked;
   if (!context.among.empty()) {

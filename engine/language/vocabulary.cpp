@@ -16,8 +16,8 @@ namespace {
 // "black". Short words resemble each other by chance.
 constexpr std::size_t letters_in_one_mistake = 3, fewest_letters = 4;
 
-// A word that names nothing in the scene is known again in fewer letters if two of them are exchanged ("teh"), but needs
-// more of them if one is missing or too many ("behnd"): "pace" is no "place".
+// A word that names nothing in the scene is known again in fewer letters if two of them are exchanged ("teh"), but
+// needs more of them if one is missing or too many ("behnd"): "pace" is no "place".
 constexpr std::size_t fewest_letters_exchanged = 3, fewest_letters_otherwise = 6;
 
 // The words for a value: "light_blue" is said "light blue".

@@ -20,8 +20,8 @@ Symbol read_bottom(const Item& item, const Machine& declared);
 
 std::vector<Register> read_memory(const Item& item, TermReader& terms);
 
-/// Notes a problem for each operation that is to clear a register and that the machine never performs. `machine` has its
-/// transitions and states.
+/// Notes a problem for each operation that is to clear a register and that the machine never performs. `machine` has
+/// its transitions and states.
 void check_memory(const Item& item, const Machine& machine);
 
 }  // namespace continua

@@ -25,7 +25,7 @@ struct Language {
   std::shared_ptr<const Lexicon> lexicon;
   std::shared_ptr<const GestureCatalogue> gestures;
   RaisingRules raising;
-  std::shared_ptr<const Catalogue> voxemes;  ///< meanings of words in space; null: there are none
+  std::shared_ptr<const Catalogue> voxemes;   ///< meanings of words in space; null: there are none
   std::optional<DeicticProgram> deixis = {};  ///< [[point]], if the voxemes have it
 };
 

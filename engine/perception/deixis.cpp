@@ -34,9 +34,9 @@ SimTime settled_at(const Deixis& deixis) {
 
 void PointingTrack::add(const InputEvent& event, int serial) {
   if (event.modality != Modality::pointing) return;
-  PointingSample sample{event.t,          std::max(event.t, event.until.value_or(event.t)),
-                        event.hand,       place_or_nowhere(event),
-                        event.confidence, serial,
+  PointingSample sample{event.t,           std::max(event.t, event.until.value_or(event.t)),
+                        event.hand,        place_or_nowhere(event),
+                        event.confidence,  serial,
                         distance_of(event)};
   const auto after = std::upper_bound(samples_.begin(), samples_.end(), sample,
                                       [](const auto& a, const auto& b) { return order(a) < order(b); });

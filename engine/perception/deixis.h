@@ -25,11 +25,11 @@ inline constexpr double alone_s = 0.15;
 /// A steady pointing of one hand: a fixation found in samples, or the stroke of a gesture with a target.
 struct Deixis {
   SimTime from, until;
-  std::string hand;               ///< "left", "right" or empty
-  Vec3 place_W = Vec3::Zero();    ///< on the table's plane; the robust centre of its samples
-  double spread_m = 0;            ///< robust standard deviation of the samples around it, along the worse axis
+  std::string hand;                       ///< "left", "right" or empty
+  Vec3 place_W = Vec3::Zero();            ///< on the table's plane; the robust centre of its samples
+  double spread_m = 0;                    ///< robust standard deviation of the samples around it, along the worse axis
   std::optional<double> distance_m = {};  ///< from the hand, where a ray tells it; the median of its samples
-  bool gesture = false;           ///< a gesture's own target; else found in samples
+  bool gesture = false;                   ///< a gesture's own target; else found in samples
   bool begun = false;             ///< a gesture of which the beginning alone is told: its target may be on the way
   bool followed = false;          ///< samples of its hand came after that beginning
   double confidence = 1;          ///< mean confidence of its samples

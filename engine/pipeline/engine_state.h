@@ -118,8 +118,8 @@ struct Corrected {
   std::size_t depth = 0;
 };
 
-using EngineEvent = std::variant<Perceived, Attended, Understood, BeliefChange, StepEvent, Branched, Explored, Corrected,
-                                 GestureCommand, Unplanned, ActStep, ActEnd>;
+using EngineEvent = std::variant<Perceived, Attended, Understood, BeliefChange, StepEvent, Branched, Explored,
+                                 Corrected, GestureCommand, Unplanned, ActStep, ActEnd>;
 
 struct Tick {
   EngineState after;

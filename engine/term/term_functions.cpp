@@ -110,8 +110,8 @@ Term lower(Arguments a, Evaluation&) { return Term::text(folded(a[0].text_value(
 }  // namespace
 
 const Term& pointing_constructor() {
-  static const Term dot =
-      Term::constant("dot", Type::function(Type::list(Type::entity()), Type::function(Type::location(), Type::pointing())));
+  static const Term dot = Term::constant(
+      "dot", Type::function(Type::list(Type::entity()), Type::function(Type::location(), Type::pointing())));
   return dot;
 }
 

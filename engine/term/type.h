@@ -1,6 +1,7 @@
 // Types of terms: e (object), loc (place or region), t (truth value, event description), num, text, lists a*, dot types
-// a • b (both at once, until a type selects one half: a pointing is e* • loc), functions a -> b, and `term`, the dynamic type: a term of any type, which is not checked at load (a stack slot for
-// commands of various shapes). SEMANTICS.md §2.
+// a • b (both at once, until a type selects one half: a pointing is e* • loc), functions a -> b, and `term`, the
+// dynamic type: a term of any type, which is not checked at load (a stack slot for commands of various shapes).
+// SEMANTICS.md §2.
 #pragma once
 
 #include <cstddef>

@@ -33,9 +33,9 @@ bool is_vector(const Expression& expression);
 /// `both` and `either`, one of `negation`.
 std::string print(const Expression& expression);
 
-/// Other spellings are read too: * for × in vectors, && and ∧ for ^, || and ∨ for |, ¬ and ~ for !, → for ->, "…" for '…', `;` for the
-/// comma of lists. The operands of ^ or | become one list, however they were bracketed. Errors name the found and the
-/// expected text, and the character of `text`. Brackets more than 100 deep are an error.
+/// Other spellings are read too: * for × in vectors, && and ∧ for ^, || and ∨ for |, ¬ and ~ for !, → for ->, "…" for
+/// '…', `;` for the comma of lists. The operands of ^ or | become one list, however they were bracketed. Errors name
+/// the found and the expected text, and the character of `text`. Brackets more than 100 deep are an error.
 Result<Expression> parse_expression(std::string_view text);
 
 /// A step of a program (SEMANTICS.md §4).

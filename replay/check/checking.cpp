@@ -118,6 +118,7 @@ Checking::Finding Checking::check(std::size_t index) {
 Checking::Finding Checking::trace_finding(std::size_t index) {
   ReplayOptions options;
   options.knowledge = options_.knowledge;
+  options.shelf = shelf_;
   options.learned = options_.learned;
   options.language = options_.language;
   options.physics = options_.physics.value_or(!options_.approve);

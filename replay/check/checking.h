@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "continua/knowledge_files/data_paths.h"
+#include "continua/knowledge_files/knowledge_shelf.h"
 #include "continua/replay/check/check.h"
 #include "continua/replay/check/check_items.h"
 #include "continua/replay/check/check_report.h"
@@ -59,6 +60,7 @@ class Checking {
 
   const CheckOptions& options_;
   const DataPaths& data_;
+  const std::shared_ptr<KnowledgeShelf> shelf_ = std::make_shared<KnowledgeShelf>();
   std::vector<CheckItem> items_;
   std::mutex mutex_;
   std::vector<std::optional<Finding>> findings_;

@@ -15,6 +15,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/knowledge_files/data_paths.h"
+#include "continua/knowledge_files/knowledge_shelf.h"
 #include "continua/knowledge_files/language_loading.h"
 #include "continua/language/reduction.h"
 #include "continua/language/vocabulary.h"
@@ -106,6 +107,7 @@ class Counting {
   Result<MachineCoverage> of_trace(const std::string& path) {
     ReplayOptions options;
     options.knowledge = options_.knowledge;
+    options.shelf = shelf_;
     options.physics = false;
     auto session = Session::load(path, options);
     if (!session) return session.error();
@@ -123,6 +125,7 @@ class Counting {
   }
 
   const CoverageOptions& options_;
+  const std::shared_ptr<KnowledgeShelf> shelf_ = std::make_shared<KnowledgeShelf>();
   std::vector<std::string> files_;
   std::mutex mutex_;
   std::vector<std::optional<Result<MachineCoverage>>> found_;

@@ -2,6 +2,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
+#include "continua/knowledge_files/knowledge_shelf.h"
 #include "continua/replay/session/outside_choice.h"
 #include "continua/replay/terminal/progress.h"
 #include "continua/replay/terminal/shell_word.h"
@@ -110,6 +111,7 @@ class Batch {
   void one(std::size_t index) {
     const auto& trace = options_.traces[index];
     auto options = options_.replay;
+    options.shelf = shelf_;
     options.progress = [this, index](double done) {
       const std::lock_guard lock(mutex_);
       progress_.show(index, done);
@@ -172,6 +174,7 @@ class Batch {
   }
 
   const ReplayCommandOptions& options_;
+  const std::shared_ptr<KnowledgeShelf> shelf_ = std::make_shared<KnowledgeShelf>();
   std::vector<std::string> outputs_;
   std::mutex mutex_;
   std::vector<std::optional<std::string>> lines_;

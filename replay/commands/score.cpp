@@ -15,6 +15,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
+#include "continua/knowledge_files/knowledge_shelf.h"
 #include "continua/replay/score/score_report.h"
 #include "continua/replay/terminal/progress.h"
 #include "continua/replay/trace/trace_file.h"
@@ -89,6 +90,7 @@ class Scoring {
   Result<TraceScore> score_of(std::size_t index) {
     const auto& trace = options_.traces[index];
     auto options = options_.replay;
+    options.shelf = shelf_;
     options.progress = [this, index](double done) {
       const std::lock_guard lock(mutex_);
       progress_.show(index, done);
@@ -130,6 +132,7 @@ class Scoring {
   }
 
   const ScoreOptions& options_;
+  const std::shared_ptr<KnowledgeShelf> shelf_ = std::make_shared<KnowledgeShelf>();
   std::vector<std::string> runs_;
   std::mutex mutex_;
   std::vector<std::optional<Result<TraceScore>>> scores_;

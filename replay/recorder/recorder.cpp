@@ -115,7 +115,8 @@ void Recorder::one(const Branched& branched) {
       return record_of(event);
   };
   if (const auto record = std::visit(of, branched.event))
-    write(log::Branched{branched.branch, branched.parent, std::string(log::kind_of(*record)), log::members_of(*record)});
+    write(
+        log::Branched{branched.branch, branched.parent, std::string(log::kind_of(*record)), log::members_of(*record)});
 }
 
 void Recorder::write_act(int number, log::Act record, SimTime t) {

@@ -10,7 +10,7 @@
 #include "continua/body/kinematic_body.h"
 #include "continua/core/located_json.h"
 #include "continua/knowledge_files/data_paths.h"
-#include "continua/knowledge_files/language_loading.h"
+#include "continua/knowledge_files/knowledge_shelf.h"
 #include "continua/machine_file/machine_parameters.h"
 #include "continua/machine_file/machine_weights.h"
 #include "continua/replay/session/learned_file.h"
@@ -102,8 +102,9 @@ Result<EngineParts> load_parts(const Trace& trace, const ReplayOptions& options)
   const auto path = machine_of(trace, options.machine, *data);
   if (!path) return path.error();
   const auto& language_name = options.language.empty() ? trace.header.language : options.language;
+  const auto shelf = options.shelf ? options.shelf : std::make_shared<KnowledgeShelf>();
   auto machine =
-      load_machine(*path, *data, language_name, options.language.empty() ? header_line(trace) : "--language");
+      shelf->machine(*path, *data, language_name, options.language.empty() ? header_line(trace) : "--language");
   if (!machine) return machine.error();
   if (const auto problem = set_parameters_of(trace, options, *machine)) return *problem;
   if (options.own_weights) {
@@ -114,7 +115,7 @@ Result<EngineParts> load_parts(const Trace& trace, const ReplayOptions& options)
     if (const auto problem = set_weights(*machine, *weights)) return *problem;
   }
   const bool own_perspective = !machine->perspective.empty();
-  auto parts = load_engine_parts(*std::move(machine), *data);
+  auto parts = load_engine_parts(*std::move(machine), *data, *shelf);
   if (!parts) return parts.error();
   parts->choice = options.choice.value_or(parts->choice);
   if (!options.outside.empty()) {

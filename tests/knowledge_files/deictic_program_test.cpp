@@ -43,8 +43,7 @@ TEST_CASE("[[point]] is a function from agent, finger, spread and place to thing
 }
 
 TEST_CASE("a document of [[point]] that says something else is an error, and none is no program") {
-  CHECK(wrong(program("w:location", steps)) ==
-        "point.xml: 'w' has the type 'location', expected physobj[]•location");
+  CHECK(wrong(program("w:location", steps)) == "point.xml: 'w' has the type 'location', expected physobj[]•location");
   CHECK(wrong(program("w:physobj[]•location", "extend(x,y)")) ==
         "point.xml: no step defines what is pointed at, expected def(vec(x -> y × z),as(w))");
   CHECK(wrong(program("w:physobj[]•location", "extend(x,y);def(vec(z->y×x),as(w))")) ==

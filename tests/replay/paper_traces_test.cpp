@@ -43,12 +43,11 @@ TEST_CASE("the figure's stack symbols hold the options that are left and what th
                            application["result"].get<std::string>());
   for (const auto& transition : played.all("transition"))
     moves.push_back(transition["id"].get<std::string>() + " " + compact(transition["stack"]));
-  CHECK(applications ==
-        std::vector<std::string>{"on @ w = on(w)", "put @ block7 = put(block7)",
-                                 "put(block7) @ on(w) = put(block7, on(w))",
-                                 "\\w. put(block7, on(w)) @ block1 = put(block7, on(block1))",
-                                 "\\w. put(block7, on(w)) @ block6 = put(block7, on(block6))",
-                                 "\\w. put(block7, on(w)) @ <-0.075, 0, 0> = put(block7, on(<-0.075, 0, 0>))"});
+  CHECK(applications == std::vector<std::string>{
+                            "on @ w = on(w)", "put @ block7 = put(block7)", "put(block7) @ on(w) = put(block7, on(w))",
+                            "\\w. put(block7, on(w)) @ block1 = put(block7, on(block1))",
+                            "\\w. put(block7, on(w)) @ block6 = put(block7, on(block6))",
+                            "\\w. put(block7, on(w)) @ <-0.075, 0, 0> = put(block7, on(<-0.075, 0, 0>))"});
   // 𝒞 is at the bottom of the three, 𝒜 on top.
   CHECK(symbols == std::vector<std::string>{"[<-0.075, 0, 0>] | put(block7, on(<-0.075, 0, 0>))",
                                             "[block6, <-0.075, 0, 0>] | put(block7, on(block6))",

@@ -80,7 +80,7 @@ struct Naive {
       step_depths.push_back(depths.empty() ? 0 : depths.back());
       for (const char* part : {"id", "from", "to"}) steps[part].push_back(text_of(record, part));
     }
-    const std::set<std::string> never{"run", "symbol", "rest",  "end",      "memory",
+    const std::set<std::string> never{"run",    "symbol", "rest",     "end",  "memory",
                                       "belief", "block",  "observed", "pose", "branched"};
     const bool step = kind == "transition" || kind == "rewrite";
     if (!never.count(kind) && (!sampled.count(n) || (kind != "input" && kind != "refusal" && (!step || changed))))

@@ -66,7 +66,8 @@ TEST_CASE("each event gets its place in time, and stays as it is otherwise") {
       {R"({"t":-1,"kind":"speech","text":"a"})", "event: 't' of speech is -1; expected a number from 0 to 1000000000"},
       {R"({"kind":"speech"})", "event: speech has no 'text' or 'alternatives'"},
       {R"({"kind":"speach","text":"a"})",
-       "event: unknown kind 'speach' (did you mean 'speech'?); expected speech, gesture, pointing, gaze, observed, expect, "
+       "event: unknown kind 'speach' (did you mean 'speech'?); expected speech, gesture, pointing, gaze, observed, "
+       "expect, "
        "mark, end or clock"},
       {R"({"kind":"pointing","target":[1e10,0]})",
        "event: 'target' of pointing is [10000000000.0,0]; expected [x, y] in metres, each from -1000000000 to "
