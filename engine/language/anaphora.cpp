@@ -79,8 +79,12 @@ Reading with_it(Reading reading, const Operators& operators) {
     return std::none_of(clauses.begin(), clauses.end(),
                         [&](const Term& clause) { return contains(clause, it.term) && contains(clause, phrase.term); });
   };
+  const auto is_definite = [&](const Phrase& phrase) {
+    const auto* determiner = determiner_of(phrase.term, operators);
+    return determiner && determiner->definite && is_of_other_clause(phrase);
+  };
   const auto* antecedent = nested ? last_before(it.words.begin, reading, [](const Phrase&) { return true; })
-                                  : first_before(it.words.begin, reading, is_of_other_clause);
+                                  : first_before(it.words.begin, reading, is_definite);
   if (!antecedent) return reading;
   const Term meant = antecedent->term;
   std::erase_if(reading.phrases, says_it);
