@@ -18,7 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path paper = fs::path(CONTINUA_SOURCE_DIR) / "traces/paper";
-const fs::path talk = fs::path(CONTINUA_SOURCE_DIR) / "traces/talk";
 
 struct Asked {
   explicit Asked(const fs::path& logs) : api({logs.string()}, nullptr, replayed_what_if()) {}
@@ -107,15 +106,16 @@ TEST_CASE("a run that was edited is served, and its log is as a replay of the ed
 }
 
 TEST_CASE("a forced transition, a seed and a choice count from the instant that is asked for") {
-  Asked rivals(talk);
+  Asked asked(paper);
+  const std::string base = asked.post({{"run", "special_nfa"}, {"choice", "likeliest"}})["run"];
   int forced = 0;
-  for (const auto& transition : rivals.whole("n_best", "transition")) {
+  for (const auto& transition : asked.whole(base, "transition")) {
     if (transition["candidates"].size() < 2) continue;
     for (const auto& candidate : transition["candidates"]) {
       if (candidate["id"] == transition["id"]) continue;
       const auto step = std::to_string(transition["step"].get<int>());
-      const auto made = rivals.post({{"run", "n_best"}, {"force", {{step, candidate["id"]}}}});
-      const auto again = rivals.whole(made["run"], "transition");
+      const auto made = asked.post({{"run", base}, {"force", {{step, candidate["id"]}}}});
+      const auto again = asked.whole(made["run"], "transition");
       const auto same_step = std::find_if(again.begin(), again.end(),
                                           [&](const Json& other) { return other["step"] == transition["step"]; });
       REQUIRE(same_step != again.end());
@@ -125,7 +125,6 @@ TEST_CASE("a forced transition, a seed and a choice count from the instant that 
     }
   }
   CHECK(forced >= 3);
-  Asked asked(paper);
   const auto later = asked.post({{"run", "disambiguation"}, {"from", 3}, {"choice", "sample"}, {"seed", 7}});
   const auto header = asked.get("/api/runs/" + later["run"].get<std::string>() + "/records?limit=1")["records"][0];
   CHECK(header["choice"] == "likeliest");
