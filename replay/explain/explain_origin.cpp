@@ -179,13 +179,30 @@ Found found_in_reading(ExplainScope& scope, const std::string& value, std::size_
   return std::nullopt;
 }
 
+// Whether the value is this place of the table, as a term has it.
+bool is_place(const std::string& value, const Json& place) {
+  return place.is_array() && place.size() == 2 &&
+         value == fmt::format("<{}, {}, 0>", compact(place[0]), compact(place[1]));
+}
+
+// The words, or the finger alone, that showed the place.
+Found found_shown(ExplainScope& scope, const std::string& value, std::size_t input) {
+  for (const auto n : scope.of_turn(input, log::Percept::kind.name))
+    for (const auto& bound : member_of(scope.record(n), "bound"))
+      if (is_place(value, member_of(member_of(bound, "deixis"), "place")))
+        return resolved_origin(scope, {{"words", text_of(bound, "words")}, {"by", "pointed"}}, value, n, input, 0);
+  if (is_place(value, member_of(member_of(scope.record(input), "event"), "target")))
+    return origin(scope, "pointing", told_input(scope, input), input);
+  return std::nullopt;
+}
+
 Found found_in_turn(ExplainScope& scope, const std::string& value, std::size_t input, std::size_t at, int depth) {
   if (depth > deepest) return std::nullopt;
   const auto readings = scope.of_turn(input, log::Reading::kind.name);
   for (auto n = readings.rbegin(); n != readings.rend(); ++n)
     if (*n <= at)
       if (auto found = found_in_reading(scope, value, *n, input, depth)) return found;
-  return std::nullopt;
+  return found_shown(scope, value, input);
 }
 
 // The first register or slot of the turns that had the value, alone or among others.

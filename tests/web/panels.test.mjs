@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {root, serve, Visitor} from './support.mjs';
+import {numberOf, recordsOf, root, serve, Visitor} from './support.mjs';
 
 let server, visitor;
 before(async () => {
@@ -29,7 +29,7 @@ const runs = [
     stack: /symbol \d+/,
     derivation: /“that one”/,
     why: /because the human said “No, that one\.”/,
-    at: 'n=122',
+    at: `n=${numberOf('paper/correction.physics', ({kind, program, status}) => kind === 'act' && status === 'asked' && /^put.cup_blue/.test(program))}`,
   },
   {
     id: 'building_blocks',
@@ -80,14 +80,16 @@ test('words and gestures that were taken as one stand together', async () => {
 });
 
 test('what was refused is drawn with the value that refused it', async () => {
-  await visitor.visit('/r/correction.physics?n=122');
+  const n = numberOf('paper/correction.physics', ({kind, id}) => kind === 'transition' && id === 'other thing');
+  await visitor.visit(`/r/correction.physics?n=${n}`);
   await visitor.page.waitForSelector('.edge.refused', {state: 'attached'});
   assert.match(await visitor.page.locator('.edge.refused .count').first().textContent(), / is /);
   assert.match(await at('graph-refused').innerText(), /\d+ candidates refused/);
 });
 
 test('several configurations: how they branched, and the stack of each', async () => {
-  await visitor.visit('/r/special_npda?n=14&tab=branches&b=4');
+  const branches = recordsOf('paper/special_npda').filter(({kind}) => kind === 'branches');
+  await visitor.visit(`/r/special_npda?n=${branches[2].n}&tab=branches&b=4`);
   assert.equal(await at('branches').locator('tbody tr').count(), 2);
   assert.equal(await visitor.page.locator('.branch-table .chosen [data-testid=branch]').innerText(), '4');
   assert.match(await at('depth').innerText(), /^branch 4/);
@@ -96,7 +98,7 @@ test('several configurations: how they branched, and the stack of each', async (
   await visitor.addressSays('b', 3);
   await visitor.page.waitForFunction(() => document.querySelector('.node.branch')?.dataset.state === 'second half');
   await visitor.page.locator('.branch-tree .dot').first().click();
-  await visitor.addressSays('n', 4);
+  await visitor.addressSays('n', branches[0].n);
   assert.deepEqual(
     visitor.complaints.filter((one) => !/501/.test(one)),
     [],

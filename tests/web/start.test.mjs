@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import {appendFileSync, copyFileSync, existsSync, mkdirSync, readFileSync, utimesSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {root, serve, temporaryFolder, Visitor} from './support.mjs';
+import {numberOf, root, serve, temporaryFolder, Visitor} from './support.mjs';
 
 const folder = temporaryFolder();
 const paper = join(root, 'traces/paper');
@@ -129,17 +129,23 @@ test('what if it had been said otherwise', async () => {
 });
 
 test('what if another transition had been taken', async () => {
-  await visitor.visit('/r/correction?n=18');
-  await at('what-if-open').click();
-  await at('what-if-run').click();
-  assert.match(await visitor.page.locator('.what-if .trouble').innerText(), /Change something first/);
-  const others = at('what-if').locator('input[type=radio]:not([value=""])');
+  const path = join(root, 'traces/talk/n_best.run.jsonl');
+  const rivals = ({kind, candidates}) => kind === 'transition' && new Set(candidates.map(({id}) => id)).size > 1;
+  const other = await serve(path);
+  const guest = await Visitor.start(other.address);
+  await guest.visit(`/r/n_best?n=${numberOf('talk/n_best', rivals)}`);
+  await guest.at('what-if-open').click();
+  await guest.at('what-if-run').click();
+  assert.match(await guest.page.locator('.what-if .trouble').innerText(), /Change something first/);
+  const others = guest.at('what-if').locator('input[type=radio]:not([value=""])');
   assert.ok((await others.count()) > 0);
   await others.first().check();
-  await at('what-if-run').click();
-  await visitor.page.waitForURL(/\/diff\/correction\/what-if/);
-  await at('verdict').waitFor();
-  assert.match(await at('verdict').innerText(), /^≠ /);
+  await guest.at('what-if-run').click();
+  await guest.page.waitForURL(/\/diff\/n_best\/what-if/);
+  await guest.at('verdict').waitFor();
+  assert.match(await guest.at('verdict').innerText(), /^≠ /);
+  await guest.close();
+  other.stop();
 });
 
 test('a run that is being written is live: it grows, and the cursor goes along at its end', async () => {

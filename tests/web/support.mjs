@@ -30,6 +30,15 @@ export function temporaryFolder() {
   return folder;
 }
 
+/** The records of a run below traces/, by the name of its file without ending. */
+export const recordsOf = (run) =>
+  readFileSync(join(root, 'traces', `${run}.run.jsonl`), 'utf8')
+    .split('\n')
+    .filter(Boolean)
+    .map((line) => JSON.parse(line));
+/** The number of the first record that is wanted. */
+export const numberOf = (run, wanted) => recordsOf(run).find(wanted).n;
+
 /** `continua serve` of these paths. @returns {Promise<{address: string, pid: number, stop(): void}>} */
 export async function serve(...paths) {
   const server = spawn(program, ['serve', ...paths, '--port', '0'], {stdio: ['ignore', 'pipe', 'inherit']});

@@ -58,9 +58,13 @@ function linkText(link) {
   return short_kinds[link.kind] ?? textOf(link.kind);
 }
 
-/** The meaning of a node in plain words: “put” + “there” (pointing). */
+const isOfMachine = (node) => !children(node).length && node.origin?.kind === 'machine';
+
+/** The meaning of a node in plain words: “put” + “there” (pointing). Parts of the machine itself are told alone only. */
 export function gloss(node) {
-  const below = children(node);
+  const parts = children(node),
+    said = parts.filter((part) => !isOfMachine(part));
+  const below = said.length ? said : parts;
   if (isHole(node)) return '▢';
   if (below.length && node.how === 'taught') return `one step of ${gloss(below[0])}`;
   if (below.length)
