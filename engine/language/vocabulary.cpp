@@ -152,7 +152,7 @@ std::optional<Vocabulary::Resemblance> Vocabulary::resembling_word(const std::st
   for (const auto& each : parts_) {
     const auto found = slip(word, each);
     const auto fewest = found == Slip::exchanged ? fewest_letters_exchanged : fewest_letters_otherwise;
-    if (!is_of_the_fingers(found) || std::min(word.size(), each.size()) < fewest) continue;
+    if (!is_of_the_fingers(found) || each.size() < fewest) continue;
     if (only) return std::nullopt;
     only = Resemblance{each, true};
   }
