@@ -85,6 +85,8 @@ Reading with_it(Reading reading, const Operators& operators) {
   };
   const auto* antecedent = nested ? last_before(it.words.begin, reading, [](const Phrase&) { return true; })
                                   : first_before(it.words.begin, reading, is_definite);
+  // "If there is a red block, lift it."
+  if (!antecedent && !nested) antecedent = first_before(it.words.begin, reading, is_of_other_clause);
   if (!antecedent) return reading;
   const Term meant = antecedent->term;
   std::erase_if(reading.phrases, says_it);

@@ -8,9 +8,9 @@ namespace continua {
 
 /// The reading with antecedents in place of two kinds of pro-form:
 /// - A single "it" (type e, source `focus`) inside a noun phrase is replaced by the last noun phrase that ends before
-///   it. In a reading of two clauses each "it" is replaced by the subject of the other clause, its first definite noun
-///   phrase: "if the red block is on the plate, lift it, otherwise push it". Any other "it" that is an argument of the
-///   command, and several inside noun phrases, are left to the focus.
+///   it. In a reading of two clauses each "it" is replaced by the subject of the other clause, its first noun phrase,
+///   preferably a definite one: "if the red block is on the plate, lift it, otherwise push it". Any other "it" that is
+///   an argument of the command, and several inside noun phrases, are left to the focus.
 /// - An "other" (source `other`) in a noun phrase becomes "is not that", with the last noun phrase before it about the
 ///   same kind of thing: "put the white cup next to the other cup". Without such a phrase it is left to the focus.
 Reading with_antecedents(const Reading& reading, const Operators& operators);

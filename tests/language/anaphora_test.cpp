@@ -40,7 +40,8 @@ TEST_CASE("it, inside of a noun phrase, is the noun phrase before it") {
        "if_now(whether_is(the(\\x. plate(x)), not some(scene, \\y. located(y, in(the(\\x. plate(x)))) or located(y, "
        "on(the(\\x. plate(x)))))), put(the(\\x. knife(x)), on(the(\\x. plate(x)))))"},
       {"if the cup is left of the plate lift it",
-       "if_now(whether_at(the(\\x. cup(x)), located_roughly(the(\\x. cup(x)), left(the(\\x. plate(x))))), lift(the(\\x. "
+       "if_now(whether_at(the(\\x. cup(x)), located_roughly(the(\\x. cup(x)), left(the(\\x. plate(x))))), "
+       "lift(the(\\x. "
        "cup(x))))"},
       // left to the focus
       {"take the cup behind it", "grasp(the(\\x. cup(x) and located(x, behind(it))))"},
