@@ -54,7 +54,7 @@ Applicable Firing::applicable() {
   return found;
 }
 
-// Of the candidates from `first` on, which take the same input, those of the highest rank stay.
+// Candidates from `first` on take the same input; those of the highest rank stay.
 void Firing::part_by_rank(Applicable& found, std::size_t first) {
   const auto begin = found.candidates.begin() + static_cast<std::ptrdiff_t>(first);
   const auto rank = [&](const Candidate& one) { return machine_.transitions[one.transition].rank; };

@@ -31,7 +31,7 @@ struct Input {
   Term why;        ///< text: the code of that reason
   Term concerned;  ///< e*: the objects and participants that the reason is about, the most important first
 
-  // Of the input `unsure`: the readings that the recogniser is not sure of, the surest first.
+  // For the input `unsure`: the readings that the recogniser is not sure of, the surest first.
   Term doubted;           ///< num*: their numbers, for the effect `attend`
   Term doubted_words;     ///< text*: their words; '' for gestures
   Term doubted_meanings;  ///< term*: their meanings; the kind of the move if it has no other

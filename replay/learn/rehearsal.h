@@ -20,7 +20,7 @@ struct TriedWay {
   std::map<int, std::size_t> steps;  ///< step → transition of each of its picks, to force it
 };
 
-/// What was tried of one input. Its words do not wait for pointing that comes later.
+/// The tries of one input. Its words do not wait for pointing that comes later.
 struct Rehearsed {
   std::vector<TriedWay> sure, unsure;  ///< `unsure` counts only with `evidence`
   std::vector<EvidenceLevel> evidence;

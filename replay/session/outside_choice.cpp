@@ -20,7 +20,7 @@ constexpr std::string_view by_pipe = "pipe:", by_run = "run:";
 
 Json told(const Term& term) { return term.is_null() ? Json() : Json(print(term)); }
 
-// Of an input: its symbol, its confidence and the terms that it carries.
+// The symbol of an input, its confidence and the terms that it carries.
 Json told(const Input& input) {
   Json json{{"symbol", input.symbol}, {"confidence", input.confidence}};
   for (const auto& carried : carried_terms())
