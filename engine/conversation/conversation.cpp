@@ -76,8 +76,10 @@ Outcome Conversation::go_on_with(EngineParts parts, const std::function<void(Eng
 
 Conversation::Step Conversation::next(std::optional<SimTime> t) const {
   if (!untold_.empty()) return Step::tell;
-  if (!settled_) return Step::world;
-  if (!state_->complete.empty()) return Step::attend;
+  // A call-off that is complete at the instant at which an act begins still stops the act.
+  const bool can_attend = !state_->complete.empty();
+  if (!settled_ && !(only_begun_ && can_attend)) return Step::world;
+  if (can_attend) return Step::attend;
   if (!t) return Step::none;
   const auto due = this->due();
   if (due && *due <= now_) return Step::wake;
@@ -86,7 +88,10 @@ Conversation::Step Conversation::next(std::optional<SimTime> t) const {
 
 Happening Conversation::take(Step step, std::optional<SimTime> t) {
   if (step == Step::tell) return obey(pipeline_.reported(*state_, std::exchange(untold_, {}), body_.snapshot()));
-  if (step == Step::attend) return obey(pipeline_.attend(*state_, body_.snapshot()));
+  if (step == Step::attend) {
+    only_begun_ = false;
+    return obey(pipeline_.attend(*state_, body_.snapshot()));
+  }
   if (step == Step::wake) return obey(pipeline_.wake(*state_, now_));
   if (!settled_) return let_world_go_on(now_);
   return let_world_go_on(std::min(*t, due().value_or(*t)));
@@ -107,6 +112,8 @@ Thought Conversation::obey(Tick tick) {
 WorldReport Conversation::let_world_go_on(SimTime t) {
   auto report = body_.advance(t);
   untold_ = report.acts;
+  const auto is_begin = [](const ActReport& act) { return act.status == ActReport::Status::started; };
+  only_begun_ = !untold_.empty() && std::all_of(untold_.begin(), untold_.end(), is_begin);
   now_ = report.until;
   settled_ = settled_ || untold_.empty();
   return report;

@@ -91,6 +91,7 @@ class Conversation {
   SimTime now_;
   std::vector<ActReport> untold_;  // reports for the engine, if an act among them has ended
   bool settled_ = true;
+  bool only_begun_ = false;  // the world's last report told of acts that begin, and of no end
 };
 
 }  // namespace continua

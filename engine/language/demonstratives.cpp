@@ -44,9 +44,14 @@ bool is_shown_thing(const Term& phrase, const Operators& operators) {
 }
 
 std::vector<Demonstrative> demonstratives(const Reading& reading, const Operators& operators) {
+  auto said = reading.phrases;
+  for (const auto& phrase : reading.taken_back)
+    if (is_shown_thing(phrase.term, operators)) said.push_back(phrase);
+  std::stable_sort(said.begin(), said.end(),
+                   [](const Phrase& a, const Phrase& b) { return a.words.begin < b.words.begin; });
   std::vector<Demonstrative> found;
   std::size_t end = 0;  // of the outermost phrase so far
-  for (const auto& [term, words] : reading.phrases) {
+  for (const auto& [term, words] : said) {
     if (!takes_pointing({term, words}, reading, operators)) continue;
     const bool by_itself = is_shown_thing(term, operators);
     if (words.begin < end) {

@@ -38,7 +38,7 @@ struct Reading {
   std::string move;                ///< the kind of move, from the lexicon: V, N, P, y, n, …
   double cost = 0;                 ///< smaller is likelier
   std::vector<Phrase> phrases;     ///< in order of their words, longer ones first
-  std::vector<Phrase> taken_back;  ///< nouns that the term does not have any more: "the cup, I mean the white one"
+  std::vector<Phrase> taken_back;  ///< things and nouns that it has no more: "the cup, I mean the plate"; also in order
   std::vector<UsedSense> senses;   ///< in order of their words
   std::vector<std::string> rules;  ///< names of the lexicon's unary rules that it uses, in order of their words
 };

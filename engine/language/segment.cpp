@@ -155,10 +155,25 @@ class Segment {
     if (known) return;
     collect_phrases(number, reading);
     collect_senses(number, reading);
-    std::stable_sort(reading.phrases.begin(), reading.phrases.end(), [](const Phrase& a, const Phrase& b) {
-      return a.words.begin != b.words.begin ? a.words.begin < b.words.begin : a.words.size() > b.words.size();
-    });
+    std::stable_sort(reading.phrases.begin(), reading.phrases.end(), comes_before);
+    std::stable_sort(reading.taken_back.begin(), reading.taken_back.end(), comes_before);
+    keep_innermost(reading.phrases);
     readings.push_back(std::move(reading));
+  }
+
+  static bool comes_before(const Phrase& a, const Phrase& b) {
+    return a.words.begin != b.words.begin ? a.words.begin < b.words.begin : a.words.size() > b.words.size();
+  }
+
+  // Of "this, no, that" and "that", which mean the same, the words that say so are kept.
+  static void keep_innermost(std::vector<Phrase>& phrases) {
+    const auto all = phrases;
+    std::erase_if(phrases, [&](const Phrase& outer) {
+      return outer.term.type() == Type::entity() && std::any_of(all.begin(), all.end(), [&](const Phrase& inner) {
+        return inner.term == outer.term && inner.words.size() < outer.words.size() &&
+               inner.words.begin >= outer.words.begin && inner.words.end <= outer.words.end;
+      });
+    });
   }
 
   void collect_phrases(std::size_t number, Reading& reading) const {
@@ -174,15 +189,32 @@ class Segment {
       if (!known && meant) reading.phrases.push_back({with_nice_variables(entry.term), words});
     }
     if (entry.rule == Chart::Rule::word) return;
-    collect_phrases(entry.left, reading);
-    if (entry.right != entry.left) collect_phrases(entry.right, reading);
+    const auto dropped = dropped_argument(entry);
+    for (const auto part : {entry.left, entry.right}) {
+      if (part == dropped) collect_taken_back(part, reading);
+      else collect_phrases(part, reading);
+      if (entry.left == entry.right) break;
+    }
   }
 
-  // Of "the cup" in "the cup, I mean the plate" only the noun is kept, for a "one" that follows.
+  // The argument that its function drops, as that of "no, I mean the plate" drops "the cup"; none if there is none.
+  std::optional<std::size_t> dropped_argument(const Chart::Entry& entry) const {
+    const bool forward = entry.rule == Chart::Rule::apply_forward;
+    if (!forward && entry.rule != Chart::Rule::apply_backward) return std::nullopt;
+    const auto& function = chart_.entry(forward ? entry.left : entry.right).term;
+    if (function.kind() != Term::Kind::lambda || !function.body().closed()) return std::nullopt;
+    return forward ? entry.right : entry.left;
+  }
+
+  // Things such as "this cup" in "this cup, I mean that plate", and their nouns: a pointing may be theirs, and a "one"
+  // that follows may mean the noun.
   void collect_taken_back(std::size_t number, Reading& reading) const {
     const auto& entry = chart_.entry(number);
-    if (entry.category.is_atom() && entry.term.type() == property())
-      return reading.taken_back.push_back({with_nice_variables(entry.term), span(entry.words.begin, entry.words.end)});
+    const bool is_noun = entry.category.is_atom() && entry.term.type() == property();
+    const bool is_thing = entry.category.is_atom() && entry.term.type() == Type::entity();
+    if (entry.rule != Chart::Rule::skip && (is_noun || is_thing))
+      reading.taken_back.push_back({with_nice_variables(entry.term), span(entry.words.begin, entry.words.end)});
+    if (is_noun) return;
     if (entry.rule == Chart::Rule::word) return;
     collect_taken_back(entry.left, reading);
     if (entry.right != entry.left) collect_taken_back(entry.right, reading);

@@ -62,6 +62,13 @@ bool is_whole(const Fragment& fragment) {
   return term.closed() && term.type() == Type::truth();
 }
 
+// Whether the last words of the speech need a pointing: after the finger more words may come.
+bool ends_in_pointing(const ReadSpeech& speech) {
+  if (speech.demonstratives.empty()) return false;
+  const auto& last = speech.demonstratives.back();
+  return last.needs && last.words.end == speech.utterance.words.size();
+}
+
 }  // namespace
 
 std::shared_ptr<const Readings> readings_of(const InputEvent& speech, const Understanding& understanding,
@@ -78,7 +85,7 @@ bool is_unfinished(const ReadSpeech& speech) {
   if (spoken.empty() || spoken.back().ends_after) return false;
   const auto& [words, fragments, unknown, unused, repaired, guessed, ends, cut] = speech.utterance;
   if (cut || fragments.empty() || !is_whole(fragments.back())) return !cut;
-  if (speech.ends_in_thing) return true;
+  if (speech.ends_in_thing || ends_in_pointing(speech)) return true;
   const std::size_t begin = ends.size() < 2 ? 0 : ends[ends.size() - 2];
   const auto is_last = [begin](std::size_t word) { return word >= begin; };
   return std::any_of(unknown.begin(), unknown.end(), is_last) || std::any_of(unused.begin(), unused.end(), is_last);

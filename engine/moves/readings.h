@@ -30,7 +30,8 @@ std::shared_ptr<const Readings> readings_of(const InputEvent& speech, const Unde
                                             std::shared_ptr<const Readings> known = nullptr);
 
 /// Whether the last sentence may go on: it does not end with a mark, and is no whole sentence, such as "put the knife"
-/// or "the red one", or its end may be the thing of which more is to come: "is this block", and then "red".
+/// or "the red one", or its last words need a pointing, after which more words may come: "put it on this" [pointing]
+/// "no, on this"; or its end may be the thing of which more is to come: "is this block", and then "red".
 bool is_unfinished(const ReadSpeech& speech);
 
 /// Whether the words of two utterances, read as a whole, make fewer moves or lose fewer words than apart.

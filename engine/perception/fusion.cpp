@@ -52,9 +52,10 @@ bool is_of_others(std::size_t taker, const Percept& speech, const std::vector<st
   return false;
 }
 
-// The time until which an unfinished sentence waits for its next piece.
-SimTime last_piece(const Percept& speech, const FusionWindow& window) {
-  return speech.spoken + seconds(window.pause_s);
+// The time until which an unfinished sentence waits for its next piece. A pointing with its last words is a part of it.
+SimTime last_piece(const Percept& speech, const std::vector<std::optional<Deixis>>& bound, const FusionWindow& window) {
+  const bool is_shown = !bound.empty() && bound.back() && speech.takers.back().until >= speech.spoken;
+  return std::max(speech.spoken, is_shown ? settled_at(*bound.back()) : speech.spoken) + seconds(window.pause_s);
 }
 
 bool waits_for_words(const Percept& speech, const FusionWindow& window) {
@@ -80,7 +81,7 @@ SimTime all_pointed_at(const Percept& speech, const std::vector<std::optional<De
 SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixis>>& bound,
                     const FusionWindow& window) {
   const SimTime at = all_pointed_at(speech, bound, window);
-  return waits_for_words(speech, window) ? std::max(at, last_piece(speech, window)) : at;
+  return waits_for_words(speech, window) ? std::max(at, last_piece(speech, bound, window)) : at;
 }
 
 // The time at which a gesture, other than a pointing, is complete: the words that it goes with are spoken first.
@@ -181,15 +182,17 @@ void Fusion::process_next(const Joining& joining) {
 
 // Joins speech with the unfinished sentence that waits for it, if there is one.
 Percept Fusion::joined(Percept speech, const Joining& joining) {
-  const auto goes_on = [&](const Percept& first) {
+  const auto parts = plan().parts;
+  std::size_t i = waiting_.size();
+  const auto goes_on = [&](const Percept& first, const Plan::Part& part) {
     return first.event.modality == Modality::speech && waits_for_words(first, window_) &&
-           speech.event.t <= last_piece(first, window_);
+           speech.event.t <= last_piece(first, part.bound, window_);
   };
-  const auto first = std::find_if(waiting_.rbegin(), waiting_.rend(), goes_on);
-  if (first == waiting_.rend()) return speech;
-  auto whole = joining(*first, speech);
+  while (i > 0 && !goes_on(waiting_[i - 1], parts[i - 1])) --i;
+  if (i == 0) return speech;
+  auto whole = joining(waiting_[i - 1], speech);
   if (!whole) return speech;
-  waiting_.erase(std::next(first).base());
+  waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(i - 1));
   return *std::move(whole);
 }
 

@@ -53,8 +53,8 @@ struct Ensemble {
 /// - A pointing gesture waits until `after` past its end for speech that takes it, and is then released alone. It is
 /// not
 ///   released if speech takes it. Speech can still take it within `before` after it was released alone.
-/// - An unfinished sentence also waits for its next piece, until `pause` past its end. Words that begin until then are
-///   joined with it, and the whole may be unfinished again.
+/// - An unfinished sentence also waits for its next piece, until `pause` past its end, or past the pointing that goes
+///   with its last words. Words that begin until then are joined with it, and the whole may be unfinished again.
 /// - Words are not complete before their told end. A gesture that begins during words waits for that end too; it comes
 ///   after the words, or before them if they still lack a pointing or the gesture says how they are meant
 ///   (Percept::before_words).
