@@ -38,6 +38,14 @@ struct Play {
     event.text = words;
     note(conversation.hear(event));
   }
+  void see(const std::string& gesture, std::optional<Vec3> target_W = {}) {
+    InputEvent event;
+    event.modality = Modality::gesture;
+    event.t = conversation.now();
+    event.name = gesture;
+    event.target_W = target_W;
+    note(conversation.hear(event));
+  }
   void advance(double seconds) { note(conversation.advance(SimTime::from_seconds(seconds))); }
 
   void note(const std::vector<Happening>& happenings) {
@@ -64,6 +72,18 @@ TEST_CASE("a command in one utterance is done by the body and moves the object")
   CHECK(play.told == "says Okay.\ndid put(b1, on(b2))\n");
   const auto world = play.body.snapshot();
   CHECK(world.find("b1")->p_WO.z() > world.find("b2")->p_WO.z());
+}
+
+TEST_CASE("a call-off that is complete when an act begins stops it before anything has changed") {
+  Play play;
+  play.hear("take that block");
+  play.advance(0.2);
+  play.see("point", Vec3(0, 0.15, 0));
+  play.advance(0.8);
+  play.see("stop");
+  play.advance(10);
+  CHECK(play.told == "says Okay, the red block.\nsays Okay, never mind.\ndid grasp(b1)\ndid stop\n");
+  CHECK(play.body.snapshot().held.empty());
 }
 
 TEST_CASE("a continuation waits in the state until the human says the rest") {

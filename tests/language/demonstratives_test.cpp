@@ -36,5 +36,8 @@ TEST_CASE("demonstratives need pointing, definite noun phrases and nouns alone c
   CHECK(takers("take a cup") == "");
   CHECK(takers("never mind") == "");
   CHECK(takers("no, that one") == "that one!");
+  CHECK(takers("take that cup, no, this one") == "that cup!, this one!");
+  CHECK(takers("take this, i mean this") == "this!, this!");
+  CHECK(takers("take the cup, i mean the plate") == "the plate");
   CHECK(takers("take these two cups") == "these two cups!, these two cups!");
 }

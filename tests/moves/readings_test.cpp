@@ -77,10 +77,11 @@ TEST_CASE("a sentence may go on unless it is whole or ends with a mark") {
   const Reader reader;
   const std::pair<const char*, bool> table[] = {{"put the knife", true},        {"the red one", true},
                                                 {"take the knife", false},      {"put the knife.", false},
-                                                {"put that cup there", false},  {"the frobnicate", true},
+                                                {"put that cup there", true},   {"the frobnicate", true},
                                                 {"take the zork knife", true},  {"", false},
                                                 {"is this cup", true},          {"is this cup?", false},
-                                                {"put this on the cup", false}, {"what is this", false}};
+                                                {"put this on the cup", false}, {"what is this", true},
+                                                {"put that there.", false},     {"take that cup here now", false}};
   for (const auto& [words, unfinished] : table) {
     CAPTURE(words);
     CHECK(is_unfinished(readings_of(said(words), reader.understanding())->alternatives[0]) == unfinished);

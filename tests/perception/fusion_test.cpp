@@ -270,6 +270,38 @@ TEST_CASE("an unfinished sentence waits for its next piece as long as the window
   CHECK(in_pieces(2.4, {2, 1, 0, 0}) == "1.50 the cup [-]; 2.80 behind");
 }
 
+TEST_CASE("a pointing with the last words of an unfinished sentence makes it wait longer") {
+  const auto heard = [](double word_s, double pointing_s, double more_s) {
+    Percept first = speech(1, 1, {{"there", word_s, word_s + 0.3}});
+    first.unfinished = true;
+    first.spoken = at(1.4);
+    Fusion fusion({2, 1, 0, 1}, around_table);
+    const Joining joining = [](const Percept& a, const Percept& b) {
+      Percept whole = a;
+      whole.event.text = a.event.text + " " + b.event.text;
+      whole.unfinished = false;
+      return whole;
+    };
+    std::vector<Ensemble> all;
+    const auto go_on = [&](double t_s) {
+      while (fusion.due() && *fusion.due() < at(t_s))
+        for (auto& each : fusion.release(*fusion.due(), joining)) all.push_back(std::move(each));
+    };
+    REQUIRE(fusion.receive(first, at(1)));
+    go_on(pointing_s);
+    REQUIRE(fusion.receive(gesture(2, pointing_s, "point"), at(pointing_s)));
+    go_on(more_s);
+    REQUIRE(fusion.receive(speech(3, more_s, {{"please", more_s, more_s + 0.3}}), at(more_s)));
+    for (auto& each : fusion.release(at(more_s), joining)) all.push_back(std::move(each));
+    go_on(20);
+    return brief(all);
+  };
+  CHECK(heard(1.1, 2, 2.9) == "2.90 there please [2]");
+  CHECK(heard(1.1, 2, 3.1) == "3.00 there [2]; 3.40 please");
+  // With earlier words the pointing makes no difference.
+  CHECK(heard(1.0, 2, 2.9) == "2.40 there [2]; 3.20 please");
+}
+
 TEST_CASE("a gesture of which the beginning alone is told points where its hand dwells") {
   auto begun = gesture(1, 2, "point");
   begun.event.phase = "start";
