@@ -194,22 +194,27 @@ void SessionLoop::record(const Thought& thought) {
 }
 
 // The conversation goes on, to the log. Expectations are checked when an input has been attended to, with all that
-// followed from it at once.
+// followed from it at once, or up to the next input of the same instant.
 void SessionLoop::run(std::optional<SimTime> t) {
   if (over_) return;
   bool attending = false;
+  const auto attended = [&] {
+    attending = false;
+    look_on();
+    check_expectations();
+  };
   const auto before = [&](Step step) {
-    if (step == Step::attend) said_since_input_.clear();
+    if (step == Step::attend) {
+      if (attending) attended();
+      said_since_input_.clear();
+    }
     return step == Step::world || ready();
   };
   const auto after = [&](Step step, const Happening& happening) {
     std::visit([&](const auto& what) { record(what); }, happening);
     if (step == Step::tell) look_on();
     attending = attending || step == Step::attend;
-    if (over_ || !attending || !conversation_.is_settled()) return !over_;
-    attending = false;
-    look_on();
-    check_expectations();
+    if (!over_ && attending && conversation_.is_settled()) attended();
     return !over_;
   };
   conversation_.run(t, {before, after});
