@@ -11,6 +11,8 @@ namespace {
 // Commas and ends of sentences in several scripts: Latin, Greek, Arabic, Devanagari, Chinese and Japanese.
 constexpr std::array<std::string_view, 4> commas = {",", "،", "、", "，"};
 constexpr std::array<std::string_view, 13> ends = {".", "?", "!", ";", ":", "…", ";", "؟", "؛", "।", "。", "？", "！"};
+// Those of them after which the sentence may go on. Dots are such a mark if there are several.
+constexpr std::array<std::string_view, 4> half_ends = {":", ";", "…", "؛"};
 
 bool is_one_of(const auto& characters, std::string_view character) {
   return std::find(characters.begin(), characters.end(), character) != characters.end();
@@ -35,7 +37,7 @@ bool belongs_to_words(std::string_view character) {
 std::vector<SpokenWord> words_of(std::string_view text, std::size_t most, bool* cut) {
   std::vector<SpokenWord> words;
   std::size_t count = 0;
-  bool inside = false;
+  bool inside = false, after_dot = false;
   if (cut) *cut = false;
   const auto folded_text = folded(text);
   std::string_view rest = folded_text;
@@ -60,8 +62,9 @@ std::vector<SpokenWord> words_of(std::string_view text, std::size_t most, bool* 
       words.push_back({",", true, false, false});
     } else if (!words.empty() && is_one_of(ends, character)) {
       words.back().ends_after = true;
-      words.back().colon = character == ":";
+      words.back().half = is_one_of(half_ends, character) || (after_dot && character == ".");
     }
+    after_dot = character == ".";
   }
   return words;
 }

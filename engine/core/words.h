@@ -12,7 +12,7 @@ struct SpokenWord {
   std::string text;         ///< folded() letters, digits and apostrophes; "," for a comma
   bool comma = false;       ///< a comma, not a word
   bool ends_after = false;  ///< a sentence ends after it
-  bool colon = false;       ///< by a colon
+  bool half = false;        ///< by a mark after which the sentence may go on: a colon, a semicolon, three dots
 };
 
 /// The words of `text`. Recognisers write no punctuation; if there is some, it is used.

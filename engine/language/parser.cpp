@@ -139,20 +139,20 @@ std::vector<SpokenWord> without_contractions(const std::vector<SpokenWord>& spok
     if (found == all.end() || vocabulary.knows(word.text)) continue;
     auto& shorter = heard.back();
     shorter.text.resize(word.text.size() - found->first.size());
-    shorter.ends_after = shorter.colon = false;
-    heard.push_back({found->second, false, word.ends_after, word.colon});
+    shorter.ends_after = shorter.half = false;
+    heard.push_back({found->second, false, word.ends_after, word.half});
   }
   return heard;
 }
 
-// With commas in place of colons: "to tidy means: take the knife" is one sentence.
-std::vector<SpokenWord> without_colons(const std::vector<SpokenWord>& spoken) {
+// With commas in place of half ends: "to tidy means: take the knife" is one sentence.
+std::vector<SpokenWord> without_half_ends(const std::vector<SpokenWord>& spoken) {
   std::vector<SpokenWord> heard;
   for (auto word : spoken) {
-    const bool colon = std::exchange(word.colon, false);
-    if (colon) word.ends_after = false;
+    const bool half = std::exchange(word.half, false);
+    if (half) word.ends_after = false;
     heard.push_back(std::move(word));
-    if (colon) heard.push_back({",", true, false, false});
+    if (half) heard.push_back({",", true, false, false});
   }
   return heard;
 }
@@ -224,15 +224,17 @@ Utterance read(std::string_view text, const Vocabulary& vocabulary) {
   bool cut = false;
   const auto spoken = words_of(text, most_words, &cut);
   Utterance utterance = read(spoken, vocabulary);
+  // "the plate's": a contraction is likelier than a slip, so that repaired words count as lost here.
+  const auto doubtful = [](const Utterance& one) { return lost_words(one) + one.repaired.size(); };
   const auto hear = [&](const std::vector<SpokenWord>& heard) {
-    if (lost_words(utterance) == 0 || heard.size() == spoken.size()) return;
-    if (auto again = read(heard, vocabulary); lost_words(again) < lost_words(utterance)) utterance = std::move(again);
+    if (doubtful(utterance) == 0 || heard.size() == spoken.size()) return;
+    if (auto again = read(heard, vocabulary); doubtful(again) < doubtful(utterance)) utterance = std::move(again);
   };
   hear(without_repeats(spoken));
   hear(without_contractions(spoken, vocabulary));
   hear(without_contractions(without_repeats(spoken), vocabulary));
-  if (std::any_of(spoken.begin(), spoken.end(), [](const auto& word) { return word.colon; }))
-    if (auto whole = read(without_colons(spoken), vocabulary);
+  if (std::any_of(spoken.begin(), spoken.end(), [](const auto& word) { return word.half; }))
+    if (auto whole = read(without_half_ends(spoken), vocabulary);
         lost_words(whole) == 0 && (lost_words(utterance) > 0 || whole.fragments.size() < utterance.fragments.size()))
       utterance = std::move(whole);
   std::size_t begin = 0;

@@ -344,6 +344,13 @@ TEST_CASE("what follows a colon is read with what is before it where that makes 
   CHECK(reading_of("listen: take it").find("grasp(it)") != std::string::npos);
 }
 
+TEST_CASE("a word with an apostrophe is rather contracted than misspelt") {
+  WorldSnapshot world;
+  world.objects = {object_of("p", "type=plate"), object_of("c", "type=cup")};
+  const Vocabulary words(english(), world);
+  CHECK(reading_of("the plate's behind the cup", words) == reading_of("the plate is behind the cup", words));
+}
+
 TEST_CASE("a misspelt word for something in the scene is repaired, and told") {
   WorldSnapshot world;
   world.objects = {object_of("k", "type=knife"), object_of("b", "type=block color=red"), object_of("c", "type=cup")};
@@ -444,7 +451,7 @@ TEST_CASE("a known word is a new name only where words would be lost otherwise")
   CHECK(says("take the cup") == "grasp(the(\\x. cup(x)))");
 }
 
-TEST_CASE("a colon joins where words would be lost otherwise") {
+TEST_CASE("a mark after which a sentence may go on joins where words would be lost otherwise") {
   const auto fragments = [](const char* sentence) {
     std::string all;
     for (const auto& each : read(sentence, english_words()).fragments) all += print(each.readings[0].term) + "; ";
@@ -452,6 +459,9 @@ TEST_CASE("a colon joins where words would be lost otherwise") {
   };
   CHECK(fragments("to tidy means: take the cup") == "call_acts(grasp(the(\\x. cup(x))), 'tidy'); ");
   CHECK(fragments("now: take the cup") == "grasp(the(\\x. cup(x))); ");
+  CHECK(fragments("put the cup... erm... on it") == "put(the(\\x. cup(x)), on(it)); ");
+  CHECK(fragments("put the cup; on it") == "put(the(\\x. cup(x)), on(it)); ");
+  CHECK(fragments("take the cup; take it") == "grasp(the(\\x. cup(x))); grasp(it); ");
 }
 
 TEST_CASE("a taught word loses what it meant") {
