@@ -63,7 +63,9 @@ class Hearing {
       utterance_.repaired.push_back(place);
       if (!meant->sure) utterance_.guessed.push_back(place);
     } else if (known) {
-      if (unknown_ == Unknown::renamed) number = joined(std::move(number), vocabulary_.as_name(text, true));
+      // A word that is known only beside others, as in "serve up", has no meaning to lose.
+      if (unknown_ == Unknown::renamed)
+        number = joined(std::move(number), vocabulary_.as_name(text, vocabulary_.find(text) != nullptr));
       add({text, false, std::move(number)});
     } else {
       utterance_.unknown.push_back(place);
