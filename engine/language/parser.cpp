@@ -63,9 +63,9 @@ class Hearing {
       utterance_.repaired.push_back(place);
       if (!meant->sure) utterance_.guessed.push_back(place);
     } else if (known) {
-      // A word that is known only beside others, as in "serve up", has no meaning to lose.
+      // A word that is only left out, as in "before you serve the food", has no meaning to lose.
       if (unknown_ == Unknown::renamed)
-        number = joined(std::move(number), vocabulary_.as_name(text, vocabulary_.find(text) != nullptr));
+        number = joined(std::move(number), vocabulary_.as_name(text, vocabulary_.means(text)));
       add({text, false, std::move(number)});
     } else {
       utterance_.unknown.push_back(place);

@@ -44,6 +44,8 @@ class Vocabulary {
   std::optional<Resemblance> resembling(const std::string& word) const;
   /// Whether the word is an entry, or a part of an entry of several words.
   bool knows(std::string_view word) const { return parts_.contains(word); }
+  /// Whether an entry of which the word is a part has senses: other entries are only left out.
+  bool means(std::string_view word) const;
   /// Number of words of the longest entry.
   std::size_t most_words() const { return most_words_; }
 
@@ -59,7 +61,7 @@ class Vocabulary {
   void lose_senses(const std::string& word);
   std::set<std::string> forms_of(const std::string& verb) const;
   void add_word(const std::string& word, WordSense sense);
-  void add_parts(std::string_view words);
+  void add_parts(std::string_view words, bool mean);
   std::string plural(const std::string& word) const;
   std::optional<Resemblance> resembling_thing(const std::string& word) const;
   std::optional<Resemblance> resembling_word(const std::string& word) const;
@@ -69,7 +71,7 @@ class Vocabulary {
   WordTable scene_words_;  ///< words from attributes and learned names, with the lexicon's senses of the same words
   Signature names_;
   std::map<std::string, Term, std::less<>> definitions_;
-  std::set<std::string, std::less<>> parts_;
+  std::map<std::string, bool, std::less<>> parts_;  ///< words of entries, and whether one of these has senses
   std::set<std::string> said_of_scene_;  ///< single words for what the objects of the scene are
   std::size_t most_words_ = 1;
 };
