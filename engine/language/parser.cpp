@@ -63,7 +63,6 @@ class Hearing {
       utterance_.repaired.push_back(place);
       if (!meant->sure) utterance_.guessed.push_back(place);
     } else if (known) {
-      // A word that is only left out, as in "before you serve the food", has no meaning to lose.
       if (unknown_ == Unknown::renamed)
         number = joined(std::move(number), vocabulary_.as_name(text, vocabulary_.means(text)));
       add({text, false, std::move(number)});

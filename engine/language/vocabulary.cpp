@@ -34,7 +34,10 @@ std::string spoken(const std::string& value) {
 
 Vocabulary::Vocabulary(std::shared_ptr<const Lexicon> lexicon, const WorldSnapshot& world)
     : lexicon_(std::move(lexicon)), names_(lexicon_->names) {
-  for (const auto& [words, entry] : lexicon_->words) add_parts(words, !entry.senses.empty());
+  for (const auto& [words, entry] : lexicon_->words) {
+    const auto others = std::count(words.begin(), words.end(), ' ');
+    add_parts(words, !entry.senses.empty() && others < 2);
+  }
   for (const auto& attribute : lexicon_->attributes) {
     std::set<std::string, std::less<>> grouped;
     for (const auto& group : attribute.values) {

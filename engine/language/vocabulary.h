@@ -44,7 +44,8 @@ class Vocabulary {
   std::optional<Resemblance> resembling(const std::string& word) const;
   /// Whether the word is an entry, or a part of an entry of several words.
   bool knows(std::string_view word) const { return parts_.contains(word); }
-  /// Whether an entry of which the word is a part has senses: other entries are only left out.
+  /// Whether the word means something: it is an entry with senses, or one of the two words of such an entry ("the
+  /// table"). A word of a longer one ("wait a minute"), or of what is only left out, has no meaning to lose.
   bool means(std::string_view word) const;
   /// Number of words of the longest entry.
   std::size_t most_words() const { return most_words_; }
