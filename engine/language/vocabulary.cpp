@@ -34,10 +34,7 @@ std::string spoken(const std::string& value) {
 
 Vocabulary::Vocabulary(std::shared_ptr<const Lexicon> lexicon, const WorldSnapshot& world)
     : lexicon_(std::move(lexicon)), names_(lexicon_->names) {
-  for (const auto& [words, entry] : lexicon_->words) {
-    const auto others = std::count(words.begin(), words.end(), ' ');
-    add_parts(words, !entry.senses.empty() && others < 2);
-  }
+  for (const auto& [words, entry] : lexicon_->words) add_parts(words);
   for (const auto& attribute : lexicon_->attributes) {
     std::set<std::string, std::less<>> grouped;
     for (const auto& group : attribute.values) {
@@ -82,7 +79,7 @@ void Vocabulary::learn(const std::string& word, const std::string& name, const T
     for (const auto& made : lexicon_->learned)
       if (made.type == type) add_word(form, {made.category, applied(made.term, constant), made.cost});
   for (auto& sense : as_name(word, true).senses) add_word(word, std::move(sense));
-  add_parts(word, true);
+  add_parts(word);
 }
 
 // The verb in the form that was taught, and in those with other endings: capping, cap, capped. Other words keep their
@@ -110,12 +107,12 @@ void Vocabulary::learn_noun(const std::string& name, const Term& condition) {
   for (const auto& made : lexicon_->nouns)
     if (made.type == condition.type()) add_word(name, {made.category, applied(made.term, constant), made.cost});
   for (auto& sense : as_name(name, true).senses) add_word(name, std::move(sense));
-  add_parts(name, true);
+  add_parts(name);
 }
 
 bool Vocabulary::means(std::string_view word) const {
-  const auto found = parts_.find(word);
-  return found != parts_.end() && found->second;
+  const auto* entry = find(word);
+  return entry && !entry->senses.empty();
 }
 
 WordEntry Vocabulary::as_name(const std::string& words, bool known) const {
@@ -157,7 +154,7 @@ std::optional<Vocabulary::Resemblance> Vocabulary::resembling_thing(const std::s
 
 std::optional<Vocabulary::Resemblance> Vocabulary::resembling_word(const std::string& word) const {
   std::optional<Resemblance> only;
-  for (const auto& [each, means] : parts_) {
+  for (const auto& each : parts_) {
     const auto found = slip(word, each);
     const auto fewest = found == Slip::exchanged ? fewest_letters_exchanged : fewest_letters_otherwise;
     if (!is_of_the_fingers(found) || each.size() < fewest) continue;
@@ -209,17 +206,16 @@ void Vocabulary::add_word(const std::string& word, WordSense sense) {
   if (found == scene_words_.end()) {
     const auto known = lexicon_->words.find(word);
     found = scene_words_.emplace(word, known == lexicon_->words.end() ? WordEntry() : known->second).first;
-    add_parts(word, true);
+    add_parts(word);
   }
   found->second.senses.push_back(std::move(sense));
 }
 
-void Vocabulary::add_parts(std::string_view words, bool mean) {
+void Vocabulary::add_parts(std::string_view words) {
   std::size_t count = 0;
   for (std::size_t at = 0; at <= words.size(); ++count) {
     const auto end = std::min(words.find(' ', at), words.size());
-    auto& means = parts_[std::string(words.substr(at, end - at))];
-    means = means || mean;
+    parts_.emplace(words.substr(at, end - at));
     at = end + 1;
   }
   most_words_ = std::max(most_words_, count);

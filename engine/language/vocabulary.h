@@ -44,8 +44,8 @@ class Vocabulary {
   std::optional<Resemblance> resembling(const std::string& word) const;
   /// Whether the word is an entry, or a part of an entry of several words.
   bool knows(std::string_view word) const { return parts_.contains(word); }
-  /// Whether the word means something: it is an entry with senses, or one of the two words of such an entry ("the
-  /// table"). A word of a longer one ("wait a minute"), or of what is only left out, has no meaning to lose.
+  /// Whether the word by itself means something. One that is only part of other entries ("wait a minute"), or that is
+  /// only left out, has no meaning to lose.
   bool means(std::string_view word) const;
   /// Number of words of the longest entry.
   std::size_t most_words() const { return most_words_; }
@@ -62,7 +62,7 @@ class Vocabulary {
   void lose_senses(const std::string& word);
   std::set<std::string> forms_of(const std::string& verb) const;
   void add_word(const std::string& word, WordSense sense);
-  void add_parts(std::string_view words, bool mean);
+  void add_parts(std::string_view words);
   std::string plural(const std::string& word) const;
   std::optional<Resemblance> resembling_thing(const std::string& word) const;
   std::optional<Resemblance> resembling_word(const std::string& word) const;
@@ -72,7 +72,7 @@ class Vocabulary {
   WordTable scene_words_;  ///< words from attributes and learned names, with the lexicon's senses of the same words
   Signature names_;
   std::map<std::string, Term, std::less<>> definitions_;
-  std::map<std::string, bool, std::less<>> parts_;  ///< words of entries, and whether one of these has senses
+  std::set<std::string, std::less<>> parts_;
   std::set<std::string> said_of_scene_;  ///< single words for what the objects of the scene are
   std::size_t most_words_ = 1;
 };
