@@ -24,17 +24,37 @@ WordEntry joined(WordEntry entry, WordEntry more) {
   return entry;
 }
 
+// Which of the words belong to an entry that is said there as a whole: "minute" does in "wait a minute" alone.
+std::vector<bool> known_words(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabulary) {
+  std::vector<bool> known(spoken.size());
+  for (std::size_t begin = 0; begin < spoken.size(); ++begin) {
+    std::string text;
+    for (auto end = begin; end < std::min(spoken.size(), begin + vocabulary.most_words()); ++end) {
+      text += (text.empty() ? "" : " ") + spoken[end].text;
+      if (vocabulary.find(text)) std::fill_n(known.begin() + static_cast<std::ptrdiff_t>(begin), end + 1 - begin, true);
+      if (spoken[end].ends_after) break;
+    }
+  }
+  return known;
+}
+
 // Collects the words of an utterance, and reads them segment by segment.
 class Hearing {
  public:
-  Hearing(const Vocabulary& vocabulary, Unknown unknown) : vocabulary_(vocabulary), unknown_(unknown) {}
+  // `passed_over`: the number of a word that counts as unknown though it is not.
+  Hearing(const Vocabulary& vocabulary, Unknown unknown, std::optional<std::size_t> passed_over = {})
+      : vocabulary_(vocabulary), unknown_(unknown), passed_over_(passed_over) {}
 
   Utterance read(const std::vector<SpokenWord>& spoken) {
-    for (const auto& word : spoken) {
+    const auto known = known_words(spoken, vocabulary_);
+    for (std::size_t i = 0; i < spoken.size(); ++i) {
+      const auto& word = spoken[i];
       if (word.comma)
         add_comma();
+      else if (utterance_.words.size() == passed_over_)
+        pass_over(word.text);
       else
-        add_word(word.text);
+        add_word(word.text, known[i]);
       if (word.ends_after) {
         end_segment();
         end_sentence();
@@ -51,11 +71,18 @@ class Hearing {
     after_name_ = false;
   }
 
-  void add_word(const std::string& text) {
+  void pass_over(const std::string& text) {
+    utterance_.unknown.push_back(utterance_.words.size());
+    utterance_.words.push_back(text);
+    if (!words_.empty()) words_.back().before_unknown = true;
+    after_name_ = false;
+  }
+
+  void add_word(const std::string& text, bool is_known) {
     utterance_.words.push_back(text);
     const auto place = utterance_.words.size() - 1;
     auto number = vocabulary_.as_number(text);
-    const bool known = vocabulary_.knows(text) || !number.senses.empty();
+    const bool known = is_known || !number.senses.empty();
     const bool name = !known && (unknown_ == Unknown::names || unknown_ == Unknown::renamed);
     const auto meant = known || unknown_ != Unknown::repaired ? std::nullopt : vocabulary_.resembling(text);
     if (meant) {
@@ -98,6 +125,7 @@ class Hearing {
 
   const Vocabulary& vocabulary_;
   Unknown unknown_;
+  std::optional<std::size_t> passed_over_;
   Utterance utterance_;
   std::vector<Chart::Word> words_;  // of the segment
   std::vector<std::size_t> positions_;
@@ -198,6 +226,20 @@ void keep_longest(WordSpan sentence, Utterance& utterance) {
 
 std::size_t lost_words(const Utterance& utterance) { return utterance.unknown.size() + utterance.unused.size(); }
 
+// Passes over one of the words that fit nowhere, if the words around it go together so: "the heavy cup", where "heavy"
+// is said of states.
+Utterance without_unused(Utterance utterance, const std::vector<SpokenWord>& spoken, const Vocabulary& vocabulary) {
+  constexpr std::size_t most_tries = 4;
+  const auto mode = utterance.repaired.empty() ? Unknown::left_out : Unknown::repaired;
+  const auto badness = [](const Utterance& one) { return std::pair(lost_words(one), one.fragments.size()); };
+  const auto tried = utterance.unused;
+  for (std::size_t i = 0; i < std::min(most_tries, tried.size()); ++i)
+    if (auto again = Hearing(vocabulary, mode, tried[i]).read(spoken);
+        badness(again) < badness(utterance) && is_in_fragment(tried[i], again))
+      utterance = std::move(again);
+  return utterance;
+}
+
 // Unknown words are names if they can be, else words that they resemble. Known words are names if nothing is lost then.
 Utterance read(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabulary) {
   Utterance utterance = Hearing(vocabulary, Unknown::left_out).read(spoken);
@@ -224,12 +266,16 @@ Utterance read(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabula
 Utterance read(std::string_view text, const Vocabulary& vocabulary) {
   bool cut = false;
   const auto spoken = words_of(text, most_words, &cut);
+  auto best = spoken;
   Utterance utterance = read(spoken, vocabulary);
   // "the plate's": a contraction is likelier than a slip, so that repaired words count as lost here.
   const auto doubtful = [](const Utterance& one) { return lost_words(one) + one.repaired.size(); };
   const auto hear = [&](const std::vector<SpokenWord>& heard) {
     if (doubtful(utterance) == 0 || heard.size() == spoken.size()) return;
-    if (auto again = read(heard, vocabulary); doubtful(again) < doubtful(utterance)) utterance = std::move(again);
+    if (auto again = read(heard, vocabulary); doubtful(again) < doubtful(utterance)) {
+      utterance = std::move(again);
+      best = heard;
+    }
   };
   hear(without_repeats(spoken));
   hear(without_contractions(spoken, vocabulary));
@@ -238,6 +284,7 @@ Utterance read(std::string_view text, const Vocabulary& vocabulary) {
     if (auto whole = read(without_half_ends(spoken), vocabulary);
         lost_words(whole) == 0 && (lost_words(utterance) > 0 || whole.fragments.size() < utterance.fragments.size()))
       utterance = std::move(whole);
+  utterance = without_unused(std::move(utterance), best, vocabulary);
   std::size_t begin = 0;
   for (const auto end : std::vector(utterance.ends)) {
     keep_longest({begin, end}, utterance);
