@@ -11,7 +11,7 @@
 namespace continua {
 
 /// Runs with longer logs are approved by their digests alone.
-inline constexpr std::size_t longest_approved_log = 512 * 1024;
+inline constexpr std::size_t longest_approved_log = 1024 * 1024;
 
 /// The file next to a trace that holds its approved run.
 struct ApprovedRun {
