@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {root, serve, Visitor} from './support.mjs';
+import {numberOf, root, serve, Visitor} from './support.mjs';
 
 const paper = join(root, 'traces/paper');
 let server, visitor;
@@ -73,7 +73,8 @@ test('lanes are doubled, and the graph tells whose way was whose', async () => {
 });
 
 test('the stacks of both stand side by side, and what differs is marked', async () => {
-  await visitor.visit(`${both}?n=53`);
+  const parted = numberOf('paper/disambiguation', ({kind, t}) => kind === 'utterance' && t > 6);
+  await visitor.visit(`${both}?n=${parted}`);
   assert.ok(await at('panel-stack').isVisible());
   assert.ok(await at('panel-stack_b').isVisible());
   for (const panel of ['stack', 'stack_b'])
