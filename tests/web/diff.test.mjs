@@ -73,7 +73,7 @@ test('lanes are doubled, and the graph tells whose way was whose', async () => {
 });
 
 test('the stacks of both stand side by side, and what differs is marked', async () => {
-  const parted = numberOf('paper/disambiguation', ({kind, t}) => kind === 'utterance' && t > 6);
+  const parted = numberOf('paper/disambiguation', ({kind, t}) => kind === 'memory' && t > 6);
   await visitor.visit(`${both}?n=${parted}`);
   assert.ok(await at('panel-stack').isVisible());
   assert.ok(await at('panel-stack_b').isVisible());
