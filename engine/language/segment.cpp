@@ -170,9 +170,9 @@ class Segment {
     const auto all = phrases;
     std::erase_if(phrases, [&](const Phrase& outer) {
       return outer.term.type() == Type::entity() && std::any_of(all.begin(), all.end(), [&](const Phrase& inner) {
-        return inner.term == outer.term && inner.words.size() < outer.words.size() &&
-               inner.words.begin >= outer.words.begin && inner.words.end <= outer.words.end;
-      });
+               return inner.term == outer.term && inner.words.size() < outer.words.size() &&
+                      inner.words.begin >= outer.words.begin && inner.words.end <= outer.words.end;
+             });
     });
   }
 
@@ -191,8 +191,10 @@ class Segment {
     if (entry.rule == Chart::Rule::word) return;
     const auto dropped = dropped_argument(entry);
     for (const auto part : {entry.left, entry.right}) {
-      if (part == dropped) collect_taken_back(part, reading);
-      else collect_phrases(part, reading);
+      if (part == dropped)
+        collect_taken_back(part, reading);
+      else
+        collect_phrases(part, reading);
       if (entry.left == entry.right) break;
     }
   }

@@ -9,7 +9,8 @@ namespace {
 // The words with "|" between them, "." after a word that ends a sentence, and "~" after one where it may go on.
 std::string cut_up(std::string_view text) {
   std::string out;
-  for (const auto& word : words_of(text)) out += (out.empty() ? "" : "|") + word.text + (word.half ? "~" : word.ends_after ? "." : "");
+  for (const auto& word : words_of(text))
+    out += (out.empty() ? "" : "|") + word.text + (word.half ? "~" : word.ends_after ? "." : "");
   return out;
 }
 

@@ -143,7 +143,8 @@ TEST_CASE("what the scene says of its objects can be said") {
   CHECK(read_as("the orange orange") == R"(the(\x. orange(x) and orange_type(x)))");
   CHECK(read_as("grab that table") == R"(grasp(that(\x. table_type(x))))");
   CHECK(read_as("the heavy cup") == R"(the(\x. cup(x)))");
-  CHECK(print(*words.definition("cup")) == R"(\x. contains(['cup', 'mug', 'beaker', 'teacup', 'tumbler'], attribute(x, 'type')))");
+  CHECK(print(*words.definition("cup")) ==
+        R"(\x. contains(['cup', 'mug', 'beaker', 'teacup', 'tumbler'], attribute(x, 'type')))");
   CHECK(print(*words.definition("orange_type")) == R"(\x. contains(['orange'], attribute(x, 'type')))");
   CHECK(words.definition("zork") == nullptr);
   CHECK(words.definition("leftmost") != nullptr);
