@@ -18,17 +18,17 @@ Learned lessons(const char* name) {
 TEST_CASE("the name of a program is a word while the program is known") {
   const KnownWords words = known_words(english(), {});
   CHECK(words.all == words.untaught);
-  CHECK_FALSE(words.all->knows("hoist"));
+  CHECK_FALSE(words.all->means("hoist"));
 
   const KnownWords taught = with_taught(words, lessons("hoist"));
-  CHECK(taught.all->knows("hoist"));
+  CHECK(taught.all->means("hoist"));
   CHECK(taught.untaught == words.untaught);
-  CHECK_FALSE(words.all->knows("hoist"));
+  CHECK_FALSE(words.all->means("hoist"));
 
   const KnownWords another = with_taught(taught, lessons("heave"));
-  CHECK(another.all->knows("heave"));
-  CHECK_FALSE(another.all->knows("hoist"));
-  CHECK_FALSE(with_taught(taught, {}).all->knows("hoist"));
+  CHECK(another.all->means("heave"));
+  CHECK_FALSE(another.all->means("hoist"));
+  CHECK_FALSE(with_taught(taught, {}).all->means("hoist"));
 }
 
 TEST_CASE("the same lessons leave the vocabulary as it is") {
