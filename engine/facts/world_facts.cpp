@@ -8,6 +8,7 @@
 
 #include "continua/core/random.h"
 #include "continua/facts/affordances.h"
+#include "continua/facts/formations.h"
 #include "continua/learning/learning.h"
 #include "continua/term/rules.h"
 
@@ -351,6 +352,7 @@ std::pair<Rules, Signature> facts_of(Perspective perspective, const Catalogue* v
       },
       rules, signature);
   add_facts_of_terms(seen, rules, signature);
+  add_formation_facts(voxemes, rules, signature);
   return {std::move(rules), std::move(signature)};
 }
 

@@ -76,6 +76,15 @@ auto parts(Part part_of) {
   };
 }
 
+// Runs of 1, 2, 3, … elements, and the rest.
+Term runs(Arguments a, Evaluation&) {
+  const auto size = elements(a[0]).size();
+  Elements found;
+  for (std::size_t from = 0, length = 1; from < size; from += length++)
+    found.push_back(part(a[0], from, std::min(from + length, size)));
+  return Term::list(std::move(found), a[0].type());
+}
+
 Term map(Arguments a, Evaluation& evaluation) {
   Elements results;
   for (const auto& each : elements(a[0])) results.push_back(evaluation.apply(a[1], each));
@@ -153,6 +162,7 @@ void add_list_functions(Rules& rules, Signature& signature) {
           {"reverse", "'a* -> 'a*", reverse},
           {"prefixes", "'a* -> 'a**", parts(prefix)},
           {"suffixes", "'a* -> 'a**", parts(suffix)},
+          {"runs", "'a* -> 'a**", runs},
           {"map", "'a* -> ('a -> 'b) -> 'b*", map},
           {"filter", "'a* -> ('a -> t) -> 'a*", filter},
           {"some", "'a* -> ('a -> t) -> t", some},

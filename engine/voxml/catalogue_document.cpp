@@ -190,6 +190,7 @@ class DocumentReader {
         {"Type/ReflSym", {"Value", &R::list<&Voxeme::reflectional_symmetry>}},
         {"Type/Args/Arg", {"Value", &R::argument}},
         {"Type/Body/Subevent", {"Value", &R::subevent}},
+        {"Type/Goal", {"Value", &R::text<&Voxeme::goal>}},
         {"Type/Spread", {"Least", &R::spread}},
         {"Type/Scale", {"Value", nullptr}},
         {"Type/Arity", {"Value", nullptr}},

@@ -50,6 +50,7 @@ struct Voxeme {
 
   std::vector<VoxemeArgument> arguments;  ///< Type/Args
   std::vector<Subevent> body;             ///< Type/Body, of programs
+  std::string goal;                       ///< Type/Goal, of collective programs (facts/formations.h), as text
   std::optional<VoxemeSpread> spread;     ///< Type/Spread, of programs with a vector
 
   std::vector<HabitatClause> intrinsic, extrinsic;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "continua/facts/formations.h"
+#include "continua/facts/world_facts.h"
 #include "continua/knowledge_files/language_loading.h"
 #include "continua/machine_file/machine_loader.h"
 #include "continua/replay/check/annotations.h"
@@ -46,6 +48,8 @@ CheckCase check_voxemes_at(const fs::path& folder, const DataPaths&) {
   const auto read = read_catalogue(folder.string());
   auto problems = read.problems;
   for (auto& problem : check_programs(read.catalogue)) problems.push_back(std::move(problem));
+  const Formations formations(read.catalogue, WorldFacts::signature());
+  problems.insert(problems.end(), formations.problems().begin(), formations.problems().end());
   if (!read.problems.empty())
     return cannot_be_used(fmt::format("{} cannot be used", counted(read.problems.size(), "document")),
                           std::move(problems));
