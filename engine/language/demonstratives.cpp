@@ -5,6 +5,9 @@
 namespace continua {
 namespace {
 
+// The things that one points at, one after the other, for "these".
+constexpr int most_shown = 6;
+
 bool is_shown(const Term& term, const Operators& operators) {
   const auto* proform = proform_of(term, operators);
   return proform && proform->source == Proform::Source::pointed;
@@ -62,6 +65,8 @@ std::vector<Demonstrative> demonstratives(const Reading& reading, const Operator
     // Each of "these two" is pointed at.
     const auto* determiner = by_itself ? determiner_of(term, operators) : nullptr;
     const int things = determiner ? std::max(determiner->count, 1) : 1;
+    const bool open = determiner && determiner->many && determiner->count == 0;
+    for (int k = 1; open && k < most_shown; ++k) found.push_back({words, false, false, true});
     for (int k = 0; k < things; ++k) found.push_back({words, by_itself || asks_place, asks_place});
     end = std::max(end, words.end);
   }

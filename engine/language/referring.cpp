@@ -128,12 +128,12 @@ Meant Referring::by_determiner(const Term& phrase, const Term& noun, Determiner 
   return meant;
 }
 
-// "these two" with a pointing for each: the thing at each of them. Nothing where there are fewer pointings, or where
-// one of them shows no such thing.
+// "these two" with a pointing for each, "these" with several: the thing at each of them. Nothing where there are fewer
+// pointings, or where one of them shows no such thing.
 std::optional<Meant> Referring::by_showings(const Term& phrase, const Term& condition, const Determiner& determiner,
                                             std::string noun, std::size_t occurrence) const {
   const auto span = span_of(phrase, occurrence);
-  if (!span || !determiner.deictic || determiner.count < 2) return std::nullopt;
+  if (!span || !determiner.deictic || !is_plural(determiner)) return std::nullopt;
   Determiner one = determiner;
   one.count = 0;
   one.many = false;
@@ -150,7 +150,9 @@ std::optional<Meant> Referring::by_showings(const Term& phrase, const Term& cond
                                    [&](const Referent& each) { return each.object == shown.front().object; });
     if (!known) all.referents.push_back(std::move(shown.front()));
   }
-  if (all.referents.size() != static_cast<std::size_t>(determiner.count)) return std::nullopt;
+  const bool enough = determiner.count > 0 ? all.referents.size() == static_cast<std::size_t>(determiner.count)
+                                           : all.referents.size() > 1;
+  if (!enough) return std::nullopt;
   return chosen(phrase, std::move(all), determiner, std::move(noun), there, occurrence);
 }
 

@@ -26,15 +26,18 @@ std::vector<Showing> taken_by(const std::vector<Demonstrative>& demonstratives, 
 
   std::vector<Showing> showings;
   std::vector<Vec3> used;
-  for (const auto& each : needing) {
+  const auto take = [&](const Demonstrative& each) {
     const auto& half = each.place ? earlier.places : earlier.things;
     const auto free = std::find_if(half.begin(), half.end(), [&](const Vec3& place) { return !contains(used, place); });
-    if (free == half.end()) continue;
+    if (free == half.end()) return;
     used.push_back(*free);
     showings.push_back({each.words, *free, false});
-  }
+  };
+  std::for_each(needing.begin(), needing.end(), take);
+  for (auto each = demonstratives.rbegin(); each != demonstratives.rend(); ++each)
+    if (each->more) take(*each);
   for (const auto& each : demonstratives)
-    if (!each.needs && !earlier.things.empty()) showings.push_back({each.words, earlier.things.front(), false});
+    if (!each.needs && !each.more && !earlier.things.empty()) showings.push_back({each.words, earlier.things.front(), false});
   return showings;
 }
 

@@ -19,6 +19,7 @@ struct EarlierPointings {
 /// - "that one" takes the half of the things, "there" the half of the place. Each pointing goes with one of them.
 /// - The last demonstrative takes the latest pointing, the one before it the pointing before: things and places come in
 ///   the order of their words.
+/// - "these" takes all that are left.
 /// - If there are fewer pointings than demonstratives, things go first, since a place can be asked for.
 /// - The words for a thing that need no pointing, such as "the cup", share the latest pointing at things: it tells
 /// which
