@@ -1,6 +1,7 @@
 #include "continua/language/referring.h"
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
@@ -115,6 +116,9 @@ Meant Referring::by_determiner(const Term& phrase, const Term& noun, Determiner 
   if (determiner.deictic && !context.pointed_W && is_anything(condition))
     return undefined(phrase, determiner, occurrence);
   Reference reference = found(condition, determiner, context);
+  if (determiner.many && determiner.count == 0 && !reference.referents.empty())
+    if (const auto kind = kind_without_things(condition, determiner, context))
+      return chosen(phrase, {}, determiner, words_of_kind(*kind, words_of(noun, occurrence)), context, occurrence);
   const auto enough = static_cast<std::size_t>(std::max(determiner.count, 1));
   if (determiner.definite && !determiner.deictic && reference.referents.size() > enough &&
       showing_of(phrase, occurrence)) {
@@ -126,6 +130,40 @@ Meant Referring::by_determiner(const Term& phrase, const Term& noun, Determiner 
   Meant meant = chosen(phrase, std::move(reference), determiner, words_of(noun, occurrence), context, occurrence);
   meant.within = std::move(within);
   return meant;
+}
+
+// Of "the red and the yellow blocks" the kind that no thing is of; nothing if there is a thing of each.
+std::optional<Term> Referring::kind_without_things(const Term& condition, const Determiner& determiner,
+                                                   const Context& context) const {
+  if (condition.kind() != Term::Kind::lambda) return std::nullopt;
+  std::vector<Term> kinds = {condition.body()};
+  for (std::size_t i = 0; i < kinds.size();) {
+    const auto [head, parts] = kinds[i].spine();
+    if (head.kind() != Term::Kind::constant || head.name() != "or" || parts.size() != 2) {
+      ++i;
+      continue;
+    }
+    kinds[i] = parts[0];
+    kinds.insert(kinds.begin() + static_cast<std::ptrdiff_t>(i) + 1, parts[1]);
+  }
+  if (kinds.size() < 2) return std::nullopt;
+  for (const auto& kind : kinds) {
+    auto one = Term::lambda(condition.name(), condition.variable_type(), kind);
+    if (found(one, determiner, context).referents.empty()) return one;
+  }
+  return std::nullopt;
+}
+
+// "yellow blocks" of "red and yellow blocks": the words that name the kind, and the last one. All words where none does.
+std::string Referring::words_of_kind(const Term& kind, const std::string& words) {
+  std::istringstream stream(words);
+  std::vector<std::string> all;
+  for (std::string word; stream >> word;) all.push_back(word);
+  const auto names = names_in(print(kind));
+  std::string named;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (names.contains(all[i]) || (i + 1 == all.size() && !named.empty())) named += (named.empty() ? "" : " ") + all[i];
+  return named.empty() ? words : named;
 }
 
 // "these two" with a pointing for each, "these" with several: the thing at each of them. Nothing where there are fewer

@@ -53,6 +53,9 @@ class Referring {
   const Determiner* determiner(const Term& term) const;
   const Proform* proform(const Term& term) const;
   Meant by_determiner(const Term& phrase, const Term& noun, Determiner determiner, std::size_t occurrence) const;
+  std::optional<Term> kind_without_things(const Term& condition, const Determiner& determiner,
+                                          const Context& context) const;
+  static std::string words_of_kind(const Term& kind, const std::string& words);
   std::optional<Meant> by_showings(const Term& phrase, const Term& condition, const Determiner& determiner,
                                    std::string noun, std::size_t occurrence) const;
   Meant undefined(const Term& phrase, const Determiner& determiner, std::size_t occurrence) const;

@@ -9,16 +9,22 @@ using namespace continua;
 
 namespace {
 
-// "that cup!, the plate, there@": things that need pointing with an exclamation mark, places with an @.
+// "that cup!, the plate, there@": things that need pointing with an exclamation mark, places with an @;
+// a + for each thing more that may be shown.
 std::string takers(const char* text) {
   const auto words = english_words();
   const auto utterance = read(text, words);
   std::string all;
   for (const auto& fragment : utterance.fragments)
-    for (const auto& [span, needs, place] : demonstratives(fragment.readings.front(), words.operators())) {
-      all += all.empty() ? "" : ", ";
+    for (const auto& each : demonstratives(fragment.readings.front(), words.operators())) {
+      const auto& span = each.words;
+      all += all.empty() ? "" : all.back() == '+' && each.more ? "" : ", ";
+      if (each.more) {
+        all += "+";
+        continue;
+      }
       for (auto i = span.begin; i < span.end; ++i) all += (i > span.begin ? " " : "") + utterance.words[i];
-      all += place ? "@" : needs ? "!" : "";
+      all += each.place ? "@" : each.needs ? "!" : "";
     }
   return all;
 }
@@ -40,4 +46,5 @@ TEST_CASE("demonstratives need pointing, definite noun phrases and nouns alone c
   CHECK(takers("take this, i mean this") == "this!, this!");
   CHECK(takers("take the cup, i mean the plate") == "the plate");
   CHECK(takers("take these two cups") == "these two cups!, these two cups!");
+  CHECK(takers("put these there") == "+++++, these!, there@");
 }

@@ -56,3 +56,11 @@ TEST_CASE("words that need no pointing share the latest one at things") {
   CHECK(taken({word(1, !needs), word(4, !needs)}, {{at(2), at(1)}, {}}) == "1:2 4:2");
   CHECK(taken({word(1, !needs)}, {{}, {at(1)}}).empty());
 }
+
+TEST_CASE("these are all that were shown") {
+  Demonstrative more = word(1, !needs);
+  more.more = true;
+  CHECK(taken({more, more, word(1, needs)}, {{at(2), at(1)}, {}}) == "1:2 1:1");
+  CHECK(taken({more, more, word(1, needs)}, {{at(1)}, {}}) == "1:1");
+  CHECK(taken({more, word(1, needs), word(3, needs, place)}, {{at(2), at(1)}, {at(3), at(2), at(1)}}) == "1:2 1:1 3:3");
+}
