@@ -172,7 +172,7 @@ Term Formations::steps(const std::string& program, std::span<const Term> argumen
   for (const auto& state : goal.elements()) {
     const auto [head, parts] = state.spine();
     if (parts.size() != 2 || parts[0].is_null() || parts[1].is_null()) return Term::null();
-    steps.push_back(Term::apply(Term::apply(put, parts[0]), parts[1]));
+    steps.push_back(evaluation.apply(evaluation.apply(put, parts[0]), parts[1]));
   }
   return Term::list(std::move(steps), Type::truth());
 }

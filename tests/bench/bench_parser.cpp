@@ -41,6 +41,10 @@ BENCHMARK_CAPTURE(
     "the green block right of the plate, behind the other green block and in front of the two red blocks");
 BENCHMARK_CAPTURE(read_text, no_commas,
                   "put the green block right of the plate behind the other green block in front of the red cup");
+BENCHMARK_CAPTURE(read_text, spoken,
+                  "could you please um take the small red block that is next to the cup and put it on the plate");
+BENCHMARK_CAPTURE(read_text, condition,
+                  "if the knife is not on the plate then put the blue cup behind the yellow block otherwise lift it");
 BENCHMARK_CAPTURE(read_repeated, sentences, "put the knife in the blue cup.")->RangeMultiplier(2)->Range(1, 16);
 BENCHMARK_CAPTURE(read_repeated, no_stops, "put the knife in the blue cup")->RangeMultiplier(2)->Range(1, 2048);
 BENCHMARK_CAPTURE(read_repeated, nonsense, "the of in")->Arg(4000);

@@ -20,6 +20,7 @@ TYPES = {
     "abs": "num -> num", "round": "num -> num", "size": "'a* -> num", "head": "'a* -> 'a", "last": "'a* -> 'a",
     "nth": "'a* -> num -> 'a", "tail": "'a* -> 'a*", "take": "'a* -> num -> 'a*", "append": "'a* -> 'a* -> 'a*",
     "concat": "'a** -> 'a*", "reverse": "'a* -> 'a*", "prefixes": "'a* -> 'a**", "suffixes": "'a* -> 'a**",
+    "runs": "'a* -> 'a**",
     "map": "'a* -> ('a -> 'b) -> 'b*", "filter": "'a* -> ('a -> t) -> 'a*", "some": "'a* -> ('a -> t) -> t",
     "every": "'a* -> ('a -> t) -> t", "sort_by": "'a* -> ('a -> num) -> 'a*", "contains": "'a* -> 'a -> t",
     "open": "term -> t", "missing": "term -> text", "type": "term -> text", "fill": "term -> term -> term",
@@ -147,7 +148,9 @@ LISTS = {
     "size": lambda a: number(len(a)), "head": lambda a: a[0] if a else NULL, "last": lambda a: a[-1] if a else NULL,
     "tail": lambda a: ("list", a[1:]), "reverse": lambda a: ("list", a[::-1]),
     "prefixes": lambda a: ("list", tuple(("list", a[:i + 1]) for i in range(len(a)))),
-    "suffixes": lambda a: ("list", tuple(("list", a[i:]) for i in range(len(a))))}
+    "suffixes": lambda a: ("list", tuple(("list", a[i:]) for i in range(len(a)))),
+    "runs": lambda a: ("list", tuple(("list", a[i * (i + 1) // 2:(i + 1) * (i + 2) // 2])
+                                     for i in range(len(a)) if i * (i + 1) // 2 < len(a)))}
 TEXTS = {
     "words": lambda a: ("list", tuple(("text", word) for word in a.split(" ") if word)),
     "starts_with": lambda a, b: boolean(a.startswith(b)), "lower": lambda a: ("text", a.lower())}

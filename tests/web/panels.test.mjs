@@ -10,6 +10,7 @@ before(async () => {
     join(root, 'traces/paper/correction.physics.run.jsonl'),
     join(root, 'traces/building_blocks.run.jsonl'),
     join(root, 'traces/paper/special_npda.run.jsonl'),
+    ...['gaze', 'interim_speech', 'gesture_shapes'].map((name) => join(root, `traces/mechanisms/${name}.run.jsonl`)),
   );
   visitor = await Visitor.start(server.address);
 });
@@ -103,4 +104,36 @@ test('several configurations: how they branched, and the stack of each', async (
     visitor.complaints.filter((one) => !/501/.test(one)),
     [],
   );
+});
+
+const laneNamed = (name) =>
+  visitor.page.evaluate(
+    (wanted) =>
+      window.continua.page.parts.lanes.rows
+        .filter(({name}) => name === wanted)
+        .flatMap(({lane, text}) => Array.from(lane.n, (_, i) => text(i))),
+    name,
+  );
+
+test('what the eyes dwell on has a lane, and is why that thing is asked about first', async () => {
+  const asked = numberOf('mechanisms/gaze', ({kind}) => kind === 'utterance');
+  await visitor.visit(`/r/gaze?n=${asked}`);
+  assert.equal((await laneNamed('looks')).length, 1);
+  await says('dialogue', /Lift the cup[\s\S]*blue cup/);
+  await says('why', /gaze/);
+});
+
+test('words that are not final are shown as such, and led to a look alone', async () => {
+  const look = numberOf('mechanisms/interim_speech', ({kind}) => kind === 'gesture');
+  await visitor.visit(`/r/interim_speech?n=${look}`);
+  await says('dialogue', /“lift the plate …”[\s\S]*look_at\(plate\)[\s\S]*“Lift the knife\.”/);
+  assert.deepEqual((await laneNamed('human says')).slice(-2), ['lift the plate …', 'Lift the knife.']);
+  await says('why', /not final/);
+});
+
+test('a gesture that was recognised by its shape is explained by the exemplar', async () => {
+  const runs = 'mechanisms/gesture_shapes';
+  const near = recordsOf(runs).findLast(({kind, shape}) => kind === 'reading' && shape?.nearest);
+  await visitor.visit(`/r/gesture_shapes?n=${near.n}`);
+  await says('why', new RegExp(near.shape.nearest));
 });

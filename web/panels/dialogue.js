@@ -64,8 +64,7 @@ class Dialogue {
   #words(move) {
     const data = this.#data;
     if (move.how === 'flag') return `${data.kind(move.n)}: ${data.label(move.n).split(':')[0]}`;
-    const text = data.text(move.n);
-    return how[move.how] === 'says' ? `“${text}”` : brief(text);
+    return how[move.how] === 'says' ? `“${data.said(move.n)}”` : brief(data.text(move.n));
   }
   #bubble(move) {
     const {lanes, names, t} = this.#data;

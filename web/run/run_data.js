@@ -54,6 +54,10 @@ export class RunData {
   text(n) {
     return this.labels.text(n);
   }
+  /** The words of an utterance; dots follow those that are not final. */
+  said(n) {
+    return this.label(n).endsWith('(not final)') ? `${this.text(n)} …` : this.text(n);
+  }
   cause(n) {
     return this.cause_of[n];
   }

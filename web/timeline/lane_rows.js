@@ -19,7 +19,7 @@ export function laneRows(data) {
   });
   const words = (lane) => (i) => brief(data.text(lane.n[i]));
   const all = [
-    row('human says', 'human', lanes.speech, words(lanes.speech)),
+    row('human says', 'human', lanes.speech, (i) => brief(data.said(lanes.speech.n[i]))),
     row('shows', 'human', lanes.gesture, words(lanes.gesture)),
     row('points', 'human', lanes.pointing, (i) => `${lanes.pointing.count?.[i] ?? ''} samples`, {plain: true}),
     row('looks', 'human', lanes.gaze, words(lanes.gaze), {optional: true}),
