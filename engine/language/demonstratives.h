@@ -18,7 +18,8 @@ struct Demonstrative {
 /// The demonstratives of a reading, in the order of their words: definite noun phrases, other noun phrases that ask
 /// for pointing, a noun alone, and pro-forms of source `pointed` or `focus`. A thing inside another that is pointed at
 /// by itself cuts the outer one short: "the block between", "this", "this". "these two" are two, each of which is
-/// pointed at; "these" are one, and before it as many more as one may point at. A thing that is pointed at by itself and taken back is one, too: of "this, no, that" both.
+/// pointed at; "these" are one, and before it as many more as one may point at. A thing that is pointed at by itself
+/// and taken back is one, too: of "this, no, that" both.
 std::vector<Demonstrative> demonstratives(const Reading& reading, const Operators& operators);
 
 /// Whether the phrase is a thing that is pointed at by itself: this, that cup.

@@ -154,7 +154,8 @@ std::optional<Term> Referring::kind_without_things(const Term& condition, const 
   return std::nullopt;
 }
 
-// "yellow blocks" of "red and yellow blocks": the words that name the kind, and the last one. All words where none does.
+// "yellow blocks" of "red and yellow blocks": the words that name the kind, and the last one. All words where none
+// does.
 std::string Referring::words_of_kind(const Term& kind, const std::string& words) {
   std::istringstream stream(words);
   std::vector<std::string> all;

@@ -37,7 +37,8 @@ std::vector<Showing> taken_by(const std::vector<Demonstrative>& demonstratives, 
   for (auto each = demonstratives.rbegin(); each != demonstratives.rend(); ++each)
     if (each->more) take(*each);
   for (const auto& each : demonstratives)
-    if (!each.needs && !each.more && !earlier.things.empty()) showings.push_back({each.words, earlier.things.front(), false});
+    if (!each.needs && !each.more && !earlier.things.empty())
+      showings.push_back({each.words, earlier.things.front(), false});
   return showings;
 }
 

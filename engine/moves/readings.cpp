@@ -44,8 +44,7 @@ ReadSpeech read_speech(InputEvent event, const Understanding& understanding) {
   const auto times = word_times(event, speech.utterance.words);
   speech.demonstratives = understanding.demonstratives(speech.utterance);
   for (const auto& each : speech.demonstratives)
-    speech.takers.push_back(
-        {times[each.words.begin].from, times[each.words.end - 1].until, each.needs, event.t});
+    speech.takers.push_back({times[each.words.begin].from, times[each.words.end - 1].until, each.needs, event.t});
   speech.until = time_of(event, speech.utterance.words).until;
   speech.ends_in_thing = ends_in_thing(speech, understanding);
   speech.event = std::move(event);
