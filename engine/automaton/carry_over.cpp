@@ -34,7 +34,7 @@ class CarryOver {
 
   Configuration configuration(const Configuration& before) {
     Configuration after;
-    after.next_symbol = before.next_symbol;
+    after.next = before.next;
     after.state = state(before.state);
     after.stack = stack(before.stack);
     after.history = history(before.history, before.state, after);
@@ -160,14 +160,14 @@ void follow_policy(Chooser& chooser, Configuration& configuration, Exploration& 
   const bool explored = !exploration.branches.empty();
   if (explored == (chooser.policy == Choice::explore)) return;
   if (explored) {
-    configuration.next_symbol = exploration.next_symbol;
+    configuration.next = exploration.next;
     chooser.steps = exploration.steps;
     exploration = {};
     return;
   }
   Branch only;
   only.configuration = configuration;
-  exploration = {{std::move(only)}, 1, configuration.next_symbol, chooser.steps};
+  exploration = {{std::move(only)}, 1, configuration.next, chooser.steps};
 }
 
 }  // namespace continua

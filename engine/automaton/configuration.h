@@ -33,12 +33,18 @@ class History {
   Stack before_;  ///< at the present state's entry before the latest; empty: no landmark, or its first entry
 };
 
+/// The next numbers, unique within a run.
+struct NextIds {
+  int symbol = 0;
+  int write = 1;  ///< of a register
+};
+
 struct Configuration {
   StateIndex state = 0;
   Stack stack;
   History history;
   std::shared_ptr<const std::vector<Cell>> memory;  ///< one for each register, in the machine's order; never null
-  int next_symbol = 0;                              ///< id of the next new symbol
+  NextIds next;
 
   /// Equal in all that decides how the run goes on: ids and sources of values do not count.
   bool same_as(const Configuration& other) const;

@@ -19,7 +19,7 @@ class Explorer::Work {
 
   void begin() {
     auto configuration = stepper_.initial();
-    result_.after.next_symbol = configuration.next_symbol;
+    result_.after.next = configuration.next;
     Node node;
     node.events.push_back(MadeSymbol{configuration.stack.id(), std::nullopt, configuration.stack.top()});
     node.branch.configuration = std::move(configuration);
@@ -108,7 +108,7 @@ class Explorer::Work {
     bool any = false;
     for (const auto& candidate : found.candidates) {
       Node node = from;
-      node.branch.configuration.next_symbol = result_.after.next_symbol;
+      node.branch.configuration.next = result_.after.next;
       auto firing = firing_of(from, std::move(node.branch.configuration), inputs, &node.events);
       if (!inputs.empty()) node.input = &inputs[candidate.alternative];
       const Chosen chosen{candidate.transition, candidate.weight / total, std::nullopt, false, candidate.alternative};
@@ -116,7 +116,7 @@ class Explorer::Work {
       if (!settles) continue;
       any = true;
       node.branch.configuration = std::move(firing).take();
-      result_.after.next_symbol = node.branch.configuration.next_symbol;
+      result_.after.next = node.branch.configuration.next;
       node.branch.by.push_back(candidate.transition);
       node.branch.weight = from.branch.weight * candidate.weight;
       node.settles = *settles;

@@ -25,7 +25,7 @@ struct Branch {
 struct Exploration {
   std::vector<Branch> branches;
   int next_branch = 0;
-  int next_symbol = 0;  ///< ids of symbols are unique over all branches
+  NextIds next;  ///< unique over all branches
   int steps = 0;        ///< transitions fired so far, over all branches
 };
 

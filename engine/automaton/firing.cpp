@@ -13,13 +13,21 @@
 namespace continua {
 namespace {
 
-// Merges ascending lists. Values with a long history have many sources, mostly the same ones.
-void merge(const std::vector<int>& more, std::vector<int>& into) {
-  if (more.empty() || more == into) return;
-  const auto middle = static_cast<std::ptrdiff_t>(into.size());
-  into.insert(into.end(), more.begin(), more.end());
-  std::inplace_merge(into.begin(), into.begin() + middle, into.end());
-  into.erase(std::unique(into.begin(), into.end()), into.end());
+void add(int source, std::vector<int>& into) {
+  const auto place = std::lower_bound(into.begin(), into.end(), source);
+  if (place == into.end() || *place != source) into.insert(place, source);
+}
+
+void add(const std::vector<int>& sources, std::vector<int>& into) {
+  for (const int source : sources) add(source, into);
+}
+
+// The sources of the values that are new in the symbol.
+std::vector<int> sources_of_new(const Symbol& symbol, int id) {
+  std::vector<int> because;
+  for (const auto& cell : symbol)
+    if (cell.source == source_of_symbol(id)) add(cell.because, because);
+  return because;
 }
 
 }  // namespace
@@ -192,10 +200,11 @@ Cell Firing::of_type(const Type& type, const std::string& name, Cell cell) {
 void Firing::apply(const Change& change) {
   if (change.operation->kind == Operation::Kind::none) return;
   auto result = apply_operation(*change.operation, change.contents, machine_, configuration_);
-  for (auto& made : result.made) note(MadeSymbol{made.id(), made.id_below(), made.top()});
+  for (auto& made : result.made)
+    note(MadeSymbol{made.id(), made.id_below(), made.top(), sources_of_new(made.top(), made.id())});
   if (!result.trouble.empty()) note(Trouble{std::move(result.trouble)});
   configuration_.stack = std::move(result.stack);
-  configuration_.next_symbol = result.next_symbol;
+  configuration_.next.symbol = result.next_symbol;
   clear_registers(change.operation->kind);
 }
 
@@ -209,10 +218,17 @@ void Firing::clear_registers(Operation::Kind kind) {
     if (!(flushes ? one.cleared_by_flush : one.cleared_by_pop_until)) continue;
     if ((*configuration_.memory)[i].value == one.initial) continue;
     if (!cleared) cleared = *configuration_.memory;
-    (*cleared)[i] = {one.initial, origin_.sources};
-    note(Remembered{i, one.initial});
+    remember(i, {one.initial, origin_.sources}, *cleared);
   }
   if (cleared) configuration_.memory = std::make_shared<const std::vector<Cell>>(*std::move(cleared));
+}
+
+// A register that has the value already keeps it, with its sources.
+void Firing::remember(std::size_t index, Cell cell, std::vector<Cell>& memory) {
+  const int number = configuration_.next.write++;
+  cell.source = source_of_write(number);
+  note(Remembered{index, cell.value, number, cell.because});
+  memory[index] = std::move(cell);
 }
 
 bool Firing::perform_and_rewrite(const std::vector<Effect>& effects) {
@@ -282,8 +298,7 @@ bool Firing::perform_one(const Remember& remember) {
   auto memory = *configuration_.memory;
   for (const auto& [index, term] : remember.registers) {
     auto cell = of_type(machine_.memory[index].type, machine_.memory[index].name, derived(term));
-    if (!(memory[index].value == cell.value)) note(Remembered{index, cell.value});
-    memory[index] = std::move(cell);
+    if (!(memory[index].value == cell.value)) remember(index, std::move(cell), memory);
   }
   configuration_.memory = std::make_shared<const std::vector<Cell>>(std::move(memory));
   return false;
@@ -294,7 +309,7 @@ bool Firing::perform_one(const Learn& learn) {
   auto value = compute(learn.value);
   if (name.value.kind() != Term::Kind::text || value.value.is_null()) return false;
   auto inputs = name.because;
-  merge(value.because, inputs);
+  add(value.because, inputs);
   note(Taught{learn.of, name.value.text_value(), std::move(value.value), std::move(inputs), learn.fixed});
   return false;
 }
@@ -382,7 +397,7 @@ Evaluation::Held Firing::look_up(Name name) {
       return &(moment_ = input_ ? Term::number(input_->confidence) : Term::null());
     case From::looked_at:
       if (!facts_.looked) return &(moment_ = Term::null());
-      merge(facts_.looked->because, because_);
+      add(facts_.looked->because, because_);
       return &(moment_ = facts_.looked->objects);
     case From::now:
       return &(moment_ = origin_.now_s ? Term::number(*origin_.now_s) : Term::null());
@@ -391,7 +406,7 @@ Evaluation::Held Firing::look_up(Name name) {
 }
 
 Evaluation::Held Firing::read(const Cell& cell) {
-  merge(cell.because, because_);
+  if (cell.source != 0) add(cell.source, because_);
   if (derivation_) derivation_->read(cell.value);
   return {&cell.value, true};
 }

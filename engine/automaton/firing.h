@@ -74,7 +74,7 @@ class Firing {
   void forget_input();
 
   Term value(const Term& term);
-  /// A value, with the inputs it came from: those of all values read, and the one under way.
+  /// A value, with its sources: all values read, and the input under way.
   Cell compute(const Term& term);
   /// The same; the applications that the value is made of go to the account.
   Cell derived(const Term& term);
@@ -96,6 +96,7 @@ class Firing {
   Evaluation evaluate();
   Evaluation::Held look_up(Name name);
   Evaluation::Held read(const Cell& cell);
+  void remember(std::size_t index, Cell cell, std::vector<Cell>& memory);
   bool perform_and_rewrite(const std::vector<Effect>& effects);
   Cell of_type(const Type& type, const std::string& name, Cell cell);
   std::optional<Term> lifted(const Type& type, const Cell& cell);
@@ -121,7 +122,7 @@ class Firing {
   InputOrigin origin_;
   Facts facts_;
   std::vector<StepEvent>* account_;
-  std::vector<int> because_;  ///< inputs behind the value being computed, ascending
+  std::vector<int> because_;  ///< sources of the value being computed, ascending
   Change rewrite_;
   Derivation* derivation_ = nullptr;             ///< of the value being computed, if it is wanted
   std::unordered_set<Term, TermHash> composed_;  ///< results of applications that went to the account

@@ -9,10 +9,17 @@
 
 namespace continua {
 
-/// The value of one slot, and the running numbers of the inputs that contributed to it, ascending.
+/// What a value came of, as a number: the serial of an input (from 1), or the value of a slot or register that was read,
+/// which came of others in its turn. A list of sources is so as long as what one step reads, however long the session.
+/// Sources of symbols are odd, those of registers even, all of them negative.
+constexpr int source_of_symbol(int id) { return -2 * id - 1; }
+constexpr int source_of_write(int number) { return -2 * number; }
+
+/// The value of one slot or register, and its sources, ascending.
 struct Cell {
   Term value;
   std::vector<int> because;
+  int source = 0;  ///< the number of the value itself; 0: the machine's first value, or one that is not kept yet
 };
 
 /// A stack symbol: one cell for each slot, in the machine's order.

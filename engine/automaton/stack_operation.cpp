@@ -14,11 +14,14 @@ class Worker {
  public:
   Worker(const Machine& machine, const Configuration& before) : machine_(machine) {
     result_.stack = before.stack;
-    result_.next_symbol = before.next_symbol;
+    result_.next_symbol = before.next.symbol;
   }
 
   void push(Symbol symbol) {
-    result_.stack = result_.stack.push(std::move(symbol), result_.next_symbol++);
+    const int id = result_.next_symbol++;
+    for (auto& cell : symbol)
+      if (cell.source == 0 && !cell.because.empty()) cell.source = source_of_symbol(id);
+    result_.stack = result_.stack.push(std::move(symbol), id);
     result_.made.push_back(result_.stack);
   }
 

@@ -47,6 +47,7 @@ struct MadeSymbol {
   int id = 0;
   std::optional<int> below;
   Symbol symbol;
+  std::vector<int> because = {};  ///< sources of the values that are new in it
 };
 struct Rewrote {
   StateIndex state = 0;
@@ -74,6 +75,8 @@ struct Acted {
 struct Remembered {
   std::size_t index = 0;
   Term value;
+  int number = 0;  ///< source_of_write(number) names the value as a source
+  std::vector<int> because = {};
 };
 /// A lesson to learn or forget. The automaton only reports it and does not change.
 struct Taught {

@@ -59,7 +59,7 @@ Configuration Stepper::initial() const {
   for (const auto& entry : machine_->memory) memory.push_back({entry.initial, {}});
   configuration.memory = std::make_shared<const std::vector<Cell>>(std::move(memory));
   configuration.state = machine_->start;
-  configuration.stack = configuration.stack.push(bottom_symbol(*machine_), configuration.next_symbol++);
+  configuration.stack = configuration.stack.push(bottom_symbol(*machine_), configuration.next.symbol++);
   if (machine_->landmarks > 0)
     configuration.history =
         configuration.history.entered(machine_->landmark[machine_->start], machine_->landmarks, configuration.stack);

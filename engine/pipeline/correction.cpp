@@ -44,7 +44,7 @@ Tick correct(const Engine& engine, const EngineState& before, const EngineState&
   EngineState& state = tick.after;
   for (auto& change : state.beliefs.changes_since(after.beliefs)) tick.events.push_back(std::move(change));
   state.configuration.memory = after.configuration.memory;
-  state.configuration.next_symbol = after.configuration.next_symbol;
+  state.configuration.next = after.configuration.next;
 
   const Facts facts = facts_of(state, world);
   const auto applies = [&](const Implied& row) {

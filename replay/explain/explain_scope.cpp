@@ -53,8 +53,16 @@ const Json& ExplainScope::record(std::size_t n) {
 }
 
 void ExplainScope::add_inputs_of(std::size_t n) {
-  for (const auto input : record_numbers(record(n), "because", n))
-    if (log::is<log::Input>(run_.kind(input))) inputs_.push_back(input);
+  for (std::vector<std::size_t> open{n}; !open.empty();) {
+    const auto at = open.back();
+    open.pop_back();
+    if (!walked_.insert(at).second) continue;
+    for (const auto source : record_numbers(record(at), "because", at))
+      if (log::is<log::Input>(run_.kind(source)))
+        inputs_.push_back(source);
+      else
+        open.push_back(source);
+  }
 }
 
 std::optional<std::size_t> ExplainScope::input_of(std::size_t n) const {

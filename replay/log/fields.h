@@ -17,6 +17,10 @@
 
 namespace continua::log {
 
+/// Said of `because`.
+inline constexpr auto of_sources =
+    "The records that it came of: inputs, and the registers and symbols that were read, which have a `because` too.";
+
 /// The part that a member plays when runs are compared.
 enum class Says : std::uint8_t {
   what,   ///< tells the event; counts as a decision and when two runs are compared

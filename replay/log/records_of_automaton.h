@@ -29,6 +29,7 @@ struct Belief {
 
 struct Memory {
   std::string register_name, value;
+  std::optional<std::vector<std::int64_t>> because = {};
 
   static constexpr Kind kind{.name = "memory",
                              .when = "A register changed.",
@@ -37,7 +38,8 @@ struct Memory {
                              .brief_adds = ":="};
   static constexpr auto fields() {
     return std::tuple{field("register", &Memory::register_name, Says::what, "Name of the register.").briefly(),
-                      field("value", &Memory::value, Says::what, "Its new value.").as("term").briefly()};
+                      field("value", &Memory::value, Says::what, "Its new value.").as("term").briefly(),
+                      field("because", &Memory::because, Says::aside, of_sources).as("record")};
   }
   std::string brief() const { return fmt::format("{} := {}", register_name, value); }
 };
@@ -238,6 +240,7 @@ struct Symbol {
   std::int64_t id = 0;
   OrNull<std::int64_t> below;
   Named<std::string> slots;
+  std::optional<std::vector<std::int64_t>> because = {};
 
   static constexpr Kind kind{.name = "symbol",
                              .when =
@@ -251,7 +254,8 @@ struct Symbol {
                       field("below", &Symbol::below, Says::where, "Id of the symbol below it; null at the bottom."),
                       field("slots", &Symbol::slots, Says::what, "{slot: term}, without slots that are null or empty.")
                           .as("term")
-                          .briefly()};
+                          .briefly(),
+                      field("because", &Symbol::because, Says::aside, of_sources).as("record")};
   }
   std::string brief() const;
 };
@@ -301,7 +305,7 @@ struct Application {
         field("result", &Application::result, Says::what, "The result.").as("term").briefly().following(),
         field("types", &Application::types, Says::how, "Their types."),
         field("rule", &Application::rule, Says::how, "The raising rule that made the argument fit, or null."),
-        field("because", &Application::because, Says::aside, "The inputs that contributed.").as("record")};
+        field("because", &Application::because, Says::aside, of_sources).as("record")};
   }
   std::string brief() const { return fmt::format("{} @ {} = {}", function, argument, result); }
 };

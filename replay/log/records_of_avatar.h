@@ -18,7 +18,7 @@ struct Utterance {
                              .brief_adds = "“”"};
   static constexpr auto fields() {
     return std::tuple{field("text", &Utterance::text, Says::what, "The words.").briefly(),
-                      field("because", &Utterance::because, Says::aside, "The inputs that contributed.").as("record")};
+                      field("because", &Utterance::because, Says::aside, of_sources).as("record")};
   }
   std::string brief() const { return fmt::format("“{}”", text); }
 };
@@ -33,7 +33,7 @@ struct AvatarGesture {
   static constexpr auto fields() {
     return std::tuple{
         field("gesture", &AvatarGesture::gesture, Says::what, "The avatar gesture.").as("term").briefly(),
-        field("because", &AvatarGesture::because, Says::aside, "The inputs that contributed.").as("record")};
+        field("because", &AvatarGesture::because, Says::aside, of_sources).as("record")};
   }
   std::string brief() const { return gesture; }
 };
@@ -85,7 +85,7 @@ struct Act {
               "again within a second) or `stopped` (given up). A step that needs no doing is `done` alone.")
             .briefly(),
         field("step", &Act::step, Says::where, "Running number of the step within the act, from 1."),
-        field("because", &Act::because, Says::aside, "When asked for: the inputs that contributed.").as("record"),
+        field("because", &Act::because, Says::aside, "When asked for: the records that it came of.").as("record"),
         field("result", &Act::result, Says::aside, "When it has ended: how it went.")};
   }
   std::string brief() const { return joined({status, program}); }

@@ -259,7 +259,7 @@ struct Reading {
               "Unknown words that were read as words of the scene which resemble them; `entries` has these."),
         field("shape", &Reading::shape, Says::how,
               "Of a gesture with `features` that no catalogue has: how its shape compares with taught ones."),
-        field("because", &Reading::because, Says::aside, "The inputs that contributed.").as("record"),
+        field("because", &Reading::because, Says::aside, of_sources).as("record"),
         field("alternative", &Reading::alternative, Says::how,
               "Of an n-best list: its place in the list; 0 is the event's own text."),
         field("confidence", &Reading::confidence, Says::how, "Of an n-best list: the weight of the alternative."),
@@ -282,7 +282,7 @@ struct Learned {
               "The meaning of a gesture; the acts of a word, below lambdas for the objects that they need.")
             .as("term")
             .briefly(),
-        field("because", &Learned::because, Says::aside, "The inputs that contributed.").as("record")};
+        field("because", &Learned::because, Says::aside, of_sources).as("record")};
   }
   std::string brief() const { return fmt::format("{} {} = {}", of, name, value); }
 };
@@ -299,7 +299,7 @@ struct Forgotten {
     return std::tuple{field("of", &Forgotten::of, Says::what, "`gesture` or `word`.").briefly(),
                       field("name", &Forgotten::name, Says::what, "Name of the gesture, or the word.").briefly(),
                       field("value", &Forgotten::value, Says::what, "What it meant.").as("term").briefly(),
-                      field("because", &Forgotten::because, Says::aside, "The inputs that contributed.").as("record")};
+                      field("because", &Forgotten::because, Says::aside, of_sources).as("record")};
   }
   std::string brief() const { return fmt::format("{} {} = {}", of, name, value); }
 };

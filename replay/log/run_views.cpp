@@ -211,11 +211,41 @@ Result<Json> run_stack_since(const RunIndex& run, std::size_t before, std::size_
   return stack_change(run, top_at(run, before), top_at(run, n));
 }
 
+namespace {
+
+// Adds the inputs that a record's `because` names, and those behind the registers and symbols that it names. `walked`:
+// records that were followed already.
+std::optional<Error> add_inputs_behind(const RunIndex& run, std::size_t n, const Json& record,
+                                       std::set<std::size_t>& walked, std::map<std::size_t, Json>& inputs) {
+  std::vector<std::size_t> open;
+  const auto add = [&](std::size_t at, const Json& of) {
+    for (const auto& each : member_of(of, "because")) {
+      if (!each.is_number_unsigned() || each.get<std::size_t>() >= at) continue;
+      const auto source = each.get<std::size_t>();
+      if (log::is<log::Input>(run.kind(source)))
+        inputs.emplace(source, Json());
+      else if (walked.insert(source).second)
+        open.push_back(source);
+    }
+  };
+  add(n, record);
+  while (!open.empty()) {
+    const auto at = open.back();
+    open.pop_back();
+    const auto of = run.record(at);
+    if (!of) return of.error();
+    add(at, *of);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result<Json> run_derivation(const RunIndex& run, std::size_t n) {
   // Upwards through `cause` and `because`; and across to the applications that the
   // records met on the way brought about, and to those whose result became part of one already met.
   std::map<std::size_t, Json> applications, inputs;
-  std::set<std::size_t> met;
+  std::set<std::size_t> met, walked;
   std::vector<std::size_t> open{n};
   Json chain = Json::array();
   for (std::optional<std::size_t> at = n; at; at = run.cause(*at)) {
@@ -242,10 +272,7 @@ Result<Json> run_derivation(const RunIndex& run, std::size_t n) {
     for (auto found = from; found != to; ++found) open.push_back(found->second);
     auto record = run.record(at);
     if (!record) return record.error();
-    if (const auto because = record->find("because"); because != record->end() && because->is_array())
-      for (const auto& input : *because)
-        if (input.is_number_unsigned() && input.get<std::size_t>() < at)
-          inputs.emplace(input.get<std::size_t>(), Json());
+    if (auto problem = add_inputs_behind(run, at, *record, walked, inputs)) return *problem;
     if (log::is<log::Input>(run.kind(at))) inputs[at] = *std::move(record);
     if (!log::is<log::Application>(run.kind(at))) continue;
     for (const char* part : {"function", "argument"})

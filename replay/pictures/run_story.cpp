@@ -58,9 +58,28 @@ class StoryReader {
         story_.lines.push_back({Speaker::avatar, text_of(*record, "text"), t, t});
       else
         avatar_gesture(n, t, text_of(*record, "gesture"));
-      for (const auto& because : member_of(*record, "because"))
-        if (because.is_number_unsigned()) effective_.insert(because.get<std::size_t>());
+      if (auto problem = add_sources(*record)) return problem;
       if (const auto cause = run_.cause(n); cause && log::is<log::Transition>(kind)) effective_.insert(*cause);
+    }
+    return std::nullopt;
+  }
+
+  // The inputs that something came of, also by way of registers and symbols.
+  std::optional<Error> add_sources(const Json& record) {
+    std::vector<std::size_t> open;
+    const auto add = [&](const Json& of) {
+      for (const auto& each : member_of(of, "because"))
+        if (each.is_number_unsigned() && each.get<std::size_t>() < run_.size() &&
+            effective_.insert(each.get<std::size_t>()).second)
+          open.push_back(each.get<std::size_t>());
+    };
+    add(record);
+    while (!open.empty()) {
+      const auto at = open.back();
+      open.pop_back();
+      const auto source = run_.record(at);
+      if (!source) return source.error();
+      add(*source);
     }
     return std::nullopt;
   }
@@ -122,7 +141,7 @@ class StoryReader {
   const RunIndex& run_;
   RunStory story_;
   PointingReader pointings_;
-  std::set<std::size_t> effective_;                               // inputs that something came of
+  std::set<std::size_t> effective_;                               // records that something came of
   std::vector<std::pair<std::size_t, std::size_t>> line_inputs_;  // place in lines, input
 };
 

@@ -36,8 +36,8 @@ void Recorder::one(const Event& event) {
     return;
   else if constexpr (requires { record_of(event, *machine_); })
     write(record_of(event, *machine_));
-  else if constexpr (requires { record_of(event, input_record_); })
-    write(record_of(event, input_record_));
+  else if constexpr (requires { record_of(event, source_record_); })
+    write(record_of(event, source_record_));
   else
     write(record_of(event));
 }
@@ -59,20 +59,18 @@ void Recorder::one(const Perceived& perceived) {
     latest_input_ = write(log::Input{std::nullopt, event, perceived.symbol, std::nullopt});
     next_.cause = latest_input_;
   }
-  input_record_[perceived.serial] = latest_input_;
+  source_record_.add(perceived.serial, latest_input_);
 }
 
 void Recorder::one(const Attended& attended) {
-  next_.cause = std::nullopt;
-  if (const auto record = input_record_.find(attended.serial); record != input_record_.end())
-    next_.cause = record->second;
+  next_.cause = source_record_.find(attended.serial);
   if (attended.bound.empty() && attended.at == attended.happened) return;
-  next_.cause = write(record_of(attended, input_record_));
+  next_.cause = write(record_of(attended, source_record_));
 }
 
 void Recorder::one(const Understood& understood) {
   if (const auto referents = referents_of(understood.move); referents && understood.taken) last_referents_ = *referents;
-  const int n = write(record_of(understood, input_record_));
+  const int n = write(record_of(understood, source_record_));
   if (understood.taken) next_.cause = n;
 }
 
@@ -80,12 +78,20 @@ void Recorder::one(const StepEvent& step) {
   std::visit([this](const auto& what) { one(what); }, step);
 }
 
+void Recorder::one(const MadeSymbol& made) {
+  source_record_.add(source_of_symbol(made.id), write(record_of(made, *machine_, source_record_)));
+}
+
+void Recorder::one(const Remembered& remembered) {
+  source_record_.add(source_of_write(remembered.number), write(record_of(remembered, *machine_, source_record_)));
+}
+
 void Recorder::one(const Fired& fired) { next_.cause = write(record_of(fired, *machine_)); }
 
-void Recorder::one(const Said& said) { moves_.push_back({"speech", said.text, write(record_of(said, input_record_))}); }
+void Recorder::one(const Said& said) { moves_.push_back({"speech", said.text, write(record_of(said, source_record_))}); }
 
 void Recorder::one(const Gestured& gestured) {
-  auto record = record_of(gestured, input_record_);
+  auto record = record_of(gestured, source_record_);
   const int n = write(record);
   moves_.push_back({"gesture", std::move(record.gesture), n});
 }
@@ -93,7 +99,7 @@ void Recorder::one(const Gestured& gestured) {
 void Recorder::one(const Acted& acted) {
   const auto program = print(acted.term);
   const int number = static_cast<int>(acts_.size()) + 1;
-  const int n = write(log::Act{number, program, "asked", {}, records_of(acted.because, input_record_), {}});
+  const int n = write(log::Act{number, program, "asked", {}, records_of(acted.because, source_record_), {}});
   acts_[number] = {n, program};
   moves_.push_back({"action", program, n});
 }
@@ -103,20 +109,25 @@ void Recorder::one(const Branched& branched) {
   const auto of = [this](const auto& event) -> std::optional<log::Record> {
     using Event = std::decay_t<decltype(event)>;
     if constexpr (std::is_same_v<Event, Acted>)
-      return log::Act{0, print(event.term), "asked", {}, records_of(event.because, input_record_), {}};
+      return log::Act{0, print(event.term), "asked", {}, records_of(event.because, source_record_), {}};
     else if constexpr (std::is_same_v<Event, Reattended> || std::is_same_v<Event, Taught> ||
                        std::is_same_v<Event, Forgotten>)
       return std::nullopt;
+    else if constexpr (requires { record_of(event, *machine_, source_record_); })
+      return record_of(event, *machine_, source_record_);
     else if constexpr (requires { record_of(event, *machine_); })
       return record_of(event, *machine_);
-    else if constexpr (requires { record_of(event, input_record_); })
-      return record_of(event, input_record_);
+    else if constexpr (requires { record_of(event, source_record_); })
+      return record_of(event, source_record_);
     else
       return record_of(event);
   };
-  if (const auto record = std::visit(of, branched.event))
-    write(
-        log::Branched{branched.branch, branched.parent, std::string(log::kind_of(*record)), log::members_of(*record)});
+  const auto record = std::visit(of, branched.event);
+  if (!record) return;
+  const int n = write(
+      log::Branched{branched.branch, branched.parent, std::string(log::kind_of(*record)), log::members_of(*record)});
+  if (const auto* made = std::get_if<MadeSymbol>(&branched.event)) source_record_.add(source_of_symbol(made->id), n);
+  if (const auto* one = std::get_if<Remembered>(&branched.event)) source_record_.add(source_of_write(one->number), n);
 }
 
 void Recorder::write_act(int number, log::Act record, SimTime t) {

@@ -59,6 +59,8 @@ class Recorder {
   void one(const StepEvent& step);
   void one(const ActStep& step);
   void one(const ActEnd& end);
+  void one(const MadeSymbol& made);
+  void one(const Remembered& remembered);
   void one(const Fired& fired);
   void one(const Said& said);
   void one(const Gestured& gestured);
@@ -79,7 +81,7 @@ class Recorder {
     std::optional<int> cause;  ///< number of the record that brought it about
     bool measured = false;     ///< its time depends on the length of an act
   } next_;                     ///< of the next record
-  InputRecords input_record_;
+  SourceRecords source_record_;
   std::vector<AvatarMove> moves_;
   int latest_input_ = 0;
   std::optional<std::int64_t> interim_;  ///< record of the latest words that were not final, until others came

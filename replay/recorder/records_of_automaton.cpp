@@ -27,12 +27,17 @@ std::vector<log::Refused> refusals_of(const std::vector<Refused>& refused, std::
   return records;
 }
 
+std::optional<std::vector<std::int64_t>> unless_empty(const std::vector<int>& because, const SourceRecords& sources) {
+  auto records = records_of(because, sources);
+  return records.empty() ? std::nullopt : std::optional(std::move(records));
+}
+
 }  // namespace
 
 log::Belief record_of(const BeliefChange& change) { return {change.name, change.value, change.was}; }
 
-log::Memory record_of(const Remembered& remembered, const Machine& machine) {
-  return {machine.memory[remembered.index].name, print(remembered.value)};
+log::Memory record_of(const Remembered& remembered, const Machine& machine, const SourceRecords& sources) {
+  return {machine.memory[remembered.index].name, print(remembered.value), unless_empty(remembered.because, sources)};
 }
 
 log::Transition record_of(const Fired& fired, const Machine& machine) {
@@ -93,13 +98,14 @@ log::Correction record_of(const Corrected& corrected, const Machine& machine) {
   return record;
 }
 
-log::Symbol record_of(const MadeSymbol& made, const Machine& machine) {
+log::Symbol record_of(const MadeSymbol& made, const Machine& machine, const SourceRecords& sources) {
   log::Symbol record;
   record.id = made.id;
   if (made.below) record.below = *made.below;
   for (std::size_t i = 0; i < made.symbol.size(); ++i)
     if (const auto& value = made.symbol[i].value; !is_empty(value))
       record.slots.emplace_back(machine.slots[i].name, print(value));
+  record.because = unless_empty(made.because, sources);
   return record;
 }
 
@@ -108,7 +114,7 @@ log::Rewrite record_of(const Rewrote& rewrote, const Machine& machine) {
           static_cast<std::int64_t>(rewrote.depth)};
 }
 
-log::Application record_of(const Applied& applied, const InputRecords& inputs) {
+log::Application record_of(const Applied& applied, const SourceRecords& sources) {
   const auto& [function, argument, result, rule] = applied.application;
   log::Application record;
   record.function = print(function);
@@ -116,7 +122,7 @@ log::Application record_of(const Applied& applied, const InputRecords& inputs) {
   record.result = print(result);
   record.types = {function.type().text(), argument.type().text(), result.type().text()};
   if (!rule.empty()) record.rule = rule;
-  record.because = records_of(applied.because, inputs);
+  record.because = records_of(applied.because, sources);
   return record;
 }
 

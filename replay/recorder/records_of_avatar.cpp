@@ -38,12 +38,12 @@ log::PoseNumbers numbers_of(const Pose& pose) {
 
 }  // namespace
 
-log::Utterance record_of(const Said& said, const InputRecords& inputs) {
-  return {said.text, records_of(said.because, inputs)};
+log::Utterance record_of(const Said& said, const SourceRecords& sources) {
+  return {said.text, records_of(said.because, sources)};
 }
 
-log::AvatarGesture record_of(const Gestured& gestured, const InputRecords& inputs) {
-  return {print(gestured.term), records_of(gestured.because, inputs)};
+log::AvatarGesture record_of(const Gestured& gestured, const SourceRecords& sources) {
+  return {print(gestured.term), records_of(gestured.because, sources)};
 }
 
 log::Problem record_of(const Unplanned& unplanned) { return {std::nullopt, unplanned.reason}; }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 #include <tuple>
 
@@ -144,11 +145,25 @@ void add_words(const Move& move, log::Reading& record) {
 
 }  // namespace
 
-std::vector<std::int64_t> records_of(const std::vector<int>& serials, const InputRecords& inputs) {
-  std::vector<std::int64_t> records;
-  for (const int serial : serials)
-    if (const auto record = inputs.find(serial); record != inputs.end()) records.push_back(record->second);
-  return records;
+void SourceRecords::add(int source, int record) {
+  auto& records = half(source);
+  const auto place = static_cast<std::size_t>(std::abs(source));
+  if (records.size() <= place) records.resize(place + 1, -1);
+  records[place] = record;
+}
+
+std::optional<int> SourceRecords::find(int source) const {
+  const auto& records = source > 0 ? inputs_ : values_;
+  const auto place = static_cast<std::size_t>(std::abs(source));
+  return place < records.size() && records[place] >= 0 ? std::optional(records[place]) : std::nullopt;
+}
+
+std::vector<std::int64_t> records_of(const std::vector<int>& sources, const SourceRecords& records) {
+  std::vector<std::int64_t> found;
+  for (const int source : sources)
+    if (const auto record = records.find(source)) found.push_back(*record);
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 std::optional<std::vector<std::string>> referents_of(const Move& move) {
@@ -157,7 +172,7 @@ std::optional<std::vector<std::string>> referents_of(const Move& move) {
   return has ? std::optional(names_of(reference)) : std::nullopt;
 }
 
-log::Percept record_of(const Attended& attended, const InputRecords& inputs) {
+log::Percept record_of(const Attended& attended, const SourceRecords& sources) {
   log::Percept record;
   record.waited_s = (attended.at - attended.happened).seconds();
   std::set<int> because = {attended.pieces.begin(), attended.pieces.end()};
@@ -169,11 +184,11 @@ log::Percept record_of(const Attended& attended, const InputRecords& inputs) {
     record.bound.push_back({joined(words), record_of(pointing)});
     because.insert(pointing.serials.begin(), pointing.serials.end());
   }
-  record.because = records_of({because.begin(), because.end()}, inputs);
+  record.because = records_of({because.begin(), because.end()}, sources);
   return record;
 }
 
-log::Reading record_of(const Understood& understood, const InputRecords& inputs) {
+log::Reading record_of(const Understood& understood, const SourceRecords& sources) {
   const auto& move = understood.move;
   log::Reading record;
   if (!move.kind.empty()) record.move = move.kind;
@@ -185,7 +200,7 @@ log::Reading record_of(const Understood& understood, const InputRecords& inputs)
   if (!move.unknown.empty()) record.unknown = move.unknown;
   if (!move.unused.empty()) record.unused = move.unused;
   if (!move.repaired.empty()) record.repaired = move.repaired;
-  record.because = records_of(understood.because, inputs);
+  record.because = records_of(understood.because, sources);
   if (!understood.alternative) return record;
   record.alternative = static_cast<std::int64_t>(*understood.alternative);
   record.confidence = understood.confidence;
@@ -193,13 +208,13 @@ log::Reading record_of(const Understood& understood, const InputRecords& inputs)
   return record;
 }
 
-log::Learned record_of(const Taught& taught, const InputRecords& inputs) {
-  return {name_of(taught.of), taught.name, value_of(taught.of, taught.value), records_of(taught.because, inputs)};
+log::Learned record_of(const Taught& taught, const SourceRecords& sources) {
+  return {name_of(taught.of), taught.name, value_of(taught.of, taught.value), records_of(taught.because, sources)};
 }
 
-log::Forgotten record_of(const Forgotten& forgotten, const InputRecords& inputs) {
+log::Forgotten record_of(const Forgotten& forgotten, const SourceRecords& sources) {
   return {name_of(*forgotten.of), forgotten.name, value_of(*forgotten.of, forgotten.value),
-          records_of(forgotten.because, inputs)};
+          records_of(forgotten.because, sources)};
 }
 
 }  // namespace continua

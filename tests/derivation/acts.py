@@ -28,12 +28,22 @@ def lambdas_in(term):
 class Acts:
     def __init__(self, log):
         self.log, self.applications, self.words = log, [], {}
+        self.behind = {}  # record of a register or symbol -> the inputs that it came of
+
+    def inputs_of(self, record):
+        """The inputs that the record's `because` leads to, also by way of registers and symbols."""
+        found = set()
+        for n in record.get("because", []):
+            found |= {n} if self.log.records[n]["kind"] == "input" else self.behind.get(n, set())
+        return found
 
     def see(self, record):
+        if record["kind"] in ("memory", "symbol"):
+            self.behind[record["n"]] = self.inputs_of(record)
         if record["kind"] == "learned" and record["of"] == "word":
             self.words[record["name"]] = terms.read(record["value"])
         elif record["kind"] == "application":
-            self.applications.append((terms.read(record["result"]), set(record["because"])))
+            self.applications.append((terms.read(record["result"]), self.inputs_of(record)))
             self.add_value(*self.applications[-1])
         elif record["kind"] == "act" and record["status"] == "asked":
             self.derive(record)
@@ -66,26 +76,26 @@ class Acts:
 
     def said(self, record):
         """The inputs that led to the act."""
-        events = [self.log.records[n]["event"] for n in record["because"]]
+        events = [self.log.records[n]["event"] for n in sorted(self.inputs_of(record))]
         return "; ".join(str(each.get("text") or each.get("name") or each["kind"]) for each in events)
 
     def check_inputs(self, record):
         """`because` leads to inputs that came before, and the act to one of them by its causes."""
         for n in record["because"]:
-            if n >= record["n"] or self.log.records[n]["kind"] != "input":
-                self.log.disagree(record, f"record {n} of `because` is no earlier input")
+            if n >= record["n"] or self.log.records[n]["kind"] not in ("input", "memory", "symbol", "branched"):
+                self.log.disagree(record, f"record {n} of `because` is no earlier input, register or symbol")
                 return
         if not record["because"]:
             self.log.disagree(record, "`because` is empty")
         root = self.log.readings.input_of(record)
-        if root is not None and root not in record["because"]:
+        if root is not None and root not in self.inputs_of(record):
             self.log.disagree(record, f"`because` lacks the input {root}, to which the causes lead")
 
     def lexicon_words(self, record):
         """Words in applications of the same inputs that may compute."""
         machine = self.log.machine
         known = set(machine.programs) | machine.objects | set(evaluate.TYPES) | set(machine.define) | set(self.words)
-        return {name for result, because in self.applications if because <= set(record["because"])
+        return {name for result, because in self.applications if because <= self.inputs_of(record)
                 for name in terms.names_in(result) - known if not result[0] == "name"}
 
     def effects_of(self, cause):
@@ -132,21 +142,21 @@ class Acts:
         found = [because for result, because in self.applications if stacks.near(result, program)]
         if not found:
             return None
-        if not any(because <= set(record["because"]) for because in found):
+        if not any(because <= self.inputs_of(record) for because in found):
             self.log.disagree(record, f"`because` is {record['because']}, the application of that result has "
                                       f"{[sorted(each) for each in found]}")
         return "results of an application"
 
     def by_fact(self, record, program):
         for result, because in self.applications:
-            if because <= set(record["because"]) and result[0] == "app" and instance(result, program, {}):
+            if because <= self.inputs_of(record) and result[0] == "app" and instance(result, program, {}):
                 return "results of an application in which facts of the world were filled in"
         return None
 
     def by_list(self, record, program):
         """One of several acts that an application made together: of a taught word, or of one sentence."""
         for result, because in self.applications:
-            if because <= set(record["because"]) and result[0] == "list" and any(
+            if because <= self.inputs_of(record) and result[0] == "list" and any(
                     stacks.near(program, each) for each in self.acts_of(result)):
                 return "elements of the result of an application"
         return None
@@ -163,6 +173,6 @@ class Acts:
     def by_instance(self, record, program):
         """One of several acts: a list whose elements a function in the result of an application makes."""
         for result, because in self.applications:
-            if because <= set(record["because"]) and any(instance(each[2], program, {}) for each in lambdas_in(result)):
+            if because <= self.inputs_of(record) and any(instance(each[2], program, {}) for each in lambdas_in(result)):
                 return "elements that a function in the result of an application makes"
         return None
