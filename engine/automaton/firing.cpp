@@ -218,13 +218,13 @@ void Firing::clear_registers(Operation::Kind kind) {
     if (!(flushes ? one.cleared_by_flush : one.cleared_by_pop_until)) continue;
     if ((*configuration_.memory)[i].value == one.initial) continue;
     if (!cleared) cleared = *configuration_.memory;
-    remember(i, {one.initial, origin_.sources}, *cleared);
+    keep_in(i, {one.initial, origin_.sources}, *cleared);
   }
   if (cleared) configuration_.memory = std::make_shared<const std::vector<Cell>>(*std::move(cleared));
 }
 
 // A register that has the value already keeps it, with its sources.
-void Firing::remember(std::size_t index, Cell cell, std::vector<Cell>& memory) {
+void Firing::keep_in(std::size_t index, Cell cell, std::vector<Cell>& memory) {
   const int number = configuration_.next.write++;
   cell.source = source_of_write(number);
   note(Remembered{index, cell.value, number, cell.because});
@@ -298,7 +298,7 @@ bool Firing::perform_one(const Remember& remember) {
   auto memory = *configuration_.memory;
   for (const auto& [index, term] : remember.registers) {
     auto cell = of_type(machine_.memory[index].type, machine_.memory[index].name, derived(term));
-    if (!(memory[index].value == cell.value)) remember(index, std::move(cell), memory);
+    if (!(memory[index].value == cell.value)) keep_in(index, std::move(cell), memory);
   }
   configuration_.memory = std::make_shared<const std::vector<Cell>>(std::move(memory));
   return false;

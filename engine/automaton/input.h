@@ -12,7 +12,7 @@ namespace continua {
 /// Terms that an input does not carry are null.
 struct Input {
   int serial = 0;            ///< names the input in `because`
-  std::vector<int> because;  ///< serials of other inputs that it draws on, such as a pointing bound to its words
+  std::vector<int> because;  ///< other sources that it draws on, such as a pointing bound to its words (stack.h)
   std::string symbol;
   double confidence = 1;
   double now_s = 0;

@@ -79,7 +79,7 @@ struct Attended {
 /// response.
 struct Understood {
   Move move;
-  std::vector<int> because;  ///< serials of the inputs that it draws on
+  std::vector<int> because;  ///< the sources that it draws on (automaton/stack.h)
   /// For an n-best list: the number of the alternative, and whether the automaton took it.
   std::optional<std::size_t> alternative;
   double confidence = 1;

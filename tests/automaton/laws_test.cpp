@@ -46,7 +46,7 @@ Symbol any_symbol() { return {any_cell(), any_cell(), any_cell()}; }
 Configuration any_configuration(int least = 1) {
   Configuration configuration;
   for (int depth = least + pick(5); depth > 0; --depth)
-    configuration.stack = configuration.stack.push(any_symbol(), configuration.next_symbol++);
+    configuration.stack = configuration.stack.push(any_symbol(), configuration.next.symbol++);
   return configuration;
 }
 
@@ -73,7 +73,7 @@ Configuration applied(const std::pair<Operation, Contents>& change, Configuratio
   const auto result = apply_operation(change.first, change.second, some_machine(), to);
   RC_ASSERT(result.trouble.empty());
   to.stack = result.stack;
-  to.next_symbol = result.next_symbol;
+  to.next.symbol = result.next_symbol;
   return to;
 }
 Configuration applied(Kind kind, const Configuration& to) { return applied({operation_of(kind), {}}, to); }
@@ -192,7 +192,7 @@ TEST_CASE("a refused input changes nothing") {
       if (has<RefusedInput>(step.events)) {
         RC_ASSERT(step.after.same_as(now));
         RC_ASSERT(step.after.stack.id() == now.stack.id());
-        RC_ASSERT(step.after.next_symbol == now.next_symbol);
+        RC_ASSERT(step.after.next.symbol == now.next.symbol);
         RC_ASSERT(!has<Fired>(step.events));
       }
       if (has<Trouble>(step.events)) break;

@@ -1,5 +1,8 @@
 #include "continua/automaton/stepper.h"
 
+#include <map>
+#include <set>
+
 #include "support/machines.h"
 
 using namespace continua;
@@ -212,19 +215,50 @@ TEST_CASE("time goes on during the ε-transitions that an input brings about; th
   CHECK(print(player.configuration().memory->at(1).value) == "'nothing'");
 }
 
-TEST_CASE("a continuation that is filled later is a record that names the inputs it came from") {
+TEST_CASE("a continuation that is filled later names the symbol that it was read from, which names its input") {
   Player player(
       R"json({"machine":1,"name":"m","start":"A","programs":{"put":"num -> num -> t"},"slots":{"action":"term","goal":"num"},"transitions":[
     {"id":"open","from":"A","on":"put","to":"A","push":{"action":"\\x. put(x, 3)"}},
     {"id":"other","from":"A","on":"other","to":"A"},
     {"id":"fill","from":"A","on":"this","to":"B","push":{"action":"fill(action, x(target))"}}]})json");
-  player.feed("put, other, this");
+  player.feed("put");
+  CHECK(player.all<MadeSymbol>().at(0).because == std::vector<int>{1});
+  player.feed("other, this");
   const auto applied = player.all<Applied>();
   REQUIRE(applied.size() == 1);
   CHECK(print(applied[0].application.function) == "\\x. put(x, 3)");
   CHECK(print(applied[0].application.result) == "put(3, 3)");
-  CHECK(applied[0].because == std::vector<int>{1, 3});
+  CHECK(applied[0].because == std::vector<int>{source_of_symbol(1), 3});
   CHECK(player.slot("action") == "put(3, 3)");
+}
+
+TEST_CASE("the sources of a value do not grow with the session, and lead to all inputs behind it") {
+  Player player(R"json({"machine":1,"name":"m","start":"A","slots":{"s":"num"},"memory":{"all":{"type":"num*"}},"transitions":[
+    {"id":"more","from":"A","on":"x","to":"A","rewrite":{"s":"size(all)"},"do":[{"remember":{"all":"append(all, [s])"}}]}]})json");
+  std::map<int, std::vector<int>> behind;
+  for (int i = 0; i < 50; ++i) {
+    player.feed("x");
+    for (const auto& made : player.all<MadeSymbol>()) behind[source_of_symbol(made.id)] = made.because;
+    for (const auto& one : player.all<Remembered>()) behind[source_of_write(one.number)] = one.because;
+  }
+  std::set<int> found;
+  std::vector<int> open = {player.configuration().memory->at(0).source};
+  while (!open.empty()) {
+    const int source = open.back();
+    open.pop_back();
+    if (!found.insert(source).second || source > 0) continue;
+    CHECK(behind.at(source).size() <= 3);
+    open.insert(open.end(), behind.at(source).begin(), behind.at(source).end());
+  }
+  for (int serial = 1; serial <= 50; ++serial) CHECK(found.contains(serial));
+}
+
+TEST_CASE("a register that is given the value that it has keeps the source of that") {
+  Player player(R"json({"machine":1,"name":"m","start":"A","memory":{"r":{"type":"num"}},"transitions":[
+    {"id":"set","from":"A","on":"x","to":"A","do":[{"remember":{"r":"1"}}]}]})json");
+  player.feed("x, x, x");
+  CHECK(player.all<Remembered>().empty());
+  CHECK(player.configuration().memory->at(0).because == std::vector<int>{1});
 }
 
 TEST_CASE("registers are remembered beside the stack, all at once") {

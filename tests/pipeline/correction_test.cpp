@@ -102,7 +102,7 @@ TEST_CASE("the first row that holds before the input makes state and stack, with
 
 TEST_CASE("symbols that are made get ids of their own, and are told before the correction") {
   Play play;
-  const int next = play.after->configuration.next_symbol;
+  const int next = play.after->configuration.next.symbol;
   play.correct({{"The knife?"}, {}, {}});
   std::vector<int> made;
   for (const auto& event : play.events)
