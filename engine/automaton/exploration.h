@@ -25,8 +25,8 @@ struct Branch {
 struct Exploration {
   std::vector<Branch> branches;
   int next_branch = 0;
-  NextIds next;  ///< unique over all branches
-  int steps = 0;        ///< transitions fired so far, over all branches
+  NextIds next;   ///< unique over all branches
+  int steps = 0;  ///< transitions fired so far, over all branches
 };
 
 /// The events of a branch since the step began, in order; those before a fork are events of each branch after it.

@@ -50,7 +50,7 @@ class ExplainScope {
   const RunIndex& run_;
   std::map<std::size_t, Json> records_;
   std::vector<std::size_t> chain_, inputs_;
-  std::set<std::size_t> walked_;  ///< records whose `because` was followed
+  std::set<std::size_t> walked_;                           ///< records whose `because` was followed
   std::map<std::size_t, std::vector<std::size_t>> turns_;  // input -> records
 };
 

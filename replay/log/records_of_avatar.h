@@ -31,9 +31,8 @@ struct AvatarGesture {
   static constexpr Kind kind{
       .name = "gesture", .when = "The avatar gestures or looks somewhere.", .decision = Decision::yes};
   static constexpr auto fields() {
-    return std::tuple{
-        field("gesture", &AvatarGesture::gesture, Says::what, "The avatar gesture.").as("term").briefly(),
-        field("because", &AvatarGesture::because, Says::aside, of_sources).as("record")};
+    return std::tuple{field("gesture", &AvatarGesture::gesture, Says::what, "The avatar gesture.").as("term").briefly(),
+                      field("because", &AvatarGesture::because, Says::aside, of_sources).as("record")};
   }
   std::string brief() const { return gesture; }
 };

@@ -88,7 +88,9 @@ void Recorder::one(const Remembered& remembered) {
 
 void Recorder::one(const Fired& fired) { next_.cause = write(record_of(fired, *machine_)); }
 
-void Recorder::one(const Said& said) { moves_.push_back({"speech", said.text, write(record_of(said, source_record_))}); }
+void Recorder::one(const Said& said) {
+  moves_.push_back({"speech", said.text, write(record_of(said, source_record_))});
+}
 
 void Recorder::one(const Gestured& gestured) {
   auto record = record_of(gestured, source_record_);

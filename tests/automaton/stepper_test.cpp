@@ -233,7 +233,8 @@ TEST_CASE("a continuation that is filled later names the symbol that it was read
 }
 
 TEST_CASE("the sources of a value do not grow with the session, and lead to all inputs behind it") {
-  Player player(R"json({"machine":1,"name":"m","start":"A","slots":{"s":"num"},"memory":{"all":{"type":"num*"}},"transitions":[
+  Player player(
+      R"json({"machine":1,"name":"m","start":"A","slots":{"s":"num"},"memory":{"all":{"type":"num*"}},"transitions":[
     {"id":"more","from":"A","on":"x","to":"A","rewrite":{"s":"size(all)"},"do":[{"remember":{"all":"append(all, [s])"}}]}]})json");
   std::map<int, std::vector<int>> behind;
   for (int i = 0; i < 50; ++i) {
