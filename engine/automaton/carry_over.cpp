@@ -76,7 +76,12 @@ class CarryOver {
     for (const auto& slot : now_.slots) after.push_back({empty_value(slot.type), {}});
     for (std::size_t i = 0; i < before.size(); ++i) {
       const auto& slot = was_.slots[i];
-      if (before[i].value.is_null() || before[i].value == empty_value(slot.type)) continue;
+      if (before[i].value.is_null() || before[i].value == empty_value(slot.type)) {
+        // That a slot is empty came of something, too.
+        if (const auto same = find(now_.slots, slot.name))
+          after[*same] = {after[*same].value, before[i].because, before[i].source};
+        continue;
+      }
       if (const auto to = place("the stack's slot", slot, now_.slots, before[i].value)) after[*to] = before[i];
     }
     return after;

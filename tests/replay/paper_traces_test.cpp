@@ -4,6 +4,7 @@
 #include <set>
 
 #include "replay/played.h"
+#include "support/sources.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
@@ -72,16 +73,16 @@ namespace {
 
 // The human's words and gestures behind an act, by following `because` and `cause` from its record back to inputs.
 std::string contributions(const Played& played, const Json& act) {
-  std::set<int> inputs;
+  std::set<std::size_t> inputs;
   for (auto record = act;;) {
-    for (const auto& n : record.value("because", Json::array())) inputs.insert(n.get<int>());
-    if (record["kind"] == "input") inputs.insert(record["n"].get<int>());
+    inputs.merge(inputs_behind(played.records, record));
+    if (record["kind"] == "input") inputs.insert(record["n"].get<std::size_t>());
     if (!record.contains("cause")) break;
     record = played.records.at(record["cause"].get<std::size_t>());
   }
   std::string all;
   for (const auto n : inputs) {
-    const auto& event = played.records.at(static_cast<std::size_t>(n))["event"];
+    const auto& event = played.records.at(n)["event"];
     const auto kind = event["kind"].get<std::string>();
     all += (all.empty() ? "" : " + ") + (kind == "speech"    ? event["text"].get<std::string>()
                                          : kind == "gesture" ? event["name"].get<std::string>()

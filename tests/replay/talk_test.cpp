@@ -5,6 +5,7 @@
 #include "continua/knowledge_files/named_machine.h"
 #include "continua/replay/commands/accept.h"
 #include "replay/played.h"
+#include "support/sources.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
@@ -65,13 +66,15 @@ TEST_CASE("applications name the inputs that each part came from") {
   const auto played = play(traces / "paper/dialogue_language.trace.jsonl");
   const auto inputs = played.all("input"), applications = played.all("application");
   REQUIRE(inputs.size() == 4);  // with the beginning and the end of the act
-  const auto plate = inputs[0]["n"], put = inputs[1]["n"];
+  const std::size_t plate = inputs[0]["n"], put = inputs[1]["n"];
   Texts told;
-  for (const auto& each : applications)
+  for (const auto& each : applications) {
+    const auto behind = inputs_behind(played.records, each);
     told.push_back(each["function"].get<std::string>() + " @ " + each["argument"].get<std::string>() +
-                   (each["because"] == Json{plate, put} ? ", both"
-                    : each["because"] == Json{put}      ? ", the second"
-                                                        : ""));
+                   (behind == std::set{plate, put} ? ", both"
+                    : behind == std::set{put}      ? ", the second"
+                                                   : ""));
+  }
   CHECK(told == Texts{"in_front @ avatar, the second", "put @ plate, both", "put(plate) @ in_front(avatar), both"});
 }
 
