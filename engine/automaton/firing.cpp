@@ -13,6 +13,10 @@
 namespace continua {
 namespace {
 
+// A register that is given the value that it has has no record of that, so its sources stand for it. More than these
+// are not kept; the register keeps those that it had.
+constexpr std::size_t most_untold = 16;
+
 void add(int source, std::vector<int>& into) {
   const auto place = std::lower_bound(into.begin(), into.end(), source);
   if (place == into.end() || *place != source) into.insert(place, source);
@@ -223,7 +227,6 @@ void Firing::clear_registers(Operation::Kind kind) {
   if (cleared) configuration_.memory = std::make_shared<const std::vector<Cell>>(*std::move(cleared));
 }
 
-// A register that has the value already keeps it, with its sources.
 void Firing::keep_in(std::size_t index, Cell cell, std::vector<Cell>& memory) {
   const int number = configuration_.next.write++;
   cell.source = source_of_write(number);
@@ -298,7 +301,10 @@ bool Firing::perform_one(const Remember& remember) {
   auto memory = *configuration_.memory;
   for (const auto& [index, term] : remember.registers) {
     auto cell = of_type(machine_.memory[index].type, machine_.memory[index].name, derived(term));
-    if (!(memory[index].value == cell.value)) keep_in(index, std::move(cell), memory);
+    if (!(memory[index].value == cell.value))
+      keep_in(index, std::move(cell), memory);
+    else if (cell.because.size() <= most_untold)
+      memory[index] = std::move(cell);
   }
   configuration_.memory = std::make_shared<const std::vector<Cell>>(std::move(memory));
   return false;
@@ -406,7 +412,10 @@ Evaluation::Held Firing::look_up(Name name) {
 }
 
 Evaluation::Held Firing::read(const Cell& cell) {
-  if (cell.source != 0) add(cell.source, because_);
+  if (cell.source != 0)
+    add(cell.source, because_);
+  else
+    add(cell.because, because_);
   if (derivation_) derivation_->read(cell.value);
   return {&cell.value, true};
 }

@@ -254,12 +254,13 @@ TEST_CASE("the sources of a value do not grow with the session, and lead to all 
   for (int serial = 1; serial <= 50; ++serial) CHECK(found.contains(serial));
 }
 
-TEST_CASE("a register that is given the value that it has keeps the source of that") {
+TEST_CASE("a register that is given the value that it has came of that, without a record") {
   Player player(R"json({"machine":1,"name":"m","start":"A","memory":{"r":{"type":"num"}},"transitions":[
     {"id":"set","from":"A","on":"x","to":"A","do":[{"remember":{"r":"1"}}]}]})json");
   player.feed("x, x, x");
   CHECK(player.all<Remembered>().empty());
-  CHECK(player.configuration().memory->at(0).because == std::vector<int>{1});
+  CHECK(player.configuration().memory->at(0).because == std::vector<int>{3});
+  CHECK(player.configuration().memory->at(0).source == 0);
 }
 
 TEST_CASE("registers are remembered beside the stack, all at once") {
