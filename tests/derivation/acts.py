@@ -148,15 +148,17 @@ class Acts:
         return "results of an application"
 
     def by_fact(self, record, program):
+        inputs = self.inputs_of(record)
         for result, because in self.applications:
-            if because <= self.inputs_of(record) and result[0] == "app" and instance(result, program, {}):
+            if because <= inputs and result[0] == "app" and instance(result, program, {}):
                 return "results of an application in which facts of the world were filled in"
         return None
 
     def by_list(self, record, program):
         """One of several acts that an application made together: of a taught word, or of one sentence."""
+        inputs = self.inputs_of(record)
         for result, because in self.applications:
-            if because <= self.inputs_of(record) and result[0] == "list" and any(
+            if because <= inputs and result[0] == "list" and any(
                     stacks.near(program, each) for each in self.acts_of(result)):
                 return "elements of the result of an application"
         return None
@@ -172,7 +174,8 @@ class Acts:
 
     def by_instance(self, record, program):
         """One of several acts: a list whose elements a function in the result of an application makes."""
+        inputs = self.inputs_of(record)
         for result, because in self.applications:
-            if because <= self.inputs_of(record) and any(instance(each[2], program, {}) for each in lambdas_in(result)):
+            if because <= inputs and any(instance(each[2], program, {}) for each in lambdas_in(result)):
                 return "elements that a function in the result of an application makes"
         return None
