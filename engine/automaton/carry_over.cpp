@@ -77,7 +77,7 @@ class CarryOver {
     for (std::size_t i = 0; i < before.size(); ++i) {
       const auto& slot = was_.slots[i];
       if (before[i].value.is_null() || before[i].value == empty_value(slot.type)) {
-        // That a slot is empty came of something, too.
+        // An emptied slot came of something, too.
         if (const auto same = find(now_.slots, slot.name))
           after[*same] = {after[*same].value, before[i].because, before[i].source};
         continue;

@@ -13,8 +13,8 @@
 namespace continua {
 namespace {
 
-// A register that is given the value that it has has no record of that, so its sources stand for it. More than these
-// are not kept; the register keeps those that it had.
+// The sources that a register takes over with a value that it has already: no record tells of that. Where there are
+// more the register keeps those that it had, so that they do not grow with the session.
 constexpr std::size_t most_untold = 16;
 
 void add(int source, std::vector<int>& into) {
@@ -222,12 +222,12 @@ void Firing::clear_registers(Operation::Kind kind) {
     if (!(flushes ? one.cleared_by_flush : one.cleared_by_pop_until)) continue;
     if ((*configuration_.memory)[i].value == one.initial) continue;
     if (!cleared) cleared = *configuration_.memory;
-    keep_in(i, {one.initial, origin_.sources}, *cleared);
+    write_register(i, {one.initial, origin_.sources}, *cleared);
   }
   if (cleared) configuration_.memory = std::make_shared<const std::vector<Cell>>(*std::move(cleared));
 }
 
-void Firing::keep_in(std::size_t index, Cell cell, std::vector<Cell>& memory) {
+void Firing::write_register(std::size_t index, Cell cell, std::vector<Cell>& memory) {
   const int number = configuration_.next.write++;
   cell.source = source_of_write(number);
   note(Remembered{index, cell.value, number, cell.because});
@@ -302,7 +302,7 @@ bool Firing::perform_one(const Remember& remember) {
   for (const auto& [index, term] : remember.registers) {
     auto cell = of_type(machine_.memory[index].type, machine_.memory[index].name, derived(term));
     if (!(memory[index].value == cell.value))
-      keep_in(index, std::move(cell), memory);
+      write_register(index, std::move(cell), memory);
     else if (cell.because.size() <= most_untold)
       memory[index] = std::move(cell);
   }

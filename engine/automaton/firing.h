@@ -96,7 +96,7 @@ class Firing {
   Evaluation evaluate();
   Evaluation::Held look_up(Name name);
   Evaluation::Held read(const Cell& cell);
-  void keep_in(std::size_t index, Cell cell, std::vector<Cell>& memory);
+  void write_register(std::size_t index, Cell cell, std::vector<Cell>& memory);
   bool perform_and_rewrite(const std::vector<Effect>& effects);
   Cell of_type(const Type& type, const std::string& name, Cell cell);
   std::optional<Term> lifted(const Type& type, const Cell& cell);

@@ -9,7 +9,7 @@
 
 namespace continua {
 
-/// What a value came of, as a number: the serial of an input (from 1), or the value of a slot or register that was
+/// A source of a value, as a number: the serial of an input (from 1), or the value of a slot or register that was
 /// read, which came of others in its turn. A list of sources is so as long as what one step reads, however long the
 /// session. Sources of symbols are odd, those of registers even, all of them negative.
 constexpr int source_of_symbol(int id) { return -2 * id - 1; }

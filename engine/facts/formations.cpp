@@ -13,6 +13,7 @@
 #include "continua/core/located_json.h"
 #include "continua/term/rules.h"
 #include "continua/world/geometry.h"
+#include "continua/world/relations.h"
 #include "continua/world/world_snapshot.h"
 
 namespace continua {
@@ -27,10 +28,11 @@ Type type_of(std::string_view text) { return Type::parse(text).value(); }
 Signature names_of_goals(const Signature& facts) {
   Signature names = term_signature();
   names.insert(facts.begin(), facts.end());
-  for (const char* side : {"left", "right", "in_front", "behind", "on", "in", "near", "beside", "touching", "under"})
-    names.emplace(side, type_of("e -> loc"));
-  names.emplace("between", type_of("e -> e -> loc"));
-  names.emplace("at", type_of("e -> loc -> t"));
+  names.emplace("at", type_of("e -> loc -> t"));  // of a goal; no place term of that name
+  for (int each = 0; each <= static_cast<int>(Relation::between); ++each) {
+    const auto relation = static_cast<Relation>(each);
+    names.emplace(name_of(relation), type_of(landmarks_of(relation) == 2 ? "e -> e -> loc" : "e -> loc"));
+  }
   return names;
 }
 

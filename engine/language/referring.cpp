@@ -132,7 +132,7 @@ Meant Referring::by_determiner(const Term& phrase, const Term& noun, Determiner 
   return meant;
 }
 
-// Of "the red and the yellow blocks" the kind that no thing is of; nothing if there is a thing of each.
+// The kind without a thing, in "the red and the yellow blocks"; nothing if there is a thing of each.
 std::optional<Term> Referring::kind_without_things(const Term& condition, const Determiner& determiner,
                                                    const Context& context) const {
   if (condition.kind() != Term::Kind::lambda) return std::nullopt;

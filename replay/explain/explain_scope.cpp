@@ -6,6 +6,7 @@
 
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/run_sources.h"
 
 namespace continua {
 
@@ -18,17 +19,19 @@ constexpr std::size_t most_read = 1000;
 
 ExplainScope::ExplainScope(const RunIndex& run, std::size_t n) : run_(run) {
   for (std::optional<std::size_t> at = n; at; at = run.cause(*at)) chain_.push_back(*at);
+  RunSources sources(run);  // as far as its lines can be read
   const std::vector<std::size_t> near(chain_.begin(), chain_.begin() + std::min(chain_.size(), most_read));
   for (const auto at : near) {
     if (log::is<log::Input>(run.kind(at))) inputs_.push_back(at);
-    add_inputs_of(at);
+    sources.add(at, record(at));
   }
   // Applications on the way drew on more inputs than the record itself may name.
   for (const auto at : run.of_kind(log::Application::kind.name)) {
     if (at > n) break;
     if (const auto cause = run.cause(at); cause && std::binary_search(near.rbegin(), near.rend(), *cause))
-      add_inputs_of(at);
+      sources.add(at, record(at));
   }
+  inputs_.insert(inputs_.end(), sources.inputs().begin(), sources.inputs().end());
   std::sort(inputs_.begin(), inputs_.end());
   inputs_.erase(std::unique(inputs_.begin(), inputs_.end()), inputs_.end());
 
@@ -50,19 +53,6 @@ const Json& ExplainScope::record(std::size_t n) {
   if (found != records_.end()) return found->second;
   auto read = run_.record(n);
   return records_.emplace(n, read ? *std::move(read) : Json::object()).first->second;
-}
-
-void ExplainScope::add_inputs_of(std::size_t n) {
-  for (std::vector<std::size_t> open{n}; !open.empty();) {
-    const auto at = open.back();
-    open.pop_back();
-    if (!walked_.insert(at).second) continue;
-    for (const auto source : record_numbers(record(at), "because", at))
-      if (log::is<log::Input>(run_.kind(source)))
-        inputs_.push_back(source);
-      else
-        open.push_back(source);
-  }
 }
 
 std::optional<std::size_t> ExplainScope::input_of(std::size_t n) const {

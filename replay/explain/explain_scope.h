@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,13 +43,9 @@ class ExplainScope {
   std::vector<std::size_t> latest(std::string_view kind) const;
 
  private:
-  /// Those that its `because` names, and those behind the registers and symbols that it names.
-  void add_inputs_of(std::size_t n);
-
   const RunIndex& run_;
   std::map<std::size_t, Json> records_;
   std::vector<std::size_t> chain_, inputs_;
-  std::set<std::size_t> walked_;                           ///< records whose `because` was followed
   std::map<std::size_t, std::vector<std::size_t>> turns_;  // input -> records
 };
 

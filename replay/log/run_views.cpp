@@ -7,6 +7,7 @@
 
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/run_sources.h"
 
 namespace continua {
 namespace {
@@ -211,41 +212,12 @@ Result<Json> run_stack_since(const RunIndex& run, std::size_t before, std::size_
   return stack_change(run, top_at(run, before), top_at(run, n));
 }
 
-namespace {
-
-// Adds the inputs that a record's `because` names, and those behind the registers and symbols that it names. `walked`:
-// records that were followed already.
-std::optional<Error> add_inputs_behind(const RunIndex& run, std::size_t n, const Json& record,
-                                       std::set<std::size_t>& walked, std::map<std::size_t, Json>& inputs) {
-  std::vector<std::size_t> open;
-  const auto add = [&](std::size_t at, const Json& of) {
-    for (const auto& each : member_of(of, "because")) {
-      if (!each.is_number_unsigned() || each.get<std::size_t>() >= at) continue;
-      const auto source = each.get<std::size_t>();
-      if (log::is<log::Input>(run.kind(source)))
-        inputs.emplace(source, Json());
-      else if (walked.insert(source).second)
-        open.push_back(source);
-    }
-  };
-  add(n, record);
-  while (!open.empty()) {
-    const auto at = open.back();
-    open.pop_back();
-    const auto of = run.record(at);
-    if (!of) return of.error();
-    add(at, *of);
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 Result<Json> run_derivation(const RunIndex& run, std::size_t n) {
   // Upwards through `cause` and `because`; and across to the applications that the
   // records met on the way brought about, and to those whose result became part of one already met.
   std::map<std::size_t, Json> applications, inputs;
-  std::set<std::size_t> met, walked;
+  std::set<std::size_t> met;
+  RunSources sources(run);
   std::vector<std::size_t> open{n};
   Json chain = Json::array();
   for (std::optional<std::size_t> at = n; at; at = run.cause(*at)) {
@@ -272,7 +244,7 @@ Result<Json> run_derivation(const RunIndex& run, std::size_t n) {
     for (auto found = from; found != to; ++found) open.push_back(found->second);
     auto record = run.record(at);
     if (!record) return record.error();
-    if (auto problem = add_inputs_behind(run, at, *record, walked, inputs)) return *problem;
+    if (auto problem = sources.add(at, *record)) return *problem;
     if (log::is<log::Input>(run.kind(at))) inputs[at] = *std::move(record);
     if (!log::is<log::Application>(run.kind(at))) continue;
     for (const char* part : {"function", "argument"})
@@ -282,6 +254,7 @@ Result<Json> run_derivation(const RunIndex& run, std::size_t n) {
       }
     applications.emplace(at, *std::move(record));
   }
+  for (const auto input : sources.inputs()) inputs.emplace(input, Json());
   Json told_applications = Json::array(), told_inputs = Json::array();
   for (auto& [number, record] : applications) told_applications.push_back(std::move(record));
   for (auto& [number, record] : inputs) {

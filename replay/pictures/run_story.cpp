@@ -7,6 +7,7 @@
 
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/run_sources.h"
 #include "continua/replay/scene/run_pointing.h"
 
 namespace continua {
@@ -37,7 +38,8 @@ StoryPointing story_of(const RunPointing& read) {
 
 class StoryReader {
  public:
-  StoryReader(const RunIndex& run, std::set<std::string> bodies) : run_(run), pointings_(std::move(bodies)) {}
+  StoryReader(const RunIndex& run, std::set<std::string> bodies)
+      : run_(run), sources_(run), pointings_(std::move(bodies)) {}
 
   Outcome read() {
     for (std::size_t n = 0; n < run_.size(); ++n) {
@@ -58,33 +60,14 @@ class StoryReader {
         story_.lines.push_back({Speaker::avatar, text_of(*record, "text"), t, t});
       else
         avatar_gesture(n, t, text_of(*record, "gesture"));
-      if (auto problem = add_sources(*record)) return problem;
+      if (auto problem = sources_.add(n, *record)) return problem;
       if (const auto cause = run_.cause(n); cause && log::is<log::Transition>(kind)) effective_.insert(*cause);
     }
     return std::nullopt;
   }
 
-  // The inputs that something came of, also by way of registers and symbols.
-  std::optional<Error> add_sources(const Json& record) {
-    std::vector<std::size_t> open;
-    const auto add = [&](const Json& of) {
-      for (const auto& each : member_of(of, "because"))
-        if (each.is_number_unsigned() && each.get<std::size_t>() < run_.size() &&
-            effective_.insert(each.get<std::size_t>()).second)
-          open.push_back(each.get<std::size_t>());
-    };
-    add(record);
-    while (!open.empty()) {
-      const auto at = open.back();
-      open.pop_back();
-      const auto source = run_.record(at);
-      if (!source) return source.error();
-      add(*source);
-    }
-    return std::nullopt;
-  }
-
   RunStory finish() {
+    effective_.insert(sources_.inputs().begin(), sources_.inputs().end());
     for (const auto& [line, n] : line_inputs_) story_.lines[line].effective = effective_.count(n) > 0;
     for (const auto& read : pointings_.finish()) {
       story_.pointings.push_back(story_of(read));
@@ -139,9 +122,10 @@ class StoryReader {
   }
 
   const RunIndex& run_;
+  RunSources sources_;
   RunStory story_;
   PointingReader pointings_;
-  std::set<std::size_t> effective_;                               // records that something came of
+  std::set<std::size_t> effective_;                               // inputs that something came of
   std::vector<std::pair<std::size_t, std::size_t>> line_inputs_;  // place in lines, input
 };
 

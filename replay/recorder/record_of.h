@@ -2,7 +2,6 @@
 // the records, and knows the acts.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +20,6 @@ class SourceRecords {
   std::optional<int> find(int source) const;
 
  private:
-  std::vector<int>& half(int source) { return source > 0 ? inputs_ : values_; }
   std::vector<int> inputs_, values_;  // by the source, or its opposite; -1: it has no record
 };
 

@@ -146,7 +146,7 @@ void add_words(const Move& move, log::Reading& record) {
 }  // namespace
 
 void SourceRecords::add(int source, int record) {
-  auto& records = half(source);
+  auto& records = source > 0 ? inputs_ : values_;
   const auto place = static_cast<std::size_t>(std::abs(source));
   if (records.size() <= place) records.resize(place + 1, -1);
   records[place] = record;
