@@ -44,11 +44,6 @@ Result<std::vector<std::string>> runs_of(const ScoreOptions& options) {
   return runs;
 }
 
-bool holds_observed(const Trace& trace) {
-  return std::any_of(trace.events.begin(), trace.events.end(),
-                     [](const TraceEvent& event) { return std::holds_alternative<Observed>(event.what); });
-}
-
 // Scores traces, several at once.
 class Scoring {
  public:
@@ -91,6 +86,7 @@ class Scoring {
     const auto& trace = options_.traces[index];
     auto options = options_.replay;
     options.shelf = shelf_;
+    options.episodes = true;
     options.progress = [this, index](double done) {
       const std::lock_guard lock(mutex_);
       progress_.show(index, done);
@@ -101,7 +97,7 @@ class Scoring {
     TraceScore score{trace_name(trace), trace, runs_[index], {}, {}, {}};
     auto summary = replayed(*session, score.run);
     if (!summary) return summary.error();
-    if (!holds_observed(session->trace())) {
+    if (!session->trace().observes()) {
       warn({trace, "nothing was observed; there is nothing to compare"});
       return score;
     }

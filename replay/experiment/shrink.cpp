@@ -60,9 +60,15 @@ struct Account {
 
 class Shrinker {
  public:
-  Shrinker(Session& session, const ShrinkGoal& goal, const ShrinkProgress& progress, const std::string& against)
-      : session_(session), goal_(goal), progress_(progress), against_path_(against), header_(session.trace().header) {
-    for (const auto& event : session.trace().events)
+  Shrinker(Session& session, const Trace& whole, const ShrinkGoal& goal, const ShrinkProgress& progress,
+           const std::string& against)
+      : session_(session),
+        whole_(whole),
+        goal_(goal),
+        progress_(progress),
+        against_path_(against),
+        header_(whole.header) {
+    for (const auto& event : whole.events)
       if (is_expectation(event))
         expectations_.push_back(event);
       else
@@ -108,7 +114,7 @@ class Shrinker {
     const auto on_line = [&](const TraceEvent& event) { return event.line == *goal_.line; };
     const auto& where_to_look = log::is<log::Expect>(goal_.kind) ? expectations_ : events_;
     if (std::any_of(where_to_look.begin(), where_to_look.end(), on_line)) return std::nullopt;
-    return Error{"--until", fmt::format("{}:{} is no {} of the trace", session_.trace().name, *goal_.line,
+    return Error{"--until", fmt::format("{}:{} is no {} of the trace", whole_.name, *goal_.line,
                                         log::is<log::Expect>(goal_.kind) ? "expectation" : "event")};
   }
 
@@ -118,7 +124,7 @@ class Shrinker {
     bool met = false;
     std::ostringstream log;
     const auto run = session_.run(
-        session_.trace(),
+        whole_,
         [&](const Situation& situation) {
           account_.see(situation);
           if (goal_.situation && !met && meets(*goal_.situation, situation)) {
@@ -131,10 +137,10 @@ class Shrinker {
     if (!run) return run.error();
     if (goal_.situation) return met;
     if (goal_.kind == "changed") {
-      auto against = ShrinkAgainst::load(against_path_, session_.trace().name, session_.options(), log.str());
+      auto against = ShrinkAgainst::load(against_path_, whole_.name, session_.options(), log.str());
       if (!against) return against.error();
       against_ = std::move(*against);
-      const auto cause = against_->cause(session_.trace(), log.str());
+      const auto cause = against_->cause(whole_, log.str());
       if (cause) pinned_ = *cause;
       return cause.has_value();
     }
@@ -172,7 +178,7 @@ class Shrinker {
   // A trace of these events, in order, with the expectation that is to stay unmet.
   Trace trace_of(const TraceHeader& header, std::vector<TraceEvent> events) const {
     if (unmet_) insert(events, *unmet_);
-    Trace trace = session_.trace();
+    Trace trace{{whole_}, {}};
     trace.header = header;
     std::erase_if(trace.notes, [&](const Note& note) {
       return std::none_of(events.begin(), events.end(),
@@ -272,6 +278,7 @@ class Shrinker {
   }
 
   Session& session_;
+  const Trace& whole_;
   const ShrinkGoal& goal_;
   const ShrinkProgress& progress_;
   const std::string& against_path_;
@@ -290,7 +297,10 @@ class Shrinker {
 
 Result<Shrunk> shrink(Session& session, const ShrinkGoal& goal, const ShrinkProgress& progress,
                       const std::string& against) {
-  return Shrinker(session, goal, progress, against).run();
+  auto events = session.trace().events();
+  if (!events) return events.error();
+  const Trace whole{{session.trace().head()}, *std::move(events)};
+  return Shrinker(session, whole, goal, progress, against).run();
 }
 
 }  // namespace continua

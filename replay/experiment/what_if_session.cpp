@@ -273,15 +273,14 @@ class SessionWhatIf : public RunWhatIf {
       too_long = too_long || static_cast<std::uintmax_t>(std::max<std::streamoff>(log.tellp(), 0)) > largest_log;
       return too_long || stop;
     };
-    const auto summary = session->run(session->trace(), watch, log);
+    const auto summary = session->run(log, watch);
     log.close();
-    if (!summary) return summary.error();
     if (stop) return Error{"", "the server ends"};
     if (too_long || options.give_up())
       return Error{"", "the replay takes longer, or writes more, than is served here; it was given up"};
     if (!log) return Error{path, "could not be written to its end"};
-    if (summary->stopped) return *summary->stopped;
-    for (const auto& [step, transition] : summary->not_forced)
+    if (summary.stopped) return *summary.stopped;
+    for (const auto& [step, transition] : summary.not_forced)
       if (request.forced.count(step))
         return Error{"", fmt::format("step {}: the transition '{}' does not apply there", step, transition)};
     const auto fresh = RunIndex::open(path);

@@ -22,7 +22,9 @@ ReplayOptions taught(ReplayOptions options) {
 }
 
 Result<std::vector<Episode>> episodes_of(const std::string& trace, const ReplayOptions& options, Blanks& blanks) {
-  auto session = Session::load(trace, options);
+  auto wanted = options;
+  wanted.episodes = true;
+  auto session = Session::load(trace, wanted);
   if (!session) return session.error();
   blanks = session->blanks();
   std::ostream nowhere(nullptr);

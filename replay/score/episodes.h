@@ -27,11 +27,13 @@ struct Episode {
 /// the sample ended the wait of the words before it. Before any other input, moves belong to the latest sample.
 class Episodes {
  public:
-  /// `at_once`: whether whoever was observed answers inputs at their instants.
-  explicit Episodes(bool at_once) : at_once_(at_once) {}
+  /// `at_once`: whether whoever was observed answers inputs at their instants. `all`: whether those that are over are
+  /// kept; a run of days need not hold them.
+  Episodes(bool at_once, bool all) : at_once_(at_once), keeps_all_(all) {}
 
   /// A new one begins.
   void begin(Episode episode) {
+    if (!keeps_all_) forget();
     if (!episode.sample) latest_ = all_.size();
     all_.push_back(std::move(episode));
   }
@@ -42,20 +44,28 @@ class Episodes {
   const Episode* open() const { return all_.empty() ? nullptr : latest_ ? &all_[*latest_] : &all_.back(); }
   /// The one that began last; nullptr before the first.
   const Episode* last() const { return all_.empty() ? nullptr : &all_.back(); }
-  /// All episodes, compared with the observed answers; deeds before any input are no episode.
+  /// The episodes that were kept, compared with the observed answers; deeds before any input are no episode.
   std::vector<Episode> take(const Blanks& blanks) {
     for (auto& episode : all_) episode.level = agreement(episode.observed, episode.produced, blanks);
     return std::move(all_);
   }
 
  private:
+  // Only the latest that is no sample can still get moves when another begins.
+  void forget() {
+    std::vector<Episode> open;
+    if (latest_) open.push_back(std::move(all_[*latest_]));
+    all_ = std::move(open);
+    if (latest_) latest_ = 0;
+  }
+
   Episode& of(SimTime t) {
     if (all_.empty()) return before_;
     if (!latest_ || (at_once_ && all_.back().t == t)) return all_.back();
     return all_[*latest_];
   }
 
-  bool at_once_;
+  bool at_once_, keeps_all_;
   std::vector<Episode> all_;
   std::optional<std::size_t> latest_;  ///< that is no sample
   Episode before_;

@@ -11,15 +11,6 @@ bool is_act(const AvatarMove& move) { return move.channel == "action"; }
 
 }  // namespace
 
-bool answers_at_once(const Trace& trace) {
-  std::optional<SimTime> input;
-  for (const auto& event : trace.events) {
-    if (std::holds_alternative<InputEvent>(event.what)) input = event.t;
-    if (std::holds_alternative<Observed>(event.what) && input != event.t) return false;
-  }
-  return true;
-}
-
 Following::Following(Variant variant, bool at_once, const WorldSnapshot& world, const Machine& machine,
                      const Catalogue* catalogue, Perspective perspective)
     : variant_(variant),

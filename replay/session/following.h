@@ -14,10 +14,6 @@
 
 namespace continua {
 
-/// Whether all observations of the trace come at the instants of inputs, as from a system that answers at once. If so,
-/// all consequences of an input are there at its instant; else they may come until the next input that is no sample.
-bool answers_at_once(const Trace& trace);
-
 class Following {
  public:
   /// Observed moves are terms of the machine's programs over the world's objects. `catalogue`, of voxemes, may be null

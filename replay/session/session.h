@@ -13,7 +13,7 @@
 #include "continua/core/result.h"
 #include "continua/core/sim_time.h"
 #include "continua/replay/score/episodes.h"
-#include "continua/replay/trace/trace_file.h"
+#include "continua/replay/trace/trace_source.h"
 
 namespace continua {
 
@@ -59,6 +59,7 @@ struct ReplayOptions {
   std::size_t most_branches = 0;      ///< under `explore`; 0: the engine's own bound
   bool physics = true;                ///< else the kinematic world
   Variant variant = Variant::free;    ///< others than free need the kinematic world
+  bool episodes = false;              ///< they are wanted in ReplaySummary, where they grow with the trace
   bool live = false;                  ///< the trace is still being written: its digest is not known
   BeforeInput before_input;           ///< empty: nothing is done
   /// Asked now and then, also while nothing but physics happens; true ends the run. Empty: nobody asks.
@@ -76,9 +77,8 @@ struct ReplaySummary {
   int pruned = 0;                         ///< configurations given up under `explore`
   std::map<int, std::string> not_forced;  ///< of ReplayOptions::forced, those that did not apply at their step
   bool changed = false;                   ///< ReplayOptions::from was reached
-  std::vector<Episode> episodes;          ///< the human's inputs, each with the observed answer and the engine's own
-  std::optional<Error> stopped =
-      {};  ///< the reason why the changed parts cannot go on with the run; the log ends there
+  std::vector<Episode> episodes;          ///< the human's inputs, each with both answers; only if wanted
+  std::optional<Error> stopped = {};      ///< the reason why the run could not go on; the log ends there
 };
 
 struct GestureCatalogue;
@@ -103,7 +103,7 @@ class Session {
   const std::optional<Error>& warning() const;
 
   /// The trace; where ReplayOptions::with is given, with its events from then on.
-  const Trace& trace() const;
+  const TraceSource& trace() const;
   const Machine& machine() const;
   const EngineParts& parts() const;
   /// The names of the scene's objects and attributes.
@@ -115,7 +115,7 @@ class Session {
   std::vector<std::string> files() const;
 
   /// Replays the trace and writes its run log. Every run begins anew.
-  ReplaySummary run(std::ostream& log);
+  ReplaySummary run(std::ostream& log, const Watch& watch = {});
 
   /// The same for another trace, with the loaded parts: only its events, its notes and the header's `objects` are used;
   /// the rest of its header is ignored. Errors: the scene cannot be set out like that.
@@ -134,6 +134,7 @@ class Session {
 
  private:
   explicit Session(std::unique_ptr<LoadedSession> loaded);
+  void play(SessionLoop& loop, const NextEvent& next, std::size_t size) const;
   std::unique_ptr<LoadedSession> loaded_;
 };
 

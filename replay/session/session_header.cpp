@@ -46,8 +46,9 @@ void add_knowledge(log::Run& header, const EngineParts& parts) {
 log::Run header_of(const LoadedSession& loaded, const EngineParts& parts) {
   log::Run header;
   header.continua = program_version();
-  header.trace.name = std::filesystem::path(loaded.trace.name).filename().string();
-  if (!loaded.options.live && !loaded.trace.digest.empty()) header.trace.digest.emplace(loaded.trace.digest);
+  header.trace.name = std::filesystem::path(loaded.trace.head().name).filename().string();
+  if (!loaded.options.live && !loaded.trace.head().digest.empty())
+    header.trace.digest.emplace(loaded.trace.head().digest);
   header.seed = parts.seed;
   header.choice = parts.outside ? parts.choice_told : name_of(parts.choice);
   for (const auto& [step, transition] : parts.forced)

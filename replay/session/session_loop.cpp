@@ -20,12 +20,12 @@ SessionLoop::SessionLoop(const LoadedSession& loaded, std::unique_ptr<Body> body
     : loaded_(loaded),
       watch_(watch),
       log_(log),
-      episodes_(answers_at_once(loaded.trace)),
+      episodes_(loaded.trace.answers_at_once(), loaded.options.episodes),
       recorder_(log_, *loaded.parts.machine),
       body_(std::move(body)),
       conversation_(loaded.parts, *body_, loaded.most_branches()) {
   if (loaded.options.variant != Variant::free)
-    following_ = std::make_unique<Following>(loaded.options.variant, answers_at_once(loaded.trace), body_->snapshot(),
+    following_ = std::make_unique<Following>(loaded.options.variant, loaded.trace.answers_at_once(), body_->snapshot(),
                                              *loaded.parts.machine, loaded.parts.language->voxemes.get(),
                                              loaded.parts.perspective);
 }
@@ -89,15 +89,18 @@ bool SessionLoop::ready() {
     if (other_seed) state.chooser.random = Random(parts.seed);
   });
   if (problem) {
-    summary_.stopped =
-        Error{fmt::format("--from {}: {}", loaded_.what_if->from.seconds(), problem->where), problem->sentence};
-    over_ = true;
+    stop({fmt::format("--from {}: {}", loaded_.what_if->from.seconds(), problem->where), problem->sentence});
     return false;
   }
   recorder_.go_on_with(*conversation_.parts().machine);
   for (const auto& note : loaded_.what_if->notes) recorder_.problem(note.line, note.sentence, now());
   summary_.changed = true;
   return true;
+}
+
+void SessionLoop::stop(const Error& reason) {
+  summary_.stopped = reason;
+  over_ = true;
 }
 
 void SessionLoop::look_on() {
@@ -176,10 +179,7 @@ void SessionLoop::check_expectations() {
 // A policy from outside may be unable to go on. The run ends there.
 void SessionLoop::heed_outside() {
   const auto& outside = conversation_.state().chooser.outside;
-  if (auto trouble = outside ? outside->trouble() : std::nullopt; trouble && !over_) {
-    summary_.stopped = std::move(trouble);
-    over_ = true;
-  }
+  if (const auto trouble = outside ? outside->trouble() : std::nullopt; trouble && !over_) stop(*trouble);
 }
 
 void SessionLoop::record(const Thought& thought) {

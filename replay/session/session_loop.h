@@ -37,6 +37,8 @@ class SessionLoop {
   /// The events of one instant as they are to be taken, now: neighbouring inputs by their content, not as they were
   /// told.
   std::vector<const TraceEvent*> in_order(std::span<const TraceEvent> events) const;
+  /// The run cannot go on: nothing more happens in it.
+  void stop(const Error& reason);
   /// Attends to all that waits, finishes acts that are under way, and writes the log's last line.
   Replayed finish();
 

@@ -11,7 +11,7 @@
 #include "continua/pipeline/pipeline.h"
 #include "continua/replay/log/records_of_log.h"
 #include "continua/replay/session/session.h"
-#include "continua/replay/trace/trace_file.h"
+#include "continua/replay/trace/trace_source.h"
 #include "continua/simulation/scene.h"
 
 namespace continua {
@@ -26,7 +26,8 @@ struct WhatIf {
 
 struct LoadedSession {
   ReplayOptions options;
-  Trace trace;  ///< with the events of WhatIf from then on
+  TraceSource trace;   ///< with the events of WhatIf from then on
+  std::string placed;  ///< the objects of the header that the scene was set out with, as a trace writes them
   EngineParts parts;
   std::optional<WhatIf> what_if;
   Scene scene;

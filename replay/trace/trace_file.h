@@ -84,12 +84,16 @@ struct Note {
   std::string sentence;
 };
 
-struct Trace {
+/// A trace but for its events.
+struct TraceHead {
   std::string name;    ///< the file's path as given
   std::string digest;  ///< of the file's bytes
   TraceHeader header;
-  std::vector<TraceEvent> events;  ///< in order of t
   std::vector<Note> notes;
+};
+
+struct Trace : TraceHead {
+  std::vector<TraceEvent> events;  ///< in order of t
 };
 
 /// Everything that could be read, and everything that is wrong. Without problems the trace is whole.
@@ -118,6 +122,6 @@ std::string write_trace(const Trace& trace);
 std::string name_of(Perspective perspective);
 
 /// "file:line: sentence".
-std::string sentence_of(const Trace& trace, const Note& note);
+std::string sentence_of(const TraceHead& trace, const Note& note);
 
 }  // namespace continua

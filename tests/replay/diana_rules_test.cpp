@@ -34,11 +34,12 @@ std::string answers(const std::string& parameters, const std::vector<std::string
   file.close();
   ReplayOptions options;
   options.physics = false;
+  options.episodes = true;
   auto session = Session::load(path.string(), options);
-  fs::remove(path);
   if (!session) FAIL(session.error().text());
   std::ostringstream log;
   const auto summary = session->run(log);
+  fs::remove(path);
   std::string all;
   for (const auto& episode : summary.episodes)
     for (const auto& move : episode.produced)

@@ -268,7 +268,7 @@ TEST_CASE("of the paper's examples remains a trace that still does it, and of wh
     auto session = Session::load((folder / (name + ".trace.jsonl")).string(), options);
     REQUIRE(session.ok());
     std::vector<Expectation> expected;
-    for (const auto& event : session->trace().events)
+    for (const auto& event : *session->trace().events())
       if (const auto* one = std::get_if<Expectation>(&event.what)) expected.push_back(*one);
     REQUIRE_FALSE(expected.empty());
     ShrinkGoal goal;
@@ -286,7 +286,7 @@ TEST_CASE("of the paper's examples remains a trace that still does it, and of wh
                 .ok());
       return met;
     };
-    const auto written = read_trace_text(write_trace(shrunk->trace), session->trace().name);
+    const auto written = read_trace_text(write_trace(shrunk->trace), session->trace().head().name);
     REQUIRE(written.ok());
     CHECK(does_it(*written));
     for (std::size_t gone = 0; gone < written->events.size(); ++gone) {

@@ -94,7 +94,7 @@ TEST_CASE("how time is cut into pieces makes no difference to a run") {
   const Watch nobody;
   auto loop = session->begin(nobody, cut);
   REQUIRE(loop.ok());
-  for (const auto& event : session->trace().events) {
+  for (const auto& event : *session->trace().events()) {
     while ((*loop)->now() < event.t && random.uniform() < 0.9)
       (*loop)->wait_until(
           std::min(event.t, (*loop)->now() + SimTime{static_cast<std::int64_t>(random.uniform() * 7e4)}));

@@ -28,7 +28,7 @@ std::string told(Episodes& episodes) {
 }  // namespace
 
 TEST_CASE("moves belong to the input that came last") {
-  Episodes episodes(true);
+  Episodes episodes(true, true);
   CHECK(episodes.last() == nullptr);
   episodes.begin(words(1));
   episodes.observed(say("a"), at(1));
@@ -42,7 +42,7 @@ TEST_CASE("moves belong to the input that came last") {
 }
 
 TEST_CASE("of inputs of one instant the last counts") {
-  Episodes episodes(true);
+  Episodes episodes(true, true);
   episodes.begin(words(1));
   episodes.produced(say("a"), at(1));
   episodes.begin(words(1));
@@ -51,7 +51,7 @@ TEST_CASE("of inputs of one instant the last counts") {
 }
 
 TEST_CASE("moves belong to a pointing sample only if they are of its instant") {
-  Episodes episodes(true);
+  Episodes episodes(true, true);
   episodes.begin(words(1));
   episodes.begin(sample(1.5));
   episodes.observed(say("a"), at(1.5));
@@ -62,7 +62,7 @@ TEST_CASE("moves belong to a pointing sample only if they are of its instant") {
 }
 
 TEST_CASE("of those who do not answer at once, samples have no moves") {
-  Episodes episodes(false);
+  Episodes episodes(false, true);
   episodes.begin(words(1));
   episodes.begin(sample(1.5));
   episodes.produced(say("a"), at(1.5));
@@ -73,7 +73,7 @@ TEST_CASE("of those who do not answer at once, samples have no moves") {
 }
 
 TEST_CASE("before any other input moves belong to the sample that came last") {
-  Episodes episodes(true);
+  Episodes episodes(true, true);
   episodes.begin(sample(1));
   episodes.begin(sample(2));
   episodes.observed(say("a"), at(2.5));
@@ -81,15 +81,27 @@ TEST_CASE("before any other input moves belong to the sample that came last") {
 }
 
 TEST_CASE("what was done before any input is no episode") {
-  Episodes episodes(true);
+  Episodes episodes(true, true);
   episodes.observed(say("a"), at(0));
   episodes.produced(say("b"), at(0));
   episodes.begin(words(1));
   CHECK(told(episodes) == "speech yes|/");
 }
 
+TEST_CASE("where not all are wanted, those that can still get moves are kept") {
+  Episodes episodes(true, false);
+  episodes.begin(words(1));
+  episodes.produced(say("a"), at(1));
+  episodes.begin(words(2));
+  episodes.produced(say("b"), at(2));
+  episodes.begin(sample(3));
+  episodes.begin(sample(4));
+  episodes.produced(say("c"), at(4.5));
+  CHECK(told(episodes) == "speech yes|/bc; pointing|/");
+}
+
 TEST_CASE("episodes are held against what was observed") {
-  Episodes episodes(true);
+  Episodes episodes(true, true);
   episodes.begin(words(1));
   episodes.observed(say("The red block?"), at(1));
   episodes.produced(say("The black block?"), at(1));

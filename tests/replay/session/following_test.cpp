@@ -43,6 +43,7 @@ struct Play {
     std::ofstream(folder / "t.jsonl") << first << '\n' << events;
     ReplayOptions options;
     options.physics = false;
+    options.episodes = true;
     options.variant = variant;
     return Session::load((folder / "t.jsonl").string(), options);
   }
