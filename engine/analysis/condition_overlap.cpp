@@ -103,7 +103,7 @@ class Expansion {
 };
 
 // The requirements of a clause on one term.
-class Facts {
+class KnownFacts {
  public:
   // Adds a requirement. Returns whether it is consistent with those before.
   bool add(const Literal& literal) {
@@ -165,7 +165,7 @@ std::string text(const Literal& literal) {
 
 // The clause as text, without repetitions; nothing if it contradicts itself.
 std::optional<std::string> satisfied(const Clause& clause) {
-  std::map<std::string, Facts> facts;
+  std::map<std::string, KnownFacts> facts;
   std::vector<std::string> texts;
   for (const auto& literal : clause) {
     if (!facts[literal.left].add(literal)) return std::nullopt;

@@ -42,7 +42,7 @@ std::string values_of(const Machine& machine, const Configuration& head) {
 }
 
 // State, topmost symbol and registers as text.
-std::string key_of(const Configuration& head) {
+std::string head_key(const Configuration& head) {
   auto key = std::to_string(head.state);
   for (const auto& cell : head.stack.top()) key += '\n' + print(cell.value);
   for (const auto& cell : *head.memory) key += '\n' + print(cell.value);
@@ -105,7 +105,7 @@ class Decided {
         if (!pairs_.insert({head.state, first, second}).second) continue;
         const auto& input = takers[a].input ? takers[a].input : takers[b].input;
         analysis_.conflicts.push_back({head.state, first, second, input, values_of(*machine_, head), std::nullopt});
-        conflict_heads_.push_back(key_of(head));
+        conflict_heads_.push_back(head_key(head));
       }
     }
   }
@@ -130,7 +130,7 @@ class Decided {
     while (!open.empty() && !wanted.empty()) {
       const auto [configuration, word] = std::move(open.front());
       open.pop_front();
-      const auto [first, last] = wanted.equal_range(key_of(configuration));
+      const auto [first, last] = wanted.equal_range(head_key(configuration));
       for (auto found = first; found != last; ++found) analysis_.conflicts[found->second].word = word;
       wanted.erase(first, last);
       for (std::size_t i = 0; i <= letters_.size(); ++i) {
@@ -181,7 +181,7 @@ class Decided {
   std::vector<int> letter_ids_;
   std::set<std::size_t> fires_;
   std::set<std::tuple<StateIndex, std::size_t, std::size_t>> pairs_;
-  std::vector<std::string> conflict_heads_;  // key_of() of the head of each conflict in analysis_.conflicts
+  std::vector<std::string> conflict_heads_;  // head_key() of the head of each conflict in analysis_.conflicts
 };
 
 }  // namespace

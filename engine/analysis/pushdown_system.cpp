@@ -16,7 +16,7 @@ void append_key(std::string& key, const Symbol& symbol) {
   key += ';';
 }
 
-std::string key_of(const Configuration& configuration, std::size_t landmarks) {
+std::string configuration_key(const Configuration& configuration, std::size_t landmarks) {
   auto key = std::to_string(configuration.state) + '\n';
   append_key(key, *configuration.memory);
   for (std::size_t landmark = 0; landmark < landmarks; ++landmark)
@@ -76,7 +76,7 @@ int PushdownSystem::add(PushdownSymbol symbol) {
 }
 
 int PushdownSystem::add(PushdownControl control) {
-  auto key = key_of(control.configuration, machine_->landmarks);
+  auto key = configuration_key(control.configuration, machine_->landmarks);
   key += std::to_string(static_cast<int>(control.motion)) + (control.settles ? "ε\n" : "\n");
   if (control.motion != Motion::none) {
     for (const auto part : {control.transition, control.to, control.count, static_cast<std::size_t>(control.then)})

@@ -40,8 +40,6 @@ std::string name_of(const Term& program) {
   return head.kind() == Term::Kind::constant ? head.name() : std::string();
 }
 
-bool is_thing(const Term& term) { return term.kind() == Term::Kind::constant && term.type() == Type::entity(); }
-
 const Voxeme* voxeme_of(const ObjectState& object, const Catalogue* catalogue) {
   if (!catalogue) return nullptr;
   const auto type = object.attributes.find("type");

@@ -13,8 +13,6 @@ namespace {
 // Rise of a lifted object: clear of its neighbours, and low enough for the arm everywhere on the table.
 constexpr double lift_height_m = 0.1;
 
-bool is_thing(const Term& term) { return term.kind() == Term::Kind::constant && term.type() == Type::entity(); }
-
 Vec3 center(const Place& place) {
   return (Vec3(place.min[0], place.min[1], place.min[2]) + Vec3(place.max[0], place.max[1], place.max[2])) / 2;
 }

@@ -15,6 +15,9 @@ namespace continua {
 /// program of the body's is a signal of that name when `gesture`, otherwise there is a reason.
 OrReason<AvatarCommand> plan(const Term& program, bool gesture, Perspective perspective);
 
+/// Whether the term is the name of a thing.
+inline bool is_thing(const Term& term) { return term.kind() == Term::Kind::constant && term.type() == Type::entity(); }
+
 /// The most arguments that the body's own program of that name takes; nothing if there is no such program.
 std::optional<std::size_t> most_arguments(std::string_view program);
 

@@ -6,12 +6,12 @@ namespace continua {
 
 namespace {
 
-constexpr bool in_order() {
+constexpr bool capabilities_in_order() {
   for (std::size_t i = 0; i < body_acts.size(); ++i)
     if (static_cast<std::size_t>(body_acts[i].what) != i) return false;
   return true;
 }
-static_assert(in_order(), "a row is found by its capability");
+static_assert(capabilities_in_order(), "a row is found by its capability");
 
 }  // namespace
 

@@ -118,6 +118,8 @@ constexpr ToGoal to_goal(Capability what) { return row_of(what).to_goal; }
 
 /// The act brings its object to a goal.
 constexpr bool moves_to_goal(Capability what) { return to_goal(what) != ToGoal::none; }
+/// The act does so with the object in the hand.
+constexpr bool is_carried(Capability what) { return to_goal(what) == ToGoal::carried; }
 /// The act only shows something; nothing is moved.
 constexpr bool is_gesture(Capability what) { return effect_of(what) == ActEffect::shown; }
 /// The act is about one object, which it takes hold of or moves.

@@ -79,12 +79,12 @@ constexpr std::array rows = {
         "the simulation diverged; the world has been set back to when it was last at rest"},
 };
 
-constexpr bool in_order() {
+constexpr bool codes_in_order() {
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (static_cast<std::size_t>(rows[i].code) != i) return false;
   return rows.size() == static_cast<std::size_t>(Code::diverged) + 1;
 }
-static_assert(in_order(), "each code has its row");
+static_assert(codes_in_order(), "each code has its row");
 
 const Row& row_of(Code code) { return rows[static_cast<std::size_t>(code)]; }
 

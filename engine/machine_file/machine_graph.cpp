@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "continua/machine_file/machine_keys.h"
+#include "continua/machine_file/machine_weights.h"
 
 namespace continua {
 namespace {
@@ -12,7 +13,6 @@ namespace {
 // Arcs are counted one for each state and each symbol of a transition. More would exhaust the memory of the index.
 constexpr std::size_t most_arcs = 1'000'000;
 
-constexpr double heaviest = 1e9;
 constexpr int highest_rank = 1000000;
 
 }  // namespace
@@ -103,7 +103,7 @@ std::optional<Transition> GraphReader::transition(const Item& item) {
   transition.operation = operations_.operation(item);
   transition.rank = item.member("rank").whole_number("a rank", 0, -highest_rank, highest_rank);
   const auto weight = item.member("weight");
-  transition.weight = weight.number("a weight", 1, 0, heaviest);
+  transition.weight = weight.number("a weight", 1, 0, heaviest_weight);
   if (transition.weight == 0) weight.mismatch("a weight, a number greater than 0");
   transition.effects = effects_.effects(item.member("do"));
   return transition;

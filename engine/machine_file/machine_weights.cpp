@@ -10,8 +10,6 @@
 namespace continua {
 namespace {
 
-constexpr double heaviest = 1e9;
-
 std::vector<std::string> concepts_of(const Evidence& evidence, const Machine& machine) {
   std::vector<std::string> names;
   for (const auto index : evidence.concepts) names.push_back(machine.beliefs.concepts[index].name);
@@ -27,7 +25,7 @@ void read_transitions(const Item& item, const Machine& machine, MachineWeights& 
       value.problem_at_key(value.unknown("transition", id, known));
       continue;
     }
-    const double weight = value.number("a weight", 1, 0, heaviest);
+    const double weight = value.number("a weight", 1, 0, heaviest_weight);
     if (weight == 0) value.mismatch("a weight, a number greater than 0");
     weights.transitions[static_cast<std::size_t>(found - known.begin())] = weight;
   }

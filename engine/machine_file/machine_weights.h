@@ -15,6 +15,9 @@
 
 namespace continua {
 
+/// The heaviest weight of a transition: sums of weights stay exact enough.
+inline constexpr double heaviest_weight = 1e9;
+
 /// The weights of a machine's transitions, and the levels of its evidence, each in the order of the machine.
 struct MachineWeights {
   std::vector<double> transitions;          ///< > 0

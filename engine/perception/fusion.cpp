@@ -8,8 +8,6 @@
 namespace continua {
 namespace {
 
-SimTime seconds(double s) { return SimTime::from_seconds(s); }
-
 constexpr struct {
   SimTime from{std::numeric_limits<std::int64_t>::min()}, until{std::numeric_limits<std::int64_t>::max()};
 } ever;
@@ -55,7 +53,8 @@ bool is_of_others(std::size_t taker, const Percept& speech, const std::vector<st
 // The time until which an unfinished sentence waits for its next piece. A pointing with its last words is a part of it.
 SimTime last_piece(const Percept& speech, const std::vector<std::optional<Deixis>>& bound, const FusionWindow& window) {
   const bool is_shown = !bound.empty() && bound.back() && speech.takers.back().until >= speech.spoken;
-  return std::max(speech.spoken, is_shown ? settled_at(*bound.back()) : speech.spoken) + seconds(window.pause_s);
+  return std::max(speech.spoken, is_shown ? settled_at(*bound.back()) : speech.spoken) +
+         SimTime::from_seconds(window.pause_s);
 }
 
 bool waits_for_words(const Percept& speech, const FusionWindow& window) {
@@ -67,7 +66,7 @@ SimTime all_pointed_at(const Percept& speech, const std::vector<std::optional<De
                        const FusionWindow& window) {
   const auto last = last_need(speech.takers);
   if (!last) return told_end(speech);
-  const SimTime latest = std::max(told_end(speech), *last + seconds(window.after_s));
+  const SimTime latest = std::max(told_end(speech), *last + SimTime::from_seconds(window.after_s));
   SimTime at = std::max(told_end(speech), *last);
   for (std::size_t i = 0; i < bound.size(); ++i) {
     if (!speech.takers[i].needs) continue;
@@ -114,7 +113,7 @@ void put_shown_first(std::vector<Ensemble>::iterator begin, std::vector<Ensemble
 
 }  // namespace
 
-bool Fusion::is_too_late(SimTime t, SimTime now) const { return t + seconds(latest_s()) < now; }
+bool Fusion::is_too_late(SimTime t, SimTime now) const { return t + SimTime::from_seconds(latest_s()) < now; }
 
 bool Fusion::receive(Percept percept, SimTime now) {
   if (is_too_late(percept.event.t, now)) return false;
@@ -242,7 +241,7 @@ Fusion::Plan Fusion::plan() const {
     const auto& percept = waiting_[i];
     auto& part = plan.parts[i];
     if (percept.deixis) {
-      if (!part.taken) part.complete = percept.deixis->until + seconds(window_.after_s);
+      if (!part.taken) part.complete = percept.deixis->until + SimTime::from_seconds(window_.after_s);
     } else {
       part.complete = percept.event.modality == Modality::speech ? complete_at(percept, part.bound, window_)
                                                                  : shown_at(percept, waiting_);
@@ -321,11 +320,11 @@ void Fusion::forget() {
     if (percept.event.modality == Modality::speech) first = std::min(first, percept.event.t);
     for (const auto& taker : percept.takers) first = std::min(first, taker.from);
   }
-  const SimTime before = first - seconds(window_.before_s);
+  const SimTime before = first - SimTime::from_seconds(window_.before_s);
   const auto is_over = [&](const Deixis& each) { return each.until < before; };
   std::erase_if(released_, is_over);
   std::erase_if(gestures_, is_over);
-  track_.forget_before(before - seconds(longest_dropout_s));
+  track_.forget_before(before - SimTime::from_seconds(longest_dropout_s));
 }
 
 std::vector<Ensemble> Fusion::release_all(const Joining& joining) {

@@ -20,8 +20,6 @@ constexpr double standing_m = 0.005;  // an object no farther above its support 
 // Handlings that make room, and pushes of one object: bounds against acts that never end.
 constexpr int most_preparations = 4, most_pushes = 8;
 
-bool is_carried(Capability what) { return to_goal(what) == ToGoal::carried; }
-
 }  // namespace
 
 // Ends the act before anything is moved. An earlier failure remains its reason.

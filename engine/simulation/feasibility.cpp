@@ -17,8 +17,6 @@ using Code = ReasonCode;
 
 constexpr double room_within_m = 0.012;  // an object may be set down this far from its place to find room
 
-bool is_carried(Capability what) { return to_goal(what) == ToGoal::carried; }
-
 std::string landmark_of(const Goal& goal) { return goal.landmarks.empty() ? std::string() : goal.landmarks.front(); }
 
 /// The scene's avatar, without a present grasp: the hold on an object in the hand is not known.

@@ -6,8 +6,6 @@ namespace {
 
 using Mat3 = Eigen::Matrix3d;
 
-Vec3 vec(const mjtNum* v) { return {v[0], v[1], v[2]}; }
-
 /// Half extents, along the body's axes, of a geom turned by R_BG about its own centre.
 Vec3 half_extents(const mjModel& model, int geom, const Mat3& R_BG) {
   const Vec3 size = vec(model.geom_size + 3 * geom);

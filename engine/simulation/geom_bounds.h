@@ -9,6 +9,9 @@
 
 namespace continua {
 
+/// The vector of three numbers of MuJoCo.
+inline Vec3 vec(const mjtNum* v) { return {v[0], v[1], v[2]}; }
+
 /// Bounding box of all geoms of a body, in the body's frame B; empty boxes for bodies without geoms.
 Box body_bounds_B(const mjModel& model, int body);
 

@@ -17,7 +17,7 @@ namespace {
 using Code = ReasonCode;
 
 constexpr double tips_above_m = 0.002;  // above the table: the fingers meet flat things too
-constexpr double standing_m = 0.005;    // an object no farther above the table stands on it
+constexpr double on_table_m = 0.005;    // an object no farther above the table stands on it
 
 const ObjectShape* shape_of(const ObjectState& object, const Means& means) {
   const auto found = means.shapes.find(object.name);
@@ -138,8 +138,8 @@ bool needs_push(const ObjectState& object, const Vec3& p_WG, const Means& means)
 
 OrReason<Push> plan_push(const ObjectState& object, const Vec3& p_WG, const std::string& landmark,
                          const WorldSnapshot& world, const Means& means) {
-  if (object.bounds_W().min.z() - world.table.max.z() > standing_m) return Reason{Code::not_on_table, {object.name}};
-  if (std::abs(p_WG.z() - object.p_WO.z()) > standing_m) return Reason{Code::only_along_table, {object.name}};
+  if (object.bounds_W().min.z() - world.table.max.z() > on_table_m) return Reason{Code::not_on_table, {object.name}};
+  if (std::abs(p_WG.z() - object.p_WO.z()) > on_table_m) return Reason{Code::only_along_table, {object.name}};
   constexpr double margin_m = 0.01;  // a push may go a little too far
   if (!bears(world.table, p_WG, margin_m)) return Reason{Code::falls_off, {object.name}};
   return first_push(object, p_WG, landmark, world, means);

@@ -21,8 +21,6 @@ constexpr double disc_radius_m = 0.022, disc_height_m = 0.0015, ray_radius_m = 0
 // A target of three discs: parts of the whole radius, and the height of each above the one below.
 constexpr double ring = 0.62, bull = 0.3, disc_step_m = 0.0003;
 
-Vec3 vec(const mjtNum* v) { return {v[0], v[1], v[2]}; }
-
 struct FreeScene {
   void operator()(mjvScene* scene) const {
     mjv_freeScene(scene);

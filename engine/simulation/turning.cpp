@@ -13,7 +13,7 @@ namespace {
 
 // In the unit of grip_choice.cpp. For each radian of the wrist before and after the turn: among grips as good, the one
 // with the most play at both ends.
-constexpr double wrist_cost_per_rad = 0.05;
+constexpr double turn_cost_per_rad = 0.05;
 // The long way round: as much as two radians of the wrist.
 constexpr double round_cost = 0.1;
 // A turn by the long way may be half a turn and a rounding, no more.
@@ -57,7 +57,7 @@ std::optional<Handling> plan_turn(const Task& task, double by_rad, const WorldSn
       one.conflict_m =
           std::max(grip.conflict_m, hand_conflict(avatar.hand, hand_at(one, object.p_WO, true), one.opening_m, others));
       for (const Grip& before : tried) one.cost += alike(grip, before) ? tried_cost : 0;
-      one.cost += wrist_cost_per_rad * (std::abs(wrist) + std::abs(wrist + by)) + (round == 0 ? 0 : round_cost);
+      one.cost += turn_cost_per_rad * (std::abs(wrist) + std::abs(wrist + by)) + (round == 0 ? 0 : round_cost);
       turned.push_back(one);
     }
   }

@@ -14,8 +14,8 @@ struct Side {
   const char* name;
   double azimuth, elevation;
 };
-constexpr std::array sides = {Side{"front", 90, -34}, Side{"left", 0, -25}, Side{"right", 180, -25},
-                              Side{"back", 270, -35}, Side{"top", 90, -89}};
+constexpr std::array view_sides = {Side{"front", 90, -34}, Side{"left", 0, -25}, Side{"right", 180, -25},
+                                   Side{"back", 270, -35}, Side{"top", 90, -89}};
 
 constexpr double margin = 0.94;  // of half the picture: a thin frame of air
 
@@ -23,14 +23,15 @@ constexpr double margin = 0.94;  // of half the picture: a thin frame of air
 
 std::vector<std::string> side_names() {
   std::vector<std::string> names;
-  for (const auto& side : sides) names.emplace_back(side.name);
+  for (const auto& side : view_sides) names.emplace_back(side.name);
   return names;
 }
 
 std::optional<mjvCamera> camera_from(const std::string& side, const std::vector<Vec3>& points_W, double fovy,
                                      double aspect, double free_below) {
-  const auto known = std::find_if(sides.begin(), sides.end(), [&](const Side& one) { return side == one.name; });
-  if (known == sides.end()) return std::nullopt;
+  const auto known =
+      std::find_if(view_sides.begin(), view_sides.end(), [&](const Side& one) { return side == one.name; });
+  if (known == view_sides.end()) return std::nullopt;
   const double a = known->azimuth * rad_per_deg, e = known->elevation * rad_per_deg;
   const Vec3 forward(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
   const Vec3 right(std::sin(a), -std::cos(a), 0), up = right.cross(forward);

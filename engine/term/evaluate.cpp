@@ -9,7 +9,7 @@
 namespace continua {
 namespace {
 
-constexpr std::size_t most_steps = 200000;
+constexpr std::size_t most_evaluation_steps = 200000;
 constexpr int deepest_evaluation = 1000;
 constexpr std::size_t deepest_value = 1000;
 constexpr std::size_t largest_value = 50000;
@@ -40,7 +40,7 @@ Term Evaluation::value(const Term& term) {
   if (depth_ > 0) return evaluated(term);
   steps_ = 0;
   Term result = evaluated(term);
-  return steps_ > most_steps ? Term::null() : result;
+  return steps_ > most_evaluation_steps ? Term::null() : result;
 }
 
 Term Evaluation::apply(const Term& function, const Term& argument) {
@@ -54,20 +54,20 @@ Term Evaluation::apply(const Term& function, const Term& argument) {
   ++depth_;
   Term result = depth_ > deepest_evaluation ? (give_up(), Term::null()) : reduced(std::move(redex));
   --depth_;
-  return outermost && steps_ > most_steps ? Term::null() : result;
+  return outermost && steps_ > most_evaluation_steps ? Term::null() : result;
 }
 
 bool Evaluation::spend(std::size_t steps) {
-  steps_ += std::min(steps, most_steps + 1);
-  if (steps_ > most_steps) exhausted = true;
-  return steps_ <= most_steps;
+  steps_ += std::min(steps, most_evaluation_steps + 1);
+  if (steps_ > most_evaluation_steps) exhausted = true;
+  return steps_ <= most_evaluation_steps;
 }
 
 void Evaluation::note_compared(double a, double b) {
   if (a != std::nearbyint(a) || b != std::nearbyint(b)) note_margin(std::abs(a - b));
 }
 
-void Evaluation::give_up() { spend(most_steps + 1); }
+void Evaluation::give_up() { spend(most_evaluation_steps + 1); }
 
 Term Evaluation::bounded(Term term) {
   if (term.depth() <= deepest_value && term.size() <= largest_value) return term;

@@ -131,7 +131,7 @@ Term sort_by(Arguments a, Evaluation& evaluation) {
   return Term::list(std::move(sorted), element_type(a[0]));
 }
 
-Term contains(Arguments a, Evaluation&) {
+Term contains_element(Arguments a, Evaluation&) {
   return Term::truth(std::find(elements(a[0]).begin(), elements(a[0]).end(), a[1]) != elements(a[0]).end());
 }
 
@@ -168,7 +168,7 @@ void add_list_functions(Rules& rules, Signature& signature) {
           {"some", "'a* -> ('a -> t) -> t", some},
           {"every", "'a* -> ('a -> t) -> t", every},
           {"sort_by", "'a* -> ('a -> num) -> 'a*", sort_by},
-          {"contains", "'a* -> 'a -> t", contains},
+          {"contains", "'a* -> 'a -> t", contains_element},
       },
       rules, signature);
 }

@@ -16,7 +16,7 @@ struct Infix {
   std::string_view sign;
   int binding, left, right;
 };
-constexpr int negation_binding = 3, sum_binding = 5, minus_binding = 7, operand = 8;
+constexpr int negation_binding = 3, sum_binding = 5, minus_binding = 7, operand_binding = 8;
 constexpr std::array<Infix, 12> infixes = {{{"or", 1, 1, 2},
                                             {"and", 2, 2, 3},
                                             {"=", 4, 5, 5},
@@ -184,7 +184,7 @@ class Printer {
   }
 
   void call(const Term& head, const std::vector<Term>& arguments) {
-    print(head, operand);
+    print(head, operand_binding);
     list(arguments, '(', ')', 0);
   }
 

@@ -8,7 +8,7 @@ namespace continua {
 namespace {
 
 // Terms can be written whose types grow exponentially with the length of the term.
-constexpr std::size_t most_steps = 100000;
+constexpr std::size_t most_unification_steps = 100000;
 
 Type renewed(const Type& type, std::map<int, Type>& renewals, Unifier& unifier) {
   if (!type.polymorphic()) return type;
@@ -35,7 +35,7 @@ Type renewed(const Type& type, std::map<int, Type>& renewals, Unifier& unifier) 
 
 }  // namespace
 
-bool Unifier::gave_up() const { return steps_ > most_steps; }
+bool Unifier::gave_up() const { return steps_ > most_unification_steps; }
 
 Type Unifier::fresh() {
   known_.emplace_back();
@@ -55,7 +55,7 @@ Type Unifier::known(const Type& type) const {
 
 bool Unifier::occurs(int variable, const Type& type) {
   if (!type.polymorphic()) return false;
-  if (++steps_ > most_steps) return true;
+  if (++steps_ > most_unification_steps) return true;
   const Type at = known(type);
   switch (at.kind()) {
     case Type::Kind::base:
@@ -73,7 +73,7 @@ bool Unifier::occurs(int variable, const Type& type) {
 }
 
 bool Unifier::unify(const Type& a, const Type& b) {
-  if (++steps_ > most_steps) return false;
+  if (++steps_ > most_unification_steps) return false;
   const Type left = known(a), right = known(b);
   const bool left_unknown = left.kind() == Type::Kind::variable, right_unknown = right.kind() == Type::Kind::variable;
   if (left_unknown && right_unknown && left.index() == right.index()) return true;
@@ -100,7 +100,7 @@ bool Unifier::unify(const Type& a, const Type& b) {
 
 Type Unifier::resolved(const Type& type) {
   if (!type.polymorphic()) return type;
-  if (++steps_ > most_steps) return Type::term();
+  if (++steps_ > most_unification_steps) return Type::term();
   const Type at = known(type);
   switch (at.kind()) {
     case Type::Kind::base:

@@ -16,7 +16,7 @@
 namespace continua {
 namespace {
 
-constexpr int deepest = 100;
+constexpr int deepest_element = 100;
 
 std::string trimmed(std::string_view text) {
   constexpr std::string_view space = " \t\r\n";
@@ -65,7 +65,7 @@ class DocumentReader {
     for (const auto attribute : root.attributes()) unknown_attribute(root, attribute, "");
     for (const auto child : root.children())
       if (!element(child, "", 1))
-        return error(child.offset_debug(), fmt::format("elements more than {} deep", deepest));
+        return error(child.offset_debug(), fmt::format("elements more than {} deep", deepest_element));
     if (entity_.empty())
       return error(root.offset_debug(), "there is no Entity, expected <Entity Type=\"Object\" /> or another type");
     if (!set_entity())
@@ -131,7 +131,7 @@ class DocumentReader {
 
   bool element(const pugi::xml_node& node, const std::string& parent, int depth) {
     if (node.type() != pugi::node_element) return true;
-    if (depth > deepest) return false;
+    if (depth > deepest_element) return false;
     const auto path = parent + (parent.empty() ? "" : "/") + std::string(without_prefix(node.name()));
     const auto& known = kinds();
     const auto kind = known.find(path);

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Expression::Kind;
 
-constexpr int deepest = 100;
+constexpr int deepest_bracket = 100;
 constexpr std::string_view space = " \t\r\n\f\v";
 
 // Signs with their spellings. A spelling stands before the spellings that it begins with.
@@ -127,7 +127,7 @@ Result<Expression> ExpressionReader::joined(Kind kind) {
 }
 
 Result<Expression> ExpressionReader::negated() {
-  if (depth_ == deepest) return expected(fmt::format("at most {} brackets in each other", deepest));
+  if (depth_ == deepest_bracket) return expected(fmt::format("at most {} brackets in each other", deepest_bracket));
   ++depth_;
   const bool negation = take("!");
   auto inner = negation ? negated() : primary();

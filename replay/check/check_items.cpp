@@ -7,12 +7,11 @@
 #include <fmt/format.h>
 
 #include "continua/knowledge_files/data_paths.h"
+#include "continua/replay/trace/trace_name.h"
 
 namespace continua {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr std::string_view trace_ending = ".trace.jsonl";
 
 bool is_lexicon(const fs::path& path) { return is_folder(path) && path.parent_path().filename() == "lexicon"; }
 bool is_machine(const fs::path& path) {

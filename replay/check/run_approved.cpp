@@ -9,12 +9,11 @@
 #include "continua/core/located_json.h"
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_log.h"
+#include "continua/replay/trace/trace_name.h"
 
 namespace continua {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr std::string_view trace_ending = ".trace.jsonl";
 
 std::string beside(const std::string& trace_path, const std::string& ending) {
   const std::string_view trace = trace_path;

@@ -38,7 +38,7 @@ void print_notes(const Trace& trace) {
 }
 
 // Which file each log becomes; an error if two would be the same or a log would be overwritten.
-Result<std::vector<std::string>> outputs_of(const ImportOptions& options) {
+Result<std::vector<std::string>> traces_of(const ImportOptions& options) {
   if (options.output == "-" && options.logs.size() > 1)
     return Error{"-", "takes one trace; expected a folder for several logs"};
   const bool folder = options.logs.size() > 1 || fs::is_directory(options.output) || options.output.ends_with('/');
@@ -62,7 +62,7 @@ Result<std::vector<std::string>> outputs_of(const ImportOptions& options) {
 }  // namespace
 
 int run_import(const ImportOptions& options) {
-  const auto outputs = outputs_of(options);
+  const auto outputs = traces_of(options);
   if (!outputs) return report(outputs.error()), exit_impossible;
   const auto machine = load_named_machine(imported_machine, "");
   if (!machine) return report(machine.error()), exit_impossible;

@@ -25,7 +25,7 @@ enum class Output { picture, film, folder };
 
 constexpr ImageSize large{960, 540}, small{400, 300};
 
-Result<Output> kind_of(const std::string& path) {
+Result<Output> output_of(const std::string& path) {
   const auto ending = fs::path(path).extension().string();
   std::error_code ignored;
   if (fs::is_directory(path, ignored) || path.ends_with('/') || ending.empty()) return Output::folder;
@@ -111,7 +111,7 @@ Result<std::string> write_instant(RunPictures& pictures, const RenderOptions& op
 }
 
 Result<std::string> render(const RenderOptions& options) {
-  const auto output = kind_of(options.output);
+  const auto output = output_of(options.output);
   if (!output) return output.error();
   if (options.at_s && *output != Output::picture)
     return Error{options.output, "--at gives one picture; expected a file that ends in .png"};

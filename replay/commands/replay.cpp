@@ -49,7 +49,7 @@ std::string comparison(const std::string& trace, const std::string& output, cons
   return original ? fmt::format("; compare: continua diff {} {}", shell_word(*original), shell_word(output)) : "";
 }
 
-Result<std::vector<std::string>> outputs_of(const ReplayCommandOptions& options) {
+Result<std::vector<std::string>> runs_of(const ReplayCommandOptions& options) {
   const auto& output = options.output;
   const bool folder = output.empty() || options.traces.size() > 1 || output.ends_with('/') || fs::is_directory(output);
   if (output == "-" && options.traces.size() > 1)
@@ -216,7 +216,7 @@ std::shared_ptr<std::string> add_choice(CLI::App& command) {
 }  // namespace
 
 int run_replay(const ReplayCommandOptions& options) {
-  auto outputs = outputs_of(options);
+  auto outputs = runs_of(options);
   if (!outputs) return report(outputs.error()), exit_impossible;
   return Batch(options, std::move(*outputs)).run();
 }

@@ -9,13 +9,13 @@
 namespace continua {
 namespace {
 
-Json part(const Json& object, const char* key) { return object.is_object() ? object.value(key, Json()) : Json(); }
+Json member(const Json& object, const char* key) { return object.is_object() ? object.value(key, Json()) : Json(); }
 
 // Values of "phrase" at any depth, in their order.
 void collect_phrases(const Json& value, std::vector<std::string>& names) {
   if (!value.is_structured()) return;
   if (value.is_object())
-    if (const auto name = part(value, "phrase"); name.is_string()) names.push_back(name.get<std::string>());
+    if (const auto name = member(value, "phrase"); name.is_string()) names.push_back(name.get<std::string>());
   for (const auto& inner : value) collect_phrases(inner, names);
 }
 
@@ -50,13 +50,13 @@ std::optional<std::size_t> fit_of(std::string_view pattern, std::string_view tex
 }
 
 PhraseCounts::PhraseCounts(const Json& machine, const Json& phrases) {
-  const auto document = part(machine, "document");
-  transitions_ = part(document, "transitions");
-  states_ = part(document, "states");
+  const auto document = member(machine, "document");
+  transitions_ = member(document, "transitions");
+  states_ = member(document, "states");
   std::vector<std::string> used;
   collect_phrases(states_, used);
   collect_phrases(transitions_, used);
-  const auto say = part(part(phrases, "document"), "say");
+  const auto say = member(member(phrases, "document"), "say");
   for (const auto& [name, cases] : say.items())
     if (std::find(used.begin(), used.end(), name) != used.end()) add_cases(cases, name);
 }
@@ -66,7 +66,7 @@ void PhraseCounts::add_cases(const Json& phrases, const std::string& name) {
   for (const auto& one : phrases) {
     Case added{name, text_of(one, "when"), {}, 0};
     if (added.when.empty() && phrases.size() > 1) added.when = "otherwise";
-    const auto say = part(one, "say");
+    const auto say = member(one, "say");
     if (say.is_string()) added.ways = {say.get<std::string>()};
     if (say.is_array())
       for (const auto& way : say)
@@ -80,7 +80,7 @@ void PhraseCounts::said(const std::string& text, const std::string& transition, 
   if (transitions_.is_array())
     for (const auto& one : transitions_)
       if (text_of(one, "id") == transition) collect_phrases(one, phrases);
-  collect_phrases(part(states_, state.c_str()), phrases);
+  collect_phrases(member(states_, state.c_str()), phrases);
   std::size_t best = 0;
   std::vector<Case*> fitting;
   for (auto& one : cases_) {

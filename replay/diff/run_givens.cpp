@@ -177,7 +177,7 @@ void add_scene(std::vector<GivenDifference>& all, const Json& a, const Json& b) 
     all.push_back({"scene", "MJCF", member_of(one, "digest"), member_of(other, "digest"), ""});
 }
 
-std::string value_text(const Json& value) {
+std::string short_text(const Json& value) {
   constexpr std::size_t longest = 160;
   if (value.is_null()) return "nothing";
   auto text = value.is_string() ? value.get<std::string>() : compact(value);
@@ -190,7 +190,7 @@ std::string value_text(const Json& value) {
 
 // [x, y, z] of a pose.
 std::string place_text(const Json& pose) {
-  if (!pose.is_array() || pose.size() < 3) return value_text(pose);
+  if (!pose.is_array() || pose.size() < 3) return short_text(pose);
   return fmt::format("[{}, {}, {}]", compact(pose[0]), compact(pose[1]), compact(pose[2]));
 }
 
@@ -248,8 +248,8 @@ std::string told(const GivenDifference& difference) {
     return fmt::format("{} is not the same file in both", what);
   }
   if (a.is_null() && b.is_null()) return fmt::format("{} differ", what);
-  if (a == b) return fmt::format("{}: {}", what, value_text(a));
-  return fmt::format("{}: {} in A, {} in B", what, value_text(a), value_text(b));
+  if (a == b) return fmt::format("{}: {}", what, short_text(a));
+  return fmt::format("{}: {} in A, {} in B", what, short_text(a), short_text(b));
 }
 
 }  // namespace continua

@@ -8,7 +8,7 @@
 namespace continua {
 namespace {
 
-using Numbers = std::span<const std::uint64_t>;
+using Sequence = std::span<const std::uint64_t>;
 using Place = std::pair<std::size_t, std::size_t>;
 
 // So many cells a table of a longest common subsequence may have.
@@ -18,17 +18,17 @@ constexpr std::size_t run = 3, window = 256;
 // Farther away, as many that occur nowhere else.
 constexpr std::size_t rare_run = 8;
 
-std::size_t common_prefix(Numbers a, Numbers b) {
+std::size_t common_prefix(Sequence a, Sequence b) {
   return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
 }
 
-std::size_t common_suffix(Numbers a, Numbers b) {
+std::size_t common_suffix(Sequence a, Sequence b) {
   return static_cast<std::size_t>(std::mismatch(a.rbegin(), a.rend(), b.rbegin(), b.rend()).first - a.rbegin());
 }
 
 class Aligner {
  public:
-  Aligner(Numbers a, Numbers b) : a_(a), b_(b) {}
+  Aligner(Sequence a, Sequence b) : a_(a), b_(b) {}
 
   Alignment align() {
     const auto before = common_prefix(a_, b_);
@@ -106,7 +106,7 @@ class Aligner {
   }
 
   // Rows of elements that occur once in each sequence, by a number made of theirs.
-  static std::uint64_t row_at(Numbers numbers, std::size_t at) {
+  static std::uint64_t row_at(Sequence numbers, std::size_t at) {
     std::uint64_t mixed = 0;
     for (std::size_t i = 0; i < rare_run; ++i) mixed = (mixed ^ numbers[at + i]) * 0x9E3779B97F4A7C15ULL;
     return mixed;
@@ -134,7 +134,7 @@ class Aligner {
     return std::nullopt;
   }
 
-  Numbers a_, b_;
+  Sequence a_, b_;
   Alignment found_;
   std::vector<std::uint32_t> lengths_;
   std::optional<std::unordered_map<std::uint64_t, Place>> rare_;

@@ -5,7 +5,7 @@
 namespace continua {
 namespace {
 
-constexpr const char* style = R"css(
+constexpr const char* page_style = R"css(
 :root { color-scheme: light dark; --paper: #ffffff; --ink: #1b1f24; --quiet: #57606a; --line: #d0d7de; --soft: #f3f5f8;
   --gone: #ffebe9; --gone-line: #b3261e; --come: #dafbe1; --come-line: #1a7f37; --accent: #0a58ca; }
 @media (prefers-color-scheme: dark) {
@@ -78,7 +78,7 @@ std::string html_page(std::string_view title, std::string_view body) {
       "base-uri 'none'; form-action 'none'\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
       "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-      in_html(title), style, body);
+      in_html(title), page_style, body);
 }
 
 }  // namespace continua

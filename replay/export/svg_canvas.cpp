@@ -9,7 +9,7 @@ namespace {
 
 constexpr double margin = 12, head_width = 6;
 
-constexpr const char* style = R"(<style>
+constexpr const char* drawing_style = R"(<style>
   svg { color: #1b1f24; }
   .paper { fill: #ffffff; }
   text { fill: currentColor; text-anchor: middle; }
@@ -109,7 +109,7 @@ std::string SvgCanvas::document(std::string_view title) const {
       "role=\"img\">\n<title>{4}</title>\n{5}<rect class=\"paper\" x=\"{0}\" y=\"{1}\" width=\"{2}\" "
       "height=\"{3}\"/>\n{6}</svg>\n",
       number(low_.x - margin), number(low_.y - margin), number(high_.x - low_.x + 2 * margin),
-      number(high_.y - low_.y + 2 * margin), escaped(title), style, body_);
+      number(high_.y - low_.y + 2 * margin), escaped(title), drawing_style, body_);
 }
 
 void SvgCanvas::reach(const PagePoint& p) {

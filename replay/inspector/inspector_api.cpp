@@ -20,9 +20,8 @@ namespace {
 
 constexpr std::size_t most_records = 5000;  // in one answer
 constexpr std::size_t most_worlds = 4;      // kept
-constexpr double latest_s = 1e9;
-constexpr std::size_t most_numbers = 500;  // named one by one
-constexpr std::size_t most_columns = 2;    // runs of which they are kept
+constexpr std::size_t most_numbers = 500;   // named one by one
+constexpr std::size_t most_columns = 2;     // runs of which they are kept
 constexpr auto json_type = "application/json";
 constexpr auto bytes_type = "application/octet-stream";
 
@@ -56,7 +55,6 @@ std::vector<std::string> split(std::string_view text, char at) {
   return parts;
 }
 
-ApiResponse answer(const Json& body) { return {200, json_type, compact(body)}; }
 ApiResponse answer(const Result<Json>& body) { return body ? answer(*body) : api_error(500, body.error().text()); }
 
 // A number of the query, `otherwise` when it is not given, or a sentence about a value that is no number.
@@ -139,6 +137,8 @@ ApiResponse find(const RunIndex& log, const Query& query) {
 }
 
 }  // namespace
+
+ApiResponse answer(const Json& body, int status) { return {status, json_type, compact(body)}; }
 
 ApiResponse api_error(int status, const std::string& message) {
   return {status, json_type, compact(Json{{"error", {{"message", message}}}})};

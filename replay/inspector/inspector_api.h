@@ -26,6 +26,9 @@ struct ApiResponse {
   std::string body;
 };
 
+/// An answer with a JSON body.
+ApiResponse answer(const Json& body, int status = 200);
+
 /// Query parameters by name, already decoded. The first of a name counts.
 using Query = std::map<std::string, std::string>;
 

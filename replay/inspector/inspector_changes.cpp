@@ -15,8 +15,6 @@ namespace {
 constexpr int most_replays = 2;      // at a time
 constexpr int most_what_ifs = 1000;  // served at a time
 
-ApiResponse answer(const Json& body) { return {200, "application/json", compact(body)}; }
-
 // ID of "/api/runs/ID/notes"; empty for any other path.
 std::string run_of_notes(const std::string& path) {
   constexpr std::string_view before = "/api/runs/", after = "/notes";

@@ -15,7 +15,6 @@
 namespace continua {
 namespace {
 
-constexpr double latest_s = 1e9;
 constexpr std::size_t most_blank_lines = 100000;  // that are left where a log tells nothing of its trace's lines
 
 // An event of a trace that is to be.

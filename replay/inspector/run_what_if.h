@@ -15,6 +15,9 @@
 
 namespace continua {
 
+/// The latest instant that a request may name, seconds.
+inline constexpr double latest_s = 1e9;
+
 /// An input that was something else, or was not.
 struct InputEdit {
   std::size_t n = 0;  ///< of its record

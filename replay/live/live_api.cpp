@@ -12,8 +12,6 @@ namespace {
 constexpr double events_per_s = 2000, most_at_once = 4000;
 constexpr std::string_view below = "/api/sessions";
 
-ApiResponse answer(const Json& body, int status = 200) { return {status, "application/json", compact(body)}; }
-
 // ID and the rest of "/api/sessions/ID/WHAT".
 std::pair<std::string, std::string> parts_of(std::string_view path) {
   path.remove_prefix(std::min(path.size(), below.size() + 1));

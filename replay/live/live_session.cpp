@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto look_every = 8ms;                                  // at a world that moves
-constexpr SimTime most_at_once{50'000};                           // of engine time, while whoever sends events waits
+constexpr SimTime longest_at_once{50'000};                        // of engine time, while whoever sends events waits
 constexpr auto patience = std::chrono::minutes(10);               // with a session that nobody sends to or looks at
 constexpr std::uint64_t most_log_bytes = std::uint64_t{1} << 30;  // a day of talk with physics has less
 
@@ -74,7 +74,7 @@ void LiveSession::work() {
   while (loop_) {
     if (clock_.runs()) {
       const SimTime goal = now();
-      loop_->wait_until(std::min(goal, loop_->now() + most_at_once));
+      loop_->wait_until(std::min(goal, loop_->now() + longest_at_once));
       tell();
       if (!can_go_on()) return;
       if (loop_->now() < goal) {

@@ -5,7 +5,7 @@
 namespace continua {
 namespace {
 
-constexpr std::uint64_t most_at_once = 1 << 20;  // bytes
+constexpr std::uint64_t most_bytes = 1 << 20;  // bytes
 
 }  // namespace
 
@@ -18,7 +18,7 @@ std::vector<std::string> LiveTail::next(std::chrono::milliseconds patience) {
       read_ < state_.log_bytes && !is_cut_ ? session_->audience().state() : session_->audience().wait(state_, patience);
   std::vector<std::string> lines;
   // The announced bytes are whole lines.
-  for (const auto most = read_ + most_at_once; read_ < std::min(state_.log_bytes, most);) {
+  for (const auto most = read_ + most_bytes; read_ < std::min(state_.log_bytes, most);) {
     std::string line;
     if (!std::getline(log_, line)) {
       log_.clear();

@@ -23,8 +23,6 @@ using log::name_of;
 // We write about 25 kinds. A foreign log may name more; kinds beyond this many share the last number.
 constexpr std::size_t most_kinds = 1000;
 constexpr std::size_t most_records = std::numeric_limits<std::int32_t>::max();
-constexpr std::size_t block_bytes = std::size_t{1} << 20;  // read at once
-constexpr auto file_changed = "cannot be read any more: the file has changed since it was opened";
 
 // The value of a member as written; empty where it is missing.
 std::string_view value_in(const std::vector<RecordMember>& members, std::string_view name) {

@@ -9,6 +9,9 @@
 
 namespace continua {
 
+inline constexpr std::size_t block_bytes = std::size_t{1} << 20;  ///< read at once
+inline constexpr auto file_changed = "cannot be read any more: the file has changed since it was opened";
+
 class LogSource {
  public:
   virtual ~LogSource() = default;

@@ -13,9 +13,6 @@ namespace {
 
 using log::name_of;
 
-constexpr std::size_t block_bytes = std::size_t{1} << 20;  // read at once
-constexpr auto file_changed = "cannot be read any more: the file has changed since it was opened";
-
 // Whether the last line of the scan is still there as a whole line.
 bool goes_on_in(const LogSource& source, const ScannedLog& log) {
   const auto& last = log.entries.back();

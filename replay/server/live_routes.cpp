@@ -14,8 +14,8 @@
 namespace continua {
 namespace {
 
-constexpr std::chrono::milliseconds look_every{250};  // whether the listener is still there
-constexpr int most_silent = 40;                       // such times
+constexpr std::chrono::milliseconds ask_every{250};  // whether the listener is still there
+constexpr int most_silent = 40;                      // such times
 
 std::string event_text(std::string_view name, std::string_view data) {
   return fmt::format("event: {}\ndata: {}\n\n", name, data);
@@ -37,7 +37,7 @@ class RecordStream {
   // The next text to send; a comment if nothing happened.
   std::string next() {
     const int known = tail_.state().changes;
-    const auto lines = tail_.next(look_every);
+    const auto lines = tail_.next(ask_every);
     auto number = tail_.next_record() - lines.size();
     std::string text;
     for (const auto& line : lines) text += fmt::format("id: {}\n", number++) + event_text("record", line);
@@ -117,7 +117,7 @@ void send_records(const httplib::Request& request, httplib::Response& response, 
   response.set_chunked_content_provider(
       "text/event-stream", [&api, &stopping, open, seat, stream](std::size_t, httplib::DataSink& sink) mutable {
         if (!stream) {
-          std::this_thread::sleep_for(look_every);
+          std::this_thread::sleep_for(ask_every);
           if (auto begun = api.sessions().newest()) stream = open(*std::move(begun));
         }
         const auto text = stream ? stream->next() : std::string();

@@ -3,8 +3,11 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace continua {
+
+inline constexpr std::string_view trace_ending = ".trace.jsonl";
 
 /// "x.trace.jsonl" and "x.jsonl" are called "x"; without their folder.
 inline std::string trace_name(const std::string& trace) {
