@@ -4,7 +4,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -78,12 +80,17 @@ struct LexiconExample {
 /// Entries by their text; an entry of several words has single spaces between them.
 using WordTable = std::map<std::string, WordEntry, std::less<>>;
 
+/// The single words of an entry.
+std::vector<std::string_view> parts_of_entry(std::string_view words);
+
 struct Lexicon {
   Atoms atoms;
   Signature names;  ///< types of all names that readings may contain, the term language's and the facts included
   Operators operators;
   std::map<std::string, Term, std::less<>> definitions;  ///< defined names with their terms
   WordTable words;
+  std::set<std::string, std::less<>> parts;  ///< the single words that the entries are made of
+  std::size_t most_words = 1;                ///< of the longest entry
   std::vector<WordAttribute> attributes;
   std::vector<std::pair<std::string, std::string>> plurals;  ///< ending of the singular and of the plural; first wins
   /// Endings of two forms of a verb, "capping" and "cap": a taught verb is known in all its forms.

@@ -19,6 +19,16 @@ const std::vector<std::string> sections = {"about",  "categories", "names",     
 
 }  // namespace
 
+std::vector<std::string_view> parts_of_entry(std::string_view words) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = 0; at <= words.size();) {
+    const auto end = std::min(words.find(' ', at), words.size());
+    parts.push_back(words.substr(at, end - at));
+    at = end + 1;
+  }
+  return parts;
+}
+
 LexiconReader::LexiconReader(const std::vector<LocatedJson>& documents, const Signature& facts) : facts_(facts) {
   lexicon_.names = term_signature();
   lexicon_.names.insert(facts.begin(), facts.end());
@@ -51,7 +61,16 @@ Lexicon LexiconReader::read() {
   lexicon_.numbers = read_name_templates("numbers");
   read_sample();
   if (reader_.sound()) read_examples();
+  take_entries_apart();
   return std::move(lexicon_);
+}
+
+void LexiconReader::take_entries_apart() {
+  for (const auto& [words, entry] : lexicon_.words) {
+    const auto parts = parts_of_entry(words);
+    for (const auto part : parts) lexicon_.parts.emplace(part);
+    lexicon_.most_words = std::max(lexicon_.most_words, parts.size());
+  }
 }
 
 std::vector<NamedItem> LexiconReader::members_of(const std::string& section, const char* what) const {

@@ -33,6 +33,7 @@ class LexiconReader {
   void declare(const Item& at, const std::string& name, const Type& type);
 
   // lexicon_words.cpp
+  void take_entries_apart();
   void read_words();
   void read_attributes();
   void read_plurals();

@@ -33,8 +33,7 @@ std::string spoken(const std::string& value) {
 }  // namespace
 
 Vocabulary::Vocabulary(std::shared_ptr<const Lexicon> lexicon, const WorldSnapshot& world)
-    : lexicon_(std::move(lexicon)), names_(lexicon_->names) {
-  for (const auto& [words, entry] : lexicon_->words) add_parts(words);
+    : lexicon_(std::move(lexicon)), names_(lexicon_->names), most_words_(lexicon_->most_words) {
   for (const auto& attribute : lexicon_->attributes) {
     std::set<std::string, std::less<>> grouped;
     for (const auto& group : attribute.values) {
@@ -154,13 +153,14 @@ std::optional<Vocabulary::Resemblance> Vocabulary::resembling_thing(const std::s
 
 std::optional<Vocabulary::Resemblance> Vocabulary::resembling_word(const std::string& word) const {
   std::optional<Resemblance> only;
-  for (const auto& each : parts_) {
-    const auto found = slip(word, each);
-    const auto fewest = found == Slip::exchanged ? fewest_letters_exchanged : fewest_letters_otherwise;
-    if (!is_of_the_fingers(found) || each.size() < fewest) continue;
-    if (only) return std::nullopt;
-    only = Resemblance{each, true};
-  }
+  for (const auto* parts : {&lexicon_->parts, &parts_})
+    for (const auto& each : *parts) {
+      const auto found = slip(word, each);
+      const auto fewest = found == Slip::exchanged ? fewest_letters_exchanged : fewest_letters_otherwise;
+      if (!is_of_the_fingers(found) || each.size() < fewest) continue;
+      if (only) return std::nullopt;
+      only = Resemblance{each, true};
+    }
   return only;
 }
 
@@ -212,13 +212,10 @@ void Vocabulary::add_word(const std::string& word, WordSense sense) {
 }
 
 void Vocabulary::add_parts(std::string_view words) {
-  std::size_t count = 0;
-  for (std::size_t at = 0; at <= words.size(); ++count) {
-    const auto end = std::min(words.find(' ', at), words.size());
-    parts_.emplace(words.substr(at, end - at));
-    at = end + 1;
-  }
-  most_words_ = std::max(most_words_, count);
+  const auto parts = parts_of_entry(words);
+  for (const auto part : parts)
+    if (!lexicon_->parts.contains(part)) parts_.emplace(part);
+  most_words_ = std::max(most_words_, parts.size());
 }
 
 std::string Vocabulary::plural(const std::string& word) const {

@@ -43,7 +43,7 @@ class Vocabulary {
   /// attributes; none if none resembles it, or two do equally. Other words must differ by a slip of the fingers alone.
   std::optional<Resemblance> resembling(const std::string& word) const;
   /// Whether the word is an entry, or a part of an entry of several words.
-  bool knows(std::string_view word) const { return parts_.contains(word); }
+  bool knows(std::string_view word) const { return lexicon_->parts.contains(word) || parts_.contains(word); }
   /// Whether the word by itself means something. One that is only part of other entries ("wait a minute"), or that is
   /// only left out, has no meaning to lose.
   bool means(std::string_view word) const;
@@ -72,8 +72,8 @@ class Vocabulary {
   WordTable scene_words_;  ///< words from attributes and learned names, with the lexicon's senses of the same words
   Signature names_;
   std::map<std::string, Term, std::less<>> definitions_;
-  std::set<std::string, std::less<>> parts_;
-  std::set<std::string> said_of_scene_;  ///< single words for what the objects of the scene are
+  std::set<std::string, std::less<>> parts_;  ///< of entries that the lexicon lacks, but the parts that it has
+  std::set<std::string> said_of_scene_;       ///< single words for what the objects of the scene are
   std::size_t most_words_ = 1;
 };
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "continua/knowledge_files/data_paths.h"
-#include "continua/knowledge_files/knowledge_shelf.h"
 #include "continua/replay/check/check.h"
 #include "continua/replay/check/check_items.h"
 #include "continua/replay/check/check_report.h"
+#include "continua/replay/session/shelf.h"
 #include "continua/replay/terminal/progress.h"
 
 namespace continua {
@@ -60,7 +60,7 @@ class Checking {
 
   const CheckOptions& options_;
   const DataPaths& data_;
-  const std::shared_ptr<KnowledgeShelf> shelf_ = std::make_shared<KnowledgeShelf>();
+  const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
   std::vector<CheckItem> items_;
   std::mutex mutex_;
   std::vector<std::optional<Finding>> findings_;

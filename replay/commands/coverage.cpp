@@ -15,12 +15,12 @@
 
 #include "continua/core/located_json.h"
 #include "continua/knowledge_files/data_paths.h"
-#include "continua/knowledge_files/knowledge_shelf.h"
 #include "continua/knowledge_files/language_loading.h"
 #include "continua/language/reduction.h"
 #include "continua/language/vocabulary.h"
 #include "continua/replay/coverage/coverage_text.h"
 #include "continua/replay/session/session.h"
+#include "continua/replay/session/shelf.h"
 #include "continua/replay/terminal/progress.h"
 #include "continua/term/raising_file.h"
 
@@ -125,7 +125,7 @@ class Counting {
   }
 
   const CoverageOptions& options_;
-  const std::shared_ptr<KnowledgeShelf> shelf_ = std::make_shared<KnowledgeShelf>();
+  const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
   std::vector<std::string> files_;
   std::mutex mutex_;
   std::vector<std::optional<Result<MachineCoverage>>> found_;

@@ -13,9 +13,9 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
-#include "continua/knowledge_files/knowledge_shelf.h"
 #include "continua/machine_file/machine_weights.h"
 #include "continua/replay/learn/learning_run.h"
+#include "continua/replay/session/shelf.h"
 
 namespace continua {
 namespace {
@@ -71,7 +71,7 @@ class Learning {
   Learning(const LearnOptions& options, Machine machine)
       : options_(options), machine_(std::move(machine)), replay_(options.replay) {
     replay_.machine = options.machine;
-    replay_.shelf = std::make_shared<KnowledgeShelf>();
+    replay_.shelf = std::make_shared<Shelf>();
     for (std::size_t i = 0; i < options.traces.size(); ++i) {
       const auto held = [&](std::size_t count) {
         return std::floor(static_cast<double>(count) * options.held_out + 1e-9);

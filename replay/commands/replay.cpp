@@ -2,8 +2,8 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
-#include "continua/knowledge_files/knowledge_shelf.h"
 #include "continua/replay/session/outside_choice.h"
+#include "continua/replay/session/shelf.h"
 #include "continua/replay/terminal/progress.h"
 #include "continua/replay/terminal/shell_word.h"
 #include "continua/replay/trace/trace_name.h"
@@ -174,7 +174,7 @@ class Batch {
   }
 
   const ReplayCommandOptions& options_;
-  const std::shared_ptr<KnowledgeShelf> shelf_ = std::make_shared<KnowledgeShelf>();
+  const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
   std::vector<std::string> outputs_;
   std::mutex mutex_;
   std::vector<std::optional<std::string>> lines_;

@@ -15,8 +15,8 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
-#include "continua/knowledge_files/knowledge_shelf.h"
 #include "continua/replay/score/score_report.h"
+#include "continua/replay/session/shelf.h"
 #include "continua/replay/terminal/progress.h"
 #include "continua/replay/trace/trace_file.h"
 #include "continua/replay/trace/trace_name.h"
@@ -128,7 +128,7 @@ class Scoring {
   }
 
   const ScoreOptions& options_;
-  const std::shared_ptr<KnowledgeShelf> shelf_ = std::make_shared<KnowledgeShelf>();
+  const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
   std::vector<std::string> runs_;
   std::mutex mutex_;
   std::vector<std::optional<Result<TraceScore>>> scores_;

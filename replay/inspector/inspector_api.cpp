@@ -55,8 +55,6 @@ std::vector<std::string> split(std::string_view text, char at) {
   return parts;
 }
 
-ApiResponse answer(const Result<Json>& body) { return body ? answer(*body) : api_error(500, body.error().text()); }
-
 // A number of the query, `otherwise` when it is not given, or a sentence about a value that is no number.
 template <class Number>
 Result<Number> number(const Query& query, const char* name, Number otherwise) {
@@ -139,6 +137,7 @@ ApiResponse find(const RunIndex& log, const Query& query) {
 }  // namespace
 
 ApiResponse answer(const Json& body, int status) { return {status, json_type, compact(body)}; }
+ApiResponse answer(const Result<Json>& body) { return body ? answer(*body) : api_error(500, body.error().text()); }
 
 ApiResponse api_error(int status, const std::string& message) {
   return {status, json_type, compact(Json{{"error", {{"message", message}}}})};

@@ -26,8 +26,9 @@ struct ApiResponse {
   std::string body;
 };
 
-/// An answer with a JSON body.
+/// An answer with a JSON body; of an error, 500 with its text.
 ApiResponse answer(const Json& body, int status = 200);
+ApiResponse answer(const Result<Json>& body);
 
 /// Query parameters by name, already decoded. The first of a name counts.
 using Query = std::map<std::string, std::string>;

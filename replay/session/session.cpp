@@ -5,6 +5,7 @@
 #include "continua/replay/session/learned_file.h"
 #include "continua/replay/session/session_load.h"
 #include "continua/replay/session/session_loop.h"
+#include "continua/replay/session/shelf.h"
 #include "continua/simulation/feasibility.h"
 #include "continua/simulation/physics_body.h"
 
@@ -76,7 +77,8 @@ ReplaySummary Session::run(std::ostream& log, const Watch& watch) {
 
 Result<ReplaySummary> Session::run(const Trace& trace, const Watch& watch, std::ostream& log) {
   if (auto placed = objects_text(trace.header); placed != loaded_->placed) {
-    auto scene = load_placed(loaded_->scene.path(), trace);
+    Shelf shelf;
+    auto scene = load_placed(loaded_->scene.path(), trace, shelf);
     if (!scene) return scene.error();
     loaded_->scene = std::move(*scene);
     loaded_->placed = std::move(placed);

@@ -30,8 +30,8 @@ std::optional<Variant> parse_variant(std::string_view name);
 
 struct EngineParts;
 struct EngineState;
-class KnowledgeShelf;
 struct MachineWeights;
+class Shelf;
 class Pipeline;
 
 /// Looks at an input of the human before it is received, and returns the transitions to force at the steps to come.
@@ -45,10 +45,10 @@ struct ReplayOptions {
   std::string weights;                ///< file of weights in place of the machine's (machine_weights.h); empty: none
   std::shared_ptr<const MachineWeights> own_weights;  ///< in place of a file of them; null: none
   std::string scene, machine;                         ///< names or paths; empty: the trace's
-  std::string language;                   ///< of speech and phrases, a name; empty: the trace's, else the machine's
-  std::string knowledge;                  ///< folder; empty: the program's own
-  std::shared_ptr<KnowledgeShelf> shelf;  ///< knowledge that other runs have read too; null: none
-  std::string learned;                    ///< file of the lessons of earlier runs; empty: none
+  std::string language;          ///< of speech and phrases, a name; empty: the trace's, else the machine's
+  std::string knowledge;         ///< folder; empty: the program's own
+  std::shared_ptr<Shelf> shelf;  ///< what other runs have read too; null: nothing
+  std::string learned;           ///< file of the lessons of earlier runs; empty: none
   /// What if: seed, choice, machine, language, knowledge, forced and `with` count from this instant of the run on,
   /// seconds; until then it is the trace's own run. The configuration goes over by names.
   std::optional<double> from;

@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 
 #include "continua/core/located_json.h"
-#include "continua/knowledge_files/knowledge_shelf.h"
 #include "continua/machine_file/machine_parameters.h"
 #include "continua/machine_file/machine_weights.h"
 #include "continua/replay/session/learned_file.h"
 #include "continua/replay/session/outside_choice.h"
 #include "continua/replay/session/scene_voxemes.h"
+#include "continua/replay/session/shelf.h"
 #include "continua/simulation/scene.h"
 
 namespace continua {
@@ -101,8 +101,9 @@ Result<std::string> machine_of(const TraceHead& trace, const std::string& option
                          option.empty() ? header_line(trace) : "--machine");
 }
 
-Result<Scene> load_placed(const std::string& path, const TraceHead& trace) {
-  auto scene = load_scene(path, overrides_of(trace.header));
+Result<Scene> load_placed(const std::string& path, const TraceHead& trace, Shelf& shelf) {
+  auto scene = shelf.scene(path + '\n' + objects_text(trace.header),
+                           [&] { return load_scene(path, overrides_of(trace.header)); });
   if (!scene && scene.error().where.empty()) return Error{header_line(trace), scene.error().sentence};
   return scene;
 }
@@ -113,9 +114,10 @@ Result<EngineParts> load_parts(const TraceHead& trace, const ReplayOptions& opti
   const auto path = machine_of(trace, options.machine, *data);
   if (!path) return path.error();
   const auto& language_name = options.language.empty() ? trace.header.language : options.language;
-  const auto shelf = options.shelf ? options.shelf : std::make_shared<KnowledgeShelf>();
+  const auto shared = options.shelf ? options.shelf : std::make_shared<Shelf>();
+  auto& shelf = shared->knowledge();
   auto machine =
-      shelf->machine(*path, *data, language_name, options.language.empty() ? header_line(trace) : "--language");
+      shelf.machine(*path, *data, language_name, options.language.empty() ? header_line(trace) : "--language");
   if (!machine) return machine.error();
   if (const auto problem = set_parameters_of(trace, options, *machine)) return *problem;
   if (options.own_weights) {
@@ -126,7 +128,7 @@ Result<EngineParts> load_parts(const TraceHead& trace, const ReplayOptions& opti
     if (const auto problem = set_weights(*machine, *weights)) return *problem;
   }
   const bool own_perspective = !machine->perspective.empty();
-  auto parts = load_engine_parts(*std::move(machine), *data, *shelf);
+  auto parts = load_engine_parts(*std::move(machine), *data, shelf);
   if (!parts) return parts.error();
   parts->choice = options.choice.value_or(parts->choice);
   if (!options.outside.empty()) {
@@ -153,7 +155,8 @@ Result<LoadedSession> load_session(const std::string& trace_path, ReplayOptions 
 
   const auto scene_path = scene_of(trace->head(), before.scene, *data);
   if (!scene_path) return scene_path.error();
-  auto scene = load_placed(*scene_path, trace->head());
+  const auto shelf = options.shelf ? options.shelf : std::make_shared<Shelf>();
+  auto scene = load_placed(*scene_path, trace->head(), *shelf);
   if (!scene) return scene.error();
   auto parts = load_parts(trace->head(), before);
   if (!parts) return parts.error();

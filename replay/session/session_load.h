@@ -23,7 +23,7 @@ Result<std::string> scene_of(const TraceHead& trace, const std::string& option, 
 Result<std::string> machine_of(const TraceHead& trace, const std::string& option, const DataPaths& data);
 
 /// The scene as the trace's header has its objects; an error of theirs is placed there.
-Result<Scene> load_placed(const std::string& path, const TraceHead& trace);
+Result<Scene> load_placed(const std::string& path, const TraceHead& trace, Shelf& shelf);
 
 /// The engine that answers the human of a trace, with the options' changes.
 Result<EngineParts> load_parts(const TraceHead& trace, const ReplayOptions& options);
