@@ -267,8 +267,10 @@ TEST_CASE("of the paper's examples remains a trace that still does it, and of wh
     options.physics = false;
     auto session = Session::load((folder / (name + ".trace.jsonl")).string(), options);
     REQUIRE(session.ok());
+    const auto events = session->trace().events();
+    REQUIRE(events.ok());
     std::vector<Expectation> expected;
-    for (const auto& event : *session->trace().events())
+    for (const auto& event : *events)
       if (const auto* one = std::get_if<Expectation>(&event.what)) expected.push_back(*one);
     REQUIRE_FALSE(expected.empty());
     ShrinkGoal goal;

@@ -94,7 +94,9 @@ TEST_CASE("how time is cut into pieces makes no difference to a run") {
   const Watch nobody;
   auto loop = session->begin(nobody, cut);
   REQUIRE(loop.ok());
-  for (const auto& event : *session->trace().events()) {
+  const auto events = session->trace().events();
+  REQUIRE(events.ok());
+  for (const auto& event : *events) {
     while ((*loop)->now() < event.t && random.uniform() < 0.9)
       (*loop)->wait_until(
           std::min(event.t, (*loop)->now() + SimTime{static_cast<std::int64_t>(random.uniform() * 7e4)}));
