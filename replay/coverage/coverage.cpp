@@ -15,17 +15,10 @@ namespace {
 using Key = std::tuple<std::string, std::string, std::string>;
 Key key_of(const CoverageItem& item) { return {item.name, item.outcome, item.what}; }
 
-const Json& part(const Json& object, const char* key) {
-  static const Json nothing;
-  if (!object.is_object()) return nothing;
-  const auto found = object.find(key);
-  return found == object.end() ? nothing : *found;
-}
-
 // The elements of a list; none of any other value.
 const Json& list(const Json& object, const char* key) {
   static const Json none = Json::array();
-  const auto& found = part(object, key);
+  const auto& found = member_of(object, key);
   return found.is_array() ? found : none;
 }
 
@@ -39,7 +32,8 @@ std::size_t count_of(const Counts& counts, const std::string& name) {
 // Reads the records of a run and counts by names; then lists the parts of the header's graph, with the counts.
 class Counting {
  public:
-  explicit Counting(const Json& header) : header_(header), phrases_(part(header, "machine"), part(header, "phrases")) {}
+  explicit Counting(const Json& header)
+      : header_(header), phrases_(member_of(header, "machine"), member_of(header, "phrases")) {}
 
   Outcome read(const RunIndex& run) {
     for (std::size_t n = 1; n < run.size(); ++n) {
@@ -53,7 +47,7 @@ class Counting {
   }
 
   MachineCoverage result() const {
-    const auto &machine = part(header_, "machine"), &lexicon = part(header_, "lexicon");
+    const auto &machine = member_of(header_, "machine"), &lexicon = member_of(header_, "lexicon");
     MachineCoverage coverage{text_of(machine, "name"),
                              text_of(machine, "digest"),
                              text_of(lexicon, "name"),
@@ -91,7 +85,7 @@ class Counting {
     const auto id = text_of(record, "id");
     ++fired_[id];
     ++entered_[text_of(record, "to")];
-    if (const auto& operation = part(record, "operation"); operation.is_object() && !operation.empty())
+    if (const auto& operation = member_of(record, "operation"); operation.is_object() && !operation.empty())
       ++operations_[operation.begin().key()];
     // With several inputs a transition may be a candidate with each: its condition held once.
     std::set<std::string> held = {id}, not_held;
@@ -99,7 +93,7 @@ class Counting {
     for (const auto& one : held) ++held_[one];
     count_refused(record);
     for (const auto& gate : list(record, "gates"))
-      ++(part(gate, "passed") == true ? passed_ : turned_away_)[text_of(gate, "state")];
+      ++(member_of(gate, "passed") == true ? passed_ : turned_away_)[text_of(gate, "state")];
   }
 
   void refusal(const RunIndex&, std::size_t, const Json& record) { count_refused(record); }
@@ -127,10 +121,10 @@ class Counting {
 
   // Of an n-best list there is a reading for each alternative: the one that was gone on with counts.
   void reading(const RunIndex&, std::size_t, const Json& record) {
-    if (part(record, "taken") == false) return;
-    const auto& rank = part(record, "rank");
+    if (member_of(record, "taken") == false) return;
+    const auto& rank = member_of(record, "rank");
     for (const auto& entry : list(record, "entries")) {
-      const auto& parses = part(entry, "parses");  // those that it is in, where not all are meant
+      const auto& parses = member_of(entry, "parses");  // those that it is in, where not all are meant
       if (parses.is_array() && std::find(parses.begin(), parses.end(), rank) == parses.end()) continue;
       ++entries_[key_of(lexicon_entry(text_of(entry, "words"), text_of(entry, "category"), text_of(entry, "term")))];
     }
@@ -147,7 +141,7 @@ class Counting {
   }
 
   CoverageKind states() const {
-    const auto start = text_of(part(header_, "graph"), "start");
+    const auto start = text_of(member_of(header_, "graph"), "start");
     CoverageKind kind{"states"};
     for (const auto& state : graph("states")) {
       const auto name = text_of(state, "id");
@@ -179,7 +173,7 @@ class Counting {
   CoverageKind gates() const {
     CoverageKind kind{"gates"};
     for (const auto& state : graph("states")) {
-      const auto& gate = part(state, "gate");
+      const auto& gate = member_of(state, "gate");
       if (!gate.is_object()) continue;
       const auto name = text_of(state, "id"), condition = text_of(gate, "condition");
       kind.items.push_back({name, "passed", condition, count_of(passed_, name)});
@@ -194,13 +188,13 @@ class Counting {
       if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     };
     for (const auto& edge : graph("edges")) note(text_of(edge, "operation"));
-    for (const auto& state : graph("states")) note(text_of(part(state, "gate"), "operation"));
+    for (const auto& state : graph("states")) note(text_of(member_of(state, "gate"), "operation"));
     CoverageKind kind{"operations"};
     for (const auto& name : names) kind.items.push_back({name, "", "", count_of(operations_, name)});
     return kind;
   }
 
-  const Json& graph(const char* key) const { return list(part(header_, "graph"), key); }
+  const Json& graph(const char* key) const { return list(member_of(header_, "graph"), key); }
 
   void for_each_transition(auto what) const {
     std::set<std::string> met;
@@ -249,7 +243,7 @@ CoverageItem lexicon_entry(const std::string& words, const std::string& category
 Result<MachineCoverage> coverage_of(const RunIndex& run) {
   const auto header = run.record(0);
   if (!header) return header.error();
-  if (list(part(*header, "graph"), "states").empty())
+  if (list(member_of(*header, "graph"), "states").empty())
     return Error{run.where(0), "found a header without the machine's states; expected \"graph\""};
   Counting counting(*header);
   if (const auto problem = counting.read(run)) return *problem;

@@ -9,13 +9,11 @@
 namespace continua {
 namespace {
 
-Json member(const Json& object, const char* key) { return object.is_object() ? object.value(key, Json()) : Json(); }
-
 // Values of "phrase" at any depth, in their order.
 void collect_phrases(const Json& value, std::vector<std::string>& names) {
   if (!value.is_structured()) return;
   if (value.is_object())
-    if (const auto name = member(value, "phrase"); name.is_string()) names.push_back(name.get<std::string>());
+    if (const auto name = member_of(value, "phrase"); name.is_string()) names.push_back(name.get<std::string>());
   for (const auto& inner : value) collect_phrases(inner, names);
 }
 
@@ -50,13 +48,13 @@ std::optional<std::size_t> fit_of(std::string_view pattern, std::string_view tex
 }
 
 PhraseCounts::PhraseCounts(const Json& machine, const Json& phrases) {
-  const auto document = member(machine, "document");
-  transitions_ = member(document, "transitions");
-  states_ = member(document, "states");
+  const auto document = member_of(machine, "document");
+  transitions_ = member_of(document, "transitions");
+  states_ = member_of(document, "states");
   std::vector<std::string> used;
   collect_phrases(states_, used);
   collect_phrases(transitions_, used);
-  const auto say = member(member(phrases, "document"), "say");
+  const auto say = member_of(member_of(phrases, "document"), "say");
   for (const auto& [name, cases] : say.items())
     if (std::find(used.begin(), used.end(), name) != used.end()) add_cases(cases, name);
 }
@@ -66,7 +64,7 @@ void PhraseCounts::add_cases(const Json& phrases, const std::string& name) {
   for (const auto& one : phrases) {
     Case added{name, text_of(one, "when"), {}, 0};
     if (added.when.empty() && phrases.size() > 1) added.when = "otherwise";
-    const auto say = member(one, "say");
+    const auto say = member_of(one, "say");
     if (say.is_string()) added.ways = {say.get<std::string>()};
     if (say.is_array())
       for (const auto& way : say)
@@ -80,7 +78,7 @@ void PhraseCounts::said(const std::string& text, const std::string& transition, 
   if (transitions_.is_array())
     for (const auto& one : transitions_)
       if (text_of(one, "id") == transition) collect_phrases(one, phrases);
-  collect_phrases(member(states_, state.c_str()), phrases);
+  collect_phrases(member_of(states_, state.c_str()), phrases);
   std::size_t best = 0;
   std::vector<Case*> fitting;
   for (auto& one : cases_) {

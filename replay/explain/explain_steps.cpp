@@ -35,7 +35,7 @@ std::size_t states_left(const Json& graph, const std::string& id) {
       std::count_if(edges.begin(), edges.end(), [&](const Json& edge) { return text_of(edge, "id") == id; }));
 }
 
-std::string reason_text(const Json& value) {
+std::string content_text(const Json& value) {
   return value.is_null() ? "null" : value.is_string() ? value.get<std::string>() : compact(value);
 }
 
@@ -127,11 +127,11 @@ std::string operation_text(const Json& operation) {
   const auto name = operation.begin().key();
   const auto& content = operation.begin().value();
   if (name == "none") return "leave the stack";
-  if (!content.is_object()) return fmt::format("{} {}", name, reason_text(content));
+  if (!content.is_object()) return fmt::format("{} {}", name, content_text(content));
   if (content.empty()) return name;
   std::string text;
   for (const auto& [slot, value] : content.items())
-    text += fmt::format("{}{} ← {}", text.empty() ? " " : ", ", slot, reason_text(value));
+    text += fmt::format("{}{} ← {}", text.empty() ? " " : ", ", slot, content_text(value));
   return name + text;
 }
 

@@ -10,14 +10,12 @@
 namespace continua {
 namespace {
 
-Json part(const Json& object, const char* key) { return object.is_object() ? object.value(key, Json()) : Json(); }
-
 struct Told {
   std::string who, how, what;
 };
 
 std::optional<Told> of_input(const Json& record) {
-  const auto kind = text_of(part(record, "event"), "kind");
+  const auto kind = text_of(member_of(record, "event"), "kind");
   if (kind == "speech") return Told{"human", "says", brief(record)};
   if (kind == "gesture") return Told{"human", "shows", brief(record)};
   return std::nullopt;
@@ -28,7 +26,7 @@ std::optional<Told> of_act(const Json& record) {
   const auto status = text_of(record, "status"), program = text_of(record, "program");
   if (status == "asked") return Told{"avatar", "does", program};
   if (status == "started" || status == "done") return std::nullopt;
-  const auto reason = text_of(part(record, "result"), "reason");
+  const auto reason = text_of(member_of(record, "result"), "reason");
   return Told{"avatar", "did not", fmt::format("{}: {}{}{}", program, status, reason.empty() ? "" : ", ", reason)};
 }
 
@@ -49,7 +47,7 @@ std::optional<Told> told(const RunIndex& run, std::size_t n, const Json& record)
   if (log::is<log::AvatarGesture>(kind)) return Told{"avatar", "shows", brief(record)};
   if (log::is<log::Act>(kind)) return of_act(record);
   if (log::is<log::Refusal>(kind)) return of_refusal(run, n, record);
-  if (log::is<log::Expect>(kind) && part(record, "met") == false) return Told{"expectation", "is", brief(record)};
+  if (log::is<log::Expect>(kind) && member_of(record, "met") == false) return Told{"expectation", "is", brief(record)};
   return std::nullopt;
 }
 

@@ -1,6 +1,5 @@
 #include "continua/replay/trace/trace_file.h"
 
-#include <fstream>
 #include <memory>
 #include <sstream>
 

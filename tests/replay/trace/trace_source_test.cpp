@@ -1,7 +1,6 @@
 #include "continua/replay/trace/trace_source.h"
 
 #include <cstdio>
-#include <fstream>
 
 #include <fmt/format.h>
 
@@ -18,7 +17,15 @@ std::string said(double t, const std::string& text) {
   return fmt::format(R"({{"t":{},"kind":"speech","text":"{}"}})", t, text) + "\n";
 }
 
-void write(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+// A trace file of a test's own.
+struct WrittenTrace {
+  explicit WrittenTrace(const std::string& events) { write(events); }
+  void write(const std::string& events) const { folder.file("t.jsonl", header + "\n" + events); }
+  TraceSource source() const { return TraceSource::open(path).value(); }
+
+  TemporaryFolder folder;
+  std::string path = folder.at("t.jsonl");
+};
 
 // The words of a reading, and whether it came to its end.
 std::string words_of(const NextEvent& next) {
@@ -33,77 +40,61 @@ std::string words_of(const NextEvent& next) {
 }  // namespace
 
 TEST_CASE("a trace is read as often as wanted, each time from its first event") {
-  const TemporaryFolder folder;
-  const auto path = folder.at("t.jsonl");
-  write(path, header + "\n" + said(1, "a") + said(2, "b"));
-  const auto source = TraceSource::open(path);
-  REQUIRE(source.ok());
-  CHECK(source->size() == 2);
-  const auto first = source->read();
+  const WrittenTrace trace(said(1, "a") + said(2, "b"));
+  const auto source = trace.source();
+  CHECK(source.size() == 2);
+  const auto first = source.read();
   CHECK(std::get<InputEvent>((*first())->what).text == "a");
-  CHECK(words_of(source->read()) == "a b ");
+  CHECK(words_of(source.read()) == "a b ");
   CHECK(words_of(first) == "b ");
-  CHECK(source->events()->size() == 2);
+  CHECK(source.events()->size() == 2);
 }
 
 TEST_CASE("a source has the head of the whole trace") {
-  const TemporaryFolder folder;
-  const auto path = folder.at("t.jsonl");
-  write(path, header + "\n" + R"({"t":1,"kind":"unheard"})" + "\n");
-  const auto source = TraceSource::open(path);
-  const auto whole = read_trace(path);
-  REQUIRE((source.ok() && whole.ok()));
-  CHECK(source->head().digest == whole->digest);
-  CHECK(source->head().name == path);
-  CHECK(source->head().notes.size() == whole->notes.size());
+  const WrittenTrace trace(R"({"t":1,"kind":"unheard"})"
+                           "\n");
+  const auto source = trace.source();
+  const auto whole = read_trace(trace.path);
+  REQUIRE(whole.ok());
+  CHECK(source.head().digest == whole->digest);
+  CHECK(source.head().name == trace.path);
+  CHECK(source.head().notes.size() == whole->notes.size());
 }
 
 TEST_CASE("a source has the first problem of its trace") {
-  const TemporaryFolder folder;
-  const auto path = folder.at("t.jsonl");
-  write(path, header + "\n" + said(2, "a") + said(1, "b") + "{\n");
-  CHECK(TraceSource::open(path).error().text() == read_trace(path).error().text());
-  CHECK(TraceSource::open(path + "x").error().text() == read_trace(path + "x").error().text());
+  const WrittenTrace trace(said(2, "a") + said(1, "b") + "{\n");
+  for (const auto& path : {trace.path, trace.path + "x"})
+    CHECK(TraceSource::open(path).error().text() == read_trace(path).error().text());
 }
 
 TEST_CASE("a file that changes is noticed") {
-  const TemporaryFolder folder;
-  const auto path = folder.at("t.jsonl");
-  write(path, header + "\n" + said(1, "a") + said(2, "b"));
-  const auto source = TraceSource::open(path);
-  REQUIRE(source.ok());
+  const WrittenTrace trace(said(1, "a") + said(2, "b"));
+  const auto source = trace.source();
   const std::string changed = "! has changed since it was opened; expected a file that stays as it is";
-  write(path, header + "\n" + said(1, "a") + said(2, "c"));
-  CHECK(words_of(source->read()) == "a c " + changed);
-  write(path, header + "\n" + said(1, "a") + "{");
-  CHECK(words_of(source->read()) == "a " + changed);
-  std::remove(path.c_str());
-  CHECK(words_of(source->read()) == changed);
-  CHECK_FALSE(source->events().ok());
+  trace.write(said(1, "a") + said(2, "c"));
+  CHECK(words_of(source.read()) == "a c " + changed);
+  trace.write(said(1, "a") + "{");
+  CHECK(words_of(source.read()) == "a " + changed);
+  std::remove(trace.path.c_str());
+  CHECK(words_of(source.read()) == changed);
+  CHECK_FALSE(source.events().ok());
 }
 
 TEST_CASE("from an instant on the events are those of another trace") {
-  const TemporaryFolder folder;
-  const auto path = folder.at("a.jsonl"), other = folder.at("b.jsonl");
-  write(path, header + "\n" + said(1, "a") + said(2, "b") + said(3, "c"));
-  write(other, header + "\n" + said(0, "u") + said(2, "v") + said(9, "w"));
-  const auto source = TraceSource::open(path)->with(*TraceSource::open(other), SimTime::from_seconds(2));
+  const WrittenTrace trace(said(1, "a") + said(2, "b") + said(3, "c"));
+  const WrittenTrace other(said(0, "u") + said(2, "v") + said(9, "w"));
+  const auto source = trace.source().with(other.source(), SimTime::from_seconds(2));
   REQUIRE(source.ok());
   CHECK(words_of(source->read()) == "a v w ");
   CHECK(source->size() == 3);
-  CHECK(source->head().name == path);
+  CHECK(source->head().name == trace.path);
 }
 
 TEST_CASE("a source knows whether observations come at the instants of inputs") {
-  const TemporaryFolder folder;
-  const auto path = folder.at("t.jsonl");
   const auto observed = [](double t) {
     return fmt::format(R"({{"t":{},"kind":"observed","channel":"speech","content":"x"}})", t) + "\n";
   };
-  const auto with = [&](const std::string& events) {
-    write(path, header + "\n" + events);
-    return *TraceSource::open(path);
-  };
+  const auto with = [](const std::string& events) { return WrittenTrace(events).source(); };
   CHECK_FALSE(with(said(1, "a")).observes());
   CHECK(with(said(1, "a") + observed(1)).observes());
   CHECK(with(said(1, "a") + observed(1)).answers_at_once());
