@@ -33,6 +33,8 @@ std::span<const Carried> carried_terms() {
       Carried{"named", "(e -> t)*", &Input::named, true},
       Carried{"next", "text", &Input::next, true},
       Carried{"previous", "text", &Input::previous, true},
+      Carried{"following", "text*", &Input::following, true},
+      Carried{"later", "text*", &Input::later, true},
       Carried{"unknown", "text*", &Input::unknown, true},
       Carried{"repaired", "text*", &Input::repaired, true},
       Carried{"left_out", "text*", &Input::left_out, true},

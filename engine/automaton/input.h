@@ -51,6 +51,8 @@ struct Input {
   Term named;      ///< (e -> t)*: the nouns of the words, each with its adjectives, then alone
   Term next;       ///< text: the kind of the utterance's next move after this one; null if there is none
   Term previous;   ///< text: the kind of its move before this one; null if this is the first
+  Term following;  ///< text*: the kinds of the moves that follow it in its sentence
+  Term later;      ///< text*: the kinds of the moves in later sentences of its utterance
   Term unknown;    ///< text*: words near it that the lexicon does not have
   Term repaired;   ///< text*: misspelt words that were read as others
   Term left_out;   ///< text*: words of its sentence that are unknown, not surely repaired, or fit nowhere

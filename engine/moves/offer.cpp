@@ -87,6 +87,22 @@ std::vector<Showing> earlier_showings(const ReadSpeech& speech, std::size_t frag
   return taken_by(inside, earlier);
 }
 
+// Carries the kinds of the utterance's other moves to the input.
+void carry_neighbours(const Utterance& utterance, std::size_t fragment, Input& input) {
+  const auto& fragments = utterance.fragments;
+  const auto kind_at = [&](std::size_t at) { return Term::text(fragments[at].readings.front().move); };
+  const auto next = fragment + 1;
+  input.next = next < fragments.size() ? kind_at(next) : Term::null();
+  input.previous = fragment > 0 ? kind_at(fragment - 1) : Term::null();
+  const auto& ends = utterance.ends;
+  const auto end = std::upper_bound(ends.begin(), ends.end(), fragments[fragment].words.begin);
+  std::vector<Term> following, later;
+  for (auto at = next; at < fragments.size(); ++at)
+    (end == ends.end() || fragments[at].words.begin < *end ? following : later).push_back(kind_at(at));
+  input.following = Term::list(std::move(following), Type::text_type());
+  input.later = Term::list(std::move(later), Type::text_type());
+}
+
 // Understands the offer's fragment of the utterance.
 Offer understood(Offer offer, const Ensemble& ensemble, const Dialogue& now) {
   const auto& speech = speech_of(offer, ensemble);
@@ -108,11 +124,7 @@ Offer understood(Offer offer, const Ensemble& ensemble, const Dialogue& now) {
   offer = complete(std::move(offer), speech.event, discourse, now);
   add_assured(ensemble, offer.input.because);
   offer.input.symbol = name_of(Modality::speech) + " " + offer.move.kind;
-  const auto& fragments = speech.utterance.fragments;
-  const auto next = offer.fragment + 1;
-  const auto kind_at = [&](std::size_t at) { return Term::text(fragments[at].readings.front().move); };
-  offer.input.next = next < fragments.size() ? kind_at(next) : Term::null();
-  offer.input.previous = offer.fragment > 0 ? kind_at(offer.fragment - 1) : Term::null();
+  carry_neighbours(speech.utterance, offer.fragment, offer.input);
   return offer;
 }
 
@@ -195,6 +207,11 @@ Offer seen(const Ensemble& ensemble, std::size_t alternative, const Dialogue& no
 std::vector<Offer> offers_of(const Ensemble& ensemble, const Dialogue& now) {
   const auto& event = ensemble.percept.event;
   const bool is_heard = now.understanding && event.modality == Modality::speech;
+  if (const auto& resumes = ensemble.percept.resumes; resumes && resumes->fragment > 0) {
+    Offer offer = heard(ensemble, resumes->alternative, now);
+    offer.fragment = resumes->fragment;
+    return {understood(std::move(offer), ensemble, now)};
+  }
   std::vector<Offer> offers;
   for (std::size_t k = 0; k <= event.alternatives.size(); ++k)
     offers.push_back(is_heard ? heard(ensemble, k, now) : seen(ensemble, k, now));

@@ -43,8 +43,8 @@ struct Offer {
   std::optional<Sign> sign;      ///< of a gesture that was taught
 };
 
-/// The first move of each alternative; the automaton takes one of them. REQUIRES readings of speech if there is an
-/// understanding.
+/// The first move of each alternative; the automaton takes one of them. Of an utterance that is resumed at a later
+/// move, that move alone. REQUIRES readings of speech if there is an understanding.
 std::vector<Offer> offers_of(const Ensemble& ensemble, const Dialogue& now);
 
 /// The move of the same utterance after `taken`; nothing if there is none.

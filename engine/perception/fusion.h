@@ -19,6 +19,12 @@ namespace continua {
 
 struct Readings;  // moves/readings.h
 
+/// A move of an utterance: the number of the recogniser's alternative, and of the move in it.
+struct MovePlace {
+  std::size_t alternative = 0;
+  std::size_t fragment = 0;
+};
+
 /// An event that waits to be understood.
 struct Percept {
   int serial = 0;  ///< of its input
@@ -30,7 +36,8 @@ struct Percept {
   SimTime spoken = {};                                 ///< of speech: the end of its words
   std::vector<int> pieces = {};                        ///< serials of earlier inputs whose words it goes on with
   bool before_words = false;                           ///< of a gesture: shown during words, it comes before them
-  bool again = false;  ///< it is attended to a second time, in the state in which the first time left the dialogue
+  bool again = false;  ///< its move under way is attended to a second time, in the state that the first time led to
+  std::optional<MovePlace> resumes = {};  ///< of one that is attended to again: the move to go on from
   std::vector<int> assured = {};  ///< serials of the inputs that made an unsure one sure; empty: it was not asked about
 };
 

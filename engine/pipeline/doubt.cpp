@@ -89,4 +89,15 @@ Tick attend_again(EngineState state, const Reattended& again) {
   return {std::move(state), {}};
 }
 
+bool comes_again(EngineState& state, const Offer& move) {
+  auto& under_way = state.doubted.at(0).percept;
+  const bool again = !state.complete.empty() && state.complete.front().percept.again &&
+                     state.complete.front().percept.serial == under_way.serial;
+  if (again)
+    state.complete.front().percept.resumes = MovePlace{move.alternative, move.fragment};
+  else
+    under_way.again = false;
+  return again;
+}
+
 }  // namespace continua

@@ -23,7 +23,12 @@ struct Doubt {
 Doubt doubt_of(EngineState state, const Ensemble& ensemble, const std::vector<Offer>& offers,
                const std::vector<std::size_t>& doubted);
 
-/// Attends next to the input that waits under this number, as if it were sure; 0 is the input under way, as it is.
+/// Attends next to the input that waits under this number, as if it were sure; 0 is the move under way, as it is, and
+/// the rest of its utterance.
 Tick attend_again(EngineState state, const Reattended& again);
+
+/// Whether this move, the latest of the utterance under way, is attended to again next. The rest of the utterance then
+/// follows it there.
+bool comes_again(EngineState& state, const Offer& move);
 
 }  // namespace continua

@@ -93,8 +93,10 @@ Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) con
   tick.then(std::move(answered.tick));
   if (const auto& sign = offers[answered.taken].sign) state.sign = sign;
   const auto next = [&](const Offer& last) { return next_offer(last, ensemble, dialogue_of(engine_, state, world)); };
-  for (auto offer = next(offers[answered.taken]); offer; offer = next(*offer))
-    tick.then(answer(std::move(state), {*offer}, world).tick);
+  for (std::optional<Offer> offer = offers[answered.taken]; offer && !comes_again(state, *offer);) {
+    offer = next(*offer);
+    if (offer) tick.then(answer(std::move(state), {*offer}, world).tick);
+  }
   tick.then(act(std::move(state), world));
   return tick;
 }
@@ -126,7 +128,9 @@ std::vector<std::size_t> Pipeline::doubted(const EngineState& state, const std::
 // Asks about an input that is unsure; nothing if it is sure, or if the machine does not ask.
 std::optional<Tick> Pipeline::ask(const EngineState& state, const Ensemble& ensemble, const std::vector<Offer>& offers,
                                   const Answered& answered, const WorldSnapshot& world) const {
-  if (!machine().knows_input(unsure_symbol) || !ensemble.percept.assured.empty() || is_refused(answered.tick) ||
+  const auto& resumes = ensemble.percept.resumes;
+  if (!machine().knows_input(unsure_symbol) || !ensemble.percept.assured.empty() ||
+      (resumes && resumes->fragment > 0) || is_refused(answered.tick) ||
       machine().ignored.contains(offers[answered.taken].input.symbol))
     return std::nullopt;
   const auto doubts = doubted(state, offers, answered, world);
