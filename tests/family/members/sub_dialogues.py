@@ -19,6 +19,7 @@ HALF = {"place_setting": ("push the plate", "to the left", "push plate left"), "
         "staircase": ("put the black block", "in front of me", "put block3 in_front human"),
         "emre_table": ("put the knife", "in front of me", "put knife in_front human")}
 SIGN = [{"gesture": "twirl"}]
+THING = {"place_setting": "the plate", "workbench": "the knife", "staircase": "the yellow block", "emre_table": "the knife"}
 
 
 def between(scene):
@@ -33,6 +34,17 @@ def between(scene):
     yield "lesson", [SIGN, "it means lift the plate"], []
     yield "lesson left", [SIGN, "never mind"], []
     yield "question in lesson", [SIGN, question, "it means lift the plate"], []
+    thing = THING[scene]
+    yield "name", [f"{thing} is called Zorby"], []
+    yield "name in half command", [half, f"call {thing} Zorby", rest], [half_act]
+    yield "verb", ["to zorp something means put it in front of you"], []
+    yield "quote", [f'"{whole}" is what she said'], []
+    yield "quote of two commands", [f"{whole} and take {thing} is what he said"], []
+    yield "quote in half command", [half, f'"{whole}" is what she said', rest], [half_act]
+    yield "only asked about", [f"could you {whole}? just asking"], []
+    yield "rule", [f"never turn {thing}"], []
+    yield "rule in half command", [half, f"never turn {thing}", rest], [half_act]
+    yield "rule and permission", [f"never turn {thing}", f"you may turn {thing} again"], []
 
 
 def members():
