@@ -1,4 +1,6 @@
 """Names of the moment: the input and its reading, as far as a run log tells them."""
+import re
+
 import terms
 from evaluate import Unknown
 from terms import NULL
@@ -59,18 +61,38 @@ def confidence_of(event, reading):
     return event.get("confidence", 1.0)
 
 
+def plain(words):
+    """In lower case, without punctuation, blanks around each word."""
+    return " " + " ".join(re.findall(r"[^\s.,;:!?\"]+", words.lower())) + " "
+
+
+def sentences(text):
+    return [plain(each) for each in re.split(r"[.!?]+(?=\s|$)", text) if plain(each).strip()]
+
+
+def same_words(a, b):
+    return a.get("words") == b.get("words") and a.get("move") == b.get("move")
+
+
 class Readings:
     """All readings of a log: the utterance that each belongs to, and the moves before and after it."""
 
     def __init__(self, records):
         self.records = records
-        self.roots, self.turns = {}, {}
+        self.roots, self.turns, self.again = {}, {}, {}
         for record in records:
             if record["kind"] == "reading":
                 root = self.input_of(record)
                 self.roots[record["n"]] = root
                 if record.get("taken", True):
-                    self.turns.setdefault(root, []).append(record)
+                    self.add_move(self.turns.setdefault(root, []), record, root)
+
+    def add_move(self, turn, reading, root):
+        """One that comes of the input itself, and is not the first, is attended to again."""
+        if turn and reading.get("cause") == root and same_words(turn[-1], reading):
+            self.again[reading["n"]] = turn[-1]["n"]
+        else:
+            turn.append(reading)
 
     def input_of(self, record):
         """The number of the input that a record goes back to, or None."""
@@ -78,12 +100,35 @@ class Readings:
             record = self.records[record["cause"]] if "cause" in record else None
         return record and record["n"]
 
-    def neighbour(self, reading, by):
-        """The kind of the move before or after."""
+    def place(self, reading):
+        """The moves of its utterance, and its number among them."""
         turn = self.turns.get(self.roots[reading["n"]], [])
-        at = next((i for i, each in enumerate(turn) if each["n"] == reading["n"]), None)
+        n = self.again.get(reading["n"], reading["n"])
+        at = next((i for i, each in enumerate(turn) if each["n"] == n), None)
         if at is None:
             raise Unknown("a neighbouring move of an input that was not taken")
+        return turn, at
+
+    def after(self, reading):
+        """The kinds of the moves after it: those in its sentence, and those in later ones."""
+        turn, at = self.place(reading)
+        if at + 1 == len(turn):
+            return texts([]), texts([])
+        said = sentences(self.records[self.roots[reading["n"]]]["event"].get("text", ""))
+        numbers, number = [], 0
+        for move in turn:
+            words = plain(move.get("words", ""))
+            number = next((i for i in range(number, len(said)) if words in said[i]), None)
+            if number is None:
+                raise Unknown("a move without a sentence")
+            numbers.append(number)
+        rest = list(zip(numbers, turn))[at + 1:]
+        return (texts(move["move"] for number, move in rest if number == numbers[at]),
+                texts(move["move"] for number, move in rest if number != numbers[at]))
+
+    def neighbour(self, reading, by):
+        """The kind of the move before or after."""
+        turn, at = self.place(reading)
         if not 0 <= at + by < len(turn):
             return NULL
         move = turn[at + by]["move"]

@@ -304,6 +304,8 @@ class Log(Choices, Applications):
         try:
             said["next"] = self.readings.neighbour(reading, 1) if reading else NULL
             said["previous"] = self.readings.neighbour(reading, -1) if reading else NULL
+            if reading:
+                said["following"], said["later"] = self.readings.after(reading)
         except Unknown:
             pass
 
