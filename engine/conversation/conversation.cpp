@@ -52,7 +52,7 @@ Thought Conversation::open(Learned learned) {
 }
 
 Thought Conversation::receive(const InputEvent& event) {
-  return obey(pipeline_.receive(*state_, event, body_.snapshot()));
+  return obey(pipeline_.receive(*std::move(state_), event, body_.snapshot()));
 }
 
 Thought Conversation::change(const Change& change) {
@@ -87,12 +87,13 @@ Conversation::Step Conversation::next(std::optional<SimTime> t) const {
 }
 
 Happening Conversation::take(Step step, std::optional<SimTime> t) {
-  if (step == Step::tell) return obey(pipeline_.reported(*state_, std::exchange(untold_, {}), body_.snapshot()));
+  if (step == Step::tell)
+    return obey(pipeline_.reported(*std::move(state_), std::exchange(untold_, {}), body_.snapshot()));
   if (step == Step::attend) {
     only_begun_ = false;
-    return obey(pipeline_.attend(*state_, body_.snapshot()));
+    return obey(pipeline_.attend(*std::move(state_), body_.snapshot()));
   }
-  if (step == Step::wake) return obey(pipeline_.wake(*state_, now_));
+  if (step == Step::wake) return obey(pipeline_.wake(*std::move(state_), now_));
   if (!settled_) return let_world_go_on(now_);
   return let_world_go_on(std::min(*t, due().value_or(*t)));
 }

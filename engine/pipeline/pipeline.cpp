@@ -39,8 +39,8 @@ Tick Pipeline::begin(Chooser chooser, const WorldSnapshot& world, Learned learne
 }
 
 // Perceives and fuses.
-Tick Pipeline::receive(const EngineState& before, const InputEvent& told, const WorldSnapshot& world) const {
-  Tick tick{before, {}};
+Tick Pipeline::receive(EngineState before, const InputEvent& told, const WorldSnapshot& world) const {
+  Tick tick{std::move(before), {}};
   EngineState& state = tick.after;
   const InputEvent event = with_name(engine_, state, with_target(told, world));
   const SimTime now = std::max(event.t, world.t);
@@ -72,11 +72,11 @@ bool Pipeline::comes_before(const EngineState& state, const InputEvent& a, const
   return machine().fusion && continua::comes_before(engine_, state, a, b);
 }
 
-Tick Pipeline::wake(const EngineState& before, SimTime now) const { return {released(engine_, before, now), {}}; }
+Tick Pipeline::wake(EngineState before, SimTime now) const { return {released(engine_, std::move(before), now), {}}; }
 
 // Understands. Each move of an utterance is understood in the dialogue that the moves before it have left.
-Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) const {
-  Tick tick{before, {}};
+Tick Pipeline::attend(EngineState before, const WorldSnapshot& world) const {
+  Tick tick{std::move(before), {}};
   EngineState& state = tick.after;
   state.words = with_taught(std::move(state.words), state.learned);
   const Ensemble ensemble = take_complete(engine_, state);
@@ -84,8 +84,10 @@ Tick Pipeline::attend(const EngineState& before, const WorldSnapshot& world) con
   state.looked = looked_at(engine_, state, ensemble.at);
   state.doubted.insert_or_assign(0, ensemble);
   const auto offers = offers_of(ensemble, dialogue_of(engine_, state, world));
-  Answered answered = answer(state, offers, world);
-  if (auto asked = ask(state, ensemble, offers, answered, world)) {
+  std::optional<EngineState> unanswered;
+  if (may_ask(ensemble, offers)) unanswered = state;
+  Answered answered = answer(std::move(state), offers, world);
+  if (auto asked = unanswered ? ask(*unanswered, ensemble, offers, answered, world) : std::nullopt) {
     tick.then(*std::move(asked));
     tick.then(act(std::move(state), world));
     return tick;
@@ -125,14 +127,20 @@ std::vector<std::size_t> Pipeline::doubted(const EngineState& state, const std::
   return doubted;
 }
 
+// Whether the machine may ask about one of the offers: it is unsure, or not the only one. A move that is attended to
+// again was asked about with those before it.
+bool Pipeline::may_ask(const Ensemble& ensemble, const std::vector<Offer>& offers) const {
+  const auto& percept = ensemble.percept;
+  const bool is_later_move = percept.resumes && percept.resumes->fragment > 0;
+  if (!machine().knows_input(unsure_symbol) || !percept.assured.empty() || is_later_move) return false;
+  const auto* thresholds = machine().thresholds_of(offers.front().input.symbol);
+  return offers.size() > 1 || (thresholds && offers.front().input.confidence < thresholds->confirm);
+}
+
 // Asks about an input that is unsure; nothing if it is sure, or if the machine does not ask.
 std::optional<Tick> Pipeline::ask(const EngineState& state, const Ensemble& ensemble, const std::vector<Offer>& offers,
                                   const Answered& answered, const WorldSnapshot& world) const {
-  const auto& resumes = ensemble.percept.resumes;
-  if (!machine().knows_input(unsure_symbol) || !ensemble.percept.assured.empty() ||
-      (resumes && resumes->fragment > 0) || is_refused(answered.tick) ||
-      machine().ignored.contains(offers[answered.taken].input.symbol))
-    return std::nullopt;
+  if (is_refused(answered.tick) || machine().ignored.contains(offers[answered.taken].input.symbol)) return std::nullopt;
   const auto doubts = doubted(state, offers, answered, world);
   if (doubts.empty()) return std::nullopt;
   auto doubt = doubt_of(state, ensemble, offers, doubts);
@@ -199,11 +207,9 @@ Result<EngineState> Pipeline::take_over(EngineState state, const Machine& was, c
   return taken_over(engine_, std::move(state), was, world);
 }
 
-Tick Pipeline::reported(const EngineState& before, const std::vector<ActReport>& reports,
-                        const WorldSnapshot& world) const {
-  EngineState state = before;
-  for (const auto& report : reports) engine_.performer.reported(state.performance, report);
-  return act(std::move(state), world);
+Tick Pipeline::reported(EngineState before, const std::vector<ActReport>& reports, const WorldSnapshot& world) const {
+  for (const auto& report : reports) engine_.performer.reported(before.performance, report);
+  return act(std::move(before), world);
 }
 
 Tick Pipeline::corrected(const EngineState& before, const EngineState& after, const InputEvent& event,
@@ -220,7 +226,7 @@ Tick Pipeline::settle(const EngineState& before, const WorldSnapshot& world) con
 }
 
 Tick Pipeline::attend_all(Tick all, const WorldSnapshot& world) const {
-  while (!all.after.complete.empty()) all.then(attend(all.after, world));
+  while (!all.after.complete.empty()) all.then(attend(std::move(all.after), world));
   return all;
 }
 

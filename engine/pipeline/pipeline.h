@@ -35,22 +35,22 @@ class Pipeline {
   Result<EngineState> take_over(EngineState state, const Machine& was, const WorldSnapshot& world) const;
 
   /// Receives an event, at `world.t` or at its own time if that is later.
-  Tick receive(const EngineState& before, const InputEvent& event, const WorldSnapshot& world) const;
+  Tick receive(EngineState before, const InputEvent& event, const WorldSnapshot& world) const;
   /// Whether `a` is to be received before `b`, if both are known at one instant (pipeline/instant.h). Machines without
   /// fusion take events as they are told.
   bool comes_before(const EngineState& state, const InputEvent& a, const InputEvent& b) const;
   /// No event came up to `now`: completes the percepts that need not wait longer.
-  Tick wake(const EngineState& before, SimTime now) const;
+  Tick wake(EngineState before, SimTime now) const;
   /// The latest time to call wake(); none if nothing waits.
   std::optional<SimTime> due(const EngineState& state) const { return state.fusion.due(); }
   /// Attends to the first of EngineState::complete. REQUIRES that there is one.
-  Tick attend(const EngineState& before, const WorldSnapshot& world) const;
+  Tick attend(EngineState before, const WorldSnapshot& world) const;
 
   /// Receives an event and attends to all complete ensembles.
   Tick tick(const EngineState& before, const InputEvent& event, const WorldSnapshot& world) const;
   /// Takes reports of the body: performs the next steps of acts, and answers ends of acts that are inputs of the
   /// machine.
-  Tick reported(const EngineState& before, const std::vector<ActReport>& reports, const WorldSnapshot& world) const;
+  Tick reported(EngineState before, const std::vector<ActReport>& reports, const WorldSnapshot& world) const;
 
   /// Follows another avatar whose observed moves after an input differ from the engine's between `before` and `after`.
   /// The configuration becomes the one that those moves imply (Machine::implied), or the one before if there were none;
@@ -69,6 +69,7 @@ class Pipeline {
     std::size_t taken = 0;  ///< number of the offer or input that the automaton took
   };
 
+  bool may_ask(const Ensemble& ensemble, const std::vector<Offer>& offers) const;
   std::vector<std::size_t> doubted(const EngineState& state, const std::vector<Offer>& offers, const Answered& answered,
                                    const WorldSnapshot& world) const;
   std::optional<Tick> ask(const EngineState& state, const Ensemble& ensemble, const std::vector<Offer>& offers,
