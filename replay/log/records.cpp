@@ -90,15 +90,6 @@ Json members_of(const Record& record) {
       record);
 }
 
-Json line_of(const Stamp& stamp, const Record& record) {
-  Json line{{"kind", kind_of(record)}, {"n", stamp.n}, {"t", stamp.t_s}};
-  if (stamp.cause) line["cause"] = *stamp.cause;
-  auto members = members_of(record);
-  for (auto& [name, value] : members.items()) line.emplace(name, std::move(value));
-  if (stamp.measured) line["measured"] = true;
-  return line;
-}
-
 std::string_view kind_of(const Record& record) {
   return std::visit(
       []<class T>(const T& known) -> std::string_view {

@@ -73,9 +73,6 @@ Stamp stamp_of(const Json& line);
 /// The members of the record, in their order, without those of its stamp.
 Json members_of(const Record& record);
 
-/// The whole line as an object.
-Json line_of(const Stamp& stamp, const Record& record);
-
 /// The name of its kind.
 std::string_view kind_of(const Record& record);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "continua/replay/log/record_text.h"
 #include "continua/replay/log/schema.h"
 
 namespace continua {
@@ -81,20 +82,28 @@ void RunLog::close_block(SimTime t) {
 }
 
 int RunLog::write_line(const log::Record& record, SimTime t, std::optional<int> cause, bool measured) {
-  const auto told = log::line_of({next_, t.seconds(), cause, measured}, record);
-  const auto line = compact(told) + "\n";
+  const log::Stamp stamp{next_, t.seconds(), cause, measured};
+  const auto line = log::text_of(stamp, record) + "\n";
   all_.add(line);
   block_.add(line);
   if (std::holds_alternative<log::Pose>(record)) physics_.add(line);
-  if (const auto decision = decision_order_.next(told)) decisions_.add(compact(*decision));
+  if (auto decision = log::decision_text_of(stamp, record)) decide(record, *std::move(decision));
   ++counts_[std::string(log::kind_of(record))];
   out_.write(line.data(), static_cast<std::streamsize>(line.size()));
-  out_.flush();
   return next_++;
 }
 
+// As DecisionOrder does: of an act that was asked for only the outcome counts, by the act's number.
+void RunLog::decide(const log::Record& record, std::string text) {
+  const auto* act = std::get_if<Act>(&record);
+  if (!act || act->status == log::asked)
+    decisions_.add(text);
+  else if (!act->step)
+    outcomes_[act->act] = std::move(text);
+}
+
 void RunLog::finish(SimTime t) {
-  for (const auto& outcome : decision_order_.outcomes()) decisions_.add(compact(outcome));
+  for (const auto& [act, outcome] : outcomes_) decisions_.add(outcome);
   if (next_ % records_per_block == records_per_block - 1) close_block(t);
   write_line(log::End{.counts = {counts_.begin(), counts_.end()},
                       .fragile = fragile_,

@@ -41,7 +41,7 @@ inline constexpr double fragile_margin = 1e-4;
 
 class RunLog {
  public:
-  /// Every line is written to `out` at once and whole; `out` must outlive the log.
+  /// Every line is written to `out` whole; whether it is in a file at once is up to `out`, which must outlive the log.
   explicit RunLog(std::ostream& out) : out_(out) {}
 
   /// Writes one record and returns its number. `cause`: number of the record that brought it about. `measured`: its
@@ -58,6 +58,7 @@ class RunLog {
 
  private:
   int write_line(const log::Record& record, SimTime t, std::optional<int> cause = std::nullopt, bool measured = false);
+  void decide(const log::Record& record, std::string text);
   void close_block(SimTime t);
 
   std::ostream& out_;
@@ -65,7 +66,7 @@ class RunLog {
   std::vector<log::FragileDecision> fragile_;
   std::map<std::string, std::int64_t, std::less<>> counts_;  ///< by kind
   RunningDigest all_, block_, decisions_, physics_;
-  DecisionOrder decision_order_;
+  std::map<std::int64_t, std::string> outcomes_;  ///< of acts, by their numbers
 };
 
 }  // namespace continua

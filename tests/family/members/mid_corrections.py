@@ -33,7 +33,7 @@ BY_WORD = [
     ("emre_table", "put it in front of you", "to the left of the plate", "the cup", "put cup left plate"),
     ("staircase", "put the block on the black block", "on the purple block", "the yellow one", "put block1 on block7"),
     ("staircase", "put the block behind the yellow block", "in front of it", "the purple one", "put block7 in_front block1"),
-    ("staircase", "push the block to the left", "to the right", "the red one", "push block6 right"),
+    ("staircase", "push the block to the left", "to the right", "the black one", "push block3 right"),
     ("workbench", "put the block to the left of the cup", "behind it", "the yellow one", "put block_yellow behind cup"),
     ("workbench", "put the block on the plate", "on the red block", "the green one", "put block_green on block_red"),
     ("workbench", "push the block to the right", "to the left", "the green one", "push block_green left"),

@@ -7,6 +7,8 @@
 #include <set>
 
 #include "continua/replay/log/record_json.h"
+#include "continua/replay/log/record_text.h"
+#include "continua/replay/log/run_log.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -23,7 +25,20 @@ log::Record record_of(const Json& line) {
 }
 
 // The line when it went through its record.
-std::string through_record(const Json& line) { return compact(log::line_of(log::stamp_of(line), record_of(line))); }
+std::string through_record(const Json& line) { return log::text_of(log::stamp_of(line), record_of(line)); }
+
+// What a writer of the log counts as the record's decision is what a reader of the line does. Of an act that goes on a
+// reader tells nothing.
+void check_decision(const Json& line) {
+  DecisionOrder order;
+  auto read = order.next(line);
+  if (const auto outcomes = order.outcomes(); !read && !outcomes.empty()) read = outcomes.front();
+  const auto written = log::decision_text_of(log::stamp_of(line), record_of(line));
+  if (read)
+    CHECK(written == compact(*read));
+  else
+    CHECK((!written || line["kind"] == log::Act::kind.name));
+}
 
 // The record with all members that brief() is not said to read at their defaults.
 template <class T>
@@ -56,6 +71,7 @@ TEST_CASE("every line of the approved runs goes through its record unchanged, an
       const auto json = Json::parse(line);
       ++lines_of[json["kind"].get<std::string>()];
       if (through_record(json) != line) FAIL(through_record(json) << " of " << line);
+      check_decision(json);
       std::visit(
           [&]<class T>(const T& record) {
             if constexpr (std::is_same_v<T, log::Unknown>)
