@@ -1,9 +1,10 @@
 #include "continua/replay/log/record_text.h"
 
-#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 
+#include "continua/core/characters.h"
 #include "continua/replay/log/record_json.h"
 
 namespace continua::log {
@@ -11,13 +12,19 @@ namespace {
 
 enum class Part : bool { all, decision };
 
-bool stays_as_it_is(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return byte >= 0x20 && byte < 0x7f;
+// Neither control characters nor bytes that are not UTF-8.
+bool is_plain(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[at]);
+    const auto length = byte < 0x80 ? 1 : character_length(text.substr(at));
+    if (byte < 0x20 || length == 0) return false;
+    at += length;
+  }
+  return true;
 }
 
 void add(std::string& out, std::string_view text) {
-  if (!std::all_of(text.begin(), text.end(), stays_as_it_is)) {
+  if (!is_plain(text)) {
     out += compact(Json(text));
     return;
   }
@@ -35,14 +42,13 @@ void add_number(std::string& out, Number number) {
     char digits[24];
     out.append(digits, std::to_chars(std::begin(digits), std::end(digits), number).ptr);
   } else {
-    // The library's own digits of a number that is not whole: those of others differ in the last place.
-    constexpr double whole_up_to = 1e15;
-    if (number != std::floor(number) || std::abs(number) >= whole_up_to || (number == 0 && std::signbit(number))) {
-      out += compact(Json(number));
+    if (!std::isfinite(number)) {
+      out += "null";
       return;
     }
-    add_number(out, static_cast<std::int64_t>(number));
-    out += ".0";
+    // The digits that `compact` has: those of other libraries differ now and then.
+    char digits[64];
+    out.append(digits, nlohmann::detail::to_chars(std::begin(digits), std::end(digits), number));
   }
 }
 

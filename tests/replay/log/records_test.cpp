@@ -127,6 +127,20 @@ TEST_CASE("what a log does not have, and what this program does not know, can be
   CHECK((act.act == 2 && !act.step && !act.result));
 }
 
+TEST_CASE("texts and numbers are written as the library for JSON writes them") {
+  for (const std::string text :
+       {"", "a \"b\" \\x. c", "tab\tand line\n", "δ → ε", "\x7f", "\xff no text", "\xed\xa0\x80", "\x01"}) {
+    const log::Utterance said{text, {}};
+    CHECK(log::text_of({}, said) ==
+          compact(Json{{"kind", "utterance"}, {"n", 0}, {"t", 0.0}, {"text", text}, {"because", Json::array()}}));
+  }
+  for (const double t : {0.0, -0.0, 1.0, 0.1, 1e-7, 123456.789012, 1e15, 1e16, -2.5e-300}) {
+    INFO(t);
+    CHECK(log::text_of({0, t, std::nullopt, false}, log::Utterance{"", {}}) ==
+          compact(Json{{"kind", "utterance"}, {"n", 0}, {"t", t}, {"text", ""}, {"because", Json::array()}}));
+  }
+}
+
 TEST_CASE("a member of another type is an error that names its place") {
   const auto [line, error] = GENERATE(table<const char*, const char*>({
       {R"({"kind":"utterance","text":5})", "run:3: utterance.text: expected text, found '5'"},
