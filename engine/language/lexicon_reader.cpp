@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -66,9 +67,11 @@ Lexicon LexiconReader::read() {
 }
 
 void LexiconReader::take_entries_apart() {
+  std::unordered_set<std::string_view> seen;
   for (const auto& [words, entry] : lexicon_.words) {
     const auto parts = parts_of_entry(words);
-    for (const auto part : parts) lexicon_.parts.emplace(part);
+    for (const auto part : parts)
+      if (seen.insert(part).second) lexicon_.parts.emplace(part);
     lexicon_.most_words = std::max(lexicon_.most_words, parts.size());
   }
 }

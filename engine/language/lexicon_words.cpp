@@ -11,6 +11,25 @@ namespace {
 
 double read_cost(const Item& item) { return item.number("a cost", 0, 0, 100); }
 
+bool is_small_letter(char c) { return 'a' <= c && c <= 'z'; }
+
+// Small Latin letters with single spaces between them, as most entries are. Such words are written as they are heard.
+bool is_plain(std::string_view words) {
+  char before = ' ';
+  for (const char c : words) {
+    if (!is_small_letter(c) && (c != ' ' || before == ' ')) return false;
+    before = c;
+  }
+  return before != ' ';
+}
+
+// As words_of() would give them, with single spaces between them.
+bool is_as_heard(const std::string& words) {
+  std::string text;
+  for (const auto& part : words_of(words)) text += (text.empty() ? "" : " ") + part.text;
+  return !text.empty() && text == words;
+}
+
 }  // namespace
 
 std::optional<Category> LexiconReader::read_category(const Item& item) {
@@ -41,9 +60,7 @@ std::optional<Term> LexiconReader::read_term(const Item& item, const Category& c
 }
 
 WordEntry& LexiconReader::entry(const Item& at, const std::string& word) {
-  std::string text;
-  for (const auto& part : words_of(word)) text += (text.empty() ? "" : " ") + part.text;
-  if (text.empty() || text != word)
+  if (!is_plain(word) && !is_as_heard(word))
     at.problem_at_key(
         fmt::format("found {}, expected words in lower case with single spaces between them", in_quotes(word)));
   return lexicon_.words[word];
