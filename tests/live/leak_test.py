@@ -15,8 +15,7 @@ LAST = 5                 # sessions at the middle and at the end that memory is 
 MOST_GROWN_MB = 10       # between those two; ten sessions that were kept would be over 50
 # What is freed goes back to the system at once, and threads share one heap: else memory tells most of what happened
 # to be made when, and in which thread.
-GIVES_BACK = {"GLIBC_TUNABLES": "glibc.malloc.arena_max=1:glibc.malloc.mmap_threshold=8192"
-                                ":glibc.malloc.trim_threshold=8192:glibc.malloc.mmap_max=1000000"}
+GIVES_BACK = {"MALLOC_CONF": "narenas:1,dirty_decay_ms:0,muzzy_decay_ms:0,tcache:false"}
 SPEECH = ["The plate.", "Put the knife in the white cup.", "Yes."]
 
 
