@@ -85,14 +85,19 @@ class Readings:
                 root = self.input_of(record)
                 self.roots[record["n"]] = root
                 if record.get("taken", True):
-                    self.add_move(self.turns.setdefault(root, []), record, root)
+                    self.add_move(self.turns.setdefault(root, []), record)
 
-    def add_move(self, turn, reading, root):
-        """One that comes of the input itself, and is not the first, is attended to again."""
-        if turn and reading.get("cause") == root and same_words(turn[-1], reading):
+    def add_move(self, turn, reading):
+        """One that comes of the input without a step between, and is not the first, is attended to again."""
+        if turn and not self.comes_of_step(reading) and same_words(turn[-1], reading):
             self.again[reading["n"]] = turn[-1]["n"]
         else:
             turn.append(reading)
+
+    def comes_of_step(self, record):
+        while record is not None and record["kind"] not in ("input", "transition"):
+            record = self.records[record["cause"]] if "cause" in record else None
+        return record is not None and record["kind"] == "transition"
 
     def input_of(self, record):
         """The number of the input that a record goes back to, or None."""
