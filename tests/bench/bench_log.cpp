@@ -2,7 +2,6 @@
 // parse and dump the log that they write. bench_log FILE… writes a table; see README.md.
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <functional>
 #include <sstream>
 

@@ -13,7 +13,7 @@ from live_server import PATIENCE_S, Server, Stream
 SESSIONS, FIRST = 20, 2  # the first ones leave what is made once: threads of a pool, what was read and is kept
 LAST = 5                 # sessions at the middle and at the end that memory is compared of, by the least of each
 MOST_GROWN_MB = 10       # between those two; ten sessions that were kept would be over 50
-# What is freed goes back to the system at once, and threads share one heap: else memory tells most of what happened
+# Freed memory goes back to the system at once, and threads share one heap: else memory tells most of what happened
 # to be made when, and in which thread.
 GIVES_BACK = {"MALLOC_CONF": "narenas:1,dirty_decay_ms:0,muzzy_decay_ms:0,tcache:false"}
 SPEECH = ["The plate.", "Put the knife in the white cup.", "Yes."]
