@@ -27,8 +27,8 @@ log::Record record_of(const Json& line) {
 // The line when it went through its record.
 std::string through_record(const Json& line) { return log::text_of(log::stamp_of(line), record_of(line)); }
 
-// A writer of the log and a reader of its line count the same as the record's decision. A reader tells nothing of an act
-// that goes on.
+// A writer of the log and a reader of its line count the same as the record's decision. A reader tells nothing of an
+// act that goes on.
 void check_decision(const Json& line) {
   DecisionOrder order;
   auto read = order.next(line);
