@@ -33,6 +33,7 @@ std::span<const Carried> carried_terms() {
       Carried{"named", "(e -> t)*", &Input::named, true},
       Carried{"next", "text", &Input::next, true},
       Carried{"previous", "text", &Input::previous, true},
+      Carried{"joined", "text", &Input::joined, true},
       Carried{"following", "text*", &Input::following, true},
       Carried{"later", "text*", &Input::later, true},
       Carried{"unknown", "text*", &Input::unknown, true},

@@ -51,6 +51,7 @@ struct Input {
   Term named;      ///< (e -> t)*: the nouns of the words, each with its adjectives, then alone
   Term next;       ///< text: the kind of the utterance's next move after this one; null if there is none
   Term previous;   ///< text: the kind of its move before this one; null if this is the first
+  Term joined;     ///< text: the words between it and the move before it in its sentence; null if it is the first there
   Term following;  ///< text*: the kinds of the moves that follow it in its sentence
   Term later;      ///< text*: the kinds of the moves in later sentences of its utterance
   Term unknown;    ///< text*: words near it that the lexicon does not have

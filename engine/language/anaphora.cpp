@@ -1,8 +1,11 @@
 #include "continua/language/anaphora.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "continua/language/reduction.h"
 #include "continua/term/substitution.h"
@@ -112,32 +115,67 @@ void collect_kinds(const Term& term, const Operators& operators, std::set<std::s
   }
 }
 
-bool of_one_kind(const Term& a, const Term& b, const Operators& operators) {
+// How much the phrases are about the same kind of thing.
+enum class Likeness { none, in_part, whole };
+
+// Whole: of `a` all is said that is said of `b`, as "a white cup" for "the other cup".
+Likeness likeness(const Term& a, const Term& b, const Operators& operators) {
   std::set<std::string> of_a, of_b;
   bool any = false;
   collect_kinds(a, operators, of_a, any);
   collect_kinds(b, operators, of_b, any);
-  return any || std::any_of(of_a.begin(), of_a.end(), [&](const auto& kind) { return of_b.contains(kind); });
+  if (any || std::includes(of_a.begin(), of_a.end(), of_b.begin(), of_b.end())) return Likeness::whole;
+  const bool shared = std::any_of(of_a.begin(), of_a.end(), [&](const auto& kind) { return of_b.contains(kind); });
+  return shared ? Likeness::in_part : Likeness::none;
+}
+
+// The noun phrases that say `other`, the smallest first.
+std::vector<Phrase> phrases_saying(const Term& other, const Reading& reading) {
+  std::vector<Phrase> found;
+  for (const auto& phrase : reading.phrases)
+    if (is_noun_phrase(phrase) && contains(phrase.term, other)) found.push_back(phrase);
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Phrase& a, const Phrase& b) { return a.words.size() < b.words.size(); });
+  return found;
+}
+
+// The condition of not being the last thing of its kind before the phrase; none if there is no such thing.
+std::optional<Term> not_that(const Phrase& around, const Reading& reading, const Operators& operators) {
+  static const Term differs = Term::constant("!=", Type::parse("e -> e -> t").value());
+  const auto last_like = [&](Likeness least) {
+    return last_before(around.words.begin, reading,
+                       [&](const Phrase& phrase) { return likeness(phrase.term, around.term, operators) >= least; });
+  };
+  const auto* antecedent = last_like(Likeness::whole);
+  if (!antecedent) antecedent = last_like(Likeness::in_part);
+  if (!antecedent) return std::nullopt;
+  return Term::lambda("x", Type::entity(),
+                      Term::apply(Term::apply(differs, Term::bound(0, Type::entity())), antecedent->term));
+}
+
+// The reading with `meant` in place of `other` within that phrase.
+Reading with_within(const Phrase& around, const Term& other, const Term& meant, Reading reading) {
+  const Term told = normal(replaced(around.term, other, meant));
+  reading.term = normal(replaced(reading.term, around.term, told));
+  for (auto& phrase : reading.phrases)
+    phrase.term = normal(inside(phrase.words, around.words) ? replaced(phrase.term, other, meant)
+                                                            : replaced(phrase.term, around.term, told));
+  return reading;
 }
 
 Reading with_other(Reading reading, const Operators& operators) {
-  static const Term differs = Term::constant("!=", Type::parse("e -> e -> t").value());
   for (const auto& [name, proform] : operators.proforms) {
+    if (proform.source != Proform::Source::other) continue;
     const Term other = Term::constant(name, property());
-    if (proform.source != Proform::Source::other || !contains(reading.term, other)) continue;
-    const Phrase* around = nullptr;
-    for (const auto& phrase : reading.phrases)
-      if (is_noun_phrase(phrase) && contains(phrase.term, other) &&
-          (!around || phrase.words.size() < around->words.size()))
-        around = &phrase;
-    if (!around) continue;
-    const auto* antecedent = last_before(around->words.begin, reading, [&](const Phrase& phrase) {
-      return of_one_kind(phrase.term, around->term, operators);
-    });
-    if (!antecedent) continue;
-    const Term not_that = Term::lambda(
-        "x", Type::entity(), Term::apply(Term::apply(differs, Term::bound(0, Type::entity())), antecedent->term));
-    return with(other, not_that, std::move(reading));
+    for (bool found = true; std::exchange(found, false);) {
+      for (const auto& around : phrases_saying(other, reading)) {
+        const auto meant = not_that(around, reading, operators);
+        if (!meant) continue;
+        reading = with_within(around, other, *meant, std::move(reading));
+        found = true;
+        break;
+      }
+    }
   }
   return reading;
 }

@@ -224,6 +224,28 @@ void keep_longest(WordSpan sentence, Utterance& utterance) {
   all.insert(all.erase(first, last), std::move(kept));
 }
 
+// Takes the half ends out beside which words were lost: "Bob said to us: take the knife" is one sentence, of which only
+// the end was understood.
+void join_halves(const std::vector<SpokenWord>& spoken, Utterance& utterance) {
+  std::vector<std::size_t> halves;
+  std::size_t count = 0;
+  for (const auto& word : spoken) {
+    if (!word.comma) ++count;
+    if (word.half) halves.push_back(count);
+  }
+  const auto is_lost = [&](WordSpan span) {
+    return holds_any(utterance.unknown, span) || holds_any(utterance.unused, span);
+  };
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < utterance.ends.size(); ++i) {
+    const auto begin = kept.empty() ? 0 : kept.back();
+    const bool is_half = std::binary_search(halves.begin(), halves.end(), utterance.ends[i]);
+    const bool is_last = i + 1 == utterance.ends.size();
+    if (is_last || !is_half || !is_lost({begin, utterance.ends[i + 1]})) kept.push_back(utterance.ends[i]);
+  }
+  utterance.ends = std::move(kept);
+}
+
 std::size_t lost_words(const Utterance& utterance) { return utterance.unknown.size() + utterance.unused.size(); }
 
 // Passes over one of the words that fit nowhere, if the words around it go together so: "the heavy cup", where "heavy"
@@ -285,6 +307,7 @@ Utterance read(std::string_view text, const Vocabulary& vocabulary) {
         lost_words(whole) == 0 && (lost_words(utterance) > 0 || whole.fragments.size() < utterance.fragments.size()))
       utterance = std::move(whole);
   utterance = without_unused(std::move(utterance), best, vocabulary);
+  join_halves(best, utterance);
   std::size_t begin = 0;
   for (const auto end : std::vector(utterance.ends)) {
     keep_longest({begin, end}, utterance);

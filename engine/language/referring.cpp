@@ -330,13 +330,26 @@ bool Referring::describes(const Term& condition) const {
          !says(condition, Proform::Source::other, *meanings_.operators);
 }
 
+// Whether the condition compares things of the topic: the left one, the nearest one.
+bool Referring::compares(const Term& condition) const {
+  if (condition.kind() == Term::Kind::apply) return compares(condition.function()) || compares(condition.argument());
+  if (condition.kind() != Term::Kind::lambda) return false;
+  const auto& body = condition.body();
+  const auto arguments = body.spine().arguments;
+  return std::any_of(arguments.begin(), arguments.end(), [&](const Term& argument) {
+    return argument.kind() == Term::Kind::lambda ? says(argument, Proform::Source::topic, *meanings_.operators)
+                                                 : argument.type() == Type::truth() && compares(argument);
+  });
+}
+
 // An answer means one of the objects asked about, of any kind. If none of them fits, or nothing was asked, "one" stands
-// for the first topic that fits some object; with "this" and "that" the object must also be pointed at. If no topic
-// fits, "one" stands for any object that is pointed at or described: "the red one".
+// for the first topic that fits some object; with "this" and "that" the object must also be pointed at, "both" are two,
+// and "the left one" is one of several. If no topic fits, "one" stands for any object that is pointed at,
+// described or counted: "the red one".
 Reference Referring::found(const Term& condition, const Determiner& determiner, Context context) const {
   const bool shown = determiner.deictic && context.pointed_W;
   const auto fits = [&](const Reference& reference) {
-    return !reference.referents.empty() &&
+    return !reference.referents.empty() && static_cast<int>(reference.referents.size()) >= determiner.count &&
            (!shown || is_pointed_at(*context.pointed_W, *context.facts.world->find(reference.referents.front().object),
                                     context.pointed_sd_m));
   };
@@ -347,13 +360,20 @@ Reference Referring::found(const Term& condition, const Determiner& determiner, 
     context.among.clear();
   }
   auto all = topics();
-  if (shown || describes(condition)) all.push_back(anything());
+  if (shown || describes(condition) || determiner.count > 1) all.push_back(anything());
   const auto first = with_topic(condition, all.front());
   auto reference = refer(first, determiner, context, meanings_);
-  if (fits(reference)) return reference;
+  const bool compared = compares(condition);
+  const auto are_several = [&](const Term& topic) {
+    return !compared || refer(topic, {}, context, meanings_).referents.size() > 1;
+  };
+  const bool fits_first = fits(reference);
+  if (fits_first && are_several(all.front())) return reference;
   for (std::size_t i = 1; i < all.size() && first != condition; ++i)
-    if (auto other = refer(with_topic(condition, all[i]), determiner, context, meanings_); fits(other)) return other;
-  return asked.referents.empty() ? reference : asked;
+    if (auto other = refer(with_topic(condition, all[i]), determiner, context, meanings_);
+        fits(other) && are_several(all[i]))
+      return other;
+  return asked.referents.empty() || fits_first ? reference : asked;
 }
 
 // The words of the phrase's use number `occurrence`, or of its last use if there are fewer.
@@ -397,17 +417,19 @@ std::vector<Phrase> Referring::shown_inside(const WordSpan& span) const {
   return inside;
 }
 
-// The condition with those things inside the phrase, and those antecedents, that are pointed at: "the block between
-// (block1) and (block2)", "the other purple one".
+// The condition with those things inside the phrase, and those antecedents, that are pointed at, or picked where any
+// would do: "the block between (block1) and (block2)", "the other purple one", "one cup here and the other cup there".
 Term Referring::with_shown(const Term& phrase, Term condition, std::size_t occurrence,
                            std::vector<Resolution>& within) const {
   const auto span = span_of(phrase, occurrence);
-  if (!span || context_.showings.empty()) return condition;
-  auto shown = shown_inside(*span);
+  if (!span) return condition;
+  auto shown = context_.showings.empty() ? std::vector<Phrase>() : shown_inside(*span);
   for (auto& each : antecedents_in(condition, *span)) shown.push_back(std::move(each));
   for (const auto& [thing, words] : shown) {
     const auto number = uses_before(thing, words.begin);
-    if (!showing_of(thing, number) || !contains(condition, thing)) continue;
+    const auto* determiner = determiner_of(thing, *meanings_.operators);
+    const bool is_picked = determiner && !determiner->definite;
+    if (!contains(condition, thing) || (!showing_of(thing, number) && !is_picked)) continue;
     Meant inner = meant(thing, number);
     if (inner.values.size() != 1) continue;
     condition = first_replaced(condition, thing, inner.values.front());

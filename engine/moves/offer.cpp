@@ -1,5 +1,7 @@
 #include "continua/moves/offer.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -87,6 +89,19 @@ std::vector<Showing> earlier_showings(const ReadSpeech& speech, std::size_t frag
   return taken_by(inside, earlier);
 }
 
+// The words between the fragment and the one before it in its sentence; null if it is the first there.
+Term joining(const Utterance& utterance, std::size_t fragment) {
+  if (fragment == 0) return Term::null();
+  const auto begin = utterance.fragments[fragment - 1].words.end;
+  const auto end = utterance.fragments[fragment].words.begin;
+  const bool is_first = std::any_of(utterance.ends.begin(), utterance.ends.end(),
+                                    [&](std::size_t each) { return begin <= each && each <= end; });
+  if (is_first) return Term::null();
+  const auto& words = utterance.words;
+  const auto at = [&](std::size_t word) { return words.begin() + static_cast<std::ptrdiff_t>(word); };
+  return Term::text(fmt::format("{}", fmt::join(at(begin), at(end), " ")));
+}
+
 // Carries the kinds of the utterance's other moves to the input.
 void carry_neighbours(const Utterance& utterance, std::size_t fragment, Input& input) {
   const auto& fragments = utterance.fragments;
@@ -94,6 +109,7 @@ void carry_neighbours(const Utterance& utterance, std::size_t fragment, Input& i
   const auto next = fragment + 1;
   input.next = next < fragments.size() ? kind_at(next) : Term::null();
   input.previous = fragment > 0 ? kind_at(fragment - 1) : Term::null();
+  input.joined = joining(utterance, fragment);
   const auto& ends = utterance.ends;
   const auto end = std::upper_bound(ends.begin(), ends.end(), fragments[fragment].words.begin);
   std::vector<Term> following, later;
