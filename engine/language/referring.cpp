@@ -330,16 +330,13 @@ bool Referring::describes(const Term& condition) const {
          !says(condition, Proform::Source::other, *meanings_.operators);
 }
 
-// Whether the condition compares things of the topic: the left one, the nearest one.
-bool Referring::compares(const Term& condition) const {
-  if (condition.kind() == Term::Kind::apply) return compares(condition.function()) || compares(condition.argument());
-  if (condition.kind() != Term::Kind::lambda) return false;
-  const auto& body = condition.body();
-  const auto arguments = body.spine().arguments;
-  return std::any_of(arguments.begin(), arguments.end(), [&](const Term& argument) {
-    return argument.kind() == Term::Kind::lambda ? says(argument, Proform::Source::topic, *meanings_.operators)
-                                                 : argument.type() == Type::truth() && compares(argument);
-  });
+// Whether the part of a condition compares things of the topic: the left one, the nearest one.
+bool Referring::compares(const Term& part) const {
+  if (part.kind() == Term::Kind::lambda) return compares(part.body());
+  if (part.kind() != Term::Kind::apply || determiner_of(part, *meanings_.operators)) return false;
+  const auto& argument = part.argument();
+  return (argument.kind() == Term::Kind::lambda && says(argument, Proform::Source::topic, *meanings_.operators)) ||
+         compares(part.function()) || compares(argument);
 }
 
 // An answer means one of the objects asked about, of any kind. If none of them fits, or nothing was asked, "one" stands

@@ -67,7 +67,7 @@ class Referring {
   std::vector<Term> topics() const;
   Term with_topic(const Term& condition, const Term& topic) const;
   bool describes(const Term& condition) const;
-  bool compares(const Term& condition) const;
+  bool compares(const Term& part) const;
   Reference found(const Term& condition, const Determiner& determiner, Context context) const;
   std::optional<WordSpan> span_of(const Term& phrase, std::size_t occurrence) const;
   std::string words_of(const Term& phrase, std::size_t occurrence) const;

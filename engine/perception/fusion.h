@@ -36,7 +36,7 @@ struct Percept {
   SimTime spoken = {};                                 ///< of speech: the end of its words
   std::vector<int> pieces = {};                        ///< serials of earlier inputs whose words it goes on with
   bool before_words = false;                           ///< of a gesture: shown during words, it comes before them
-  bool again = false;  ///< its move under way is attended to a second time, in the state that the first time led to
+  int again = 0;  ///< how many times more its move under way is attended to, in the states that it led to before
   std::optional<MovePlace> resumes = {};  ///< of one that is attended to again: the move to go on from
   std::vector<int> assured = {};  ///< serials of the inputs that made an unsure one sure; empty: it was not asked about
 };

@@ -15,6 +15,9 @@ namespace {
 // More than can be asked about one after the other.
 constexpr std::size_t most_doubted = 64;
 
+// An input that gives up a question, and then comes between those that wait, is attended to twice again.
+constexpr int most_times_again = 3;
+
 std::vector<std::string> acts_of(const Tick& tick) {
   std::vector<std::string> acts;
   for (const auto& event : tick.events)
@@ -78,8 +81,8 @@ Tick attend_again(EngineState state, const Reattended& again) {
   if (found == state.doubted.end()) return trouble(fmt::format("no input waits under the number {}", again.number));
   Ensemble ensemble = found->second;
   auto& percept = ensemble.percept;
-  if (again.number == 0 && std::exchange(percept.again, true))
-    return trouble("the same input is attended to for a third time");
+  if (again.number == 0 && ++percept.again > most_times_again)
+    return trouble(fmt::format("the same input is attended to more than {} times again", most_times_again));
   if (again.number != 0) {
     percept.assured = again.because;
     state.doubted.erase(found);
@@ -91,12 +94,12 @@ Tick attend_again(EngineState state, const Reattended& again) {
 
 bool comes_again(EngineState& state, const Offer& move) {
   auto& under_way = state.doubted.at(0).percept;
-  const bool again = !state.complete.empty() && state.complete.front().percept.again &&
+  const bool again = !state.complete.empty() && state.complete.front().percept.again > 0 &&
                      state.complete.front().percept.serial == under_way.serial;
   if (again)
     state.complete.front().percept.resumes = MovePlace{move.alternative, move.fragment};
   else
-    under_way.again = false;
+    under_way.again = 0;
   return again;
 }
 

@@ -271,6 +271,9 @@ TEST_CASE("one is the first of the nouns used last that has such a thing, or any
   CHECK(meaning_of(scene.interpreted("that(\\x. one(x))")) == "cup1");
   scene.context.pointed_W.reset();
   CHECK(meaning_of(scene.interpreted("the(\\x. green(x) and one(x))")) == "block3");  // there is no green knife
+  // the left one is one of several
+  scene.context.topics = {scene.read("\\x. plate_(x)"), scene.read("\\x. knife_(x) or cup(x)")};
+  CHECK(meaning_of(scene.interpreted("the(\\x. contains(filter([knife, plate], \\y. one(y)), x))")) == "knife");
   scene.context.topics = {scene.read("\\x. knife_(x) and green(x)")};
   CHECK(meaning_of(scene.interpreted("the(\\x. one(x))")) == "\\x. x | none e");
   scene.context.among = {"block1", "block3"};

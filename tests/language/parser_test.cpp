@@ -306,6 +306,8 @@ TEST_CASE("of a sentence with words that are lost the longest fragment alone is 
   CHECK(told("zork it and put it in front of me") == R"(put(it, in_front(me)) ?zork -it)");
   CHECK(told("grab it. zork me") == "grasp(it); me ?zork");
   CHECK(told("grab it and put it there") == "grasp(it); put(it, there)");
+  CHECK(told("zork me: put it in front of me") == R"(put(it, in_front(me)) ?zork -me)");
+  CHECK(told("listen: put it in front of me. zork me") == R"(put(it, in_front(me)); me ?zork)");
 }
 
 TEST_CASE("words that are said twice in a row count once where that helps") {

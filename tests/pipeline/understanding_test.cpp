@@ -17,6 +17,12 @@ const char* telling_text = R"json({
   "transitions": [ { "id": "any", "from": "A", "on": "speech *", "to": "A",
     "do": [ { "say": "{move} {following} {later}" } ] } ] })json";
 
+// Tells of each move the words that join it to the one before it; nothing where there are none.
+const char* joining_text = R"json({
+  "machine": 1, "name": "m", "start": "A", "lexicon": "english", "fusion": { "before": 2, "after": 1, "lateness": 0 },
+  "transitions": [ { "id": "any", "from": "A", "on": "speech *", "to": "A",
+    "do": [ { "say": "{move} {joined}" } ] } ] })json";
+
 // Attends to commands a second time, in another state.
 const char* twice_text = R"json({
   "machine": 1, "name": "m", "start": "A", "lexicon": "english", "fusion": { "before": 2, "after": 1, "lateness": 0 },
@@ -86,6 +92,10 @@ TEST_CASE("an utterance is as many moves as it has fragments") {
 
 TEST_CASE("each move knows which follow in its sentence, and which in later ones") {
   CHECK(told_by(telling_text, "no the cup. yes") == "n ['N'] ['y']; N [] ['y']; y [] []");
+}
+
+TEST_CASE("a move has the words that join it to the one before it in its sentence") {
+  CHECK(told_by(joining_text, "take the cup and then push it, lift it. yes") == "V and then; V ");
 }
 
 TEST_CASE("a move that is attended to once more is not heard with the moves before it, and the rest follows") {
