@@ -21,6 +21,23 @@ HALF = {"place_setting": ("push the plate", "to the left", "push plate left"), "
 SIGN = [{"gesture": "twirl"}]
 THING = {"place_setting": "the plate", "workbench": "the knife", "staircase": "the yellow block", "emre_table": "the knife"}
 
+# A thing to lift, where it lies, and where another thing lies that the finger shows.
+LIFTED = {"place_setting": ("the plate", "plate", [-0.2, 0.01], [0.12, -0.09]), "workbench": ("the knife", "knife", [-0.2, -0.12], [0.2, -0.1]),
+          "staircase": ("the yellow block", "block1", [0, 0.0064], [0.3132, 0.0796]), "emre_table": ("the knife", "knife", [0.06, 0.06], [-0.02, -0.22])}
+
+
+def shown_between(scene):
+    """Commands in between with a finger on another thing, on the thing itself, or a hand that shows the action too."""
+    thing, name, place, elsewhere = LIFTED[scene]
+    lift, act = f"lift {thing}", f"lift {name}"
+    yield "contradicted", [[{"point": elsewhere}, lift], thing], [act]
+    yield "contradicted afterwards", [[lift, {"point": elsewhere}], thing], [act, act]
+    yield "contradicted and left", [[{"point": elsewhere}, lift], "never mind"], []
+    yield "shown as well", [[lift, {"point": place}]], [act]
+    yield "shown by a hand as well", [[lift, {"gesture": "lift"}]], [act]
+    yield "report of two commands", [f"he told me to turn {thing} and {lift}"], []
+    yield "condition of two commands", [f"if {thing} isn't on the table, take it and {lift}"], []
+
 
 def between(scene):
     """What comes in between, with the acts of it."""
@@ -50,7 +67,9 @@ def between(scene):
 def members():
     for scene, pendings in PENDING.items():
         for number, (opening, answer, act) in enumerate(pendings):
-            for k, (name, turns, acts) in enumerate(between(scene)):
+            # To lift one of the blocks is an answer where a block is to be taken.
+            shown = [] if (scene, number) == ("staircase", 0) else shown_between(scene)
+            for k, (name, turns, acts) in enumerate([*between(scene), *shown]):
                 item = {"id": f"sub_dialogues {scene} {number} {name}", "scene": scene}
                 if (number + k) % 2 == 0:
                     yield {**item, "say": [*opening, *turns, answer], "expect": {"acts": [*acts, act]}}
