@@ -34,6 +34,7 @@ std::span<const Carried> carried_terms() {
       Carried{"next", "text", &Input::next, true},
       Carried{"previous", "text", &Input::previous, true},
       Carried{"joined", "text", &Input::joined, true},
+      Carried{"quoted", "t", &Input::quoted, true},
       Carried{"following", "text*", &Input::following, true},
       Carried{"later", "text*", &Input::later, true},
       Carried{"unknown", "text*", &Input::unknown, true},

@@ -52,6 +52,7 @@ struct Input {
   Term next;       ///< text: the kind of the utterance's next move after this one; null if there is none
   Term previous;   ///< text: the kind of its move before this one; null if this is the first
   Term joined;     ///< text: the words between it and the move before it in its sentence; null if it is the first there
+  Term quoted;     ///< t: whether all its words stand in quotation marks, and others of its utterance do not
   Term following;  ///< text*: the kinds of the moves that follow it in its sentence
   Term later;      ///< text*: the kinds of the moves in later sentences of its utterance
   Term unknown;    ///< text*: words near it that the lexicon does not have

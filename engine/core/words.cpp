@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "continua/core/characters.h"
 
@@ -14,11 +15,36 @@ constexpr std::array<std::string_view, 13> ends = {".", "?", "!", ";", ":", "…
 // Those of them after which the sentence may go on. Dots are such a mark if there are several.
 constexpr std::array<std::string_view, 4> half_ends = {":", ";", "…", "؛"};
 
+constexpr std::array<std::string_view, 6> double_quotes = {"\"", "“", "”", "„", "«", "»"};
+
 bool is_one_of(const auto& characters, std::string_view character) {
   return std::find(characters.begin(), characters.end(), character) != characters.end();
 }
 
 bool is_apostrophe(std::string_view character) { return character == "'" || character == "’" || character == "‘"; }
+
+// A quotation that was opened by one kind of mark, and the words within once that kind closes it.
+class Quotation {
+ public:
+  // A mark outside of words; `before_letter`: a letter follows it.
+  void meet(std::string_view mark, bool before_letter, std::vector<SpokenWord>& words) {
+    const bool single = is_apostrophe(mark);
+    if (!single && !is_one_of(double_quotes, mark)) return;
+    if (!open_) {
+      if (before_letter) open_ = Open{words.size(), single};
+    } else if (open_->single == single && !(single && before_letter)) {
+      for (auto i = open_->first; i < words.size(); ++i) words[i].quoted = true;
+      open_.reset();
+    }
+  }
+
+ private:
+  struct Open {
+    std::size_t first;
+    bool single;
+  };
+  std::optional<Open> open_;
+};
 
 bool belongs_to_words(std::string_view character) {
   switch (kind_of(character)) {
@@ -38,6 +64,7 @@ std::vector<SpokenWord> words_of(std::string_view text, std::size_t most, bool* 
   std::vector<SpokenWord> words;
   std::size_t count = 0;
   bool inside = false, after_dot = false;
+  Quotation quotation;
   if (cut) *cut = false;
   const auto folded_text = folded(text);
   std::string_view rest = folded_text;
@@ -58,8 +85,9 @@ std::vector<SpokenWord> words_of(std::string_view text, std::size_t most, bool* 
       continue;
     }
     inside = false;
+    quotation.meet(character, kind_of(rest) == CharacterKind::letter, words);
     if (is_one_of(commas, character) && (words.empty() || !words.back().comma)) {
-      words.push_back({",", true, false, false});
+      words.push_back({",", true});
     } else if (!words.empty() && is_one_of(ends, character)) {
       words.back().ends_after = true;
       words.back().half = is_one_of(half_ends, character) || (after_dot && character == ".");

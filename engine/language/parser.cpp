@@ -169,7 +169,7 @@ std::vector<SpokenWord> without_contractions(const std::vector<SpokenWord>& spok
     auto& shorter = heard.back();
     shorter.text.resize(word.text.size() - found->first.size());
     shorter.ends_after = shorter.half = false;
-    heard.push_back({found->second, false, word.ends_after, word.half});
+    heard.push_back({found->second, false, word.ends_after, word.half, word.quoted});
   }
   return heard;
 }
@@ -181,7 +181,7 @@ std::vector<SpokenWord> without_half_ends(const std::vector<SpokenWord>& spoken)
     const bool half = std::exchange(word.half, false);
     if (half) word.ends_after = false;
     heard.push_back(std::move(word));
-    if (half) heard.push_back({",", true, false, false});
+    if (half) heard.push_back({",", true});
   }
   return heard;
 }
@@ -246,6 +246,18 @@ void join_halves(const std::vector<SpokenWord>& spoken, Utterance& utterance) {
   utterance.ends = std::move(kept);
 }
 
+// The words in quotation marks, unless all are.
+std::vector<std::size_t> quoted_in(const std::vector<SpokenWord>& spoken) {
+  std::vector<std::size_t> quoted;
+  std::size_t count = 0;
+  for (const auto& word : spoken) {
+    if (word.comma) continue;
+    if (word.quoted) quoted.push_back(count);
+    ++count;
+  }
+  return quoted.size() < count ? quoted : std::vector<std::size_t>();
+}
+
 std::size_t lost_words(const Utterance& utterance) { return utterance.unknown.size() + utterance.unused.size(); }
 
 // Passes over one of the words that fit nowhere, if the words around it go together so: "the heavy cup", where "heavy"
@@ -308,6 +320,7 @@ Utterance read(std::string_view text, const Vocabulary& vocabulary) {
       utterance = std::move(whole);
   utterance = without_unused(std::move(utterance), best, vocabulary);
   join_halves(best, utterance);
+  utterance.quoted = quoted_in(best);
   std::size_t begin = 0;
   for (const auto end : std::vector(utterance.ends)) {
     keep_longest({begin, end}, utterance);

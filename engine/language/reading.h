@@ -57,6 +57,7 @@ struct Utterance {
   std::vector<std::size_t> repaired;  ///< unknown words that were read as known ones which are spelt almost like them
   std::vector<std::size_t> guessed;   ///< repaired words that may have been others
   std::vector<std::size_t> ends;      ///< of its sentences: the number of words up to each
+  std::vector<std::size_t> quoted;    ///< the numbers of the words in quotation marks; empty if all are
   bool cut = false;                   ///< words after the first most_words were not read
 };
 

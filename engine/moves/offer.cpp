@@ -102,6 +102,12 @@ Term joining(const Utterance& utterance, std::size_t fragment) {
   return Term::text(fmt::format("{}", fmt::join(at(begin), at(end), " ")));
 }
 
+bool is_quoted(const Utterance& utterance, const WordSpan& words) {
+  const auto& quoted = utterance.quoted;
+  const auto first = std::lower_bound(quoted.begin(), quoted.end(), words.begin);
+  return static_cast<std::size_t>(std::lower_bound(first, quoted.end(), words.end) - first) == words.size();
+}
+
 // Carries the kinds of the utterance's other moves to the input.
 void carry_neighbours(const Utterance& utterance, std::size_t fragment, Input& input) {
   const auto& fragments = utterance.fragments;
@@ -110,6 +116,7 @@ void carry_neighbours(const Utterance& utterance, std::size_t fragment, Input& i
   input.next = next < fragments.size() ? kind_at(next) : Term::null();
   input.previous = fragment > 0 ? kind_at(fragment - 1) : Term::null();
   input.joined = joining(utterance, fragment);
+  input.quoted = Term::truth(is_quoted(utterance, fragments[fragment].words));
   const auto& ends = utterance.ends;
   const auto end = std::upper_bound(ends.begin(), ends.end(), fragments[fragment].words.begin);
   std::vector<Term> following, later;

@@ -83,7 +83,7 @@ std::shared_ptr<const Readings> readings_of(const InputEvent& speech, const Unde
 bool is_unfinished(const ReadSpeech& speech) {
   const auto spoken = words_of(speech.event.text);
   if (spoken.empty() || (spoken.back().ends_after && !spoken.back().half)) return false;
-  const auto& [words, fragments, unknown, unused, repaired, guessed, ends, cut] = speech.utterance;
+  const auto& [words, fragments, unknown, unused, repaired, guessed, ends, quoted, cut] = speech.utterance;
   if (cut || fragments.empty() || !is_whole(fragments.back())) return !cut;
   if (speech.ends_in_thing || ends_in_pointing(speech)) return true;
   const std::size_t begin = ends.size() < 2 ? 0 : ends[ends.size() - 2];
