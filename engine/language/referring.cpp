@@ -10,6 +10,7 @@
 #include "continua/language/nearest.h"
 #include "continua/language/noun_phrase.h"
 #include "continua/language/pointing.h"
+#include "continua/language/topic.h"
 #include "continua/term/substitution.h"
 
 namespace continua {
@@ -314,36 +315,12 @@ std::vector<Term> Referring::topics() const {
   return {anything()};
 }
 
-// "the red one" with `topic` in place of "one", so that the reasons of ruled-out objects name the topic.
-Term Referring::with_topic(const Term& condition, const Term& topic) const {
-  Term with = condition;
-  for (const auto& [name, pro] : meanings_.operators->proforms)
-    if (pro.source == Proform::Source::topic) with = replaced(with, Term::constant(name, property()), topic);
-  return with;
-}
-
-// Whether the condition says more than "one" or "the other one".
-bool Referring::describes(const Term& condition) const {
-  if (condition.kind() != Term::Kind::lambda) return false;
-  const auto* pro = proform(condition.body().spine().head);
-  return !(pro && pro->source == Proform::Source::topic) &&
-         !says(condition, Proform::Source::other, *meanings_.operators);
-}
-
-// Whether the part of a condition compares things of the topic: the left one, the nearest one.
-bool Referring::compares(const Term& part) const {
-  if (part.kind() == Term::Kind::lambda) return compares(part.body());
-  if (part.kind() != Term::Kind::apply || determiner_of(part, *meanings_.operators)) return false;
-  const auto& argument = part.argument();
-  return (argument.kind() == Term::Kind::lambda && says(argument, Proform::Source::topic, *meanings_.operators)) ||
-         compares(part.function()) || compares(argument);
-}
-
 // An answer means one of the objects asked about, of any kind. If none of them fits, or nothing was asked, "one" stands
 // for the first topic that fits some object; with "this" and "that" the object must also be pointed at, "both" are two,
 // and "the left one" is one of several. If no topic fits, "one" stands for any object that is pointed at,
 // described or counted: "the red one".
 Reference Referring::found(const Term& condition, const Determiner& determiner, Context context) const {
+  const auto& operators = *meanings_.operators;
   const bool shown = determiner.deictic && context.pointed_W;
   const auto fits = [&](const Reference& reference) {
     return !reference.referents.empty() && static_cast<int>(reference.referents.size()) >= determiner.count &&
@@ -352,22 +329,22 @@ Reference Referring::found(const Term& condition, const Determiner& determiner, 
   };
   Reference asked;
   if (!context.among.empty()) {
-    asked = refer(with_topic(condition, anything()), determiner, context, meanings_);
+    asked = refer(with_topic(condition, anything(), operators), determiner, context, meanings_);
     if (fits(asked)) return asked;
     context.among.clear();
   }
   auto all = topics();
-  if (shown || describes(condition) || determiner.count > 1) all.push_back(anything());
-  const auto first = with_topic(condition, all.front());
+  if (shown || describes_more(condition, operators) || determiner.count > 1) all.push_back(anything());
+  const auto first = with_topic(condition, all.front(), operators);
   auto reference = refer(first, determiner, context, meanings_);
-  const bool compared = compares(condition);
+  const bool compared = compares_topics(condition, operators);
   const auto are_several = [&](const Term& topic) {
     return !compared || refer(topic, {}, context, meanings_).referents.size() > 1;
   };
   const bool fits_first = fits(reference);
   if (fits_first && are_several(all.front())) return reference;
   for (std::size_t i = 1; i < all.size() && first != condition; ++i)
-    if (auto other = refer(with_topic(condition, all[i]), determiner, context, meanings_);
+    if (auto other = refer(with_topic(condition, all[i], operators), determiner, context, meanings_);
         fits(other) && are_several(all[i]))
       return other;
   return asked.referents.empty() || fits_first ? reference : asked;

@@ -65,9 +65,6 @@ class Referring {
   std::optional<Term> single_value(const Proform& proform, const Type& type, const Context& context) const;
   /// Possible meanings of "one", the likeliest first; any thing if there is no topic.
   std::vector<Term> topics() const;
-  Term with_topic(const Term& condition, const Term& topic) const;
-  bool describes(const Term& condition) const;
-  bool compares(const Term& part) const;
   Reference found(const Term& condition, const Determiner& determiner, Context context) const;
   std::optional<WordSpan> span_of(const Term& phrase, std::size_t occurrence) const;
   std::string words_of(const Term& phrase, std::size_t occurrence) const;

@@ -95,6 +95,19 @@ void collect_attributes(const Term& condition, std::vector<Term>& attributes) {
   }
 }
 
+// The properties of the thing itself, \x. red(x) and block(x); null if there are none.
+Term attributes_in(const Term& condition) {
+  static const Term both = Term::constant("and", Type::parse("t -> t -> t").value());
+  std::vector<Term> attributes;
+  collect_attributes(condition, attributes);
+  if (attributes.empty()) return Term::null();
+  const auto holds = [](const Term& attribute) { return Term::apply(attribute, Term::bound(0, Type::entity())); };
+  Term all = holds(attributes.front());
+  for (std::size_t i = 1; i < attributes.size(); ++i)
+    all = Term::apply(Term::apply(both, std::move(all)), holds(attributes[i]));
+  return Term::lambda("x", Type::entity(), std::move(all));
+}
+
 }  // namespace
 
 // The noun of a phrase, without its adjectives and the words behind it; null if it has none ("the blue one").
@@ -122,20 +135,6 @@ bool Understanding::is_topic(const Term& term) const {
   return says(term, Proform::Source::topic, language_.lexicon->operators);
 }
 
-// The properties of the thing itself, \x. red(x) and block(x); null if there are none. "One" is none.
-Term Understanding::attributes_in(const Term& condition) const {
-  static const Term both = Term::constant("and", Type::parse("t -> t -> t").value());
-  std::vector<Term> attributes;
-  collect_attributes(condition, attributes);
-  std::erase_if(attributes, [this](const Term& attribute) { return is_topic(attribute); });
-  if (attributes.empty()) return Term::null();
-  const auto holds = [](const Term& attribute) { return Term::apply(attribute, Term::bound(0, Type::entity())); };
-  Term all = holds(attributes.front());
-  for (std::size_t i = 1; i < attributes.size(); ++i)
-    all = Term::apply(Term::apply(both, std::move(all)), holds(attributes[i]));
-  return Term::lambda("x", Type::entity(), std::move(all));
-}
-
 // The nouns among the phrases and before a word that "one" can stand for, each with its adjectives, then alone.
 std::vector<std::vector<Term>> Understanding::nouns(const Reading& reading, const Utterance& utterance,
                                                     const std::vector<Phrase>& phrases, std::size_t before) const {
@@ -143,12 +142,10 @@ std::vector<std::vector<Term>> Understanding::nouns(const Reading& reading, cons
   for (const auto& phrase : phrases) {
     if (!(phrase.term.type() == property()) || phrase.words.end > before || is_nested(phrase, reading)) continue;
     const Term noun = noun_in(phrase.words, utterance);
-    Term kind = attributes_in(phrase.term);
-    const bool says_ones = !kind.is_null() && is_topic(phrase.term);
-    if (noun.is_null() && !says_ones) continue;
+    if (noun.is_null()) continue;
     auto& of_phrase = found[phrase.words.begin];
-    if (!noun.is_null()) of_phrase.push_back(noun);
-    if (!kind.is_null()) of_phrase.insert(of_phrase.begin(), std::move(kind));
+    if (Term kind = attributes_in(phrase.term); !kind.is_null()) of_phrase.insert(of_phrase.begin(), std::move(kind));
+    of_phrase.push_back(noun);
   }
   std::vector<std::vector<Term>> nouns;
   for (auto& [begin, of_phrase] : found) nouns.push_back(std::move(of_phrase));

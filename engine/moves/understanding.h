@@ -61,7 +61,6 @@ class Understanding {
   Meanings meanings() const;
   bool is_topic(const Term& term) const;
   Term noun_in(const WordSpan& words, const Utterance& utterance) const;
-  Term attributes_in(const Term& condition) const;
   std::vector<std::vector<Term>> nouns(const Reading& reading, const Utterance& utterance,
                                        const std::vector<Phrase>& phrases, std::size_t before) const;
   Term in_machine_terms(const Term& meaning) const;

@@ -3,7 +3,7 @@ import re
 
 import terms
 from evaluate import Unknown
-from terms import NULL
+from terms import FALSE, NULL
 
 NO_POINTING, POINTED = NULL, ("opaque", "pointed (perception)")
 
@@ -119,7 +119,7 @@ class Readings:
         turn, at = self.place(reading)
         if at + 1 == len(turn):
             return texts([]), texts([])
-        said = sentences(self.records[self.roots[reading["n"]]]["event"].get("text", ""))
+        said = sentences(self.text_of(reading))
         numbers, number = [], 0
         for move in turn:
             words = plain(move.get("words", ""))
@@ -130,6 +130,33 @@ class Readings:
         rest = list(zip(numbers, turn))[at + 1:]
         return (texts(move["move"] for number, move in rest if number == numbers[at]),
                 texts(move["move"] for number, move in rest if number != numbers[at]))
+
+    def joined(self, reading):
+        """The words between it and the move before it in its sentence."""
+        turn, at = self.place(reading)
+        if at == 0:
+            return NULL
+        said = sentences(self.text_of(reading))
+        before, words = plain(turn[at - 1].get("words", "")), plain(reading.get("words", ""))
+        for sentence in said:
+            if sentence.count(before) > 1:
+                raise Unknown("words that are said twice")
+            end = sentence.find(before) + len(before) - 1
+            begin = sentence.find(words, end) if before in sentence else -1
+            if begin >= 0:
+                return ("text", sentence[end:begin].strip())
+        if any(mark in self.text_of(reading) for mark in ":;…") or before == words:
+            raise Unknown("a sentence that goes on after a mark")
+        return NULL
+
+    def quoted(self, reading):
+        """Whether it stands in quotation marks; known where there are none."""
+        if re.search(r"[\"“”„«»‘’']", re.sub(r"(?<=\w)['’](?=\w)", "", self.text_of(reading))):
+            raise Unknown("quotation marks")
+        return FALSE
+
+    def text_of(self, reading):
+        return self.records[self.roots[reading["n"]]]["event"].get("text", "")
 
     def neighbour(self, reading, by):
         """The kind of the move before or after."""

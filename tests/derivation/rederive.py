@@ -306,6 +306,8 @@ class Log(Choices, Applications):
             said["previous"] = self.readings.neighbour(reading, -1) if reading else NULL
             if reading:
                 said["following"], said["later"] = self.readings.after(reading)
+                said["joined"] = self.readings.joined(reading)
+                said["quoted"] = self.readings.quoted(reading)
         except Unknown:
             pass
 
