@@ -279,7 +279,7 @@ TEST_CASE("the project's traces reach what they are there for") {
     if (item["count"] == 0) taught.clear();
     if (item["count"] > 0) taught += item["name"].get<std::string>() + " " + item["what"].get<std::string>() + "; ";
   }
-  CHECK(taught == "hoist NAME, 'hoist'; hoist S/NP, \\x. hoist(x); ");
+  CHECK(taught == "hoist NAME, 'hoist'; hoist S/NP, \\x. hoist(x); tea time NAME, 'tea time'; ");
 }
 
 TEST_CASE("of a folder, the logs that go with its traces are not counted twice") {
