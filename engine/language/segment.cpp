@@ -261,9 +261,10 @@ class Segment {
 
   bool is_comma(std::size_t at) const { return words_[at].text == ","; }
 
-  // The span of the utterance's words for words [begin, end) of the segment, without commas at the end.
+  // The span of the utterance's words for words [begin, end) of the segment, without commas at its ends.
   WordSpan span(std::size_t begin, std::size_t end) const {
     while (end > begin + 1 && is_comma(end - 1)) --end;
+    while (end > begin + 1 && is_comma(begin)) ++begin;  // its position is that of the word before it
     return {positions_[begin], positions_[end - 1] + 1};
   }
 

@@ -245,9 +245,12 @@ TEST_CASE("whatever is said, each word has one place") {
   for (const auto& [words, entry] : english()->words) pieces.push_back(words);
   for (const char* word : {"block", "cups", "red", "green", "plate", "the", "the", "and", "and", "and", "on"})
     for (int i = 0; i < 20; ++i) pieces.emplace_back(word);
+  const char* begun_with_comma =
+      "take nothing both these is a thing that you cut with , if both fits there , we truly don't care what ones what "
+      "kind of thing could i have you do that is the color of a raven , squire my poor knuckles hurt till the soup";
   for (int round = 0; round < 300; ++round) {
-    std::string text;
-    for (int i = 0; i < 14; ++i)
+    std::string text = round == 0 ? begun_with_comma : "";
+    for (int i = 0; i < 14 && round > 0; ++i)
       text += pieces[static_cast<std::size_t>(random.uniform() * static_cast<double>(pieces.size()))] + " ";
     const auto utterance = read(text, english_words());
     CAPTURE(text);
