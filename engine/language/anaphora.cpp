@@ -139,12 +139,15 @@ std::vector<Phrase> phrases_saying(const Term& other, const Reading& reading) {
   return found;
 }
 
-// The condition of not being the last thing of its kind before the phrase; none if there is no such thing.
-std::optional<Term> not_that(const Phrase& around, const Reading& reading, const Operators& operators) {
+// The condition of not being the last thing of its kind before the phrase; none if there is no such thing. A thing that
+// is itself "the other one" does not tell which.
+std::optional<Term> not_that(const Phrase& around, const Term& other, const Reading& reading,
+                             const Operators& operators) {
   static const Term differs = Term::constant("!=", Type::parse("e -> e -> t").value());
   const auto last_like = [&](Likeness least) {
-    return last_before(around.words.begin, reading,
-                       [&](const Phrase& phrase) { return likeness(phrase.term, around.term, operators) >= least; });
+    return last_before(around.words.begin, reading, [&](const Phrase& phrase) {
+      return !contains(phrase.term, other) && likeness(phrase.term, around.term, operators) >= least;
+    });
   };
   const auto* antecedent = last_like(Likeness::whole);
   if (!antecedent) antecedent = last_like(Likeness::in_part);
@@ -153,29 +156,28 @@ std::optional<Term> not_that(const Phrase& around, const Reading& reading, const
                       Term::apply(Term::apply(differs, Term::bound(0, Type::entity())), antecedent->term));
 }
 
-// The reading with `meant` in place of `other` within that phrase.
-Reading with_within(const Phrase& around, const Term& other, const Term& meant, Reading reading) {
-  const Term told = normal(replaced(around.term, other, meant));
-  reading.term = normal(replaced(reading.term, around.term, told));
-  for (auto& phrase : reading.phrases)
-    phrase.term = normal(inside(phrase.words, around.words) ? replaced(phrase.term, other, meant)
-                                                            : replaced(phrase.term, around.term, told));
-  return reading;
+// The reading with one phrase more told apart from the thing before it; none if none can be. A phrase that says `other`
+// several times is left alone: its term would grow with each.
+std::optional<Reading> told_apart(const Term& other, const Reading& reading, const Operators& operators) {
+  for (const auto& around : phrases_saying(other, reading)) {
+    const auto meant = not_that(around, other, reading, operators);
+    if (!meant || contains(first_replaced(around.term, other, *meant), other)) continue;
+    const Term told = normal(replaced(around.term, other, *meant));
+    Reading next = reading;
+    next.term = normal(replaced(reading.term, around.term, told));
+    for (auto& phrase : next.phrases)
+      phrase.term = normal(inside(phrase.words, around.words) ? replaced(phrase.term, other, *meant)
+                                                              : replaced(phrase.term, around.term, told));
+    return next;
+  }
+  return std::nullopt;
 }
 
 Reading with_other(Reading reading, const Operators& operators) {
   for (const auto& [name, proform] : operators.proforms) {
     if (proform.source != Proform::Source::other) continue;
     const Term other = Term::constant(name, property());
-    for (bool found = true; std::exchange(found, false);) {
-      for (const auto& around : phrases_saying(other, reading)) {
-        const auto meant = not_that(around, reading, operators);
-        if (!meant) continue;
-        reading = with_within(around, other, *meant, std::move(reading));
-        found = true;
-        break;
-      }
-    }
+    while (auto next = told_apart(other, reading, operators)) reading = std::move(*next);
   }
   return reading;
 }

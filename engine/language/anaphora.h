@@ -11,8 +11,9 @@ namespace continua {
 ///   it. In a reading of two clauses each "it" is replaced by the subject of the other clause, its first noun phrase,
 ///   preferably a definite one: "if the red block is on the plate, lift it, otherwise push it". Any other "it" that is
 ///   an argument of the command, and several inside noun phrases, are left to the focus.
-/// - An "other" (source `other`) in a noun phrase becomes "is not that", with the last noun phrase before it about the
-///   same kind of thing: "put the white cup next to the other cup". Without such a phrase it is left to the focus.
+/// - Each "other" (source `other`) in a noun phrase becomes "is not that", with the last noun phrase before it of which
+///   all is said that is said here ("a red block … the other red block"), else of which a part is: "put the white cup
+///   next to the other cup". Without such a phrase it is left to the focus.
 Reading with_antecedents(const Reading& reading, const Operators& operators);
 
 }  // namespace continua

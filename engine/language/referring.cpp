@@ -45,16 +45,6 @@ By by_of(Proform::Source source) {
   return By::words;
 }
 
-// `term` with `by` in place of the first `part`.
-Term first_replaced(const Term& term, const Term& part, const Term& by) {
-  bool done = false;
-  return rewritten(term, [&](const Term& each) -> std::optional<Term> {
-    if (done || !(each == part)) return std::nullopt;
-    done = true;
-    return by;
-  });
-}
-
 }  // namespace
 
 const Determiner* Referring::determiner(const Term& term) const { return determiner_of(term, *meanings_.operators); }
@@ -317,8 +307,8 @@ std::vector<Term> Referring::topics() const {
 
 // An answer means one of the objects asked about, of any kind. If none of them fits, or nothing was asked, "one" stands
 // for the first topic that fits some object; with "this" and "that" the object must also be pointed at, "both" are two,
-// and "the left one" is one of several. If no topic fits, "one" stands for any object that is pointed at,
-// described or counted: "the red one".
+// and "the left one" is one of several. If no topic fits, "one" stands for any object that is pointed at, described or
+// counted: "the red one".
 Reference Referring::found(const Term& condition, const Determiner& determiner, Context context) const {
   const auto& operators = *meanings_.operators;
   const bool shown = determiner.deictic && context.pointed_W;

@@ -72,6 +72,15 @@ Term replaced(const Term& term, const Term& part, const Term& by) {
   return with_parts(term, 0, [&](const Term& each, int) { return replaced(each, part, by); });
 }
 
+Term first_replaced(const Term& term, const Term& part, const Term& by) {
+  bool done = false;
+  return rewritten(term, [&](const Term& each) -> std::optional<Term> {
+    if (done || !(each == part)) return std::nullopt;
+    done = true;
+    return by;
+  });
+}
+
 bool contains(const Term& term, const Term& part) {
   if (term == part) return true;
   if (term.size() <= part.size()) return false;

@@ -20,6 +20,9 @@ Term abstracted(const Term& term, const Term& part);
 /// `by` is a lambda, it takes the argument at once: with \x. cup(x) for `one`, \y. one(y) becomes \y. cup(y).
 Term replaced(const Term& term, const Term& part, const Term& by);
 
+/// The term with `by` in place of the first `part`, outer parts first.
+Term first_replaced(const Term& term, const Term& part, const Term& by);
+
 /// Whether `term` is the closed term `part` or contains it.
 bool contains(const Term& term, const Term& part);
 

@@ -70,6 +70,9 @@ TEST_CASE("other, after a thing of the same kind in the same sentence, is not th
        "on(the(\\x. plate(x)))))), put(the(\\x. knife(x)), on(the(\\x. plate(x)))))"},
       // left to the focus
       {"put the knife in the other cup", "put(the(\\x. knife(x)), in(the(\\x. other(x) and cup(x))))"},
+      {"put the other cup on the other cup", "put(the(\\x. other(x) and cup(x)), on(the(\\x. other(x) and cup(x))))"},
+      {"put the red block on the other other block",
+       "put(the(\\x. red(x) and block(x)), on(the(\\x. other(x) and other(x) and block(x))))"},
       {"put the other cup next to the white cup",
        "put(the(\\x. other(x) and cup(x)), beside(the(\\x. white(x) and cup(x))))"},
   }));
