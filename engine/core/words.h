@@ -18,8 +18,8 @@ struct SpokenWord {
 
 /// The words of `text`. Recognisers write no punctuation; if there is some, it is used.
 ///   letters, marks, digits  belong to words, and so do symbols beyond ASCII ("δ", "90°")
-///   apostrophes             belong to a word that goes on with a letter: "don't" is one word
-///   everything else         separates words; of punctuation, commas, ends of sentences and quotation marks are
+///   apostrophes             belong to a word that goes on with a letter: "don't" is one word; others are quotation
+///   marks everything else         separates words; of punctuation, commas, ends of sentences and quotation marks are
 ///   reported
 /// Invisible characters and bytes that are not UTF-8 are left out. At most `most` words are read, all if it is 0; `cut`
 /// reports whether there were more.

@@ -1,9 +1,9 @@
 #include "continua/moves/offer.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <utility>
+
+#include <fmt/ranges.h>
 
 #include "continua/moves/discourse.h"
 #include "continua/moves/inputs.h"
@@ -108,7 +108,8 @@ bool is_quoted(const Utterance& utterance, const WordSpan& words) {
   return static_cast<std::size_t>(std::lower_bound(first, quoted.end(), words.end) - first) == words.size();
 }
 
-// Carries the kinds of the utterance's other moves to the input.
+// Carries to the input what surrounds its move in the utterance: the other moves' kinds, the words that join it,
+// quotation marks.
 void carry_neighbours(const Utterance& utterance, std::size_t fragment, Input& input) {
   const auto& fragments = utterance.fragments;
   const auto kind_at = [&](std::size_t at) { return Term::text(fragments[at].readings.front().move); };

@@ -83,12 +83,17 @@ std::shared_ptr<const Readings> readings_of(const InputEvent& speech, const Unde
 bool is_unfinished(const ReadSpeech& speech) {
   const auto spoken = words_of(speech.event.text);
   if (spoken.empty() || (spoken.back().ends_after && !spoken.back().half)) return false;
-  const auto& [words, fragments, unknown, unused, repaired, guessed, ends, quoted, cut] = speech.utterance;
-  if (cut || fragments.empty() || !is_whole(fragments.back())) return !cut;
+  const auto& utterance = speech.utterance;
+  if (utterance.cut) return false;
+  if (utterance.fragments.empty() || !is_whole(utterance.fragments.back())) return true;
   if (speech.ends_in_thing || ends_in_pointing(speech)) return true;
+  const auto& ends = utterance.ends;
   const std::size_t begin = ends.size() < 2 ? 0 : ends[ends.size() - 2];
   const auto is_last = [begin](std::size_t word) { return word >= begin; };
-  return std::any_of(unknown.begin(), unknown.end(), is_last) || std::any_of(unused.begin(), unused.end(), is_last);
+  const auto has_last = [&](const std::vector<std::size_t>& words) {
+    return std::any_of(words.begin(), words.end(), is_last);
+  };
+  return has_last(utterance.unknown) || has_last(utterance.unused);
 }
 
 bool reads_as_one(const Readings& first, const Readings& second, const Readings& whole) {

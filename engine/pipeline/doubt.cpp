@@ -15,7 +15,7 @@ namespace {
 // More than can be asked about one after the other.
 constexpr std::size_t most_doubted = 64;
 
-// An input that gives up a question, and then comes between those that wait, is attended to twice again.
+// To give up a question and to come between those that wait takes two. More than three go round in a circle.
 constexpr int most_times_again = 3;
 
 std::vector<std::string> acts_of(const Tick& tick) {
