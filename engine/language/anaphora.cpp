@@ -139,11 +139,16 @@ std::vector<Phrase> phrases_saying(const Term& other, const Reading& reading) {
   return found;
 }
 
-// The condition of not being the last thing of its kind before the phrase; none if there is no such thing. A thing that
-// is itself "the other one" does not tell which.
-std::optional<Term> not_that(const Phrase& around, const Term& other, const Reading& reading,
-                             const Operators& operators) {
-  static const Term differs = Term::constant("!=", Type::parse("e -> e -> t").value());
+// The noun phrases before the phrase from which "other" tells its thing apart: the last one of its kind, or all of them
+// where the kind is not said, as in "the other one". A thing that is itself "the other one" does not tell which.
+std::vector<Term> others_before(const Phrase& around, const Term& other, const Reading& reading,
+                                const Operators& operators) {
+  std::vector<Term> all;
+  for (const auto& phrase : reading.phrases)
+    if (is_noun_phrase(phrase) && phrase.words.end <= around.words.begin && !contains(phrase.term, other) &&
+        std::find(all.begin(), all.end(), phrase.term) == all.end())
+      all.push_back(phrase.term);
+  if (says(around.term, Proform::Source::topic, operators)) return all;
   const auto last_like = [&](Likeness least) {
     return last_before(around.words.begin, reading, [&](const Phrase& phrase) {
       return !contains(phrase.term, other) && likeness(phrase.term, around.term, operators) >= least;
@@ -151,9 +156,21 @@ std::optional<Term> not_that(const Phrase& around, const Term& other, const Read
   };
   const auto* antecedent = last_like(Likeness::whole);
   if (!antecedent) antecedent = last_like(Likeness::in_part);
-  if (!antecedent) return std::nullopt;
-  return Term::lambda("x", Type::entity(),
-                      Term::apply(Term::apply(differs, Term::bound(0, Type::entity())), antecedent->term));
+  return antecedent ? std::vector{antecedent->term} : std::vector<Term>();
+}
+
+// The condition of not being what "other" tells the phrase's thing apart from; none if there is no such thing.
+std::optional<Term> not_that(const Phrase& around, const Term& other, const Reading& reading,
+                             const Operators& operators) {
+  static const Term differs = Term::constant("!=", Type::parse("e -> e -> t").value());
+  static const Term both = Term::constant("and", Type::parse("t -> t -> t").value());
+  std::optional<Term> condition;
+  for (const auto& each : others_before(around, other, reading, operators)) {
+    const Term differs_from = Term::apply(Term::apply(differs, Term::bound(0, Type::entity())), each);
+    condition = condition ? Term::apply(Term::apply(both, *condition), differs_from) : differs_from;
+  }
+  if (!condition) return std::nullopt;
+  return Term::lambda("x", Type::entity(), *condition);
 }
 
 // The reading with one phrase more told apart from the thing before it; none if none can be. A phrase that says `other`

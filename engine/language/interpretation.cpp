@@ -258,7 +258,7 @@ class Interpreter {
   // A phrase that the reading uses in two places ("push the block to the left") is found once.
   Meaning phrase(const Term& term, std::function<Meant()> find, const Type& wanted) {
     auto& known = found_[term];
-    if (!known || times_said(term) != 1) known = std::make_shared<Found>();
+    if (!known || times_said(term) > 1) known = std::make_shared<Found>();
     return [this, find = std::move(find), found = known, wanted](const Rest& k) {
       Meant& meant = found->meant;
       if (!std::exchange(found->done, true)) meant = resolved(find(), wanted);

@@ -97,6 +97,8 @@ struct Lexicon {
   std::vector<std::pair<std::string, std::string>> forms;
   /// Endings of words with another word contracted into them, and that word: "'s" is "is".
   std::vector<std::pair<std::string, std::string>> contracted;
+  /// Endings of words that are often written without their apostrophe, and the same with it: "nt" is "n't".
+  std::vector<std::pair<std::string, std::string>> apostrophes;
   std::vector<UnaryRule> rules;
   std::vector<NameTemplate> learned;  ///< for programs that the human named
   std::vector<NameTemplate> unknown;  ///< for unknown words, as texts: "call that (hoist)"

@@ -13,10 +13,10 @@
 namespace continua {
 namespace {
 
-const std::vector<std::string> sections = {"about",  "categories", "names",      "define",  "determiners", "proforms",
-                                           "words",  "skip",       "attributes", "plural",  "unary",       "examples",
-                                           "sample", "learned",    "unknown",    "numbers", "nouns",       "asides",
-                                           "forms",  "taken",      "contracted"};
+const std::vector<std::string> sections = {
+    "about",      "categories", "names", "define",   "determiners", "proforms",   "words",   "skip",
+    "attributes", "plural",     "unary", "examples", "sample",      "learned",    "unknown", "numbers",
+    "nouns",      "asides",     "forms", "taken",    "contracted",  "apostrophes"};
 
 }  // namespace
 
@@ -54,6 +54,7 @@ Lexicon LexiconReader::read() {
   read_plurals();
   read_forms();
   read_contracted();
+  read_apostrophes();
   read_rules();
   lexicon_.learned = read_name_templates("learned");
   lexicon_.unknown = read_name_templates("unknown");

@@ -39,6 +39,7 @@ class LexiconReader {
   void read_plurals();
   void read_forms();
   void read_contracted();
+  void read_apostrophes();
   void read_rules();
   std::vector<NameTemplate> read_name_templates(const std::string& section);
   WordEntry& entry(const Item& at, const std::string& word);

@@ -153,6 +153,11 @@ void LexiconReader::read_contracted() {
     lexicon_.contracted.emplace_back(ending, word.text("the word that the ending stands for"));
 }
 
+void LexiconReader::read_apostrophes() {
+  for (const auto& [ending, written] : members_of("apostrophes", "endings that lack their apostrophe"))
+    lexicon_.apostrophes.emplace_back(ending, written.text("the same ending with its apostrophe"));
+}
+
 void LexiconReader::read_rules() {
   for (const auto& item : elements_of("unary", "rules that change a category")) {
     if (!item.expect_object("a rule", {"name", "from", "to", "term", "cost", "about"})) continue;

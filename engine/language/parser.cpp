@@ -156,6 +156,17 @@ std::vector<SpokenWord> without_repeats(const std::vector<SpokenWord>& spoken) {
   return heard;
 }
 
+// With the apostrophes that people leave out: "dont" is "don't".
+std::vector<SpokenWord> with_apostrophes(std::vector<SpokenWord> spoken, const Vocabulary& vocabulary) {
+  for (auto& word : spoken)
+    for (const auto& [without, with] : vocabulary.lexicon().apostrophes) {
+      if (!word.text.ends_with(without)) continue;
+      auto written = word.text.substr(0, word.text.size() - without.size()) + with;
+      if (vocabulary.knows(written)) word.text = std::move(written);
+    }
+  return spoken;
+}
+
 // With a word of its own for each contracted one: "the cup's empty" is "the cup is empty".
 std::vector<SpokenWord> without_contractions(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabulary) {
   std::vector<SpokenWord> heard;
@@ -172,6 +183,11 @@ std::vector<SpokenWord> without_contractions(const std::vector<SpokenWord>& spok
     heard.push_back({found->second, false, word.ends_after, word.half, word.quoted});
   }
   return heard;
+}
+
+bool has_words_of(const std::vector<SpokenWord>& a, const std::vector<SpokenWord>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const SpokenWord& each, const SpokenWord& other) { return each.text == other.text; });
 }
 
 // With commas in place of half ends: "to tidy means: take the knife" is one sentence.
@@ -305,15 +321,17 @@ Utterance read(std::string_view text, const Vocabulary& vocabulary) {
   // "the plate's": a contraction is likelier than a slip, so that repaired words count as lost here.
   const auto doubtful = [](const Utterance& one) { return lost_words(one) + one.repaired.size(); };
   const auto hear = [&](const std::vector<SpokenWord>& heard) {
-    if (doubtful(utterance) == 0 || heard.size() == spoken.size()) return;
+    if (doubtful(utterance) == 0 || has_words_of(heard, spoken)) return;
     if (auto again = read(heard, vocabulary); doubtful(again) < doubtful(utterance)) {
       utterance = std::move(again);
       best = heard;
     }
   };
-  hear(without_repeats(spoken));
-  hear(without_contractions(spoken, vocabulary));
-  hear(without_contractions(without_repeats(spoken), vocabulary));
+  const auto written = with_apostrophes(spoken, vocabulary);
+  hear(written);
+  hear(without_repeats(written));
+  hear(without_contractions(written, vocabulary));
+  hear(without_contractions(without_repeats(written), vocabulary));
   if (std::any_of(spoken.begin(), spoken.end(), [](const auto& word) { return word.half; }))
     if (auto whole = read(without_half_ends(spoken), vocabulary);
         lost_words(whole) == 0 && (lost_words(utterance) > 0 || whole.fragments.size() < utterance.fragments.size()))

@@ -60,6 +60,10 @@ TEST_CASE("other, after a thing of the same kind in the same sentence, is not th
       {"put the red block on the left on the other one",
        "put(the(\\x. red(x) and leftmost(\\y. block(y), x)), "
        "on(the(\\x. x != the(\\y. red(y) and leftmost(\\z. block(z), y)) and one(x))))"},
+      // of whatever kind: none of the things before
+      {"put the red block on the green block and the other one on the plate",
+       "[put(the(\\x. red(x) and block(x)), on(the(\\x. green(x) and block(x)))), put(the(\\x. x != the(\\y. red(y) "
+       "and block(y)) and x != the(\\y. green(y) and block(y)) and one(x)), on(the(\\x. plate(x))))]"},
       // of the thing of which all is said that is said here
       {"put a red block on the green block and the other red block on the cup",
        "[put(a(\\x. red(x) and block(x)), on(the(\\x. green(x) and block(x)))), put(the(\\x. x != a(\\x. red(x) and "

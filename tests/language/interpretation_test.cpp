@@ -226,6 +226,7 @@ TEST_CASE("noun phrases give what they mean to the rest of the sentence") {
 TEST_CASE("pro-forms mean what is talked about, shown or present, or nothing yet") {
   Scene scene;
   CHECK(meaning_of(scene.interpreted("put(it, there)")) == "\\x v. put(x, v) | unsaid e | unsaid loc");
+  CHECK(meaning_of(scene.interpreted("put(it, beside(it))")) == "\\x. put(x, beside(x)) | unsaid e");
   CHECK(meaning_of(scene.interpreted("them")) == "\\x. x | unsaid e*");
   scene.context.focus = {"cup1", "knife"};
   CHECK(meaning_of(scene.interpreted("put(it, there)")) == "\\v. put(cup1, v) | unsaid loc");
@@ -418,7 +419,8 @@ TEST_CASE("what is too much is not interpreted, and ends") {
   CHECK(scene.interpreted(reading).meaning.is_null());
   // as many commands as there are triples
   for (int i = 0; i < 20; ++i) scene.world.objects.push_back(thing("more" + std::to_string(i), {}, 0, 0));
-  const auto many = scene.interpreted("put(each(all(\\x. true)), between(each(all(\\x. true)), each(all(\\x. true))))");
+  const auto many =
+      scene.interpreted("put(each(all(\\x. true)), between(each(all(\\x. true and true)), each(all(\\x. not false))))");
   CHECK(many.gaps.size() == 2);
   CHECK(many.meaning.size() < 5000);
 }

@@ -38,7 +38,7 @@ const Row sentences[] = {
     {"under the bowl", R"(under(the(\x. bowl(x))))"},
     {"to the right of that cup", R"(right(that(\x. cup(x))))"},
     {"the ball touching the bottle", R"(the(\x. ball(x) and located(x, touching(the(\y. bottle(y))))))"},
-    {"the black block near me", R"(the(\x. black(x) and block(x) and located(x, near(me))))"},
+    {"the black block near me", R"(the(\x. black(x) and closest_to(me, \y. block(y), x)))"},
     {"put the book at that spot", R"(put(the(\x. book(x)), there))"},
     {"put down the yellow bottle please", R"(ungrasp(the(\x. yellow(x) and bottle(x))))"},
     {"nudge it backward", R"(push(it, in_front(it)))"},
@@ -324,6 +324,12 @@ TEST_CASE("words that are said twice in a row count once where that helps") {
 TEST_CASE("a word that is contracted into another one is read as a word of its own where less is lost so") {
   CHECK(reading_of("where's it") == reading_of("where is it"));
   CHECK(reading_of("the cup's on it") == reading_of("the cup is on it"));
+}
+
+TEST_CASE("a word that lacks its apostrophe is read with it where less is lost so") {
+  CHECK(reading_of("dont take the cup") == reading_of("don't take the cup"));
+  CHECK(reading_of("im thirsty, take the cup") == reading_of("i'm thirsty, take the cup"));
+  CHECK(reading_of("isnt the cup red") == reading_of("isn't the cup red"));
 }
 
 TEST_CASE("what follows a colon is read with what is before it where that makes fewer fragments") {
