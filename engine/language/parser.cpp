@@ -190,6 +190,14 @@ bool has_words_of(const std::vector<SpokenWord>& a, const std::vector<SpokenWord
                     [](const SpokenWord& each, const SpokenWord& other) { return each.text == other.text; });
 }
 
+// Fragments that lack something, as the first "take" of "take, take the cup" does.
+std::size_t open_fragments(const Utterance& utterance) {
+  return static_cast<std::size_t>(
+      std::count_if(utterance.fragments.begin(), utterance.fragments.end(), [](const Fragment& fragment) {
+        return !fragment.readings.empty() && fragment.readings.front().term.type().kind() == Type::Kind::function;
+      }));
+}
+
 // With commas in place of half ends: "to tidy means: take the knife" is one sentence.
 std::vector<SpokenWord> without_half_ends(const std::vector<SpokenWord>& spoken) {
   std::vector<SpokenWord> heard;
@@ -332,6 +340,12 @@ Utterance read(std::string_view text, const Vocabulary& vocabulary) {
   hear(without_repeats(written));
   hear(without_contractions(written, vocabulary));
   hear(without_contractions(without_repeats(written), vocabulary));
+  if (const auto once = without_repeats(written); once.size() != written.size())
+    if (auto again = read(once, vocabulary);
+        doubtful(again) <= doubtful(utterance) && open_fragments(again) < open_fragments(utterance)) {
+      utterance = std::move(again);
+      best = once;
+    }
   if (std::any_of(spoken.begin(), spoken.end(), [](const auto& word) { return word.half; }))
     if (auto whole = read(without_half_ends(spoken), vocabulary);
         lost_words(whole) == 0 && (lost_words(utterance) > 0 || whole.fragments.size() < utterance.fragments.size()))

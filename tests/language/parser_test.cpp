@@ -326,6 +326,12 @@ TEST_CASE("a word that is contracted into another one is read as a word of its o
   CHECK(reading_of("the cup's on it") == reading_of("the cup is on it"));
 }
 
+TEST_CASE("a word that is said again before it is complete is said once") {
+  CHECK(reading_of("take take the cup") == reading_of("take the cup"));
+  CHECK(reading_of("put, put the cup on the plate") == reading_of("put the cup on the plate"));
+  CHECK(reading_of("undo, undo").find(';') != std::string::npos);
+}
+
 TEST_CASE("a word that lacks its apostrophe is read with it where less is lost so") {
   CHECK(reading_of("dont take the cup") == reading_of("don't take the cup"));
   CHECK(reading_of("im thirsty, take the cup") == reading_of("i'm thirsty, take the cup"));
