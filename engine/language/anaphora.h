@@ -13,7 +13,8 @@ namespace continua {
 ///   an argument of the command, and several inside noun phrases, are left to the focus.
 /// - Each "other" (source `other`) in a noun phrase becomes "is not that", with the last noun phrase before it of which
 ///   all is said that is said here ("a red block … the other red block"), else of which a part is: "put the white cup
-///   next to the other cup". Without such a phrase it is left to the focus.
+///   next to the other cup". "The other one", whose kind is not said, is none of the things named before it. Without
+///   such a phrase it is left to the focus.
 Reading with_antecedents(const Reading& reading, const Operators& operators);
 
 }  // namespace continua
