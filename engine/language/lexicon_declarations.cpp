@@ -3,6 +3,7 @@
 
 #include "continua/language/lexicon_reader.h"
 #include "continua/language/reduction.h"
+#include "continua/language/scope.h"
 #include "continua/language/spellings.h"
 #include "continua/term/evaluate.h"
 #include "continua/term/read_type.h"
@@ -103,6 +104,18 @@ void LexiconReader::read_definitions() {
         lexicon_.operators.compared = name;
     }
   }
+}
+
+void LexiconReader::read_scope() {
+  for (const auto& [outer, inner] : members_of("scope", "names around other names"))
+    for (const auto& around : spellings(outer))
+      for (const auto& [name, item] : inner.members("what names mean there")) {
+        const auto declared = lexicon_.names.find(name);
+        if (declared == lexicon_.names.end() || !lexicon_.names.contains(around))
+          item.problem_at_key(fmt::format("found {} within {}, expected declared names", in_quotes(name), in_quotes(around)));
+        else if (const auto term = read_term(item, declared->second))
+          lexicon_.definitions.emplace(scoped_name(around, name), *term);
+      }
 }
 
 std::optional<Term> LexiconReader::read_term(const Item& item, const Type& expected) {

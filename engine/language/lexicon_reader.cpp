@@ -16,7 +16,7 @@ namespace {
 const std::vector<std::string> sections = {
     "about",      "categories", "names", "define",   "determiners", "proforms",   "words",   "skip",
     "attributes", "plural",     "unary", "examples", "sample",      "learned",    "unknown", "numbers",
-    "nouns",      "asides",     "forms", "taken",    "contracted",  "apostrophes"};
+    "nouns",      "asides",     "forms", "taken",    "contracted",  "apostrophes", "scope"};
 
 }  // namespace
 
@@ -49,6 +49,7 @@ Lexicon LexiconReader::read() {
   read_determiners();
   read_proforms();
   read_definitions();
+  read_scope();
   read_words();
   read_attributes();
   read_plurals();

@@ -30,6 +30,7 @@ class LexiconReader {
   void read_determiners();
   void read_proforms();
   void read_definitions();
+  void read_scope();
   void declare(const Item& at, const std::string& name, const Type& type);
 
   // lexicon_words.cpp

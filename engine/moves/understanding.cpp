@@ -7,6 +7,7 @@
 
 #include "continua/language/anaphora.h"
 #include "continua/language/reduction.h"
+#include "continua/language/scope.h"
 #include "continua/term/substitution.h"
 
 namespace continua {
@@ -190,7 +191,7 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
   const auto& part = utterance.fragments[fragment];
   std::vector<Interpretation> interpretations;
   for (const auto& reading : part.readings)
-    interpretations.push_back(interpret(with_antecedents(reading, language_.lexicon->operators), utterance.words,
+    interpretations.push_back(interpret(in_scope(with_antecedents(reading, language_.lexicon->operators), *vocabulary_), utterance.words,
                                         within(reading, utterance, context), meanings(), language_.raising));
   Move move;
   move.chosen = preferred(interpretations);
