@@ -45,6 +45,10 @@ const std::vector<std::size_t>& Chart::at(std::size_t begin, std::size_t end) co
 }
 
 void Chart::look_up(const std::vector<Word>& words) {
+  std::vector<PlacedSense> senses;
+  const auto add = [&](const WordEntry& entry, WordSpan span) {
+    for (const auto& sense : entry.senses) senses.push_back({span, &sense});
+  };
   words_.resize(words.size());
   skippable_.resize(words.size());
   for (std::size_t begin = 0; begin < words.size(); ++begin) {
@@ -54,14 +58,21 @@ void Chart::look_up(const std::vector<Word>& words) {
       text += (count > 1 ? " " : "") + words[begin + count - 1].text;
       const auto* entry = vocabulary_.find(text);
       words_[begin].push_back({});
-      if (count == 1 && !words[begin].name.senses.empty()) words_[begin].back().push_back(&words[begin].name);
+      if (count == 1) add(words[begin].name, {begin, begin + 1});
       if (!entry) continue;
-      words_[begin].back().push_back(entry);
+      add(*entry, {begin, begin + count});
       if (entry->skip) skippable_[begin].push_back({count, *entry->skip});
       if (entry->aside) add_aside(words, begin, count, *entry->aside);
     }
     if (words[begin].before_unknown) skippable_[begin].push_back({1, cost_of_lost, false});
   }
+  keep(senses);
+}
+
+void Chart::keep(const std::vector<PlacedSense>& senses) {
+  const auto kept = with_prospects(senses, lexicon_);
+  for (std::size_t i = 0; i < senses.size(); ++i)
+    if (kept[i]) words_[senses[i].words.begin][senses[i].words.size() - 1].push_back(senses[i].sense);
 }
 
 // An aside goes on to the next comma, or to the end; nothing but an aside is no utterance.
@@ -76,9 +87,8 @@ void Chart::fill(std::size_t begin, std::size_t end) {
   cell_ = &cells_[begin][end - begin - 1];
   candidates_.clear();
   if (end - begin <= words_[begin].size())
-    for (const auto* entry : words_[begin][end - begin - 1])
-      for (const auto& sense : entry->senses)
-        candidates_.push_back({sense.category, sense.cost, Rule::word, 0, 0, &sense.term});
+    for (const auto* sense : words_[begin][end - begin - 1])
+      candidates_.push_back({sense->category, sense->cost, Rule::word, 0, 0, &sense->term});
   for (std::size_t middle = begin + 1; middle < end; ++middle) {
     const auto &lefts = at(begin, middle), &rights = at(middle, end);
     for (const auto left : lefts)

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "continua/language/prospects.h"
 #include "continua/language/reading.h"
 #include "continua/language/vocabulary.h"
 
@@ -69,6 +70,7 @@ class Chart {
   };
 
   void look_up(const std::vector<Word>& words);
+  void keep(const std::vector<PlacedSense>& senses);
   void add_aside(const std::vector<Word>& words, std::size_t begin, std::size_t opening, double cost);
   void fill(std::size_t begin, std::size_t end);
   void combine(std::size_t left, std::size_t right);
@@ -80,7 +82,7 @@ class Chart {
   const Vocabulary& vocabulary_;
   const Lexicon& lexicon_;
   std::vector<std::vector<std::vector<std::size_t>>> cells_;  ///< by begin and length - 1
-  std::vector<std::vector<std::vector<const WordEntry*>>> words_;
+  std::vector<std::vector<std::vector<const WordSense*>>> words_;  ///< by begin and length - 1; those with prospects
   std::vector<std::vector<Skippable>> skippable_;
   std::vector<Entry> entries_;
   std::vector<Candidate> candidates_;
