@@ -104,6 +104,9 @@ void Chart::fill(std::size_t begin, std::size_t end) {
 }
 
 void Chart::combine(std::size_t left, std::size_t right) {
+  const bool takes_right = signs_[left].wanted == signs_[right].made;
+  const bool takes_left = signs_[right].wanted == signs_[left].made;
+  if (!takes_right && !takes_left) return;
   const auto &a = entries_[left], &b = entries_[right];
   const auto &x = a.category, &y = b.category;
   const auto add = [&](Category category, Rule rule, const Entry& function) {
@@ -111,7 +114,7 @@ void Chart::combine(std::size_t left, std::size_t right) {
     candidates_.push_back(
         {std::move(category), a.cost + b.cost + cost_of(function.category, words), rule, left, right});
   };
-  if (is_function(x, Slash::forward) && a.rule != Rule::compose_forward) {
+  if (takes_right && is_function(x, Slash::forward) && a.rule != Rule::compose_forward) {
     if (Agreement agreement; agreement.agree(x.argument(), y))
       add(agreement.settled_one(x.result()), Rule::apply_forward, a);
     if (x.composes() && is_function(y, Slash::forward) && y.composes())
@@ -120,7 +123,7 @@ void Chart::combine(std::size_t left, std::size_t right) {
                                agreement.settled_other(y.argument())),
             Rule::compose_forward, a);
   }
-  if (is_function(y, Slash::backward) && b.rule != Rule::compose_backward) {
+  if (takes_left && is_function(y, Slash::backward) && b.rule != Rule::compose_backward) {
     if (Agreement agreement; agreement.agree(y.argument(), x))
       add(agreement.settled_one(y.result()), Rule::apply_backward, b);
     if (y.composes() && is_function(x, Slash::backward) && x.composes())
@@ -168,6 +171,8 @@ bool Chart::add(Entry entry) {
   for (const auto number : *cell_)
     if (entries_[number].category == entry.category && entries_[number].term == entry.term) return false;
   cell_->push_back(entries_.size());
+  const auto made = target(entry.category).name();
+  signs_.push_back({made, entry.category.is_atom() ? made : target(entry.category.argument()).name()});
   entries_.push_back(std::move(entry));
   return true;
 }

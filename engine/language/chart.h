@@ -61,6 +61,11 @@ class Chart {
   const std::vector<Skippable>& skippable(std::size_t begin) const { return skippable_[begin]; }
 
  private:
+  /// The atoms that remain of an entry's category and, of a function, of its argument: without equal ones two entries
+  /// do not combine.
+  struct Signs {
+    Name made, wanted;
+  };
   struct Candidate {
     Category category;
     double cost;
@@ -85,6 +90,7 @@ class Chart {
   std::vector<std::vector<std::vector<const WordSense*>>> words_;  ///< by begin and length - 1; those with prospects
   std::vector<std::vector<Skippable>> skippable_;
   std::vector<Entry> entries_;
+  std::vector<Signs> signs_;  ///< of the entries
   std::vector<Candidate> candidates_;
   std::vector<std::size_t>* cell_ = nullptr;  ///< the cell that fill() works on
   WordSpan span_;
