@@ -89,6 +89,13 @@ std::vector<Showing> earlier_showings(const ReadSpeech& speech, std::size_t frag
   return taken_by(inside, earlier);
 }
 
+// Whether the pointings of the words, if they have any, were all made before the words began.
+bool were_shown_before(const ReadSpeech& speech, const Ensemble& ensemble, const FusionWindow& window) {
+  const auto shown = shown_words(speech, ensemble, window);
+  return std::all_of(shown.begin(), shown.end(),
+                     [&](const ShownWords& each) { return each.pointing.until < speech.event.t; });
+}
+
 // The words between the fragment and the one before it in its sentence; null if it is the first there.
 Term joining(const Utterance& utterance, std::size_t fragment) {
   if (fragment == 0) return Term::null();
@@ -138,12 +145,12 @@ Offer understood(Offer offer, const Ensemble& ensemble, const Dialogue& now) {
                                           now.understanding->pointing_sd_m(pointing.distance_m), pointing.hand});
     discourse.shown.push_back(pointing.serials);
   }
-  // Words with pointings of their own draw on no earlier ones.
-  if (discourse.context.showings.empty())
-    for (auto& showing : earlier_showings(speech, offer.fragment, discourse.earlier)) {
-      discourse.context.showings.push_back(std::move(showing));
-      discourse.shown.push_back(discourse.pointed);
-    }
+  // Words with pointings of their own draw on no earlier ones. A pointing before the words is one of the earlier ones.
+  auto earlier = earlier_showings(speech, offer.fragment, discourse.earlier);
+  if (earlier.size() > discourse.context.showings.size() && were_shown_before(speech, ensemble, now.window)) {
+    discourse.context.showings = std::move(earlier);
+    discourse.shown.assign(discourse.context.showings.size(), discourse.pointed);
+  }
   offer.move = now.understanding->understood(speech.utterance, offer.fragment, discourse.context);
   offer = complete(std::move(offer), speech.event, discourse, now);
   add_assured(ensemble, offer.input.because);

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "continua/perception/shown_with.h"
+
 namespace continua {
 namespace {
 
@@ -31,6 +33,15 @@ SimTime told_end(const Percept& percept) {
 bool is_shown_during(const Percept& percept, const Percept& speech) {
   return percept.event.modality == Modality::gesture && !percept.deixis && speech.event.modality == Modality::speech &&
          speech.event.t <= percept.event.t && percept.event.t <= std::max(told_end(speech), speech.spoken);
+}
+
+SimTime wait_for_one_another(const FusionWindow& window) {
+  return SimTime::from_seconds(window.pause_s > 0 ? together_s : 0);
+}
+
+// The time from which words do not wait any more for a gesture to be shown with them.
+SimTime heard_at(const Percept& speech, const FusionWindow& window) {
+  return speech.event.until ? told_end(speech) : speech.event.t + wait_for_one_another(window);
 }
 
 // The end of the last taker that needs a pointing.
@@ -65,9 +76,10 @@ bool waits_for_words(const Percept& speech, const FusionWindow& window) {
 SimTime all_pointed_at(const Percept& speech, const std::vector<std::optional<Deixis>>& bound,
                        const FusionWindow& window) {
   const auto last = last_need(speech.takers);
-  if (!last) return told_end(speech);
-  const SimTime latest = std::max(told_end(speech), *last + SimTime::from_seconds(window.after_s));
-  SimTime at = std::max(told_end(speech), *last);
+  const SimTime heard = heard_at(speech, window);
+  if (!last) return heard;
+  const SimTime latest = std::max(heard, *last + SimTime::from_seconds(window.after_s));
+  SimTime at = std::max(heard, *last);
   for (std::size_t i = 0; i < bound.size(); ++i) {
     if (!speech.takers[i].needs) continue;
     if (!bound[i] || is_of_others(i, speech, bound)) return latest;
@@ -84,10 +96,23 @@ SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixi
 }
 
 // The time at which a gesture, other than a pointing, is complete: the words that it goes with are spoken first.
-SimTime shown_at(const Percept& gesture, const std::vector<Percept>& waiting) {
-  SimTime at = gesture.event.t;
+SimTime shown_at(const Percept& gesture, const std::vector<Percept>& waiting, const FusionWindow& window) {
+  const SimTime t = gesture.event.t;
+  std::optional<SimTime> with_words;
   for (const auto& speech : waiting)
-    if (is_shown_during(gesture, speech)) at = std::max(at, told_end(speech));
+    if (is_shown_during(gesture, speech) || is_shown_with(gesture, speech, window))
+      with_words = std::max({with_words.value_or(t), t, heard_at(speech, window)});
+  if (with_words) return *with_words;
+  return gesture.event.modality == Modality::gesture && !gesture.event.until ? t + wait_for_one_another(window) : t;
+}
+
+// The time at which a pointing that no words take is complete: with words that it was made with and that ask for none,
+// such as a yes, else when none can take it any more.
+SimTime pointed_at(const Percept& pointing, const std::vector<Percept>& waiting, const FusionWindow& window) {
+  SimTime at = pointing.deixis->until + SimTime::from_seconds(window.after_s);
+  for (const auto& speech : waiting)
+    if (is_shown_with(pointing, speech, window) && speech.takers.empty() && !waits_for_words(speech, window))
+      at = std::min(at, std::max(settled_at(*pointing.deixis), heard_at(speech, window)));
   return at;
 }
 
@@ -112,6 +137,13 @@ void put_shown_first(std::vector<Ensemble>::iterator begin, std::vector<Ensemble
 }
 
 }  // namespace
+
+bool is_shown_with(const Percept& percept, const Percept& speech, const FusionWindow& window) {
+  const bool is_pair = percept.event.modality == Modality::gesture && speech.event.modality == Modality::speech;
+  if (!is_pair || window.pause_s == 0 || percept.event.until == percept.event.t) return false;
+  const SimTime t = percept.event.t, begin = speech.event.t - wait_for_one_another(window);
+  return begin <= t && t <= std::max(told_end(speech), heard_at(speech, window));
+}
 
 bool Fusion::is_too_late(SimTime t, SimTime now) const { return t + SimTime::from_seconds(latest_s()) < now; }
 
@@ -241,10 +273,10 @@ Fusion::Plan Fusion::plan() const {
     const auto& percept = waiting_[i];
     auto& part = plan.parts[i];
     if (percept.deixis) {
-      if (!part.taken) part.complete = percept.deixis->until + SimTime::from_seconds(window_.after_s);
+      if (!part.taken) part.complete = pointed_at(percept, waiting_, window_);
     } else {
       part.complete = percept.event.modality == Modality::speech ? complete_at(percept, part.bound, window_)
-                                                                 : shown_at(percept, waiting_);
+                                                                 : shown_at(percept, waiting_, window_);
     }
   }
   return plan;
@@ -275,7 +307,19 @@ bool Fusion::release_first(std::vector<Ensemble>& released) {
   const auto is_complete = [&](const Plan::Part& part) { return part.complete && *part.complete <= now_; };
   const auto first = std::find_if(parts.begin(), parts.end(), is_complete);
   if (first == parts.end()) return false;
-  release_up_to(static_cast<std::size_t>(first - parts.begin()), parts, released);
+  const auto words = static_cast<std::size_t>(first - parts.begin());
+  // Gestures that were shown with the words, and that are complete with them, follow at once.
+  std::vector<int> shown;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (is_complete(parts[i]) && is_shown_with(waiting_[i], waiting_[words], window_))
+      shown.push_back(waiting_[i].serial);
+  release_up_to(words, parts, released);
+  for (const int serial : shown) {
+    const auto gesture = std::find_if(waiting_.begin(), waiting_.end(),
+                                      [&](const Percept& each) { return each.serial == serial; });
+    if (gesture != waiting_.end())
+      release_up_to(static_cast<std::size_t>(gesture - waiting_.begin()), plan().parts, released);
+  }
   return true;
 }
 

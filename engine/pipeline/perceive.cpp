@@ -23,6 +23,25 @@ std::optional<std::string> all_too_unsure(const Engine& engine, const EngineStat
   return first;
 }
 
+// Whether the input waits for no other: it is never confirmed, or the machine does not take it.
+bool comes_at_once(const Machine& machine, const std::string& symbol) {
+  const auto* thresholds = machine.thresholds_of(symbol);
+  return machine.ignored.contains(symbol) || (thresholds && thresholds->confirm == 0);
+}
+
+// The symbol of the first move of the words.
+std::string first_symbol(const Percept& speech) {
+  const auto& fragments = speech.readings->alternatives.front().utterance.fragments;
+  return name_of(Modality::speech) + (fragments.empty() ? "" : " " + fragments.front().readings.front().move);
+}
+
+// Tells the end of an event that waits for no other: it is over as it begins.
+Percept at_once(const Machine& machine, Percept percept, const std::string& symbol) {
+  auto& event = percept.event;
+  if (!event.until && comes_at_once(machine, symbol)) event.until = event.t;
+  return percept;
+}
+
 }  // namespace
 
 std::string symbol_of(const Engine& engine, const EngineState& state, const InputEvent& event) {
@@ -52,7 +71,11 @@ Percept heard(const InputEvent& event, int serial, const Understanding& understa
 Result<Percept> perceive(const Engine& engine, const EngineState& state, const InputEvent& event, int serial) {
   if (auto why = all_too_unsure(engine, state, event)) return Error{"", *std::move(why)};
   const auto understanding = understanding_of(engine, state);
-  if (event.modality == Modality::speech && understanding) return heard(event, serial, *understanding);
+  if (event.modality == Modality::speech && understanding) {
+    Percept words = heard(event, serial, *understanding);
+    const auto symbol = first_symbol(words);
+    return at_once(*engine.machine, std::move(words), symbol);
+  }
   Percept percept{serial, event, {}, {}};
   percept.before_words = known_gesture(event, gestures_of(engine), state.learned).comes_before_words();
   if (event.modality == Modality::gesture &&
@@ -61,8 +84,9 @@ Result<Percept> perceive(const Engine& engine, const EngineState& state, const I
     if (!place_of(event) && state.pointed && goes_on(*state.pointed, event.t, engine.window))
       percept.event.target_W = state.pointed->place_W;
     percept.deixis = deixis_of(percept.event, serial);
+    return percept;
   }
-  return percept;
+  return at_once(*engine.machine, std::move(percept), symbol_of(engine, state, event));
 }
 
 }  // namespace continua

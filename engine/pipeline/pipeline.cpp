@@ -19,6 +19,7 @@
 #include "continua/pipeline/perceive.h"
 #include "continua/pipeline/step.h"
 #include "continua/pipeline/taking_over.h"
+#include "continua/pipeline/together.h"
 
 namespace continua {
 namespace {
@@ -76,6 +77,10 @@ Tick Pipeline::wake(EngineState before, SimTime now) const { return {released(en
 
 // Understands. Each move of an utterance is understood in the dialogue that the moves before it have left.
 Tick Pipeline::attend(EngineState before, const WorldSnapshot& world) const {
+  if (auto both = attended_together(engine_, before, world)) {
+    both->then(act(std::move(both->after), world));
+    return *std::move(both);
+  }
   Tick tick{std::move(before), {}};
   EngineState& state = tick.after;
   state.words = with_taught(std::move(state.words), state.learned);

@@ -1,0 +1,103 @@
+#include "continua/pipeline/together.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "continua/perception/shown_with.h"
+#include "continua/pipeline/account.h"
+#include "continua/pipeline/behave.h"
+#include "continua/pipeline/believe.h"
+#include "continua/pipeline/doubt.h"
+#include "continua/pipeline/following.h"
+#include "continua/pipeline/fuse.h"
+#include "continua/pipeline/step.h"
+
+namespace continua {
+namespace {
+
+// Of the ensembles, the number of the first one's counterpart; 0 if it has none.
+std::size_t counterpart(const std::deque<Ensemble>& complete, const FusionWindow& window) {
+  const auto& first = complete.front().percept;
+  if (!first.assured.empty() || first.again > 0 || first.resumes) return 0;
+  for (std::size_t i = 1; i < complete.size(); ++i) {
+    const auto& other = complete[i].percept;
+    if (is_shown_with(first, other, window) || is_shown_with(other, first, window)) return i;
+  }
+  return 0;
+}
+
+struct Pair {
+  Ensemble words, gesture;
+};
+
+// Takes both, in the state. REQUIRES that `other` is the first one's counterpart.
+Pair take_pair(const Engine& engine, EngineState& state, std::size_t other) {
+  const auto second = state.complete.begin() + 1;
+  std::rotate(second, std::next(second, static_cast<std::ptrdiff_t>(other) - 1),
+              std::next(second, static_cast<std::ptrdiff_t>(other)));
+  Ensemble first = take_complete(engine, state), then = take_complete(engine, state);
+  if (first.percept.event.modality != Modality::speech) std::swap(first, then);
+  return {std::move(first), std::move(then)};
+}
+
+// The two inputs. The words' draws on the sources of both, and its `doubted` has the number of the words and that of
+// the gesture.
+std::pair<Input, Input> inputs_of(EngineState& state, const Pair& pair, const Offer& said, const Offer& shown) {
+  Doubt words = doubt_of(std::move(state), pair.words, {said}, {0});
+  Doubt gesture = doubt_of(std::move(words.state), pair.gesture, {shown}, {0});
+  state = std::move(gesture.state);
+  const auto both = [](const Term& a, const Term& b, Type type) {
+    return Term::list({a.elements().front(), b.elements().front()}, std::move(type));
+  };
+  Input beside = shown.input, together = said.input;
+  beside.symbol = beside_symbol;
+  together.symbol = together_symbol;
+  together.doubted = both(words.input.doubted, gesture.input.doubted, Type::number());
+  together.doubted_words = both(words.input.doubted_words, gesture.input.doubted_words, Type::text_type());
+  together.doubted_meanings = both(words.input.doubted_meanings, gesture.input.doubted_meanings, Type::term());
+  auto& because = together.because;
+  because.insert(because.end(), beside.because.begin(), beside.because.end());
+  std::sort(because.begin(), because.end());
+  because.erase(std::unique(because.begin(), because.end()), because.end());
+  return {std::move(beside), std::move(together)};
+}
+
+// What both were understood as.
+std::vector<EngineEvent> accounts_of(const Engine& engine, const Pair& pair, const std::vector<Offer>& said,
+                                     const std::vector<Offer>& shown) {
+  std::vector<EngineEvent> events{account_of(pair.gesture, engine.window), account_of(pair.words, engine.window)};
+  for (const auto* offers : {&shown, &said}) {
+    const auto account = account_of(*offers, 0);
+    events.insert(events.end(), account.begin(), account.end());
+  }
+  return events;
+}
+
+}  // namespace
+
+std::optional<Tick> attended_together(const Engine& engine, const EngineState& before, const WorldSnapshot& world) {
+  if (!engine.machine->knows_input(together_symbol)) return std::nullopt;
+  const auto other = counterpart(before.complete, engine.window);
+  if (other == 0) return std::nullopt;
+  Tick tick{before, {}};
+  EngineState& state = tick.after;
+  state.words = with_taught(std::move(state.words), state.learned);
+  const Pair pair = take_pair(engine, state, other);
+  state.looked = looked_at(engine, state, pair.words.at);
+  const auto said = offers_of(pair.words, dialogue_of(engine, state, world));
+  const auto shown = offers_of(pair.gesture, dialogue_of(engine, state, world));
+  if (said.size() > 1 || shown.size() > 1) return std::nullopt;
+  tick.events = accounts_of(engine, pair, said, shown);
+  const auto [beside, together] = inputs_of(state, pair, said.front(), shown.front());
+  for (const auto* input : {&beside, &together}) {
+    tick.then(believe(engine, std::move(state), *input, world));
+    auto stepped = step_if_taken(engine, std::move(state), *input, world);
+    if (!stepped) return std::nullopt;
+    tick.then(behave(engine, *std::move(stepped)));
+  }
+  if (const auto& sign = shown.front().sign) state.sign = sign;
+  return tick;
+}
+
+}  // namespace continua
