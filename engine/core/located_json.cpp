@@ -118,6 +118,26 @@ struct Excess {
   std::string sentence;
 };
 
+// The members of all objects in a value.
+std::size_t members_in(const Json& value) {
+  std::size_t count = value.is_object() ? value.size() : 0;
+  if (value.is_structured())
+    for (const auto& inner : value) count += members_in(inner);
+  return count;
+}
+
+// The colons of a valid document outside its texts: one for each member that it writes.
+std::size_t members_written(std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == ':') ++count;
+    if (text[at] != '"') continue;
+    for (++at; text[at] != '"'; ++at)
+      if (text[at] == '\\') ++at;
+  }
+  return count;
+}
+
 // The first place where brackets nest deeper than `max_json_depth`, or an object has more than `max_json_members`.
 std::optional<Excess> excess(std::string_view text) {
   std::vector<std::size_t> colons;  // in each open bracket
@@ -181,7 +201,13 @@ Result<Json> parse_text(std::string_view text, const std::string& name, std::siz
 std::string compact(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Result<Json> parse_json_line(std::string_view text, const std::string& name, std::size_t line) {
-  return parse_text(text, name, line);
+  auto value = parse_text(text, name, line);
+  if (!value || members_in(*value) == members_written(text)) return value;
+  PlaceFinder finder(text, [](const std::string&, TextPlace, TextPlace, std::size_t) {});
+  finder.walk("");
+  const auto& [place, key] = finder.duplicates.front();
+  return Error{fmt::format("{}:{}:{}", name, line + place.line - 1, place.column),
+               fmt::format("the key '{}' a second time in this object", key)};
 }
 
 Result<LocatedJson> LocatedJson::parse(std::string_view text, std::string name) {

@@ -125,6 +125,13 @@ TEST_CASE("a line of JSON Lines carries its line number") {
   CHECK(parse_json_line("{\"a\":}", "t.jsonl", 7).error().where == "t.jsonl:7:6");
 }
 
+TEST_CASE("a line that has a key twice says two things") {
+  const auto read = [](const std::string& text) { return parse_json_line(text, "t.jsonl", 7); };
+  CHECK(read(R"({"a":1,"b":{"c":"\\","d":[{"a":1}]},"c:":"\":"})").ok());
+  CHECK(read(R"({"a":1,"b":2,"a":1})").error().text() == "t.jsonl:7:14: the key 'a' a second time in this object");
+  CHECK(read(R"([{"b":{"a":1,"\u0061":2}}])").error().where == "t.jsonl:7:14");
+}
+
 TEST_CASE("compact JSON is one line of valid UTF-8 in the order written") {
   Json json;
   json["z"] = "a\nb\xff";
