@@ -66,6 +66,7 @@ constexpr std::array rows = {
     Row{Code::slipped, Status::dropped, "slipped", "{0} slipped out of the fingers"},
     Row{Code::hand_obstructed, Status::blocked, "hand_obstructed", "something is in the hand's way"},
     Row{Code::obstructed, Status::blocked, "obstructed", "something is in {0}'s way"},
+    Row{Code::lags, Status::blocked, "lags", "the arm's servos do not follow its motion"},
     Row{Code::in_the_way, Status::blocked, "in_the_way", "{0} is in the way of {1}"},
     Row{Code::no_room_behind, Status::blocked, "no_room_behind", "there is no room for the hand behind {0}"},
     Row{Code::no_way_behind, Status::unreachable, "no_way_behind", "the arm does not get behind {0}"},

@@ -69,6 +69,7 @@ enum class ReasonCode {
   slipped,
   hand_obstructed,
   obstructed,
+  lags,
   in_the_way,
   no_room_behind,
   no_way_behind,

@@ -110,6 +110,7 @@ void Avatar::begin_phase() {
   PhaseRun& run = state_.run;
   run.elapsed_s = 0;
   run.steady_steps = 0;
+  run.lag_rad = 0;
   PhaseWork work{physics_, state_};
   // At the end of a failed handling the arm skips impossible phases.
   while (!run.phases.empty() && !continua::begin_phase(run.phases.front(), work)) {

@@ -27,6 +27,11 @@ bool is_below(const mjModel& model, int body, int ancestor) {
   return body == ancestor;
 }
 
+/// The geom can touch things.
+bool is_solid(const mjModel& model, int geom) {
+  return model.geom_contype[geom] != 0 || model.geom_conaffinity[geom] != 0;
+}
+
 /// Each joint's part in an actuator's length; nothing if the actuator does not act on joints.
 std::optional<std::vector<std::pair<int, double>>> transmission(const mjModel& model, int actuator) {
   const double gear = model.actuator_gear[6 * actuator];
@@ -81,11 +86,10 @@ class Reader {
   }
 
   Result<std::pair<AvatarForm, AvatarElements>> read() {
-    for (const auto part : {&Reader::read_hand, &Reader::read_arm, &Reader::read_fingers}) {
+    for (const auto part : {&Reader::read_hand, &Reader::read_arm, &Reader::read_fingers, &Reader::measure_palm}) {
       if (const auto wrong = (this->*part)()) return Error{path_, "the scene's avatar has no " + *wrong};
     }
     face_the_table();
-    measure_palm();
     measure_parts();
     return std::pair(form_, ids_);
   }
@@ -155,9 +159,10 @@ class Reader {
     hand.widest_opening_m = 1;
     for (int side = 0; side < 2; ++side) {
       const std::string pad = fmt::format("pad_{}", sides[side]);
-      ids_.pad[side] = id_of(model_, mjOBJ_GEOM, pad);
-      if (ids_.pad[side] < 0) return fmt::format("geom '{}'", pad);
-      int body = model_.geom_bodyid[ids_.pad[side]], joint = -1;
+      const int geom = id_of(model_, mjOBJ_GEOM, pad);
+      if (geom < 0) return fmt::format("geom '{}'", pad);
+      ids_.pad[side] = geom;
+      int body = model_.geom_bodyid[geom], joint = -1;
       for (; body > 0 && body != ids_.hand; body = model_.body_parentid[body]) {
         if (model_.body_jntnum[body] > 1 || (model_.body_jntnum[body] == 1 && joint >= 0))
           return fmt::format("single slide joint between the hand and geom '{}'", pad);
@@ -167,16 +172,14 @@ class Reader {
         return fmt::format("limited slide joint between the body of site '{}' and geom '{}'", grip_name, pad);
 
       const Pose X_TW = inverse(X_WGrip());
-      const GeomBox box = geom_box_B(model_, ids_.pad[side]);
-      const Pose X_TB = X_TW * X_WBody(model_.geom_bodyid[ids_.pad[side]]);
-      const Vec3 center_T = (X_TB * box.X_BG).p_WB;
-      const double out = center_T.y() > 0 ? 1 : -1, axis_y = (X_TW.R_WB * vec_of(data_->xaxis + 3 * joint)).y() * out;
+      const double out = bounds_T(geom).center().y() > 0 ? 1 : -1,
+                   axis_y = (X_TW.R_WB * vec_of(data_->xaxis + 3 * joint)).y() * out;
       constexpr double straight = 0.999;  // cosine: 2.5 degrees
       if (std::abs(axis_y) < straight)
-        return fmt::format("slide joint '{}' along the y axis of site '{}'", name_of(model_, mjOBJ_JOINT, joint),
-                           grip_name);
-      double inner = 1e3;
-      for (const Vec3& corner : corners_A(X_TB * box.X_BG, box.half_m)) inner = std::min(inner, corner.y() * out);
+        return fmt::format("slide joint '{}' along the y axis of site '{}': they are {:.0f} degrees apart",
+                           name_of(model_, mjOBJ_JOINT, joint), grip_name,
+                           std::acos(std::min(1.0, std::abs(axis_y))) / rad_per_deg);
+      const double inner = read_pad(geom, model_.jnt_bodyid[joint], out);
       // The pad's inner face is at inner + axis_y * (q - now): that is the opening.
       const double now = data_->qpos[model_.jnt_qposadr[joint]];
       const double most =
@@ -190,6 +193,27 @@ class Reader {
     if (ids_.finger_servo.empty()) return "position servo that moves its fingers, as <position>";
     hand.finger_N_per_m = ids_.finger_servo.front().stiffness;
     return {};
+  }
+
+  /// A geom's bounds along the axes of the tool's frame.
+  Box bounds_T(int geom) const {
+    const GeomBox box = geom_box_B(model_, geom);
+    const auto corners = corners_A(inverse(X_WGrip()) * X_WBody(model_.geom_bodyid[geom]) * box.X_BG, box.half_m);
+    Box bounds{corners.front(), corners.front()};
+    for (const Vec3& corner : corners) bounds = {bounds.min.cwiseMin(corner), bounds.max.cwiseMax(corner)};
+    return bounds;
+  }
+
+  /// The distance of the named geom's face from the middle. Other geoms of the finger may be nearer.
+  double read_pad(int named, int finger, double out) {
+    const auto inner_of = [&](const Box& box) { return out > 0 ? box.min.y() : -box.max.y(); };
+    const double face_m = inner_of(bounds_T(named));
+    for (int geom = 0; geom < model_.ngeom; ++geom) {
+      if (geom == named || !is_below(model_, model_.geom_bodyid[geom], finger) || !is_solid(model_, geom)) continue;
+      const double ahead_m = face_m - inner_of(bounds_T(geom));
+      if (ahead_m > position_grid_m) ids_.before_pads.push_back({geom, named, ahead_m});
+    }
+    return face_m;
   }
 
   void measure_finger(int finger, double out, double inner_m) {
@@ -216,20 +240,29 @@ class Reader {
     return corners;
   }
 
-  /// Measures the hand without the fingers.
-  void measure_palm() {
+  /// Measures the hand without the fingers, which is behind the point between the pads.
+  Missing measure_palm() {
     HandShape& hand = form_.hand;
     hand.palm_front_m = 1;
+    Vec3 low = Vec3::Ones(), high = -Vec3::Ones();
     for (const int body : ids_.hand_bodies) {
       if (std::find(fingers_.begin(), fingers_.end(), body) != fingers_.end()) continue;
       for (const Vec3& corner : corners_T(body)) {
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
         hand.palm_front_m = std::min(hand.palm_front_m, -corner.x());
         hand.palm_back_m = std::max(hand.palm_back_m, -corner.x());
         hand.palm_half_length_m = std::max(hand.palm_half_length_m, std::abs(corner.y()));
         hand.palm_half_width_m = std::max(hand.palm_half_width_m, std::abs(corner.z()));
       }
     }
+    const Vec3 palm_T = -(low + high) / 2;
+    constexpr double roughly = 0.5;  // cosine: 60 degrees; a palm may stand out to one side
+    if (low.x() <= high.x() && palm_T.x() < roughly * palm_T.norm())
+      return fmt::format("site '{}' whose x axis points out of the palm: it points {:.0f} degrees off that", grip_name,
+                         std::acos(palm_T.x() / palm_T.norm()) / rad_per_deg);
     hand.palm_front_m = std::clamp(hand.palm_front_m, 0.0, hand.palm_back_m);
+    return {};
   }
 
   /// Chooses the direction of the tool's y nearer to natural at home: the pads are alike.
@@ -264,7 +297,7 @@ class Reader {
     const auto hinges = arm_hinges(model_);
     for (int geom = 0; geom < model_.ngeom; ++geom) {
       const int body = model_.geom_bodyid[geom];
-      if (model_.geom_contype[geom] == 0 && model_.geom_conaffinity[geom] == 0) continue;
+      if (!is_solid(model_, geom)) continue;
       if (is_below(model_, body, ids_.hand)) continue;
       int hinge = -1;  // the last one that moves the body
       for (std::size_t i = 0; i < hinges.size(); ++i)

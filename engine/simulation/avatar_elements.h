@@ -23,6 +23,12 @@ struct Servo {
   double control(double value) const { return at_zero + per_unit * value; }
 };
 
+/// A geom of a finger that stands in front of the pad, and would keep the pad from touching.
+struct BeforePad {
+  int geom = -1, pad = -1;
+  double ahead_m = 0;  ///< nearer to the other finger than the pad
+};
+
 /// MuJoCo's ids.
 struct AvatarElements {
   int hand = -1, weld = -1;
@@ -30,6 +36,7 @@ struct AvatarElements {
   std::vector<int> dof, qpos;    // one for each hinge
   std::vector<Servo> servo;      // one for each hinge
   std::array<int, 2> pad{};      // left, right
+  std::vector<BeforePad> before_pads;
   std::vector<Servo> finger_servo;
 };
 

@@ -204,12 +204,28 @@ bool pushes_hard(PhaseWork& work) {
   return held_for(work, hard, firm_steps);
 }
 
+// The hinges trail far behind their targets although nothing holds the arm: whatever the hand then meets was not in its
+// way.
+bool lags(PhaseWork& work) {
+  constexpr double far_rad = 0.1;
+  double& lag_rad = work.state.run.lag_rad;
+  const int held = work.physics.held();
+  const bool is_free = work.physics.outside_force(-1) == 0 && (held < 0 || work.physics.outside_force(held) == 0);
+  if (is_free) lag_rad = (work.physics.hinges() - work.state.motion.target().hinges.q).cwiseAbs().maxCoeff();
+  return lag_rad > far_rad;
+}
+
 PhaseEnd arrived(PhaseWork& work) { return {has_arrived(work)}; }
 
-PhaseEnd arrived_unhindered(PhaseWork& work) {
-  if (pushes_hard(work)) return failed({Code::hand_obstructed});
-  return arrived(work);
+// A motion that meets nothing on its way, or fails for that reason.
+PhaseEnd arrived_without(Reason obstacle, PhaseWork& work) {
+  const bool is_late = lags(work), has_met = pushes_hard(work), ended = has_arrived(work);
+  if (is_late && (has_met || ended)) return failed({Code::lags});
+  if (has_met) return failed(std::move(obstacle));
+  return {ended};
 }
+
+PhaseEnd arrived_unhindered(PhaseWork& work) { return arrived_without({Code::hand_obstructed}, work); }
 
 // At the end of an act the arm may graze things on its way home; a retract must not.
 PhaseEnd got_home(PhaseWork& work) {
@@ -220,14 +236,10 @@ PhaseEnd carried(PhaseWork& work) {
   const HandlingUnderWay& under_way = work.state.under_way;
   const std::string& object = under_way.handling.object;
   if (work.physics.held() != under_way.object) return failed({Code::slipped, {object}});
-  if (pushes_hard(work)) return failed({Code::obstructed, {object}});
-  return arrived(work);
+  return arrived_without({Code::obstructed, {object}}, work);
 }
 
-PhaseEnd pushed(PhaseWork& work) {
-  if (pushes_hard(work)) return failed({Code::obstructed, {work.state.act.command.object}});
-  return arrived(work);
-}
+PhaseEnd pushed(PhaseWork& work) { return arrived_without({Code::obstructed, {work.state.act.command.object}}, work); }
 
 PhaseEnd shoved(PhaseWork& work) { return {work.physics.held() != work.state.under_way.object || has_arrived(work)}; }
 

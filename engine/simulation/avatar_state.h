@@ -82,6 +82,7 @@ struct PhaseRun {
   bool failing = false;  ///< the phases end a failed handling
   double elapsed_s = 0;
   int steady_steps = 0;  ///< consecutive steps in which the phase's condition held
+  double lag_rad = 0;    ///< of the hinges behind their targets, as of the last step in which the hand touched nothing
 };
 
 struct AvatarState {

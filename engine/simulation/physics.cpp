@@ -41,6 +41,11 @@ struct Physics::State {
 #endif
   }
 
+  /// Lets things pass through geoms in front of the pads, so that the pads themselves press.
+  void clear_pads() {
+    for (const auto& one : ids.before_pads) model->geom_contype[one.geom] = model->geom_conaffinity[one.geom] = 0;
+  }
+
   /// Makes the pads soft and frictionless. Pads press and the weld carries: friction besides the weld drives pads off.
   /// On soft pads the pressure makes a contact some tenths of a millimetre deep, which no jolt undoes.
   void soften_pads() {
@@ -120,6 +125,7 @@ Result<std::unique_ptr<Physics>> Physics::create(const Scene& scene) {
   state->table = scene.table();
   state->table_body = state->model->geom_bodyid[id_of(*state->model, mjOBJ_GEOM, "table_top")];
   std::tie(state->avatar, state->ids) = *avatar;
+  state->clear_pads();
   state->soften_pads();
   std::copy(scene.initial_qpos().begin(), scene.initial_qpos().end(), state->data->qpos);
   mj_forward(state->model.get(), state->data.get());

@@ -57,6 +57,14 @@ std::vector<Leg> legs_to(const ObjectState& object, const Vec3& p_WG, const Mean
   return legs;
 }
 
+/// The height of the pushing hand: as low as it gets, but for a hand with short fingers, whose palm stays above the
+/// object as long as the tips meet the lower half.
+double height_of_push(const ObjectState& object, const WorldSnapshot& world, const HandShape& hand) {
+  const double lowest = world.table.max.z() + hand.finger_tip_m + tips_above_m;
+  const double over = object.bounds_W().max.z() + tips_above_m - hand.palm_front_m;
+  return over - hand.finger_tip_m < object.p_WO.z() ? std::max(lowest, over) : lowest;
+}
+
 OrReason<Push> push_along(const Leg& leg, const ObjectState& object, const std::string& landmark,
                           const WorldSnapshot& world, const Means& means) {
   constexpr double part_of_face = 0.5;  // of its half width: fingers there keep the object from turning
@@ -76,7 +84,7 @@ OrReason<Push> push_along(const Leg& leg, const ObjectState& object, const std::
   if (is_round(object, means))
     touched_m = std::sqrt(std::max(0.0, leg.half_m * leg.half_m - push.opening_m * push.opening_m));
   Vec3 contact_W = object.p_WO - (touched_m + hand.finger_half_width_m) * leg.ahead_W;
-  contact_W.z() = world.table.max.z() + hand.finger_tip_m + tips_above_m;
+  contact_W.z() = height_of_push(object, world, hand);
 
   std::vector<OrientedBox> others;
   for (const auto& other : world.objects)

@@ -64,6 +64,13 @@ std::optional<std::string> attribute(std::string_view tag, std::string_view name
   return std::nullopt;
 }
 
+/// Newlines stay, so that lines keep their numbers.
+void make_blank(std::string& text, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) {
+    if (text[i] != '\n') text[i] = ' ';
+  }
+}
+
 int line_of(std::string_view text, std::size_t at) {
   return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
@@ -76,7 +83,19 @@ Result<SceneSource> SceneSource::read(const std::string& path) {
   std::vector<std::string> open_files;
   if (auto wrong = source.expand(path, open_files)) return *wrong;
   if (auto wrong = source.check_sizes()) return *wrong;
+  source.drop_keyframes();
   return source;
+}
+
+void SceneSource::drop_keyframes() {
+  std::optional<std::size_t> begin;
+  for (auto tag = next_tag(text_, 0); tag; tag = next_tag(text_, tag->end)) {
+    if (tag->name == "keyframe" && !begin) begin = tag->begin;
+    const bool closed = tag->name == "/keyframe" || (tag->name == "keyframe" && tag->self_closing);
+    if (!begin || !closed) continue;
+    make_blank(text_, *begin, tag->end);
+    begin.reset();
+  }
 }
 
 // MuJoCo allocates what an element <size> asks for, before it looks at anything else.
@@ -180,10 +199,7 @@ SceneSource SceneSource::without_body(std::string_view name) const {
       --depth;
     }
     if (!begin || depth > 0) continue;
-    // Blanks replace the body and newlines stay, so that lines keep their numbers.
-    for (std::size_t i = *begin; i < tag->end; ++i) {
-      if (rest.text_[i] != '\n') rest.text_[i] = ' ';
-    }
+    make_blank(rest.text_, *begin, tag->end);
     break;
   }
   return rest;

@@ -43,6 +43,9 @@ class SceneSource {
 
   Outcome expand(const std::string& file, std::vector<std::string>& open_files);
   Outcome check_sizes() const;
+  /// Keyframes of an arm that others wrote are as long as that arm, which MuJoCo refuses in a scene with objects. The
+  /// arm begins at `arm_home`.
+  void drop_keyframes();
 
   std::string path_, text_;
   int inclusions_ = 0;

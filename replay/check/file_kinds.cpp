@@ -20,6 +20,7 @@
 #include "continua/replay/session/scene_voxemes.h"
 #include "continua/replay/trace/session_import.h"
 #include "continua/replay/trace/trace_file.h"
+#include "continua/simulation/arm_check.h"
 #include "continua/simulation/physics.h"
 #include "continua/simulation/scene.h"
 #include "continua/term/raising_file.h"
@@ -35,8 +36,8 @@ Json first_line(std::string_view text) {
   text = without_byte_order_mark(text);
   const auto from = text.find_first_not_of(" \t\r\n");
   if (from == std::string_view::npos) return {};
-  const auto json = parse_json_line(text.substr(from, text.find('\n', from) - from), "", 1);
-  return json && json->is_object() ? *json : Json();
+  const auto json = LocatedJson::parse(text.substr(from, text.find('\n', from) - from), "");
+  return json && json->root().is_object() ? json->root() : Json();
 }
 
 bool begins_with_kind(std::string_view text, const char* kind) {
@@ -208,6 +209,7 @@ FileCheck check_scene(std::string_view, const std::string& path) {
                               names.empty() ? "" : ": ", fmt::join(names, ", "), table_m.x(), table_m.y());
   if (const auto physics = Physics::create(*scene)) {
     check.summary += fmt::format(", an arm of {}", counted((*physics)->arm().joints.size(), "hinge"));
+    for (const auto& note : arm_notes(*scene)) check.notes.push_back(path + ": " + note);
   } else {
     check.summary += ", no arm";
     check.notes.push_back(physics.error().text() + "; only the kinematic world can be used");
