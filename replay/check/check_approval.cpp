@@ -34,8 +34,8 @@ std::string first_lines(std::string_view text) {
 // The diff begins with its sentence.
 void show(const CheckCase& one, const TraceCheck& check) {
   const auto& compared = check.compared;
-  fmt::print("\n{}: {}\n", one.path, compared ? one.verdict : one.sentence);
-  if (compared) fmt::print("{}", first_lines(diff_text(compared->approved, compared->run, compared->diff)));
+  fmt::print("\n{}\n", printable_line(one.path + ": " + (compared ? one.verdict : one.sentence)));
+  if (compared) fmt::print("{}", printable(first_lines(diff_text(compared->approved, compared->run, compared->diff))));
 }
 
 bool answers_yes() {
@@ -66,7 +66,7 @@ Outcome approve(const CheckOptions& options, const std::vector<CheckItem>& items
     if (auto problem = write_file(approval.path, approval.content)) return problem;
     std::error_code none;
     if (check.approved && takes_place_of(approval, *check.approved)) fs::remove(check.approved->path, none);
-    fmt::print("approved {}\n", approval.path);
+    fmt::print("approved {}\n", printable_line(approval.path));
     auto& approved = cases[i];
     approved.verdict = name_of(Verdict::same);
     approved.sentence = "approved; was " + approved.sentence;

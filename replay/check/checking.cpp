@@ -182,12 +182,9 @@ void Checking::finish(std::size_t index, Finding finding) {
 }
 
 void tell(const CheckCase& one, bool github) {
-  for (const auto& problem : one.problems) put(stderr, printable(problem.text()) + "\n");
-  // A line of its own may be a command to GitHub.
-  auto line = printable(line_of(one));
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  fmt::print("{}\n", line);
-  if (!one.page.empty()) fmt::print("     see {}\n", one.page);
+  for (const auto& problem : one.problems) put(stderr, printable_line(problem.text()) + "\n");
+  fmt::print("{}\n", printable_line(line_of(one)));
+  if (!one.page.empty()) fmt::print("     see {}\n", printable_line(one.page));
   if (github) fmt::print("{}", github_annotations(one));
 }
 

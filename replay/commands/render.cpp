@@ -139,7 +139,8 @@ Result<std::string> render(const RenderOptions& options) {
 int run_render(const RenderOptions& options) {
   const auto done = render(options);
   if (!done) return report(done.error()), exit_impossible;
-  fmt::print("{}: {} -> {}\n", fs::path(options.run).filename().string(), *done, options.output);
+  fmt::print("{}: {} -> {}\n", printable_line(fs::path(options.run).filename().string()), *done,
+             printable_line(options.output));
   return exit_done;
 }
 

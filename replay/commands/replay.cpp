@@ -169,7 +169,7 @@ class Batch {
       if (summary->expectations_met < summary->expectations && status_ == exit_done) status_ = exit_no;
     }
     for (; printed_ < lines_.size() && lines_[printed_]; ++printed_)
-      if (!lines_[printed_]->empty()) put(output == "-" ? stderr : stdout, *lines_[printed_] + "\n");
+      if (!lines_[printed_]->empty()) put(output == "-" ? stderr : stdout, printable_line(*lines_[printed_]) + "\n");
     std::fflush(stdout);
   }
 

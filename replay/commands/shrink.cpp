@@ -102,8 +102,8 @@ int run_shrink(const ShrinkCommandOptions& options) {
   if (const auto problem = write_file(output, write_trace(shrunk->trace))) return fail(*problem);
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
   fmt::print(output == "-" ? stderr : stdout, "{}: {} -> {}, {}, {:.2f} s -> {}\n",
-             fs::path(options.trace).filename().string(), counted(shrunk->events_before, "event"), shrunk->events,
-             counted(shrunk->probes, "probe"), passed.count(), output);
+             printable_line(fs::path(options.trace).filename().string()), counted(shrunk->events_before, "event"),
+             shrunk->events, counted(shrunk->probes, "probe"), passed.count(), printable_line(output));
   return exit_done;
 }
 

@@ -41,10 +41,10 @@ int validate(const std::string& path) {
   const auto text = read_file(path);
   if (!text) return report(text.error()), exit_impossible;
   const auto check = check_file(*text, path);
-  for (const auto& problem : check.problems) put(stderr, printable(problem.text()) + "\n");
-  for (const auto& note : check.notes) put(stderr, printable(note) + " (note)\n");
+  for (const auto& problem : check.problems) put(stderr, printable_line(problem.text()) + "\n");
+  for (const auto& note : check.notes) put(stderr, printable_line(note) + " (note)\n");
   if (!check.problems.empty()) return check.status;
-  fmt::print("{}: {}\n", path, check.summary);
+  fmt::print("{}\n", printable_line(path + ": " + check.summary));
   return exit_done;
 }
 

@@ -22,9 +22,8 @@ std::size_t colour_at(const std::string& text, std::size_t at) {
   return digits < 1 || digits > 2 || text[end] != 'm' || text[at + 2] == '8' ? 0 : digits + 3;
 }
 
-void print_line(const char* what, std::string line) {
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  put(stderr, fmt::format("continua: {}{}\n", what, printable(line)));
+void print_line(const char* what, const std::string& line) {
+  put(stderr, fmt::format("continua: {}{}\n", what, printable_line(line)));
 }
 
 }  // namespace
@@ -52,6 +51,11 @@ std::string printable(const std::string& text) {
       shown += text[i];
   }
   return shown;
+}
+
+std::string printable_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return printable(text);
 }
 
 void report(const Error& error) { print_line("", error.text()); }

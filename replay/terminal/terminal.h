@@ -23,6 +23,9 @@ void put(std::FILE* stream, const std::string& text);
 /// terminal would obey them.
 std::string printable(const std::string& text);
 
+/// The same as one line: a line of its own that a text began may be a command to GitHub.
+std::string printable_line(std::string text);
+
 /// "continua: where: sentence" on standard error, on one line.
 void report(const Error& error);
 
