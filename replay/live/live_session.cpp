@@ -13,10 +13,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto look_every = 8ms;                                  // at a world that moves
-constexpr SimTime longest_at_once{50'000};                        // of engine time, while whoever sends events waits
-constexpr auto patience = std::chrono::minutes(10);               // with a session that nobody sends to or looks at
-constexpr std::uint64_t most_log_bytes = std::uint64_t{1} << 30;  // a day of talk with physics has less
+constexpr auto look_every = 8ms;                     // at a world that moves
+constexpr SimTime longest_at_once{50'000};           // of engine time, while whoever sends events waits
+constexpr auto patience = std::chrono::minutes(10);  // with a session that nobody sends to or looks at
 
 const Watch nobody;
 
@@ -162,7 +161,7 @@ bool LiveSession::take_instant(std::span<const LiveEvent> events) {
 
 // Without a place to write to the session ends.
 bool LiveSession::can_go_on() {
-  const bool too_long = trace_ && log_->sound() && log_->bytes() > most_log_bytes;
+  const bool too_long = trace_ && log_->sound() && log_->bytes() > setting_.options.most_log_bytes;
   if (trace_ && log_->sound() && !too_long) return true;
   broke_ =
       Error{trace_ ? setting_.options.log_path : setting_.options.trace_path,

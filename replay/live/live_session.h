@@ -25,9 +25,10 @@ struct LiveOptions {
   std::string trace_path, log_path;  ///< written anew
   TraceHeader header;                ///< scene and machine are needed
   ReplayOptions replay;
-  std::optional<LiveTiming> timing;  ///< none: by events, if the first of them tells its time
-  double speed = 1;                  ///< of the wall's clock
-  std::string recorder;              ///< whoever sends events has to name it; empty: nobody has to
+  std::optional<LiveTiming> timing;                       ///< none: by events, if the first of them tells its time
+  double speed = 1;                                       ///< of the wall's clock
+  std::uint64_t most_log_bytes = std::uint64_t{1} << 30;  ///< a day of talk with physics has less
+  std::string recorder;                                   ///< whoever sends events has to name it; empty: nobody has to
 };
 
 /// The parts of a session that stay the same.

@@ -16,7 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_live = 8;
-constexpr std::size_t most_begun = 1000;  // each leaves two files, and a row of the list
 constexpr double least_speed = 0.01, most_speed = 100;
 constexpr std::size_t longest_name = 64;
 
@@ -117,7 +116,7 @@ std::optional<std::string> LiveSessions::take_place(LiveOptions& options, const 
   const std::lock_guard lock(mutex_);
   const auto live = std::count_if(sessions_.begin(), sessions_.end(),
                                   [](const ListedSession& one) { return one.session->audience().state().live; });
-  if (sessions_.size() >= most_begun) return std::nullopt;
+  if (sessions_.size() >= defaults_.most_begun) return std::nullopt;
   if (taken_.size() - sessions_.size() + static_cast<std::size_t>(live) >= most_live) return std::nullopt;
   for (int number = 1;; ++number) {
     const auto id = number == 1 ? name : fmt::format("{}-{}", name, number);
@@ -144,7 +143,7 @@ std::variant<ListedSession, LiveRefusal> LiveSessions::start(const Json& asked, 
   const auto id = take_place(options, name);
   if (!id)
     return LiveRefusal{503, fmt::format("there are {} live sessions, or {} were begun; end one first, or the program",
-                                        most_live, most_begun)};
+                                        most_live, defaults_.most_begun)};
   const auto log_path = options.log_path;
   auto session = LiveSession::start(std::move(options));
   if (!session) {

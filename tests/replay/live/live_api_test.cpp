@@ -178,6 +178,18 @@ TEST_CASE("so many sessions may be live, each with files of its own") {
   asked.post("/api/sessions", "", 201);
 }
 
+TEST_CASE("a server begins so many sessions, however soon each ends") {
+  LiveDefaults defaults;
+  defaults.most_begun = 3;
+  Asked asked(defaults);
+  for (const std::string id : {"session", "session-2", "session-3"}) {
+    asked.post("/api/sessions", "", 201);
+    asked.post("/api/sessions/" + id + "/end");
+  }
+  asked.refused(503, "/api/sessions");
+  CHECK_FALSE(fs::exists(asked.folder.at("session-4.trace.jsonl")));
+}
+
 TEST_CASE("a machine that knows gestures by their names offers those") {
   LiveDefaults defaults;
   defaults.machine = "diana2018";

@@ -248,6 +248,19 @@ TEST_CASE("a session whose files can no longer be written says so and ends") {
   CHECK_FALSE(session->audience().state().live);
 }
 
+TEST_CASE("a session whose log is full ends, whole, and says so") {
+  const TemporaryFolder folder;
+  auto options = options_in(folder, LiveTiming::events);
+  options.most_log_bytes = 1;
+  const auto session = started(options);
+  auto refused = session->receive({Json::parse(R"({"t":1,"kind":"speech","text":"The plate."})")});
+  if (refused) refused = session->receive({Json::parse(R"({"t":2,"kind":"speech","text":"The cup."})")});
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.error().text().find("the most of a live session") != std::string::npos);
+  CHECK_FALSE(session->audience().state().live);
+  CHECK(content(options.log_path).find("\"kind\":\"end\"") != std::string::npos);
+}
+
 TEST_CASE("a session that cannot be begun leaves no files") {
   const TemporaryFolder folder;
   auto options = options_in(folder, {});
