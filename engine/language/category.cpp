@@ -29,6 +29,23 @@ struct Category::Node {
   Slash slash = Slash::forward;
   bool composes = true;
   std::size_t size = 1;
+  // Categories that differ in one of these are different: without features and ways to compose, and with them.
+  std::size_t shape = 0, whole = 0;
+
+  /// The node with these members and its digests.
+  static std::shared_ptr<const Node> made(Node node) {
+    const auto mixed = [](std::size_t a, std::size_t b) { return a * 0x9e3779b97f4a7c15 + (a >> 32) + b; };
+    if (node.result) {
+      const auto &of = *node.result->node_, &over = *node.argument->node_;
+      const auto slash = static_cast<std::size_t>(node.slash);
+      node.shape = mixed(mixed(of.shape, over.shape), slash);
+      node.whole = mixed(mixed(of.whole, over.whole), 2 * slash + (node.composes ? 1 : 0));
+    } else {
+      node.shape = Name::Hash()(node.name);
+      node.whole = mixed(node.shape, node.feature ? Name::Hash()(*node.feature) : 0);
+    }
+    return std::make_shared<const Node>(std::move(node));
+  }
 };
 
 class CategoryParser {
@@ -92,7 +109,7 @@ class CategoryParser {
       ++at_;
       node.feature = Name(feature);
     }
-    return Category(std::make_shared<const Category::Node>(std::move(node)));
+    return Category(Category::Node::made(std::move(node)));
   }
 
   std::string word() {
@@ -119,7 +136,7 @@ Category Category::function(Category result, Slash slash, Category argument, boo
   node.argument = std::move(argument);
   node.slash = slash;
   node.composes = composes;
-  return Category(std::make_shared<const Node>(std::move(node)));
+  return Category(Node::made(std::move(node)));
 }
 
 bool Category::is_atom() const { return !node_->result; }
@@ -141,7 +158,7 @@ std::size_t Category::size() const { return node_->size; }
 
 bool Category::operator==(const Category& other) const {
   if (node_ == other.node_) return true;
-  if (is_atom() != other.is_atom()) return false;
+  if (node_->whole != other.node_->whole || is_atom() != other.is_atom()) return false;
   if (is_atom()) return node_->name == other.node_->name && node_->feature == other.node_->feature;
   return slash() == other.slash() && composes() == other.composes() && argument() == other.argument() &&
          result() == other.result();
@@ -155,7 +172,7 @@ std::string Category::text() const {
 }
 
 bool Agreement::agree(const Category& one, const Category& other) {
-  if (one.is_atom() != other.is_atom()) return false;
+  if (one.node_->shape != other.node_->shape || one.is_atom() != other.is_atom()) return false;
   if (!one.is_atom())
     return one.slash() == other.slash() && agree(one.argument(), other.argument()) &&
            agree(one.result(), other.result());
@@ -185,7 +202,7 @@ Category Agreement::settled(const Category& category, const Features& features) 
     if (feature == category.node_->feature) return category;
     auto node = *category.node_;
     node.feature = feature;
-    return Category(std::make_shared<const Category::Node>(std::move(node)));
+    return Category(Category::Node::made(std::move(node)));
   }
   return Category::function(settled(category.result(), features), category.slash(),
                             settled(category.argument(), features), category.composes());
