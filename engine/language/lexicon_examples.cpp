@@ -10,10 +10,11 @@
 namespace continua {
 namespace {
 
-WorldSnapshot scene_of(const Lexicon& lexicon) {
+// The words of a lexicon that outlives them, in a scene of its sample: a copy of it would take as long as its examples.
+Vocabulary vocabulary_of(const Lexicon& lexicon) {
   WorldSnapshot world;
   world.objects = lexicon.sample;
-  return world;
+  return Vocabulary(std::shared_ptr<const Lexicon>(std::shared_ptr<void>(), &lexicon), world);
 }
 
 // The types of the arguments that a reading's term lacks, the outermost first.
@@ -128,7 +129,7 @@ void LexiconReader::read_sample() {
 }
 
 void LexiconReader::read_examples() {
-  const Vocabulary vocabulary(std::make_shared<const Lexicon>(lexicon_), scene_of(lexicon_));
+  const auto vocabulary = vocabulary_of(lexicon_);
   for (const auto& item : elements_of("examples", "examples"))
     if (item.expect_object("an example",
                            {"say", "reading", "readings", "fragments", "none", "move", "missing", "unknown", "about"}))
@@ -136,7 +137,7 @@ void LexiconReader::read_examples() {
 }
 
 std::vector<Error> check_examples(const Lexicon& lexicon) {
-  const Vocabulary vocabulary(std::make_shared<const Lexicon>(lexicon), scene_of(lexicon));
+  const auto vocabulary = vocabulary_of(lexicon);
   std::vector<Error> errors;
   for (const auto& example : lexicon.examples)
     for (const auto& sentence : example.say)

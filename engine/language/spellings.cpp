@@ -1,5 +1,7 @@
 #include "continua/language/spellings.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string_view>
 
@@ -8,7 +10,10 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-std::string joined(const std::string& a, const std::string& b) { return a.empty() || b.empty() ? a + b : a + " " + b; }
+void append(std::string& text, const std::string& more) {
+  if (!text.empty() && !more.empty()) text += ' ';
+  text += more;
+}
 
 // Reads alternatives by recursive descent.
 class Reader {
@@ -25,9 +30,9 @@ class Reader {
   std::optional<Texts> alternatives() {
     Texts all;
     for (;;) {
-      const auto some = sequence();
+      auto some = sequence();
       if (!some || all.size() + some->size() > most_spellings) return std::nullopt;
-      all.insert(all.end(), some->begin(), some->end());
+      std::move(some->begin(), some->end(), std::back_inserter(all));
       if (rest_.empty() || rest_.front() != '|') return all;
       rest_.remove_prefix(1);
     }
@@ -38,9 +43,13 @@ class Reader {
     while (!rest_.empty() && rest_.front() != '|' && rest_.front() != ')' && rest_.front() != ']') {
       const auto part = this->part();
       if (!part || all.size() * part->size() > most_spellings) return std::nullopt;
+      if (part->size() == 1) {
+        for (auto& begin : all) append(begin, part->front());
+        continue;
+      }
       Texts longer;
       for (const auto& begin : all)
-        for (const auto& end : *part) longer.push_back(joined(begin, end));
+        for (const auto& end : *part) append(longer.emplace_back(begin), end);
       all = std::move(longer);
     }
     return all;
