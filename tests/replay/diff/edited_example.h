@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -12,6 +13,7 @@
 #include "continua/core/located_json.h"
 #include "continua/replay/log/run_index.h"
 #include "continua/replay/session/session.h"
+#include "continua/replay/session/shelf.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 
@@ -52,7 +54,10 @@ class EditedExample {
     for (const auto& line : trace) text += compact(line) + "\n";
     ReplayOptions options;
     options.physics = false;
-    if (lexicon) options.knowledge = knowledge_with(*lexicon, folder);
+    if (lexicon)
+      options.knowledge = knowledge_with(*lexicon, folder);
+    else
+      options.shelf = shelf();
     auto session = Session::load(folder.file("example.trace.jsonl", text), options);
     if (!session) FAIL(session.error().text());
     std::ostringstream log;
@@ -72,6 +77,13 @@ class EditedExample {
   std::optional<LexiconFile> lexicon;
 
  private:
+  // The program's own knowledge, read once. No folder gets the name of an earlier one, so neither does a machine's
+  // file.
+  static const std::shared_ptr<Shelf>& shelf() {
+    static const auto shared = std::make_shared<Shelf>();
+    return shared;
+  }
+
   // The program's knowledge with another content of one file.
   static std::string knowledge_with(const LexiconFile& file, const TemporaryFolder& folder) {
     namespace fs = std::filesystem;
