@@ -14,6 +14,8 @@
 #include "continua/machine_file/machine_loader.h"
 #include "continua/machine_file/phrase_file.h"
 #include "continua/replay/inspector/run_notes.h"
+#include "continua/replay/log/kept_documents.h"
+#include "continua/replay/log/log_file.h"
 #include "continua/replay/log/run_index.h"
 #include "continua/replay/log/run_integrity.h"
 #include "continua/replay/session/live_setup.h"
@@ -53,14 +55,21 @@ FileCheck check_trace(std::string_view text, const std::string& path) {
   return check;
 }
 
-FileCheck check_run(std::string_view text, const std::string& path) {
-  auto problems = integrity_problems(text, path);
+FileCheck check_run(std::string_view, const std::string& path) {
+  const auto text = read_run_log(path);
+  if (!text) return {{text.error()}, {}, ""};
+  auto problems = integrity_problems(*text, path);
   const auto run = RunIndex::open(path);
   if (!run) problems.push_back(run.error());
   if (!problems.empty()) return {std::move(problems), {}, ""};
   FileCheck check{{}, {}, "run log, " + counted(run->size(), "record")};
   if (!run->trouble().empty()) check.notes.push_back(path + ": " + run->trouble());
   return check;
+}
+
+FileCheck check_kept_document(std::string_view text, const std::string& path) {
+  if (auto problem = kept_document_problem(text, path)) return {{*std::move(problem)}, {}, ""};
+  return {{}, {}, "document of run logs"};
 }
 
 bool is_notes_file(std::string_view, const std::string& path) { return path.ends_with(notes_ending); }
@@ -241,6 +250,7 @@ struct FileKind {
 
 // The first that recognises a file checks it.
 constexpr std::array file_kinds = {
+    FileKind{[](std::string_view, const std::string& path) { return is_kept_document(path); }, check_kept_document},
     FileKind{[](std::string_view text, const std::string& path) { return is_jflap(text, path); }, check_jflap},
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "trace"); }, check_trace},
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "run"); }, check_run},

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "continua/core/digest.h"
+#include "continua/replay/log/log_file.h"
 #include "continua/replay/log/records.h"
 #include "continua/replay/log/run_index_file.h"
 
@@ -24,12 +25,12 @@ bool goes_on_in(const LogSource& source, const ScannedLog& log) {
 }  // namespace
 
 Result<RunIndex> RunIndex::open(const std::string& path) {
-  const auto file = source_of_file(path);
-  if (!file) return Error{path, "cannot be read; expected a run log"};
+  const auto file = source_of_log(path);
+  if (!file) return file.error();
   const auto print = print_of(path);
   if (print)
-    if (auto known = kept_scan(path, *print)) return RunIndex(file, *std::move(known));
-  auto index = scanned(file, path);
+    if (auto known = kept_scan(path, *print)) return RunIndex(*file, *std::move(known));
+  auto index = scanned(*file, path);
   // Kept only if the file did not change meanwhile.
   if (index && print && print == print_of(path)) keep_scan(index->log_, *print);
   return index;
@@ -47,12 +48,12 @@ Result<RunIndex> RunIndex::scanned(std::shared_ptr<const LogSource> source, cons
 }
 
 Result<RunIndex> RunIndex::grown(const RunIndex& old) {
-  const auto file = source_of_file(old.path());
-  if (!file || old.complete() || !goes_on_in(*file, old.log_)) return open(old.path());
-  RunIndex index(file, old.log_);
+  const auto file = source_of_log(old.path());
+  if (!file || old.complete() || !goes_on_in(**file, old.log_)) return open(old.path());
+  RunIndex index(*file, old.log_);
   index.log_.trouble.clear();
   const auto& last = index.log_.entries.back();
-  if (auto problem = scan_log(*file, last.offset + last.length + 1, index.log_)) return *problem;
+  if (auto problem = scan_log(**file, last.offset + last.length + 1, index.log_)) return *problem;
   return index;
 }
 

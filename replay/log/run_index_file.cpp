@@ -22,7 +22,7 @@ constexpr std::uint64_t shortest_kept = std::uint64_t{8} << 20;
 // The beginning of an index file. A file of another version, or of a machine that lays numbers out otherwise, begins
 // otherwise.
 struct Begin {
-  std::array<char, 24> name{"continua run index 3"};
+  std::array<char, 24> name{"continua run index 4"};
   std::uint64_t order = 0x0102030405060708ULL;
   std::uint64_t sizes = (sizeof(RecordEntry) << 32) + (sizeof(StackMark) << 24) + (sizeof(SymbolPlace) << 16) +
                         (sizeof(ActMark) << 8) + sizeof(StepMark);
@@ -171,7 +171,7 @@ std::optional<ScannedLog> kept_scan(const std::string& path, const LogPrint& pri
   Begin begin;
   LogPrint of_log;
   std::vector<Symbol> symbols;
-  if (!reader.get(begin) || begin != Begin() || !reader.get(of_log) || of_log != print ||
+  if (!reader.get(begin) || begin != Begin() || !reader.get(of_log) || of_log != print || !reader.get(log.bytes) ||
       !reader.get_texts(log.kinds) || !reader.get_texts(log.names) || !reader.get_all(log.entries) ||
       !reader.get_all(log.marks) || !reader.get_all(symbols) || !reader.get_all(log.acts) ||
       !reader.get_all(log.steps) || !reader.get_all(log.trouble) || !reader.get(log.last_line) || !reader.finished())
@@ -179,7 +179,6 @@ std::optional<ScannedLog> kept_scan(const std::string& path, const LogPrint& pri
   log.symbols.reserve(symbols.size());
   for (const auto& [id, place] : symbols) log.symbols.emplace(id, place);
   log.path = path;
-  log.bytes = print.bytes;
   if (!is_consistent(log)) return std::nullopt;
   return log;
 }
@@ -193,6 +192,7 @@ void keep_scan(const ScannedLog& log, const LogPrint& print) {
   Writer writer(file.stream());
   writer.put(Begin());
   writer.put(print);
+  writer.put(log.bytes);
   writer.put_texts(log.kinds);
   writer.put_texts(log.names);
   writer.put_all(log.entries);

@@ -448,9 +448,20 @@ class Log(Choices, Applications):
         self.branches.after_step(record)
 
 
+def with_documents(value, folder):
+    """The value with the documents in it that are kept beside the log (replay/log/RUNLOG.md, Kept documents)."""
+    if not isinstance(value, dict):
+        return value
+    if list(value) == ["kept"]:
+        places = [each / "documents" / (value["kept"] + ".json") for each in (folder, *folder.parents)]
+        return json.loads(next(each for each in places if each.exists()).read_text(encoding="utf-8"))
+    return {name: with_documents(member, folder) for name, member in value.items()}
+
+
 def read_log(path):
     with open(path, encoding="utf-8") as lines:
-        return [json.loads(line) for line in lines if line.strip()]
+        header, *records = [json.loads(line) for line in lines if line.strip()]
+    return [with_documents(header, pathlib.Path(path).resolve().parent), *records]
 
 
 def check_log(name, records, tally, raising):

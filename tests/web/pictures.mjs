@@ -1,15 +1,15 @@
 #!/usr/bin/env node
 // Makes the pictures of the page that the documents show: CONTINUA=build/continua node tests/web/pictures.mjs web/pictures
 import {execFileSync} from 'node:child_process';
-import {copyFileSync, mkdirSync} from 'node:fs';
+import {mkdirSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {program, root, serve, temporaryFolder, Visitor} from './support.mjs';
+import {logOf, program, root, serve, temporaryFolder, Visitor} from './support.mjs';
 
 const out = process.argv[2] ?? join(root, 'web/pictures');
 const runs = temporaryFolder();
 mkdirSync(out, {recursive: true});
 for (const name of ['correction.physics', 'disambiguation', 'disambiguation_exhausted', 'one_breath', 'special_npda'])
-  copyFileSync(join(root, `traces/paper/${name}.run.jsonl`), join(runs, `${name}.run.jsonl`));
+  writeFileSync(join(runs, `${name}.run.jsonl`), logOf(`paper/${name}`));
 execFileSync(program, [
   'replay',
   join(root, 'traces/building_blocks.trace.jsonl'),

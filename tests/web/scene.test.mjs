@@ -1,6 +1,6 @@
 // The scene in 3D: its pure parts, and the panel in a browser that draws it, and in one that cannot.
 import assert from 'node:assert/strict';
-import {readFileSync, writeFileSync} from 'node:fs';
+import {writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {eyeOf, fit, flight, sides, viewFrom} from '../../web/scene3d/framing.js';
@@ -9,7 +9,7 @@ import {apart} from '../../web/scene3d/ghost.js';
 import {between, Motion, Window} from '../../web/scene3d/motion.js';
 import {approached, shifted, turned} from '../../web/scene3d/orbit.js';
 import {objectNear, placeText, sceneSentence} from '../../web/scene3d/scene_text.js';
-import {packages, root, serve, temporaryFolder, Visitor} from './support.mjs';
+import {logOf, packages, serve, temporaryFolder, Visitor} from './support.mjs';
 
 const close = (a, b, by = 1e-9) => assert.ok(Math.abs(a - b) <= by, `${a} is not ${b}`);
 const at = (x, turn = 0) => [x, 0, 0, Math.cos(turn / 2), 0, 0, Math.sin(turn / 2)];
@@ -322,7 +322,7 @@ test('a ghost is seen from a millimetre on', () => {
 });
 
 /** The log of a run with physics, as recorded, and one of a log without a scene. */
-const approved = readFileSync(join(root, 'traces/paper/correction.physics.run.jsonl'), 'utf8');
+const approved = logOf('paper/correction.physics');
 const folder = temporaryFolder();
 let server, drawing, blind;
 

@@ -1,19 +1,18 @@
 // The start page, notes, what if, and a run that is still being written, in a real browser.
 import assert from 'node:assert/strict';
-import {appendFileSync, copyFileSync, existsSync, mkdirSync, readFileSync, utimesSync, writeFileSync} from 'node:fs';
+import {appendFileSync, existsSync, mkdirSync, readFileSync, utimesSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {numberOf, root, serve, temporaryFolder, Visitor} from './support.mjs';
+import {logOf, numberOf, root, serve, temporaryFolder, Visitor} from './support.mjs';
 
 const folder = temporaryFolder();
-const paper = join(root, 'traces/paper');
-const lines = readFileSync(join(paper, 'disambiguation.run.jsonl'), 'utf8').split('\n').filter(Boolean);
+const lines = logOf('paper/disambiguation').split('\n').filter(Boolean);
 let server, visitor;
 before(async () => {
   mkdirSync(join(folder, 'older'));
   for (const name of ['correction', 'disambiguation'])
-    copyFileSync(join(paper, `${name}.run.jsonl`), join(folder, `${name}.run.jsonl`));
-  copyFileSync(join(paper, 'one_breath.run.jsonl'), join(folder, 'older/one_breath.run.jsonl'));
+    writeFileSync(join(folder, `${name}.run.jsonl`), logOf(`paper/${name}`));
+  writeFileSync(join(folder, 'older/one_breath.run.jsonl'), logOf('paper/one_breath'));
   utimesSync(join(folder, 'older/one_breath.run.jsonl'), 1e9, 1e9);
   writeFileSync(join(folder, 'cut.run.jsonl'), `${lines.slice(0, 20).join('\n')}\n`);
   utimesSync(join(folder, 'cut.run.jsonl'), 1.1e9, 1.1e9);

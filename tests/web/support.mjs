@@ -1,6 +1,6 @@
 // The program serving runs and a real browser looking at them, for the tests of the page. Where that cannot be had the
 // test ends with status 77: skipped.
-import {spawn} from 'node:child_process';
+import {execFileSync, spawn} from 'node:child_process';
 import {existsSync, mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
@@ -30,9 +30,15 @@ export function temporaryFolder() {
   return folder;
 }
 
-/** The records of a run below traces/, by the name of its file without ending. */
+/** The log of a run below traces/, by the name of its file without ending, with all its documents in it. */
+export const logOf = (run) =>
+  execFileSync(program, ['export', join(root, 'traces', `${run}.run.jsonl`), '--to', 'jsonl'], {
+    encoding: 'utf8',
+    maxBuffer: 2 ** 30,
+  });
+/** Its records. */
 export const recordsOf = (run) =>
-  readFileSync(join(root, 'traces', `${run}.run.jsonl`), 'utf8')
+  logOf(run)
     .split('\n')
     .filter(Boolean)
     .map((line) => JSON.parse(line));

@@ -1,11 +1,11 @@
 // Stack, derivation and why of real runs, in a browser served by the program.
 import assert from 'node:assert/strict';
-import {copyFileSync, readFileSync, writeFileSync} from 'node:fs';
+import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {walk} from '../../web/terms/derivation.js';
 import {print} from '../../web/terms/term.js';
-import {root, serve, temporaryFolder, Visitor} from './support.mjs';
+import {logOf, recordsOf, serve, temporaryFolder, Visitor} from './support.mjs';
 
 const folder = temporaryFolder();
 let server, visitor;
@@ -40,12 +40,6 @@ const odd = [
 ];
 const events = new Map(); // run → {n of the act asked for, …}
 
-const lines = (name, where) =>
-  readFileSync(join(root, 'traces', where, `${name}.run.jsonl`), 'utf8')
-    .split('\n')
-    .filter(Boolean)
-    .map((line) => JSON.parse(line));
-
 before(async () => {
   for (const [name, where] of [
     ['dialogue_gesture', 'paper'],
@@ -53,8 +47,8 @@ before(async () => {
     ['predicate_first', 'paper'],
     ['staircase', 'talk'],
   ]) {
-    copyFileSync(join(root, 'traces', where, `${name}.run.jsonl`), join(folder, `${name}.run.jsonl`));
-    const all = lines(name, where);
+    writeFileSync(join(folder, `${name}.run.jsonl`), logOf(`${where}/${name}`));
+    const all = recordsOf(`${where}/${name}`);
     const of = (test) => all.filter(test).map((one) => one.n);
     events.set(name, {
       all,

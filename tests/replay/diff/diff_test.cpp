@@ -5,6 +5,7 @@
 #include "continua/replay/diff/run_diff.h"
 #include "continua/replay/diff/run_diff_text.h"
 #include "continua/replay/experiment/trace_diff.h"
+#include "continua/replay/log/log_file.h"
 #include "replay/diff/edited_example.h"
 #include "replay/inspector/inspector_log.h"
 
@@ -257,7 +258,7 @@ TEST_CASE("of a run that was changed in mid-run the change is named") {
 }
 
 TEST_CASE("a log that is cut short is told from a run that went otherwise") {
-  const auto text = *read_file((traces / "paper/never_mind.run.jsonl").string());
+  const auto text = *read_run_log((traces / "paper/never_mind.run.jsonl").string());
   const auto whole = index_of(text);
   for (const std::size_t line : {40u, 60u, 90u}) {
     std::size_t end = 0;

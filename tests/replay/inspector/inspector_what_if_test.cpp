@@ -8,6 +8,7 @@
 #include "continua/replay/diff/run_diff.h"
 #include "continua/replay/experiment/what_if_session.h"
 #include "continua/replay/inspector/inspector_api.h"
+#include "continua/replay/log/log_file.h"
 #include "continua/replay/session/session.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
@@ -49,7 +50,7 @@ struct Asked {
 // A worked example's log in a folder of its own, edited.
 struct EditedLog {
   explicit EditedLog(const std::string& name) {
-    std::ifstream file(paper / (name + ".run.jsonl"));
+    std::istringstream file(read_run_log((paper / (name + ".run.jsonl")).string()).value());
     for (std::string line; std::getline(file, line);) records.push_back(Json::parse(line));
   }
   std::string write() const {

@@ -1,7 +1,10 @@
 #include "continua/replay/inspector/page_file.h"
 
+#include <filesystem>
 #include <sstream>
 
+#include "continua/replay/log/log_file.h"
+#include "continua/replay/log/run_log_file.h"
 #include "continua/web/assets.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
@@ -37,6 +40,19 @@ TEST_CASE("a run and the page become one file that names nothing elsewhere") {
   CHECK_THAT(page, Contains("default-src 'none'; script-src 'sha256-"));
   CHECK_THAT(page, !Contains(" src=\"") && !Contains("<link rel=\"stylesheet\""));
   CHECK(page == page_of(folder.path() + "/small.run.jsonl"));
+}
+
+TEST_CASE("the page of a run whose documents are kept beside it is that of the whole run") {
+  const ScratchFolder folder;
+  const auto whole = read_run_log(std::string(CONTINUA_SOURCE_DIR) + "/traces/paper/correction.run.jsonl").value();
+  const auto path = folder.write("a.run.jsonl", whole);
+  const auto written = std::filesystem::last_write_time(path);
+  const auto page = page_of(path);
+  REQUIRE(!rewrite_run_log(path, path, folder.path() + "/documents"));
+  std::filesystem::last_write_time(path, written);
+  CHECK(std::filesystem::file_size(path) * 2 < whole.size());
+  const bool same = page_of(path) == page;
+  CHECK(same);
 }
 
 TEST_CASE("a run cut short becomes a page too, as does one with names of all kinds") {

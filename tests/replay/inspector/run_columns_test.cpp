@@ -9,6 +9,7 @@
 #include "continua/core/characters.h"
 #include "continua/replay/inspector/run_find.h"
 #include "continua/replay/inspector/run_labels.h"
+#include "continua/replay/log/log_file.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_listing.h"
 #include "replay/inspector/inspector_log.h"
@@ -174,8 +175,7 @@ std::vector<std::string> paper_logs() {
   std::vector<std::string> texts;
   for (const auto& file : std::filesystem::directory_iterator(std::string(CONTINUA_SOURCE_DIR) + "/traces/paper")) {
     if (!file.path().string().ends_with(".run.jsonl")) continue;
-    std::ifstream in(file.path(), std::ios::binary);
-    texts.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+    texts.push_back(read_run_log(file.path().string()).value());
   }
   REQUIRE(texts.size() > 5);
   return texts;

@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <sstream>
 
 #include <fmt/format.h>
 
+#include "continua/replay/log/log_file.h"
 #include "continua/replay/log/record_text.h"
 #include "continua/replay/log/records.h"
 #include "continua/replay/log/schema.h"
@@ -103,7 +105,7 @@ Examples approved_examples() {
   std::sort(paths.begin(), paths.end());
   std::map<std::string, Json> best;
   for (const auto& path : paths) {
-    std::ifstream file(path);
+    std::istringstream file(read_run_log(path.string()).value());
     for (std::string text; std::getline(file, text);) {
       const auto line = Json::parse(text);
       auto& found = best[kind_in(line)];
