@@ -25,6 +25,7 @@
 #include "continua/replay/commands/import.h"
 #include "continua/replay/commands/learn.h"
 #include "continua/replay/commands/machine.h"
+#include "continua/replay/commands/pack.h"
 #include "continua/replay/commands/record.h"
 #include "continua/replay/commands/render.h"
 #include "continua/replay/commands/replay.h"
@@ -61,6 +62,8 @@ std::vector<Subcommand> add_all(CLI::App& program) {
       add(program, "serve", "Show runs in a browser", describe_serve, run_serve),
       add(program, "render", "Draw pictures or a film of a run, without a display", describe_render, run_render),
       add(program, "export", "Write a run in another format", describe_export, run_export),
+      add(program, "pack", "Keep what run logs have in common once beside them, or put it back", describe_pack,
+          run_pack),
       add(program, "machine", "Describe a machine, or draw it", describe_machine, run_machine),
       add(program, "import", "Turn VoxSim session logs into traces", describe_import, run_import),
       add(program, "check",

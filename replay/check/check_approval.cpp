@@ -4,11 +4,13 @@
 
 #include <filesystem>
 #include <iostream>
+#include <set>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "continua/replay/diff/run_diff_text.h"
+#include "continua/replay/log/kept_documents.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -60,10 +62,12 @@ Outcome approve(const CheckOptions& options, const std::vector<CheckItem>& items
     std::fflush(stdout);
     if (!answers_yes()) return std::nullopt;
   }
+  std::set<std::string> folders;
   for (const auto i : open) {
     const auto& check = *checking.trace(i);
     const auto approval = approval_of(items[i].path.string(), check.run, check.approved);
-    if (auto problem = write_file(approval.path, approval.content)) return problem;
+    if (auto problem = write_approval(approval)) return problem;
+    if (auto documents = documents_above(approval.path)) folders.insert(*std::move(documents));
     std::error_code none;
     if (check.approved && takes_place_of(approval, *check.approved)) fs::remove(check.approved->path, none);
     fmt::print("approved {}\n", printable_line(approval.path));
@@ -72,6 +76,8 @@ Outcome approve(const CheckOptions& options, const std::vector<CheckItem>& items
     approved.sentence = "approved; was " + approved.sentence;
     approved.status = exit_done;
   }
+  for (const auto& folder : folders)
+    if (const auto removed = remove_unused_documents(folder); !removed) return removed.error();
   return std::nullopt;
 }
 

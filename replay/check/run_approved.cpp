@@ -7,8 +7,11 @@
 #include <fmt/format.h>
 
 #include "continua/core/located_json.h"
+#include "continua/replay/log/kept_documents.h"
 #include "continua/replay/log/line_scan.h"
+#include "continua/replay/log/log_file.h"
 #include "continua/replay/log/run_log.h"
+#include "continua/replay/log/run_log_file.h"
 #include "continua/replay/trace/trace_name.h"
 
 namespace continua {
@@ -141,6 +144,13 @@ Result<RunComparison> compare_digests(const Log& run, const ApprovedRun& approve
   return RunComparison{Sameness::changed, "decisions differ; only their digest was approved"};
 }
 
+// The length of the file that the run would be approved by.
+std::size_t bytes_of_file(std::string_view run, const std::string& trace_path) {
+  if (!documents_above(trace_path)) return run.size();
+  const auto header = run.substr(0, run.find('\n'));
+  return run.size() - header.size() + without_documents(header).line.size();
+}
+
 std::string world_of(const ApprovedRun& approved) {
   const auto document = is_whole_log(approved)
                             ? parse_json_line(approved.content.substr(0, approved.content.find('\n')), approved.path, 1)
@@ -158,7 +168,7 @@ Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_pa
       const auto path = beside(trace_path, of_world + ending);
       if (!fs::exists(path)) continue;
       if (found) return Error{path, fmt::format("is approved beside {}; expected one of them", found->path)};
-      auto content = read_file(path);
+      auto content = path.ends_with(".jsonl") ? read_run_log(path) : read_file(path);
       if (!content) return content.error();
       found = ApprovedRun{path, *std::move(content)};
     }
@@ -168,6 +178,13 @@ Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_pa
 }
 
 bool is_whole_log(const ApprovedRun& approved) { return approved.path.ends_with(".jsonl"); }
+
+Outcome write_approval(const ApprovedRun& approval) {
+  if (!is_whole_log(approval)) return replace_file(approval.path, approval.content);
+  RunLogFile file(approval.path, documents_above(approval.path).value_or(""));
+  file.stream() << approval.content;
+  return file.commit();
+}
 
 bool takes_place_of(const ApprovedRun& approval, const ApprovedRun& before) {
   const auto stem = [](const std::string& path) { return path.substr(0, path.rfind(".run.")); };
@@ -183,7 +200,7 @@ ApprovedRun approval_of(const std::string& trace_path, std::string_view run, con
   const bool elsewhere = before && (before->path.find("." + world + ".run.") != std::string::npos ||
                                     (!of_before.empty() && of_before != world));
   const std::string of_world = elsewhere ? "." + world : "";
-  if (whole && run.size() <= longest_approved_log)
+  if (whole && bytes_of_file(run, trace_path) <= longest_approved_log)
     return {beside(trace_path, of_world + ".run.jsonl"), std::string(run)};
   return {beside(trace_path, of_world + ".run.json"), digests_of(*log).dump(2) + "\n"};
 }

@@ -10,13 +10,13 @@
 
 namespace continua {
 
-/// Runs with longer logs are approved by their digests alone.
+/// Runs whose logs would be longer files are approved by their digests alone.
 inline constexpr std::size_t longest_approved_log = 1024 * 1024;
 
 /// The file next to a trace that holds its approved run.
 struct ApprovedRun {
-  std::string path;  ///< NAME.run.jsonl: a whole log; NAME.run.json: its digests
-  std::string content;
+  std::string path;     ///< NAME.run.jsonl: a log; NAME.run.json: its digests
+  std::string content;  ///< of a log, with the documents that are kept beside it
 };
 
 /// Else only its digests.
@@ -30,6 +30,9 @@ Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_pa
 /// The file to write to approve a run: its log, or its digests if the log is long or `before` has no more. If `before`
 /// is of another world it stays; another path in the same world takes its place (takes_place_of).
 ApprovedRun approval_of(const std::string& trace_path, std::string_view run, const std::optional<ApprovedRun>& before);
+
+/// Writes the file. Where a folder `documents` stands beside it or above, the documents of its log go there.
+Outcome write_approval(const ApprovedRun& approval);
 
 /// Whether `before` is to be removed once `approval` is written.
 bool takes_place_of(const ApprovedRun& approval, const ApprovedRun& before);

@@ -11,6 +11,7 @@
 #include "continua/replay/export/graph_svg.h"
 #include "continua/replay/export/json.h"
 #include "continua/replay/inspector/page_file.h"
+#include "continua/replay/log/log_file.h"
 #include "continua/replay/terminal/progress.h"
 
 namespace continua {
@@ -39,6 +40,13 @@ Outcome export_html(const RunIndex& run, std::ostream& out) {
   return problem;
 }
 
+Outcome export_log(const RunIndex& run, std::ostream& out) {
+  const auto log = source_of_log(run.path());
+  if (!log) return log.error();
+  const bool all = read_pieces(**log, [&](std::string_view piece) { out << piece; });
+  return all ? Outcome() : Error{run.path(), file_changed};
+}
+
 // An exporter is a function and a row.
 struct Exporter {
   const char* format;
@@ -52,6 +60,7 @@ constexpr std::array exporters = {
     Exporter{"svg", "the same as a picture", export_svg},
     Exporter{"csv", "a table: a row a record, a column for all that records have", export_csv},
     Exporter{"chrome", "trace events on a time line, for Perfetto, chrome://tracing and speedscope", export_chrome},
+    Exporter{"jsonl", "the log with its documents in it, byte for byte as a whole log was written", export_log},
     Exporter{"html", "the inspector's page with this run in it, one file that opens offline", export_html},
 };
 
@@ -90,6 +99,7 @@ void describe_export(CLI::App& command, ExportOptions& options) {
       "          continua export talk.run.jsonl --to svg -o talk.svg\n"
       "          continua export talk.run.jsonl --to csv -o talk.csv\n"
       "          continua export talk.run.jsonl --to chrome -o talk.trace.json\n"
+      "          continua export runs/talk.run.jsonl --to jsonl -o talk.run.jsonl\n"
       "          continua export talk.run.jsonl --to html -o talk.html");
 }
 

@@ -2,6 +2,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
+#include "continua/replay/log/run_log_file.h"
 #include "continua/replay/session/outside_choice.h"
 #include "continua/replay/session/shelf.h"
 #include "continua/replay/terminal/progress.h"
@@ -49,9 +50,14 @@ std::string comparison(const std::string& trace, const std::string& output, cons
   return original ? fmt::format("; compare: continua diff {} {}", shell_word(*original), shell_word(output)) : "";
 }
 
+bool is_for_folder(const ReplayCommandOptions& options) {
+  const auto& output = options.output;
+  return output.empty() || options.traces.size() > 1 || output.ends_with('/') || fs::is_directory(output);
+}
+
 Result<std::vector<std::string>> runs_of(const ReplayCommandOptions& options) {
   const auto& output = options.output;
-  const bool folder = output.empty() || options.traces.size() > 1 || output.ends_with('/') || fs::is_directory(output);
+  const bool folder = is_for_folder(options);
   if (output == "-" && options.traces.size() > 1)
     return Error{"-", "takes one run log; expected a folder for several traces"};
   std::error_code problem;
@@ -89,6 +95,9 @@ class Batch {
  public:
   Batch(const ReplayCommandOptions& options, std::vector<std::string> outputs)
       : options_(options),
+        documents_(options.output.empty() || options.whole || !is_for_folder(options)
+                       ? ""
+                       : (fs::path(options.output) / "documents").string()),
         outputs_(std::move(outputs)),
         lines_(options.traces.size()),
         progress_(options.traces.size()) {}
@@ -126,7 +135,7 @@ class Batch {
       return finish(index, kept(*session, summary), output);
     }
     if (auto problem = not_an_input(output, session->files())) return finish(index, *std::move(problem), output);
-    ReplacedFile file(output);
+    RunLogFile file(output, documents_);
     if (!file.stream()) return finish(index, *file.commit(), output);
     const auto summary = session->run(file.stream());
     const auto problem = summary.stopped ? Outcome() : file.commit();
@@ -175,6 +184,7 @@ class Batch {
 
   const ReplayCommandOptions& options_;
   const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
+  const std::string documents_;  // the folder for them; empty: in the logs
   std::vector<std::string> outputs_;
   std::mutex mutex_;
   std::vector<std::optional<std::string>> lines_;
@@ -224,6 +234,9 @@ int run_replay(const ReplayCommandOptions& options) {
 void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
   command.add_option("TRACE", options.traces, "traces (.jsonl)")->required();
   command.add_option("-o,--output", options.output, "a run log, a folder, or '-'; otherwise NAME.run.jsonl here");
+  command.add_flag(
+      "--whole", options.whole,
+      "with a folder: each log has its machine and scene in it; otherwise these are kept once, in documents/");
   command.add_option("--seed", options.replay.seed, "for draws; otherwise the trace's");
   const auto choice = add_choice(command);
   command.add_option("--branches", options.replay.most_branches, "under explore, how many configurations are kept")

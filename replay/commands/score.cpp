@@ -15,6 +15,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
+#include "continua/replay/log/run_log_file.h"
 #include "continua/replay/score/score_report.h"
 #include "continua/replay/session/shelf.h"
 #include "continua/replay/terminal/progress.h"
@@ -106,13 +107,13 @@ class Scoring {
     return score;
   }
 
-  static Result<ReplaySummary> replayed(Session& session, const std::string& run) {
+  Result<ReplaySummary> replayed(Session& session, const std::string& run) const {
     if (run.empty()) {
       std::ostream nowhere(nullptr);
       return session.run(nowhere);
     }
     if (auto problem = not_an_input(run, session.files())) return *std::move(problem);
-    ReplacedFile file(run);
+    RunLogFile file(run, options_.whole ? "" : (fs::path(options_.output) / "documents").string());
     if (!file.stream()) return *file.commit();
     auto summary = session.run(file.stream());
     if (auto problem = file.commit()) return *std::move(problem);
@@ -166,6 +167,8 @@ void describe_score(CLI::App& command, ScoreOptions& options) {
       ->check(CLI::IsMember({"free", "world", "teacher"}));
   command.add_option("-o,--output", options.output,
                      "a folder for the run logs, NAME.run.jsonl; otherwise they are not kept");
+  command.add_flag("--whole", options.whole,
+                   "with -o: each log has its machine and scene in it; otherwise these are kept once, in documents/");
   auto* json = command.add_flag("--json", options.json, "one JSON document, with all misses");
   command.add_flag("--markdown", options.markdown, "the tables as Markdown")->excludes(json);
   command.add_flag("--misses", options.all_misses, "tell all misses, not the first few of each trace");

@@ -11,7 +11,10 @@
 #include "continua/replay/check/check.h"
 #include "continua/replay/check/junit.h"
 #include "continua/replay/check/run_check.h"
+#include "continua/replay/commands/validate.h"
+#include "continua/replay/log/log_file.h"
 #include "continua/replay/log/run_log.h"
+#include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
 #include "support/standard_output.h"
 #include "support/temporary_folder.h"
@@ -252,6 +255,33 @@ TEST_CASE("to approve is to write the runs that are not as they were approved") 
   CHECK(run_check(options) == exit_done);
   options.approve = options.yes = false;
   CHECK(run_check(options) == exit_done);
+}
+
+TEST_CASE("runs are approved with their documents in the nearest folder for them") {
+  TemporaryFolder folder;
+  const auto trace = folder.file("below/a.trace.jsonl", conversation);
+  const auto run = folder.at("below/a.run.jsonl"), whole = checked(trace).run;
+  const auto unused = folder.file("documents/" + std::string(32, 'a') + ".json", "{}");
+  CheckOptions options;
+  options.paths = {folder.path().string()};
+  options.physics = false;
+  options.approve = options.yes = true;
+  CHECK(run_check(options) == exit_done);
+  CHECK_FALSE(fs::exists(unused));
+  const bool same = read_run_log(run).value() == whole;
+  CHECK(same);
+  CHECK(fs::file_size(run) * 2 < whole.size());
+  options.approve = options.yes = false;
+  CHECK(run_check(options) == exit_done);
+  CHECK(checked(trace).verdict == Verdict::same);
+  CHECK(run_validate({{folder.path().string()}}) == exit_done);
+
+  const auto graph = (*Json::parse(first_line(run).value()).find("graph"))["kept"].get<std::string>();
+  folder.file("documents/" + graph + ".json", "{}");
+  CHECK(run_validate({{folder.path().string()}}) != exit_done);
+  CHECK(checked(trace).verdict == Verdict::broken);
+  fs::remove_all(folder.at("documents"));
+  CHECK_THAT(checked(trace).reason, Contains("is kept in a file of its own"));
 }
 
 TEST_CASE("shards are parts, and together the whole") {
