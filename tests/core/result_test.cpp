@@ -22,6 +22,9 @@ TEST_CASE("a result holds a value or an error") {
 TEST_CASE("a value can be moved out of a result") {
   Result<std::unique_ptr<int>> held = std::make_unique<int>(3);
   CHECK(*std::move(held).value() == 3);
+  Result<std::unique_ptr<int>> other = std::make_unique<int>(4);
+  const auto moved = *std::move(other);
+  CHECK(*moved == 4);
 }
 
 TEST_CASE("seconds become the nearest microsecond and back") {
