@@ -86,7 +86,7 @@ class Chart {
 
   const Vocabulary& vocabulary_;
   const Lexicon& lexicon_;
-  std::vector<std::vector<std::vector<std::size_t>>> cells_;  ///< by begin and length - 1
+  std::vector<std::vector<std::vector<std::size_t>>> cells_;       ///< by begin and length - 1
   std::vector<std::vector<std::vector<const WordSense*>>> words_;  ///< by begin and length - 1; those with prospects
   std::vector<std::vector<Skippable>> skippable_;
   std::vector<Entry> entries_;
