@@ -112,7 +112,8 @@ void LexiconReader::read_scope() {
       for (const auto& [name, item] : inner.members("what names mean there")) {
         const auto declared = lexicon_.names.find(name);
         if (declared == lexicon_.names.end() || !lexicon_.names.contains(around))
-          item.problem_at_key(fmt::format("found {} within {}, expected declared names", in_quotes(name), in_quotes(around)));
+          item.problem_at_key(
+              fmt::format("found {} within {}, expected declared names", in_quotes(name), in_quotes(around)));
         else if (const auto term = read_term(item, declared->second))
           lexicon_.definitions.emplace(scoped_name(around, name), *term);
       }

@@ -14,8 +14,8 @@ namespace continua {
 namespace {
 
 const std::vector<std::string> sections = {
-    "about",      "categories", "names", "define",   "determiners", "proforms",   "words",   "skip",
-    "attributes", "plural",     "unary", "examples", "sample",      "learned",    "unknown", "numbers",
+    "about",      "categories", "names", "define",   "determiners", "proforms",    "words",   "skip",
+    "attributes", "plural",     "unary", "examples", "sample",      "learned",     "unknown", "numbers",
     "nouns",      "asides",     "forms", "taken",    "contracted",  "apostrophes", "scope"};
 
 }  // namespace

@@ -191,8 +191,9 @@ Move Understanding::understood(const Utterance& utterance, std::size_t fragment,
   const auto& part = utterance.fragments[fragment];
   std::vector<Interpretation> interpretations;
   for (const auto& reading : part.readings)
-    interpretations.push_back(interpret(in_scope(with_antecedents(reading, language_.lexicon->operators), *vocabulary_), utterance.words,
-                                        within(reading, utterance, context), meanings(), language_.raising));
+    interpretations.push_back(interpret(in_scope(with_antecedents(reading, language_.lexicon->operators), *vocabulary_),
+                                        utterance.words, within(reading, utterance, context), meanings(),
+                                        language_.raising));
   Move move;
   move.chosen = preferred(interpretations);
   move.readings = part.readings;

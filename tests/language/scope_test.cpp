@@ -22,8 +22,7 @@ TEST_CASE("an indefinite under a prohibition means each of its kind") {
       {"never take a block", "forbid(grasp(each(all(\\x. block(x)))))"},
       {"never put the knife on a plate", "forbid(put(the(\\x. knife(x)), on(each(all(\\x. plate(x))))))"},
       // conditions inside a noun phrase stay
-      {"never take a block on a plate",
-       "forbid(grasp(each(all(\\x. block(x) and located(x, on(a(\\y. plate(y))))))))"},
+      {"never take a block on a plate", "forbid(grasp(each(all(\\x. block(x) and located(x, on(a(\\y. plate(y))))))))"},
       // what is asked for, and what is definite, stays
       {"take a block", "grasp(a(\\x. block(x)))"},
       {"never take the block", "forbid(grasp(the(\\x. block(x))))"},
