@@ -315,8 +315,8 @@ bool Fusion::release_first(std::vector<Ensemble>& released) {
       shown.push_back(waiting_[i].serial);
   release_up_to(words, parts, released);
   for (const int serial : shown) {
-    const auto gesture = std::find_if(waiting_.begin(), waiting_.end(),
-                                      [&](const Percept& each) { return each.serial == serial; });
+    const auto gesture =
+        std::find_if(waiting_.begin(), waiting_.end(), [&](const Percept& each) { return each.serial == serial; });
     if (gesture != waiting_.end())
       release_up_to(static_cast<std::size_t>(gesture - waiting_.begin()), plan().parts, released);
   }

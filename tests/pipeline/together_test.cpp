@@ -70,7 +70,8 @@ TEST_CASE("the machine takes words and a gesture of one moment together, in eith
   CHECK(said_after({event(1, "lift"), event(1.2, "", "push")}) == "lift or push?");
   CHECK(said_after({event(1, "", "push"), event(1.2, "lift")}) == "lift or push?");
   CHECK(said_after({event(1, "lift"), event(1.2, "", "push"), event(3, "words")}) == "lift or push? Heard lift.");
-  CHECK(said_after({event(1, "lift"), event(1.2, "", "push"), event(3, "hand")}) == "lift or push? Seen push, push remembered.");
+  CHECK(said_after({event(1, "lift"), event(1.2, "", "push"), event(3, "hand")}) ==
+        "lift or push? Seen push, push remembered.");
 }
 
 TEST_CASE("where it does not, they are attended to one by one, and nothing is remembered") {
