@@ -55,6 +55,7 @@ struct NameTemplate {
   Category category;
   Term term;
   double cost = 0;
+  bool plural = false;  ///< of a noun: for its plural; the others are for its singular
 };
 
 /// A rule by which a phrase of category `from` is also one of category `to`.

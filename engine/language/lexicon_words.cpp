@@ -127,12 +127,13 @@ void LexiconReader::read_attributes() {
 std::vector<NameTemplate> LexiconReader::read_name_templates(const std::string& section) {
   std::vector<NameTemplate> templates;
   for (const auto& item : elements_of(section, "templates of names")) {
-    if (!item.expect_object("a template of names", {"type", "category", "term", "cost", "about"})) continue;
+    if (!item.expect_object("a template of names", {"type", "category", "term", "cost", "plural", "about"})) continue;
     const auto type = read_type(item.required("type", "the type of what is named"));
     const auto category = read_category(item.required("category", "the category of the word"));
     if (!category) continue;
     const auto term = read_term(item.required("term", "its meaning, given what is named"), *category, type);
-    if (term) templates.push_back({type, *category, *term, read_cost(item.member("cost"))});
+    if (term)
+      templates.push_back({type, *category, *term, read_cost(item.member("cost")), item.member("plural").truth(false)});
   }
   return templates;
 }

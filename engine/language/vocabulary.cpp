@@ -103,10 +103,20 @@ void Vocabulary::learn_noun(const std::string& name, const Term& condition) {
   definitions_.emplace(constant_name, condition);
   const auto constant = Term::constant(constant_name, condition.type());
   lose_senses(name);
-  for (const auto& made : lexicon_->nouns)
-    if (made.type == condition.type()) add_word(name, {made.category, applied(made.term, constant), made.cost});
+  // "Frogs" are several, each a frog; "James" may be one all the same.
+  const auto one = singular(name);
+  add_noun(name, false, constant, one ? 0.2 : 0);
+  if (one) add_noun(name, true, constant, 0);
+  if (one && !find(*one)) add_noun(*one, false, constant, 0);
+  if (const auto many = plural(name); !one && !find(many)) add_noun(many, true, constant, 0);
   for (auto& sense : as_name(name, true).senses) add_word(name, std::move(sense));
   add_parts(name);
+}
+
+void Vocabulary::add_noun(const std::string& word, bool plural, const Term& constant, double cost) {
+  for (const auto& made : lexicon_->nouns)
+    if (made.type == constant.type() && made.plural == plural)
+      add_word(word, {made.category, applied(made.term, constant), made.cost + cost});
 }
 
 bool Vocabulary::means(std::string_view word) const {
@@ -216,6 +226,15 @@ void Vocabulary::add_parts(std::string_view words) {
   for (const auto part : parts)
     if (!lexicon_->parts.contains(part)) parts_.emplace(part);
   most_words_ = std::max(most_words_, parts.size());
+}
+
+std::optional<std::string> Vocabulary::singular(const std::string& word) const {
+  for (const auto& [singular, ending] : lexicon_->plurals) {
+    if (word.size() <= ending.size() || !word.ends_with(ending)) continue;
+    auto one = word.substr(0, word.size() - ending.size()) + singular;
+    if (plural(one) == word) return one;
+  }
+  return std::nullopt;
 }
 
 std::string Vocabulary::plural(const std::string& word) const {

@@ -64,6 +64,8 @@ class Vocabulary {
   void add_word(const std::string& word, WordSense sense);
   void add_parts(std::string_view words);
   std::string plural(const std::string& word) const;
+  std::optional<std::string> singular(const std::string& word) const;  ///< empty if it is no plural
+  void add_noun(const std::string& word, bool plural, const Term& constant, double cost);
   std::optional<Resemblance> resembling_thing(const std::string& word) const;
   std::optional<Resemblance> resembling_word(const std::string& word) const;
   void note_said_of_scene(const WorldSnapshot& world);
