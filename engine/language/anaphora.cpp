@@ -17,6 +17,8 @@ bool is_noun_phrase(const Phrase& phrase) {
   return phrase.term.kind() == Term::Kind::apply && phrase.term.type() == Type::entity() && phrase.term.closed();
 }
 
+bool is_plural(const Term& term) { return term.type() == Type::list(Type::entity()); }
+
 bool inside(const WordSpan& a, const WordSpan& b) { return a.begin >= b.begin && a.end <= b.end; }
 
 // Among the noun phrases that end before `word` and satisfy `fit`, the one that begins last; nullptr if there is none.
@@ -56,11 +58,12 @@ Reading with(const Term& part, const Term& meant, Reading reading) {
   return reading;
 }
 
-// Whether the arguments of a reading's term are two clauses: "if the plate is empty, put the cup on it".
+// Whether the arguments of a reading's term are two clauses, "if the plate is empty, put the cup on it", or a thing and
+// a clause, "without moving the cup, put the knife beside it".
 bool are_clauses(const std::vector<Term>& arguments) {
-  return arguments.size() == 2 && std::all_of(arguments.begin(), arguments.end(), [](const Term& clause) {
-           return consistent(clause.type(), Type::truth());
-         });
+  const auto is_clause = [](const Term& term) { return consistent(term.type(), Type::truth()); };
+  return arguments.size() == 2 && is_clause(arguments[1]) &&
+         (is_clause(arguments[0]) || arguments[0].type() == Type::entity());
 }
 
 Reading with_it(Reading reading, const Operators& operators) {
@@ -96,6 +99,34 @@ Reading with_it(Reading reading, const Operators& operators) {
   return with(it.term, meant, std::move(reading));
 }
 
+// "If the red block and the cup are there, stack them": all things of the other clause that stand in no other phrase.
+Reading with_them(Reading reading, const Operators& operators) {
+  const auto clauses = reading.term.spine().arguments;
+  if (!are_clauses(clauses)) return reading;
+  const auto says_them = [&](const Phrase& phrase) {
+    const auto* proform = proform_of(phrase.term, operators);
+    return proform && proform->source == Proform::Source::focus && is_plural(phrase.term);
+  };
+  const auto them = std::find_if(reading.phrases.begin(), reading.phrases.end(), says_them);
+  if (them == reading.phrases.end()) return reading;
+  const Term said = them->term;
+  const auto is_meant = [&](const Phrase& phrase) {
+    return is_noun_phrase(phrase) && phrase.words.end <= them->words.begin && contains(clauses[0], phrase.term) &&
+           !contains(clauses[1], phrase.term) &&
+           std::none_of(reading.phrases.begin(), reading.phrases.end(), [&](const Phrase& around) {
+             return is_noun_phrase(around) && around.words.size() > phrase.words.size() &&
+                    inside(phrase.words, around.words);
+           });
+  };
+  std::vector<Term> things;
+  for (const auto& phrase : reading.phrases)
+    if (is_meant(phrase) && std::find(things.begin(), things.end(), phrase.term) == things.end())
+      things.push_back(phrase.term);
+  if (things.size() < 2) return reading;
+  std::erase_if(reading.phrases, says_them);
+  return with(said, Term::list(std::move(things), Type::entity()), std::move(reading));
+}
+
 // Collects the names of properties (cup, white) in `kinds`; `any`: the term contains a "one", which fits every kind.
 void collect_kinds(const Term& term, const Operators& operators, std::set<std::string>& kinds, bool& any) {
   switch (term.kind()) {
@@ -129,11 +160,14 @@ Likeness likeness(const Term& a, const Term& b, const Operators& operators) {
   return shared ? Likeness::in_part : Likeness::none;
 }
 
-// The noun phrases that say `other`, the smallest first.
+// The noun phrases that say `other`, of one thing or several, the smallest first.
 std::vector<Phrase> phrases_saying(const Term& other, const Reading& reading) {
+  const auto names_several = [](const Phrase& phrase) {
+    return phrase.term.kind() == Term::Kind::apply && is_plural(phrase.term) && phrase.term.closed();
+  };
   std::vector<Phrase> found;
   for (const auto& phrase : reading.phrases)
-    if (is_noun_phrase(phrase) && contains(phrase.term, other)) found.push_back(phrase);
+    if ((is_noun_phrase(phrase) || names_several(phrase)) && contains(phrase.term, other)) found.push_back(phrase);
   std::stable_sort(found.begin(), found.end(),
                    [](const Phrase& a, const Phrase& b) { return a.words.size() < b.words.size(); });
   return found;
@@ -173,10 +207,28 @@ std::optional<Term> not_that(const Phrase& around, const Term& other, const Read
   return Term::lambda("x", Type::entity(), *condition);
 }
 
+// "Put a red block on the plate and the other red block on it": which block "a" means is known when the first command
+// has been read, so its thing is in focus then.
+bool is_told_by_focus(const Phrase& around, const Reading& reading, const Operators& operators) {
+  if (reading.term.kind() != Term::Kind::list) return false;
+  const auto is_indefinite = [&](const Phrase& phrase) {
+    const auto* determiner = determiner_of(phrase.term, operators);
+    return determiner && !determiner->definite && is_noun_phrase(phrase) && phrase.words.end <= around.words.begin &&
+           likeness(phrase.term, around.term, operators) != Likeness::none;
+  };
+  const auto& commands = reading.term.elements();
+  return std::any_of(reading.phrases.begin(), reading.phrases.end(), [&](const Phrase& phrase) {
+    return is_indefinite(phrase) && std::none_of(commands.begin(), commands.end(), [&](const Term& command) {
+             return contains(command, phrase.term) && contains(command, around.term);
+           });
+  });
+}
+
 // The reading with one phrase more told apart from the thing before it; none if none can be. A phrase that says `other`
 // several times is left alone: its term would grow with each.
 std::optional<Reading> told_apart(const Term& other, const Reading& reading, const Operators& operators) {
   for (const auto& around : phrases_saying(other, reading)) {
+    if (is_told_by_focus(around, reading, operators)) continue;
     const auto meant = not_that(around, other, reading, operators);
     if (!meant || contains(first_replaced(around.term, other, *meant), other)) continue;
     const Term told = normal(replaced(around.term, other, *meant));
@@ -202,7 +254,7 @@ Reading with_other(Reading reading, const Operators& operators) {
 }  // namespace
 
 Reading with_antecedents(const Reading& reading, const Operators& operators) {
-  return with_other(with_it(reading, operators), operators);
+  return with_other(with_them(with_it(reading, operators), operators), operators);
 }
 
 }  // namespace continua
