@@ -206,24 +206,24 @@ TEST_CASE("after every act, whatever came of it and whenever it was stopped, the
       const auto pick = [&](std::size_t count) {
         return static_cast<std::size_t>(random.uniform() * static_cast<double>(count));
       };
-      AvatarCommand command = to(whats[pick(std::size(whats))], objects[pick(objects.size())].name,
+      AvatarCommand given = to(whats[pick(std::size(whats))], objects[pick(objects.size())].name,
                                  -0.3 + 0.6 * random.uniform(), -0.25 + 0.3 * random.uniform());
-      command.turn_rad = 6 * random.uniform() - 3;
-      command.height_m = 0.1;
-      INFO(name_of(command.what) << " " << command.object);
-      stage.body->command(command);
+      given.turn_rad = 6 * random.uniform() - 3;
+      given.height_m = 0.1;
+      INFO(name_of(given.what) << " " << given.object);
+      stage.body->command(given);
       stage.run(random.uniform() < 0.5 ? 3 * random.uniform() : 90);
-      stage.end_of(::command(Capability::stop));
+      stage.end_of(command(Capability::stop));
       stage.run(2);
       CHECK(stage.ends.back().status == Status::done);
       const std::string held = stage.held();
-      const bool may_hold = held.empty() || held == command.object || command.what == Capability::retract ||
-                            command.what == Capability::push || stage.ends.size() > 1;
+      const bool may_hold = held.empty() || held == given.object || given.what == Capability::retract ||
+                            given.what == Capability::push || stage.ends.size() > 1;
       CHECK(may_hold);
       // The object in the hand goes with it, and nothing else does.
       std::map<std::string, Vec3> before;
       for (const auto& object : objects) before[object.name] = stage.object(object.name).p_WO;
-      AvatarCommand lift = ::command(Capability::lift, held);
+      AvatarCommand lift = command(Capability::lift, held);
       lift.height_m = 0.02;
       if (held.empty() || stage.end_of(lift).status != Status::done) continue;
       CHECK((stage.object(held).p_WO - before[held]).z() > 0.01);
@@ -246,13 +246,13 @@ TEST_CASE("things are pushed and turned at random, nearly always to where they s
       const bool began = stage.now > SimTime::from_seconds(0.5);
       pushes += began;
       pushed += began && push.status == Status::done && push.position_error_m < 0.01;
-      const ActReport turn = stage.act(::turn(object, 4 * random.uniform() - 2));
-      if (turn.status == Status::blocked && turn.retries.empty()) continue;
+      const ActReport turning = stage.act(turn(object, 4 * random.uniform() - 2));
+      if (turning.status == Status::blocked && turning.retries.empty()) continue;
       ++turns;
-      turned += turn.status == Status::done && std::abs(turn.yaw_error) < 0.05;
+      turned += turning.status == Status::done && std::abs(turning.yaw_error) < 0.05;
       UNSCOPED_INFO(name << " " << object << " " << angle << " " << way_m << ": " << name_of(push.status) << " "
-                         << words_of(push.reason) << " " << push.position_error_m << "; " << name_of(turn.status) << " "
-                         << words_of(turn.reason) << " " << turn.yaw_error);
+                         << words_of(push.reason) << " " << push.position_error_m << "; " << name_of(turning.status) << " "
+                         << words_of(turning.reason) << " " << turning.yaw_error);
     }
   }
   UNSCOPED_INFO("pushes " << pushed << " of " << pushes << ", turns " << turned << " of " << turns);
