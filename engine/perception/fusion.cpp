@@ -99,9 +99,11 @@ SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixi
 SimTime shown_at(const Percept& gesture, const std::vector<Percept>& waiting, const FusionWindow& window) {
   const SimTime t = gesture.event.t;
   std::optional<SimTime> with_words;
-  for (const auto& speech : waiting)
-    if (is_shown_during(gesture, speech) || is_shown_with(gesture, speech, window))
-      with_words = std::max({with_words.value_or(t), t, heard_at(speech, window)});
+  for (const auto& speech : waiting) {
+    const bool shown_with = is_shown_with(gesture, speech, window);
+    if (!shown_with && !is_shown_during(gesture, speech)) continue;
+    with_words = std::max({with_words.value_or(t), t, shown_with ? heard_at(speech, window) : told_end(speech)});
+  }
   if (with_words) return *with_words;
   return gesture.event.modality == Modality::gesture && !gesture.event.until ? t + wait_for_one_another(window) : t;
 }

@@ -5,6 +5,7 @@
 
 #include "continua/moves/kind.h"
 #include "continua/pipeline/step.h"
+#include "continua/pipeline/together.h"
 
 namespace continua {
 namespace {
@@ -86,7 +87,10 @@ Result<Percept> perceive(const Engine& engine, const EngineState& state, const I
     percept.deixis = deixis_of(percept.event, serial);
     return percept;
   }
-  return at_once(*engine.machine, std::move(percept), symbol_of(engine, state, event));
+  const auto symbol = symbol_of(engine, state, event);
+  const bool alone = event.modality == Modality::gesture && !goes_with_words(engine, state, symbol);
+  if (alone && !percept.event.until) percept.event.until = event.t;
+  return at_once(*engine.machine, std::move(percept), symbol);
 }
 
 }  // namespace continua

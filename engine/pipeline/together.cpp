@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
 
 #include "continua/perception/shown_with.h"
@@ -51,7 +52,7 @@ std::pair<Input, Input> inputs_of(EngineState& state, const Pair& pair, const Of
     return Term::list({a.elements().front(), b.elements().front()}, std::move(type));
   };
   Input beside = shown.input, together = said.input;
-  beside.symbol = beside_symbol;
+  beside.symbol = beside_symbol(shown.input.symbol);
   together.symbol = together_symbol;
   together.doubted = both(words.input.doubted, gesture.input.doubted, Type::number());
   together.doubted_words = both(words.input.doubted_words, gesture.input.doubted_words, Type::text_type());
@@ -75,6 +76,19 @@ std::vector<EngineEvent> accounts_of(const Engine& engine, const Pair& pair, con
 }
 
 }  // namespace
+
+std::string beside_symbol(std::string_view gesture_symbol) {
+  return "beside" + std::string(gesture_symbol.substr(std::min(gesture_symbol.find(' '), gesture_symbol.size())));
+}
+
+bool goes_with_words(const Engine& engine, const EngineState& state, std::string_view gesture_symbol) {
+  const auto& transitions = engine.machine->transitions;
+  const auto symbol = beside_symbol(gesture_symbol);
+  return std::any_of(transitions.begin(), transitions.end(), [&](const Transition& one) {
+    return one.on && one.on->contains(symbol) &&
+           std::find(one.from.begin(), one.from.end(), state.configuration.state) != one.from.end();
+  });
+}
 
 std::optional<Tick> attended_together(const Engine& engine, const EngineState& before, const WorldSnapshot& world) {
   if (!engine.machine->knows_input(together_symbol)) return std::nullopt;

@@ -3,16 +3,23 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "continua/pipeline/engine.h"
 
 namespace continua {
 
-/// The gesture's input, if words were made with it, and the words' input after it.
-inline constexpr const char* beside_symbol = "beside";
+/// The words' input, if a gesture was made with them; the gesture's input comes before it.
 inline constexpr const char* together_symbol = "together";
 
-/// Offers the first ensemble to attend to and its counterpart, words and a gesture, as `beside` and `together`. Nothing
+/// The input of a gesture that was made with words, `beside α` for the symbol `gesture α`.
+std::string beside_symbol(std::string_view gesture_symbol);
+
+/// Whether the machine takes a gesture of this symbol beside words in the state that the dialogue is in.
+bool goes_with_words(const Engine& engine, const EngineState& state, std::string_view gesture_symbol);
+
+/// Offers the first ensemble to attend to and its counterpart, words and a gesture, as `beside …` and `together`. Nothing
 /// if there is no counterpart, or if the machine does not take `together`: then they are attended to one by one.
 std::optional<Tick> attended_together(const Engine& engine, const EngineState& before, const WorldSnapshot& world);
 
