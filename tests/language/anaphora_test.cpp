@@ -65,9 +65,13 @@ TEST_CASE("other, after a thing of the same kind in the same sentence, is not th
        "[put(the(\\x. red(x) and block(x)), on(the(\\x. green(x) and block(x)))), put(the(\\x. x != the(\\y. red(y) "
        "and block(y)) and x != the(\\y. green(y) and block(y)) and one(x)), on(the(\\x. plate(x))))]"},
       // of the thing of which all is said that is said here
-      {"put a red block on the green block and the other red block on the cup",
-       "[put(a(\\x. red(x) and block(x)), on(the(\\x. green(x) and block(x)))), put(the(\\x. x != a(\\x. red(x) and "
+      {"put the red block on the green block and the other red block on the cup",
+       "[put(the(\\x. red(x) and block(x)), on(the(\\x. green(x) and block(x)))), put(the(\\x. x != the(\\x. red(x) and "
        "block(x)) and red(x) and block(x)), on(the(\\x. cup(x))))]"},
+      // left to the focus: which one "a" means is known once the first command has been read
+      {"put a red block on the green block and the other red block on the cup",
+       "[put(a(\\x. red(x) and block(x)), on(the(\\x. green(x) and block(x)))), put(the(\\x. other(x) and red(x) and "
+       "block(x)), on(the(\\x. cup(x))))]"},
       // of another clause
       {"if the plate is empty put the knife on it",
        "if_now(whether_is(the(\\x. plate(x)), not some(scene, \\y. located(y, in(the(\\x. plate(x)))) or located(y, "

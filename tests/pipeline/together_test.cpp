@@ -13,7 +13,7 @@ const char* machine_text = R"json({
   "machine": 1, "name": "m", "start": "Wait", "fusion": { "pause": 1 },
   "slots": { "doubts": "num*" }, "memory": { "shown": { "type": "text" } },
   "transitions": [
-    { "id": "remember", "from": "Wait", "on": "beside", "to": "Wait", "do": [ { "remember": { "shown": "gesture" } } ] },
+    { "id": "remember", "from": "Wait", "on": "beside *", "to": "Wait", "do": [ { "remember": { "shown": "gesture" } } ] },
     { "id": "contradicted", "from": "Wait", "on": "together", "when": "shown != said", "to": "Doubt", "push": { "doubts": "doubted" }, "do": [ { "say": "{said} or {shown}?" } ] },
     { "id": "heard", "from": "Wait", "on": "speech *", "to": "Wait", "do": [ { "say": "Heard {said}." } ] },
     { "id": "seen", "from": "Wait", "on": ["gesture push start", "gesture lift start"], "to": "Wait", "do": [ { "say": "Seen {gesture}, {if(shown = null, 'nothing', shown)} remembered." } ] },

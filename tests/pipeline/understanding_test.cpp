@@ -95,7 +95,7 @@ TEST_CASE("each move knows which follow in its sentence, and which in later ones
 }
 
 TEST_CASE("a move has the words that join it to the one before it in its sentence") {
-  CHECK(told_by(joining_text, "take the cup and then push it, lift it. yes") == "V and then; V ");
+  CHECK(told_by(joining_text, "take the cup and then push it, lift it. yes") == "V and; V ");
 }
 
 TEST_CASE("a move that is attended to once more is not heard with the moves before it, and the rest follows") {

@@ -26,7 +26,7 @@ namespace {
 
 const std::string conversation =
     R"json({"kind":"trace","version":1,"scene":"place_setting","machine":"interaction"}
-{"t":1,"kind":"speech","text":"Put the knife in the blue cup."}
+{"t":1,"kind":"speech","text":"Put the knife in the blue cup.","until":1}
 {"t":2,"kind":"expect","act":"put(knife, in(cup_blue))"}
 {"t":3,"kind":"end"}
 )json";
