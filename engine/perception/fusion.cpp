@@ -35,15 +35,6 @@ bool is_shown_during(const Percept& percept, const Percept& speech) {
          speech.event.t <= percept.event.t && percept.event.t <= std::max(told_end(speech), speech.spoken);
 }
 
-SimTime wait_for_one_another(const FusionWindow& window) {
-  return SimTime::from_seconds(window.pause_s > 0 ? together_s : 0);
-}
-
-// The time from which words do not wait any more for a gesture to be shown with them.
-SimTime heard_at(const Percept& speech, const FusionWindow& window) {
-  return speech.event.until ? told_end(speech) : speech.event.t + wait_for_one_another(window);
-}
-
 // The end of the last taker that needs a pointing.
 std::optional<SimTime> last_need(const std::vector<Taker>& takers) {
   std::optional<SimTime> last;
@@ -76,7 +67,7 @@ bool waits_for_words(const Percept& speech, const FusionWindow& window) {
 SimTime all_pointed_at(const Percept& speech, const std::vector<std::optional<Deixis>>& bound,
                        const FusionWindow& window) {
   const auto last = last_need(speech.takers);
-  const SimTime heard = heard_at(speech, window);
+  const SimTime heard = told_end(speech);
   if (!last) return heard;
   const SimTime latest = std::max(heard, *last + SimTime::from_seconds(window.after_s));
   SimTime at = std::max(heard, *last);
@@ -96,16 +87,11 @@ SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixi
 }
 
 // The time at which a gesture, other than a pointing, is complete: the words that it goes with are spoken first.
-SimTime shown_at(const Percept& gesture, const std::vector<Percept>& waiting, const FusionWindow& window) {
-  const SimTime t = gesture.event.t;
-  std::optional<SimTime> with_words;
-  for (const auto& speech : waiting) {
-    const bool shown_with = is_shown_with(gesture, speech, window);
-    if (!shown_with && !is_shown_during(gesture, speech)) continue;
-    with_words = std::max({with_words.value_or(t), t, shown_with ? heard_at(speech, window) : told_end(speech)});
-  }
-  if (with_words) return *with_words;
-  return gesture.event.modality == Modality::gesture && !gesture.event.until ? t + wait_for_one_another(window) : t;
+SimTime shown_at(const Percept& gesture, const std::vector<Percept>& waiting) {
+  SimTime at = gesture.event.t;
+  for (const auto& speech : waiting)
+    if (is_shown_during(gesture, speech)) at = std::max(at, told_end(speech));
+  return at;
 }
 
 // The time at which a pointing that no words take is complete: with words that it was made with and that ask for none,
@@ -114,7 +100,7 @@ SimTime pointed_at(const Percept& pointing, const std::vector<Percept>& waiting,
   SimTime at = pointing.deixis->until + SimTime::from_seconds(window.after_s);
   for (const auto& speech : waiting)
     if (is_shown_with(pointing, speech, window) && speech.takers.empty() && !waits_for_words(speech, window))
-      at = std::min(at, std::max(settled_at(*pointing.deixis), heard_at(speech, window)));
+      at = std::min(at, std::max(settled_at(*pointing.deixis), told_end(speech)));
   return at;
 }
 
@@ -143,8 +129,7 @@ void put_shown_first(std::vector<Ensemble>::iterator begin, std::vector<Ensemble
 bool is_shown_with(const Percept& percept, const Percept& speech, const FusionWindow& window) {
   const bool is_pair = percept.event.modality == Modality::gesture && speech.event.modality == Modality::speech;
   if (!is_pair || window.pause_s == 0 || percept.event.until == percept.event.t) return false;
-  const SimTime t = percept.event.t, begin = speech.event.t - wait_for_one_another(window);
-  return begin <= t && t <= std::max(told_end(speech), heard_at(speech, window));
+  return speech.event.t <= percept.event.t && percept.event.t <= told_end(speech);
 }
 
 bool Fusion::is_too_late(SimTime t, SimTime now) const { return t + SimTime::from_seconds(latest_s()) < now; }
@@ -278,7 +263,7 @@ Fusion::Plan Fusion::plan() const {
       if (!part.taken) part.complete = pointed_at(percept, waiting_, window_);
     } else {
       part.complete = percept.event.modality == Modality::speech ? complete_at(percept, part.bound, window_)
-                                                                 : shown_at(percept, waiting_, window_);
+                                                                 : shown_at(percept, waiting_);
     }
   }
   return plan;

@@ -5,12 +5,8 @@
 
 namespace continua {
 
-/// How long words without a told end, and gestures, wait for one another in a machine whose sentences wait for more
-/// words (FusionWindow::pause_s).
-inline constexpr double together_s = 0.4;
-
-/// Whether the percept is a gesture that is shown with the words: it begins at most `together_s` before them, during
-/// them, or so long after the beginning of words without a told end.
+/// Whether the percept is a gesture that is shown with the words: it begins with them or before their told end, in a
+/// machine whose sentences wait for more words (FusionWindow::pause_s).
 bool is_shown_with(const Percept& percept, const Percept& speech, const FusionWindow& window);
 
 }  // namespace continua

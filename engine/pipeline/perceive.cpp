@@ -24,23 +24,11 @@ std::optional<std::string> all_too_unsure(const Engine& engine, const EngineStat
   return first;
 }
 
-// Whether the input waits for no other: it is never confirmed, or the machine does not take it.
-bool comes_at_once(const Machine& machine, const std::string& symbol) {
-  const auto* thresholds = machine.thresholds_of(symbol);
-  return machine.ignored.contains(symbol) || (thresholds && thresholds->confirm == 0);
-}
-
-// The symbol of the first move of the words.
-std::string first_symbol(const Percept& speech) {
-  const auto& fragments = speech.readings->alternatives.front().utterance.fragments;
-  return name_of(Modality::speech) + (fragments.empty() ? "" : " " + fragments.front().readings.front().move);
-}
-
-// Tells the end of an event that waits for no other: it is over as it begins.
-Percept at_once(const Machine& machine, Percept percept, const std::string& symbol) {
-  auto& event = percept.event;
-  if (!event.until && comes_at_once(machine, symbol)) event.until = event.t;
-  return percept;
+// Whether a gesture of this symbol is made by itself: it is never confirmed, or the machine does not take it with words.
+bool is_by_itself(const Engine& engine, const EngineState& state, const std::string& symbol) {
+  const auto* thresholds = engine.machine->thresholds_of(symbol);
+  return engine.machine->ignored.contains(symbol) || (thresholds && thresholds->confirm == 0) ||
+         !goes_with_words(engine, state, symbol);
 }
 
 }  // namespace
@@ -72,11 +60,7 @@ Percept heard(const InputEvent& event, int serial, const Understanding& understa
 Result<Percept> perceive(const Engine& engine, const EngineState& state, const InputEvent& event, int serial) {
   if (auto why = all_too_unsure(engine, state, event)) return Error{"", *std::move(why)};
   const auto understanding = understanding_of(engine, state);
-  if (event.modality == Modality::speech && understanding) {
-    Percept words = heard(event, serial, *understanding);
-    const auto symbol = first_symbol(words);
-    return at_once(*engine.machine, std::move(words), symbol);
-  }
+  if (event.modality == Modality::speech && understanding) return heard(event, serial, *understanding);
   Percept percept{serial, event, {}, {}};
   percept.before_words = known_gesture(event, gestures_of(engine), state.learned).comes_before_words();
   if (event.modality == Modality::gesture &&
@@ -87,10 +71,9 @@ Result<Percept> perceive(const Engine& engine, const EngineState& state, const I
     percept.deixis = deixis_of(percept.event, serial);
     return percept;
   }
-  const auto symbol = symbol_of(engine, state, event);
-  const bool alone = event.modality == Modality::gesture && !goes_with_words(engine, state, symbol);
-  if (alone && !percept.event.until) percept.event.until = event.t;
-  return at_once(*engine.machine, std::move(percept), symbol);
+  const bool is_gesture = event.modality == Modality::gesture && !event.until;
+  if (is_gesture && is_by_itself(engine, state, symbol_of(engine, state, event))) percept.event.until = event.t;
+  return percept;
 }
 
 }  // namespace continua

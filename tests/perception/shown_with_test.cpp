@@ -25,24 +25,26 @@ std::string heard_and_seen(std::vector<Percept> percepts, const FusionWindow& wi
   return brief(all);
 }
 
-Percept words(double t_s) { return speech(1, t_s, {{"push", t_s, t_s}, {"it", t_s, t_s}}, false); }
+Percept words(double t_s, double until_s) {
+  Percept said = speech(1, t_s, {{"push", t_s, t_s}, {"it", t_s, t_s}}, false);
+  said.event.until = SimTime::from_seconds(until_s);
+  return said;
+}
 
 }  // namespace
 
-TEST_CASE("words without a told end and a gesture wait for one another") {
-  CHECK(heard_and_seen({words(1), gesture(2, 1.3, "push")}) == "1.40 push it; 1.40 push");
-  CHECK(heard_and_seen({gesture(2, 1, "push"), words(1.3)}) == "1.70 push; 1.70 push it");
-  CHECK(heard_and_seen({words(1), gesture(2, 1.5, "push")}) == "1.40 push it; 1.90 push");
-  CHECK(heard_and_seen({words(1), gesture(2, 1.3, "push")}, hasty) == "1.00 push it; 1.30 push");
+TEST_CASE("a gesture that begins before the told end of words comes with them") {
+  CHECK(heard_and_seen({words(1, 2), gesture(2, 1.3, "push")}) == "2.00 push it; 2.00 push");
+  CHECK(heard_and_seen({words(1, 1), gesture(2, 1.3, "push")}) == "1.00 push it; 1.30 push");
 }
 
-TEST_CASE("words with a told end wait for nothing, and an event that is over at once neither") {
-  CHECK(heard_and_seen({speech(1, 1, {{"stop", 1, 1.2}})}) == "1.20 stop");
-  CHECK(heard_and_seen({gesture(2, 1, "stop", 1)}) == "1.00 stop");
-  CHECK(!is_shown_with(gesture(2, 1, "stop", 1), words(1), patient));
-  CHECK(is_shown_with(gesture(2, 1, "push"), words(1), patient));
+TEST_CASE("an event that is over at once is not shown with words") {
+  CHECK(!is_shown_with(gesture(2, 1, "stop", 1), words(1, 2), patient));
+  CHECK(!is_shown_with(gesture(2, 1, "push"), words(1, 2), hasty));
+  CHECK(is_shown_with(gesture(2, 1, "push"), words(1, 1), patient));
+  CHECK(!is_shown_with(gesture(2, 0.9, "push"), words(1, 1), patient));
 }
 
 TEST_CASE("a pointing that no words take comes with words that ask for none") {
-  CHECK(heard_and_seen({words(1), gesture(2, 1.2, "point")}) == "1.40 push it; 1.40 point");
+  CHECK(heard_and_seen({words(1, 2), gesture(2, 1.2, "point")}) == "2.00 push it; 2.00 point");
 }
