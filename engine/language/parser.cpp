@@ -176,7 +176,7 @@ std::vector<SpokenWord> without_contractions(const std::vector<SpokenWord>& spok
       return word.text.size() > each.first.size() && word.text.ends_with(each.first);
     });
     heard.push_back(word);
-    if (found == all.end() || vocabulary.knows(word.text)) continue;
+    if (found == all.end() || vocabulary.find(word.text)) continue;
     auto& shorter = heard.back();
     shorter.text.resize(word.text.size() - found->first.size());
     shorter.ends_after = shorter.half = false;
