@@ -5,7 +5,7 @@ import types_of_terms as types
 from evaluate import Unknown
 from terms import NULL
 
-MOMENT = ("target said why concerned reason gesture confidence now in_state act meaning reading choices wanted "
+MOMENT = ("target said why concerned reason gesture confidence pointed_confidence now in_state act meaning reading choices wanted "
           "referents named next previous joined quoted following later unknown repaired left_out pointed pointing move observed_speech observed_gestures "
           "observed_acts looked_at sign sign_at doubted doubted_words doubted_meanings").split()
 OPERATIONS = ("none", "push", "push_each", "pop", "rewrite", "rewrite_each", "flush", "pop_until")

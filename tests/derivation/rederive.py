@@ -295,7 +295,7 @@ class Log(Choices, Applications):
         if not self.gaze:
             said["looked_at"] = moments.names([])
         if not self.pointing:
-            said["pointed"] = moments.NO_POINTING
+            said["pointed"] = said["pointed_confidence"] = moments.NO_POINTING
         elif symbol == "gesture δ" and event.get("target"):
             said["pointed"] = moments.POINTED
         return said

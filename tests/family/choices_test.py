@@ -54,7 +54,7 @@ def acts_of(log):
 def replayed(program, traces, folder, *options):
     subprocess.run([program, "replay", *traces, "--no-physics", "-j", "2", "-o", f"{folder}/", *options],
                    check=True, stdout=subprocess.DEVNULL)
-    return {path.name: acts_of(path) for path in sorted(pathlib.Path(folder).iterdir())}
+    return {path.name: acts_of(path) for path in sorted(pathlib.Path(folder).glob("*.run.jsonl"))}
 
 
 def main(program, source, *arguments):

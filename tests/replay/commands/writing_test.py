@@ -16,7 +16,7 @@ import tempfile
 
 PATIENCE_S = 60
 ROOM = 50_000  # bytes of a file, for a disk that is nearly full
-ROOM_FOR_SOME = 500_000
+ROOM_FOR_SOME = 1_000_000
 
 
 def no_room(most=ROOM):
