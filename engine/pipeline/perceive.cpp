@@ -24,7 +24,8 @@ std::optional<std::string> all_too_unsure(const Engine& engine, const EngineStat
   return first;
 }
 
-// Whether a gesture of this symbol is made by itself: it is never confirmed, or the machine does not take it with words.
+// Whether a gesture of this symbol is made by itself: it is never confirmed, or the machine does not take it with
+// words.
 bool is_by_itself(const Engine& engine, const EngineState& state, const std::string& symbol) {
   const auto* thresholds = engine.machine->thresholds_of(symbol);
   return engine.machine->ignored.contains(symbol) || (thresholds && thresholds->confirm == 0) ||

@@ -66,7 +66,8 @@ TEST_CASE("other, after a thing of the same kind in the same sentence, is not th
        "and block(y)) and x != the(\\y. green(y) and block(y)) and one(x)), on(the(\\x. plate(x))))]"},
       // of the thing of which all is said that is said here
       {"put the red block on the green block and the other red block on the cup",
-       "[put(the(\\x. red(x) and block(x)), on(the(\\x. green(x) and block(x)))), put(the(\\x. x != the(\\x. red(x) and "
+       "[put(the(\\x. red(x) and block(x)), on(the(\\x. green(x) and block(x)))), put(the(\\x. x != the(\\x. red(x) "
+       "and "
        "block(x)) and red(x) and block(x)), on(the(\\x. cup(x))))]"},
       // left to the focus: which one "a" means is known once the first command has been read
       {"put a red block on the green block and the other red block on the cup",

@@ -207,7 +207,7 @@ TEST_CASE("after every act, whatever came of it and whenever it was stopped, the
         return static_cast<std::size_t>(random.uniform() * static_cast<double>(count));
       };
       AvatarCommand given = to(whats[pick(std::size(whats))], objects[pick(objects.size())].name,
-                                 -0.3 + 0.6 * random.uniform(), -0.25 + 0.3 * random.uniform());
+                               -0.3 + 0.6 * random.uniform(), -0.25 + 0.3 * random.uniform());
       given.turn_rad = 6 * random.uniform() - 3;
       given.height_m = 0.1;
       INFO(name_of(given.what) << " " << given.object);
@@ -251,8 +251,8 @@ TEST_CASE("things are pushed and turned at random, nearly always to where they s
       ++turns;
       turned += turning.status == Status::done && std::abs(turning.yaw_error) < 0.05;
       UNSCOPED_INFO(name << " " << object << " " << angle << " " << way_m << ": " << name_of(push.status) << " "
-                         << words_of(push.reason) << " " << push.position_error_m << "; " << name_of(turning.status) << " "
-                         << words_of(turning.reason) << " " << turning.yaw_error);
+                         << words_of(push.reason) << " " << push.position_error_m << "; " << name_of(turning.status)
+                         << " " << words_of(turning.reason) << " " << turning.yaw_error);
     }
   }
   UNSCOPED_INFO("pushes " << pushed << " of " << pushes << ", turns " << turned << " of " << turns);
