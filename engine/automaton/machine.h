@@ -225,7 +225,7 @@ struct ContextTerms {
 
 /// Time windows of fusion, in seconds (perception/fusion.h).
 struct FusionTimes {
-  double before_s = 2, after_s = 1, lateness_s = 0, pause_s = 0;
+  double before_s = 2, after_s = 1, lateness_s = 0, pause_s = 0, together_s = 0;
 };
 
 /// The confidences below which inputs are confirmed and ignored.

@@ -16,7 +16,7 @@ constexpr KindOfObject kinds[] = {
      "$schema machine name about start accept choice epsilon rewrite_below minimum_confidence confidence near_tie gaze "
      "repeat_utterances perspective lexicon gestures phrases fusion context moves ignore programs parameters "
      "slots bottom memory inputs define wordings beliefs states transitions implied examples"},
-    {"fusion", "before after lateness pause"},
+    {"fusion", "before after lateness pause together"},
     {"a context", "focus among topic handled shown_things shown_places"},
     {"confidences", "confirm ignore about"},
     {"the fading of looks", "half_life least about"},

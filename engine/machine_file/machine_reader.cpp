@@ -27,7 +27,8 @@ std::optional<FusionTimes> read_fusion(const Item& item) {
   for (auto [key, time_s] : {std::pair("before", &times.before_s),
                              {"after", &times.after_s},
                              {"lateness", &times.lateness_s},
-                             {"pause", &times.pause_s}})
+                             {"pause", &times.pause_s},
+                             {"together", &times.together_s}})
     *time_s = item.member(key).number("seconds", *time_s, 0, longest_wait_s);
   return times;
 }

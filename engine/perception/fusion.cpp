@@ -29,6 +29,15 @@ SimTime told_end(const Percept& percept) {
   return std::max(percept.event.t, percept.event.until.value_or(percept.event.t));
 }
 
+// Whether a gesture is made without words, as its end tells.
+bool is_by_itself(const Percept& gesture) { return gesture.event.until == gesture.event.t; }
+
+// The time until which words begin that a gesture is shown with. Pointings find their words in another way.
+SimTime words_come_until(const Percept& gesture, const FusionWindow& window) {
+  if (gesture.deixis || window.together_s == 0 || is_by_itself(gesture)) return gesture.event.t;
+  return std::max(told_end(gesture), gesture.event.t + SimTime::from_seconds(window.together_s));
+}
+
 // Whether the percept is a gesture, other than a pointing, that begins during the words.
 bool is_shown_during(const Percept& percept, const Percept& speech) {
   return percept.event.modality == Modality::gesture && !percept.deixis && speech.event.modality == Modality::speech &&
@@ -87,11 +96,13 @@ SimTime complete_at(const Percept& speech, const std::vector<std::optional<Deixi
 }
 
 // The time at which a gesture, other than a pointing, is complete: the words that it goes with are spoken first.
-SimTime shown_at(const Percept& gesture, const std::vector<Percept>& waiting) {
-  SimTime at = gesture.event.t;
+SimTime shown_at(const Percept& gesture, const std::vector<Percept>& waiting, const FusionWindow& window) {
+  std::optional<SimTime> said;
   for (const auto& speech : waiting)
-    if (is_shown_during(gesture, speech)) at = std::max(at, told_end(speech));
-  return at;
+    if (is_shown_during(gesture, speech) || is_shown_with(gesture, speech, window))
+      said = std::max(said.value_or(gesture.event.t), told_end(speech));
+  if (said) return *said;
+  return gesture.event.modality == Modality::gesture ? words_come_until(gesture, window) : gesture.event.t;
 }
 
 // The time at which a pointing that no words take is complete: with words that it was made with and that ask for none,
@@ -128,8 +139,8 @@ void put_shown_first(std::vector<Ensemble>::iterator begin, std::vector<Ensemble
 
 bool is_shown_with(const Percept& percept, const Percept& speech, const FusionWindow& window) {
   const bool is_pair = percept.event.modality == Modality::gesture && speech.event.modality == Modality::speech;
-  if (!is_pair || window.pause_s == 0 || percept.event.until == percept.event.t) return false;
-  return speech.event.t <= percept.event.t && percept.event.t <= told_end(speech);
+  if (!is_pair || window.pause_s == 0 || is_by_itself(percept)) return false;
+  return speech.event.t <= words_come_until(percept, window) && percept.event.t <= told_end(speech);
 }
 
 bool Fusion::is_too_late(SimTime t, SimTime now) const { return t + SimTime::from_seconds(latest_s()) < now; }
@@ -263,7 +274,7 @@ Fusion::Plan Fusion::plan() const {
       if (!part.taken) part.complete = pointed_at(percept, waiting_, window_);
     } else {
       part.complete = percept.event.modality == Modality::speech ? complete_at(percept, part.bound, window_)
-                                                                 : shown_at(percept, waiting_);
+                                                                 : shown_at(percept, waiting_, window_);
     }
   }
   return plan;

@@ -10,9 +10,9 @@ namespace {
 
 // Without fusion no event waits, but words still take a pointing that was made before them.
 FusionWindow window_of(const Machine& machine) {
-  if (!machine.fusion) return {FusionWindow().before_s, 0, 0, 0};
-  const auto& [before_s, after_s, lateness_s, pause_s] = *machine.fusion;
-  return {before_s, after_s, lateness_s, pause_s};
+  if (!machine.fusion) return {FusionWindow().before_s, 0, 0, 0, 0};
+  const auto& [before_s, after_s, lateness_s, pause_s, together_s] = *machine.fusion;
+  return {before_s, after_s, lateness_s, pause_s, together_s};
 }
 
 }  // namespace

@@ -89,7 +89,8 @@ SimTime said_by(const Percept& percept) {
   return event.modality == Modality::speech ? std::max(event.t, event.until.value_or(event.t)) : event.t;
 }
 
-const FusionWindow in_order = {2, 1, 0}, late = {2, 1, 0.5};
+const FusionWindow in_order = {2, 1, 0}, late = {2, 1, 0.5}, expectant = {2, 1, 0, 1, 0.4},
+                   late_expectant = {2, 1, 0.5, 1, 0.4};
 
 }  // namespace
 
@@ -105,6 +106,12 @@ TEST_CASE("what comes out depends on when things happened alone", "[law]") {
     const auto prompt = brief(told(happening, delays(happening, 0), in_order, 0));
     RC_ASSERT(brief(told(happening, delays(happening, 0), in_order, 0.07)) == prompt);
     RC_ASSERT(brief(told(happening, delays(happening, 500), late, 0)) == prompt);
+  });
+  law("neither where gestures wait for words", [] {
+    const auto happening = any_happening();
+    const auto prompt = brief(told(happening, delays(happening, 0), expectant, 0));
+    RC_ASSERT(brief(told(happening, delays(happening, 0), expectant, 0.07)) == prompt);
+    RC_ASSERT(brief(told(happening, delays(happening, 500), late_expectant, 0.3)) == prompt);
   });
 }
 
