@@ -37,6 +37,7 @@ CLI/*          replay/main.cpp replay/commands/*
 catch2/*       tests/support/*
 rapidcheck*    tests/*
 benchmark/*    tests/bench/*
+pybind11/*     python/module/*
 '
 
 fail=0
@@ -88,15 +89,15 @@ while IFS=: read -r file line text; do
     *\"*) header=${text#*\"} && check_ours "$file" "$line" "${header%%\"*}" ;;
     *\<*) header=${text#*<} && check_library "$file" "$line" "${header%%>*}" ;;
   esac
-done < <(grep -rnE --include='*.h' --include='*.cpp' '^[[:space:]]*#[[:space:]]*include' engine replay tests | sort)
+done < <(grep -rnE --include='*.h' --include='*.cpp' '^[[:space:]]*#[[:space:]]*include' engine python replay tests | sort)
 
 while read -r count file; do
   if ((count > longest)); then complain "$file:$count: is $count lines long; expected at most $longest"; fi
-done < <(find engine replay tests web ci mjcf traces -name node_modules -prune -o -type f \
+done < <(find engine python replay tests web ci mjcf traces -name node_modules -prune -o -type f \
   \( -name '*.h' -o -name '*.cpp' -o -name '*.js' -o -name '*.css' -o -name '*.html' -o -name '*.sh' -o -name '*.md' \) \
   -exec wc -l {} \;)
 
-while read -r place; do complain "$place"; done < <(find engine replay web tests/web -name node_modules -prune -o -type f \
+while read -r place; do complain "$place"; done < <(find engine python replay web tests/web -name node_modules -prune -o -type f \
   \( -name '*.h' -o -name '*.cpp' -o -name '*.js' -o -name '*.mjs' \) -print0 |
   xargs -0 awk -v limit="$longest_function" -f ci/long_functions.awk)
 

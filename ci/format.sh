@@ -25,7 +25,7 @@ files() {
 if command -v clang-format > /dev/null; then
   options=(--dry-run -Werror)
   if $fix; then options=(-i); fi
-  files "engine replay tests web" h cpp | xargs -0 clang-format "${options[@]}"
+  files "engine python replay tests web" h cpp | xargs -0 clang-format "${options[@]}"
 else
   echo "ci/format.sh: C++ skipped: no clang-format"
 fi

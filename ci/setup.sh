@@ -7,9 +7,10 @@ packages=(
   libmujoco-dev libeigen3-dev libegl-dev libegl-mesa0 libgl1-mesa-dri
   libcpp-httplib-dev nlohmann-json3-dev libpugixml-dev libcli11-dev libfmt-dev libxxhash-dev libutf8proc-dev zlib1g-dev libjemalloc-dev
   libgraphviz-dev libcairo2-dev fonts-dejavu-core ffmpeg
+  pybind11-dev python3-dev
   catch2 librapidcheck-dev libbenchmark-dev
 )
-if [[ "${1:-}" == --tests ]]; then packages+=(chromium locales python3-jsonschema); fi
+if [[ "${1:-}" == --tests ]]; then packages+=(chromium locales python3-jsonschema python3-pytest python3-pandas python3-setuptools python3-wheel); fi
 # Another npm than Debian's may be installed; Debian's would remove it.
 if ! command -v npm > /dev/null; then packages+=(nodejs npm); fi
 
