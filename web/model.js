@@ -112,10 +112,10 @@ export const fresh = (run, other = null) => ({
 const quiet_ms = 1500; // steps closer together than this are one entry of the history
 const write_ms = 250; // the address is rewritten at most this often
 
-// An exported page is opened from a file, whose address has no place for all this but behind its '#'.
-const from_file = globalThis.location?.protocol === 'file:';
-const here = () => (from_file ? location.hash.slice(1) || globalThis.continua_recorded.start : location.href);
-const there = (address) => (from_file ? `#${address}` : address);
+// The address of an exported page, wherever it lies, has no place for all this but behind its '#'.
+const recorded = globalThis.continua_recorded;
+const here = () => (recorded ? location.hash.slice(1) || recorded.start : location.href);
+const there = (address) => (recorded ? `#${address}` : address);
 
 export class Model {
   #listener;
