@@ -10,7 +10,9 @@ packages=(
   pybind11-dev python3-dev
   catch2 librapidcheck-dev libbenchmark-dev
 )
-if [[ "${1:-}" == --tests ]]; then packages+=(chromium locales python3-jsonschema python3-pytest python3-pandas python3-setuptools python3-wheel); fi
+if [[ "${1:-}" == --tests ]]; then
+  packages+=(chromium locales python3-jsonschema python3-pytest python3-pandas python3-setuptools python3-wheel mypy)
+fi
 # Another npm than Debian's may be installed; Debian's would remove it.
 if ! command -v npm > /dev/null; then packages+=(nodejs npm); fi
 

@@ -1,8 +1,8 @@
 """Continua from Python: replays conversations with an avatar, drives them live, and shows why it did what it did.
 
->>> run = continua.replay("traces/building_blocks.trace.jsonl", physics=False)
->>> run.to_pandas("utterance")["text"]
->>> print(run.why(act=1))
+    run = continua.replay("traces/building_blocks.trace.jsonl", physics=False)
+    run.to_pandas("utterance")["text"]
+    print(run.why(act=1))
 
 `read` and the records of a run need Python alone; all else needs the built module. docs/python.md has a tour.
 """

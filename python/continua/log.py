@@ -87,7 +87,9 @@ def _header(path: Path, record: Record) -> Record:
 def _bring_documents(path: Path, header: Record) -> None:
     for *outer, member in _KEPT:
         holder = header.get(outer[0]) if outer else header
-        value = holder.get(member) if isinstance(holder, dict) else None
+        if not isinstance(holder, dict):
+            continue
+        value = holder.get(member)
         if isinstance(value, dict) and list(value) == ["kept"] and isinstance(value["kept"], str):
             holder[member] = _document(path, ".".join((*outer, member)), value["kept"])
 

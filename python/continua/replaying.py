@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import json
+import os
 import tempfile
 import warnings
 from collections.abc import Iterable, Mapping
@@ -64,7 +65,7 @@ def diff(a: Run | StrPath, b: Run | StrPath, *, tolerance: float = 0.001, most: 
 
 
 def _file_of(trace: Trace, path: Path) -> Path:
-    if isinstance(trace, (str, Path)) or hasattr(trace, "__fspath__"):
+    if isinstance(trace, (str, os.PathLike)):
         return Path(trace)
     path.write_text("".join(json.dumps(dict(line)) + "\n" for line in trace), encoding="utf-8")
     return path

@@ -46,7 +46,7 @@ class Run:
     @property
     def complete(self) -> bool:
         """Whether the log has its last line; a log cut short, or of a session that goes on, has not."""
-        return self.records[-1]["kind"] == "end"
+        return bool(self.records[-1]["kind"] == "end")
 
     @cached_property
     def kinds(self) -> dict[str, int]:
@@ -79,7 +79,8 @@ class Run:
 
         `symbols` [{`id`, `below`, `slots`, `change`, …}], `depth`, `depth_before`: what the inspector's stack panel shows.
         """
-        return json.loads(self._log.stack(self._number(n)))
+        stack: dict[str, Any] = json.loads(self._log.stack(self._number(n)))
+        return stack
 
     def why(self, n: int | None = None, *, at: float | None = None, act: int | None = None,
             step: int | None = None) -> Why:
@@ -117,8 +118,9 @@ class Run:
 
     @cached_property
     def _log(self) -> _engine.Log:
-        return engine().Log(str(self.path))
+        log: _engine.Log = engine().Log(str(self.path))
+        return log
 
     def _number(self, n: int) -> int:
-        return self.records[n]["n"]
+        return int(self.records[n]["n"])
 

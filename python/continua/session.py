@@ -6,21 +6,24 @@ import tempfile
 import warnings
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ._built import engine
 from .errors import Error
 from .log import Record, StrPath
 from .run import Run
 
+if TYPE_CHECKING:
+    from . import _engine
+
 
 class Session:
     """A conversation with the avatar that happens now. Time goes on only when it is told to.
 
-    >>> session = continua.Session(scene="staircase", physics=False)
-    >>> session.hear({"kind": "speech", "text": "put the red block on the table"})
-    >>> session.advance(5)
-    >>> run = session.end()
+        session = continua.Session(scene="staircase", physics=False)
+        moves = session.hear({"kind": "speech", "text": "Take the red block."})
+        moves += session.advance(5)
+        run = session.end()
 
     Along the way a trace and a run log are written, which replay to the same decisions.
     """
@@ -33,11 +36,14 @@ class Session:
 
         `folder`: where NAME.trace.jsonl and NAME.run.jsonl go; else they are gone with the session and its runs.
         """
-        self._keep = None if folder else tempfile.TemporaryDirectory(prefix="continua-")
+        self._keep = None
+        if folder is None:
+            self._keep = tempfile.TemporaryDirectory(prefix="continua-")
+            folder = self._keep.name
         asked = {"scene": scene, "machine": machine, "seed": seed, "language": language, "perspective": perspective,
                  "objects": objects, "name": name}
-        self._live = engine().Live(json.dumps({key: value for key, value in asked.items() if value is not None}),
-                                   str(folder or self._keep.name), physics, str(knowledge or ""))
+        told = json.dumps({key: value for key, value in asked.items() if value is not None})
+        self._live: _engine.Live = engine().Live(told, str(folder), physics, str(knowledge or ""))
         if self._live.warning:
             warnings.warn(self._live.warning, stacklevel=2)
 

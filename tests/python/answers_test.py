@@ -1,8 +1,10 @@
 """Replays, reasons, stacks, differences, pages: the same from Python as from the program."""
 import json
 import re
+import signal
 import subprocess
 import urllib.request
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
@@ -145,3 +147,31 @@ def test_a_document_that_is_not_what_its_name_says(root, tmp_path):
         (tmp_path / "documents" / file.name).write_text("{}")
     with pytest.raises(continua.Error, match="is not the document that it was"):
         continua.read(tmp_path / "one.run.jsonl")
+
+
+def test_an_interrupt_ends_a_replay(root, tmp_path):
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    path = tmp_path / "interrupted.run.jsonl"
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+        with pytest.raises(KeyboardInterrupt):
+            for _ in range(100):
+                continua.replay(root / "traces/building_blocks.trace.jsonl", output=path)
+                path.unlink()
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert not path.exists()
+
+
+def test_replays_in_several_threads(root, talk):
+    def replay(_):
+        run = continua.replay(root / "traces/talk/speech_only.trace.jsonl", physics=False)
+        return run.path.read_bytes(), run.why(act=1)["headline"]
+
+    with ThreadPoolExecutor(3) as threads:
+        answers = list(threads.map(replay, range(6)))
+    assert all(answer == answers[0] for answer in answers) and answers[0][0] == talk.read_bytes()

@@ -59,6 +59,13 @@ def test_the_stubs_are_those_of_the_module(root):
             assert re.findall(r"(\w+): ", signature.split(" -> ")[0]) == arguments, signature
 
 
+def test_the_types_fit_together(root, tmp_path):
+    pytest.importorskip("mypy")
+    done = subprocess.run([sys.executable, "-m", "mypy", "--cache-dir", tmp_path], cwd=root / "python",
+                          env={**os.environ, "MYPYPATH": "."}, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
 @pytest.mark.parametrize("place", ["python", None])
 def test_the_wheel(root, tmp_path, place):
     """Of the sources: Python alone. Of the build tree: with the module and its data, for this Python and system."""
@@ -91,3 +98,13 @@ def test_the_wheel(root, tmp_path, place):
                           cwd=tmp_path / "installed", env=environment, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     assert str(tmp_path / "installed") in done.stdout
+
+
+def test_the_installed_package(root, tmp_path):
+    pytest.importorskip("continua._engine")
+    subprocess.run(["cmake", "--install", BUILD, "--component", "python", "--prefix", tmp_path], check=True,
+                   stdout=subprocess.DEVNULL)
+    environment = {**os.environ, "PYTHONPATH": str(tmp_path / "lib/python3/dist-packages"), "CONTINUA_HOME": str(root)}
+    ask = "import continua; print(continua.Session(physics=False).hear('Hello.')[0]['kind'], continua.__file__)"
+    done = subprocess.run([sys.executable, "-c", ask], cwd=tmp_path, env=environment, capture_output=True, text=True)
+    assert done.stdout.startswith(f"utterance {tmp_path}"), done.stderr
