@@ -11,6 +11,7 @@ from typing import Any, Union
 
 from ._built import engine
 from .answers import Diff
+from .errors import Error
 from .log import StrPath
 from .run import Run
 
@@ -18,16 +19,17 @@ Trace = Union[StrPath, Iterable[Mapping[str, Any]]]
 """A file, or its lines as dictionaries: the header and the events."""
 
 
-def replay(trace: Trace, physics: bool = True, *, output: StrPath | None = None, scene: str | None = None,
-           machine: str | None = None, language: str | None = None, knowledge: StrPath | None = None,
-           seed: int | None = None, choice: str | None = None, weights: StrPath | None = None,
-           learned: StrPath | None = None, forced: Mapping[int, str] | None = None, change_at: float | None = None,
-           changed: Trace | None = None) -> Run:
+def replay(trace: Trace, physics: bool = True, *, output: StrPath | None = None, name: str = "replayed",
+           scene: str | None = None, machine: str | None = None, language: str | None = None,
+           knowledge: StrPath | None = None, seed: int | None = None, choice: str | None = None,
+           weights: StrPath | None = None, learned: StrPath | None = None, forced: Mapping[int, str] | None = None,
+           change_at: float | None = None, changed: Trace | None = None) -> Run:
     """Replays a trace, and gives the run: the same trace gives the same bytes.
 
     trace: a file, or its lines as dictionaries.
     physics: else the kinematic world, in which acts succeed at once.
     output: the file of the run log; else it is gone with the run.
+    name: of a trace that is given as dictionaries.
     scene, machine, language, knowledge, seed, choice, weights, learned: as the options of `continua replay`; what is
         left out is as the trace has it.
     forced: {step: id of the transition to take there}.
@@ -37,7 +39,7 @@ def replay(trace: Trace, physics: bool = True, *, output: StrPath | None = None,
     Raises `Error` where the trace, its scene or its machine cannot be used.
     """
     keep = tempfile.TemporaryDirectory(prefix="continua-")
-    trace = _file_of(trace, Path(keep.name) / "replayed.trace.jsonl")
+    trace = _file_of(trace, Path(keep.name) / f"{name}.trace.jsonl")
     path = Path(output) if output else Path(keep.name) / (trace.name.split(".")[0] + ".run.jsonl")
     options = {"scene": scene, "machine": machine, "language": language, "knowledge": knowledge, "seed": seed,
                "choice": choice, "weights": weights, "learned": learned, "from": change_at,
@@ -67,5 +69,9 @@ def diff(a: Run | StrPath, b: Run | StrPath, *, tolerance: float = 0.001, most: 
 def _file_of(trace: Trace, path: Path) -> Path:
     if isinstance(trace, (str, os.PathLike)):
         return Path(trace)
-    path.write_text("".join(json.dumps(dict(line)) + "\n" for line in trace), encoding="utf-8")
+    try:
+        text = "".join(json.dumps(dict(line)) + "\n" for line in trace)
+    except (TypeError, ValueError) as problem:
+        raise Error(f"{path.name}: found a line that is no object of JSON ({problem}); expected a trace's") from None
+    path.write_text(text, encoding="utf-8")
     return path

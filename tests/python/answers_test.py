@@ -51,9 +51,16 @@ def test_a_trace_of_dictionaries():
     trace = [{"kind": "trace", "version": 1, "scene": "staircase", "machine": "diana2018"},
              {"t": 1, "kind": "gesture", "name": "engage", "phase": "start"},
              {"t": 2, "kind": "expect", "state": "Nowhere"}]
-    run = continua.replay(trace, physics=False)
+    run = continua.replay(trace, physics=False, name="hello")
+    assert run.header["trace"]["name"] == "hello.trace.jsonl" and run.path.name == "hello.run.jsonl"
     assert [record["text"] for record in run.of_kind("utterance")] == ["Hello."]
     assert [record["found"] for record in run.unmet] == [{"state": "Wait"}]
+
+
+@pytest.mark.parametrize("line", [{"t": {1}}, "speech", 7])
+def test_a_trace_of_other_things(line):
+    with pytest.raises(continua.Error, match=r"replayed\.trace\.jsonl: found a line that is no object of JSON"):
+        continua.replay([{"kind": "trace", "version": 1}, line])
 
 
 def test_changes_in_mid_run(program, root, tmp_path):
