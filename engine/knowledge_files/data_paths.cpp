@@ -80,8 +80,6 @@ Result<DataPaths> find_data_paths(const std::string& knowledge) {
     data = data_of_tree(home);
   } else if (const auto tree = tree_above_program()) {
     data = data_of_tree(*tree);
-  } else if (is_tree(CONTINUA_SOURCE_DIR)) {
-    data = data_of_tree(CONTINUA_SOURCE_DIR);
   } else {
     return Error{"", "found no folder with engine/knowledge and mjcf above the program; set CONTINUA_HOME to it"};
   }
