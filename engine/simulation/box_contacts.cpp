@@ -1,7 +1,6 @@
 #include "continua/simulation/box_contacts.h"
 
-#include <mujoco/mujoco.h>
-
+#include "continua/simulation/mujoco_api.h"
 #include "continua/simulation/oriented_box.h"
 
 namespace continua {
@@ -16,7 +15,8 @@ OrientedBox box_of_geom(const mjModel* model, const mjData* data, int geom) {
           Eigen::Map<const Vec3>(model->geom_size + 3 * geom)};
 }
 
-int guarded(const mjModel* model, const mjData* data, mjContact* contacts, int geom1, int geom2, mjtNum margin) {
+int guarded(const mjModel* model, mujoco::CollisionData* data, mujoco::FoundContact* contacts, int geom1, int geom2,
+            mjtNum margin) {
   constexpr mjtNum slack_m = 1e-4;
   const int found = unguarded(model, data, contacts, geom1, geom2, margin);
   if (found == 0) return 0;

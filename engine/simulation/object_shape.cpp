@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "continua/core/angles.h"
+#include "continua/simulation/mujoco_api.h"
 #include "continua/simulation/mujoco_model.h"
 
 namespace continua {
@@ -20,7 +21,7 @@ std::optional<double> met_at(const mjModel& model, int geom, const Vec3& from, d
   const mjtNum along[3] = {0, 0, direction};
   const int type = model.geom_type[geom] == mjGEOM_MESH ? static_cast<int>(mjGEOM_BOX) : model.geom_type[geom];
   const mjtNum distance =
-      mju_rayGeom(model.geom_pos + 3 * geom, mat, model.geom_size + 3 * geom, from.data(), along, type);
+      mujoco::ray_to_geom(model.geom_pos + 3 * geom, mat, model.geom_size + 3 * geom, from.data(), along, type);
   if (distance < 0) return std::nullopt;
   return from.z() + direction * distance;
 }

@@ -8,6 +8,7 @@
 #include "continua/core/located_json.h"
 #include "continua/simulation/avatar_elements.h"
 #include "continua/simulation/geom_bounds.h"
+#include "continua/simulation/mujoco_api.h"
 #include "continua/simulation/mujoco_model.h"
 #include "continua/simulation/off_screen.h"
 #include "continua/simulation/view_fit.h"
@@ -163,7 +164,7 @@ class Renderer::Impl {
     mjv_defaultOption(&options_);
     std::fill(std::begin(options_.sitegroup), std::end(options_.sitegroup), mjtByte{0});
     mjv_defaultScene(scene_.get());
-    mjv_makeScene(model_.get(), scene_.get(), model_->ngeom + most_marks);
+    mjv_makeScene(model_.get(), scene_.get(), static_cast<int>(model_->ngeom) + most_marks);
   }
   ~Impl() {
     const OffScreen::Current current(place_);
@@ -240,7 +241,7 @@ class Renderer::Impl {
     if (!from || (to - *from).norm() < disc_height_m) return;
     if (auto* geom = new_geom()) {
       mjv_initGeom(geom, mjGEOM_CAPSULE, nullptr, nullptr, nullptr, colour.data());
-      mjv_makeConnector(geom, mjGEOM_CAPSULE, ray_radius_m, from->x(), from->y(), from->z(), to.x(), to.y(), to.z());
+      mujoco::connect(geom, mjGEOM_CAPSULE, ray_radius_m, from->data(), to.data());
       geom->emission = 0.4F;
     }
   }
