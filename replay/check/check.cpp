@@ -7,6 +7,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/replay/log/kinds.h"
+#include "continua/simulation/mujoco_version.h"
 
 namespace continua {
 namespace {
@@ -99,7 +100,7 @@ TraceCheck check_trace(const std::string& trace_path, const ReplayOptions& optio
   check.expectations = summary.expectations;
   check.run = std::move(log).str();
 
-  auto approved = find_approved_run(trace_path, options.physics ? "physics" : "kinematic");
+  auto approved = find_approved_run(trace_path, options.physics ? "physics" : "kinematic", mujoco_version());
   if (approved) check.approved = *std::move(approved);
   if (summary.expectations_met < summary.expectations) {
     compare(check);
@@ -121,6 +122,9 @@ TraceCheck check_trace(const std::string& trace_path, const ReplayOptions& optio
   if (check.verdict == Verdict::changed || check.verdict == Verdict::stale)
     if (const auto problem = compare(check)) check.reason += ", and where cannot be told: " + problem->text();
   if (check.verdict == Verdict::changed && check.compared) check.reason = check.compared->diff.sentence;
+  if (check.verdict == Verdict::changed && options.physics)
+    if (const auto others = other_mujocos(trace_path, *check.approved, mujoco_version()); !others.empty())
+      check.reason += fmt::format(" (approved with {}; this is {})", others, mujoco_version());
   if (check.verdict == Verdict::stale) check.reason = check.approved->path + " was made from another trace";
   return check;
 }

@@ -115,12 +115,14 @@ Result<RunComparison> compare_logs(const Log& run, const ApprovedRun& approved) 
 }
 
 Json digests_of(const Log& run) {
-  return {{"approved", 1},
-          {"trace", part(run.header, "/trace/digest")},
-          {"world", part(run.header, "/world")},
-          {"decisions", part(run.end, "/decisions")},
-          {"digest", part(run.end, "/digest")},
-          {"counts", part(run.end, "/counts")}};
+  Json digests = {{"approved", 1},
+                  {"trace", part(run.header, "/trace/digest")},
+                  {"world", part(run.header, "/world")},
+                  {"decisions", part(run.end, "/decisions")},
+                  {"digest", part(run.end, "/digest")},
+                  {"counts", part(run.end, "/counts")}};
+  if (digests["world"] == "physics") digests["mujoco"] = part(run.header, "/fingerprint/mujoco");
+  return digests;
 }
 
 Result<RunComparison> compare_digests(const Log& run, const ApprovedRun& approved) {
@@ -151,18 +153,65 @@ std::size_t bytes_of_file(std::string_view run, const std::string& trace_path) {
   return run.size() - header.size() + without_documents(header).line.size();
 }
 
-std::string world_of(const ApprovedRun& approved) {
-  const auto document = is_whole_log(approved)
-                            ? parse_json_line(approved.content.substr(0, approved.content.find('\n')), approved.path, 1)
-                            : parse_json_line(approved.content, approved.path, 1);
-  const auto world = document ? part(*document, "/world") : Json();
-  return world.is_string() ? world.get<std::string>() : "";
+// The circumstances that an approved run tells; empty what it does not tell.
+struct Circumstances {
+  std::string world, mujoco, trace;
+};
+
+std::string text_at(const Json& record, const char* pointer) {
+  const auto value = part(record, pointer);
+  return value.is_string() ? value.get<std::string>() : "";
+}
+
+Circumstances circumstances_of(const ApprovedRun& approved) {
+  const bool whole = is_whole_log(approved);
+  const auto document = parse_json_line(
+      whole ? approved.content.substr(0, approved.content.find('\n')) : approved.content, approved.path, 1);
+  if (!document) return {};
+  return {text_at(*document, "/world"), text_at(*document, whole ? "/fingerprint/mujoco" : "/mujoco"),
+          text_at(*document, whole ? "/trace/digest" : "/trace")};
+}
+
+constexpr std::string_view of_mujoco = ".physics.mujoco-";
+
+// The part between a trace's name and ".run.": of the world of a run, or of its MuJoCo.
+std::string part_of_name(const Json& header, const std::optional<ApprovedRun>& before) {
+  if (!before) return "";
+  const auto world = text_at(header, "/world"), mujoco = text_at(header, "/fingerprint/mujoco");
+  const auto was = circumstances_of(*before);
+  const bool by_another = world == "physics" && was.world == world && !was.mujoco.empty() && was.mujoco != mujoco &&
+                          was.trace == text_at(header, "/trace/digest");
+  const auto own = std::string(of_mujoco) + mujoco;
+  if (by_another || before->path.find(own + ".run.") != std::string::npos) return own;
+  const bool elsewhere = before->path.find("." + world + ".run.") != std::string::npos ||
+                         (!was.world.empty() && was.world != world);
+  return elsewhere ? "." + world : "";
 }
 
 }  // namespace
 
-Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_path, const std::string& world) {
-  for (const auto& of_world : {"." + world, std::string()}) {
+std::string other_mujocos(const std::string& trace_path, const ApprovedRun& approved, const std::string& mujoco) {
+  const auto first = circumstances_of(approved).mujoco;
+  if (first.empty() || first == mujoco) return "";
+  std::vector<std::string> versions = {"MuJoCo " + first};
+  const auto begin = fs::path(beside(trace_path, std::string(of_mujoco))).filename().string();
+  const auto folder = fs::path(trace_path).parent_path();
+  std::error_code problem;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, problem)) {
+    const auto name = entry.path().filename().string();
+    const auto end = name.rfind(".run.json");
+    if (name.starts_with(begin) && end != std::string::npos)
+      versions.push_back(name.substr(begin.size(), end - begin.size()));
+  }
+  std::sort(versions.begin() + 1, versions.end());
+  return fmt::format("{}", fmt::join(versions, ", "));
+}
+
+Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_path, const std::string& world,
+                                                     const std::string& mujoco) {
+  std::vector<std::string> parts = {"." + world, std::string()};
+  if (world == "physics" && !mujoco.empty()) parts.insert(parts.begin(), std::string(of_mujoco) + mujoco);
+  for (const auto& of_world : parts) {
     std::optional<ApprovedRun> found;
     for (const char* ending : {".run.jsonl", ".run.json"}) {
       const auto path = beside(trace_path, of_world + ending);
@@ -195,11 +244,7 @@ ApprovedRun approval_of(const std::string& trace_path, std::string_view run, con
   const bool whole = before ? is_whole_log(*before) : true;
   const auto log = read_log(run, trace_path);
   require(log.ok(), "a run is a run log");
-  const auto world = part(log->header, "/world").get<std::string>();
-  const auto of_before = before ? world_of(*before) : "";
-  const bool elsewhere = before && (before->path.find("." + world + ".run.") != std::string::npos ||
-                                    (!of_before.empty() && of_before != world));
-  const std::string of_world = elsewhere ? "." + world : "";
+  const auto of_world = part_of_name(log->header, before);
   if (whole && bytes_of_file(run, trace_path) <= longest_approved_log)
     return {beside(trace_path, of_world + ".run.jsonl"), std::string(run)};
   return {beside(trace_path, of_world + ".run.json"), digests_of(*log).dump(2) + "\n"};

@@ -23,12 +23,19 @@ struct ApprovedRun {
 bool is_whole_log(const ApprovedRun& approved);
 
 /// The approved run of a trace, NAME.trace.jsonl, in a world, "physics" or "kinematic": NAME.WORLD.run.jsonl or .json
-/// where the body's deeds lead elsewhere in that world, else NAME.run.jsonl or .json; nullopt if there is none. An
-/// error if it cannot be read or there are both.
-Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_path, const std::string& world);
+/// where the body's deeds lead elsewhere in that world, else NAME.run.jsonl or .json; nullopt if there is none. Before
+/// these, for physics, NAME.physics.mujoco-VERSION.run.jsonl or .json of the version `mujoco`. An error if it cannot be
+/// read or there are both.
+Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_path, const std::string& world,
+                                                     const std::string& mujoco = "");
+
+/// The versions of MuJoCo that a trace has approved runs of, as a part of a sentence: "MuJoCo 2.2.2, 3.12.0". Empty if
+/// `approved` is of the version `mujoco`, or does not tell its own.
+std::string other_mujocos(const std::string& trace_path, const ApprovedRun& approved, const std::string& mujoco);
 
 /// The file to write to approve a run: its log, or its digests if the log is long or `before` has no more. If `before`
-/// is of another world it stays; another path in the same world takes its place (takes_place_of).
+/// is of another world, or of the same trace by another version of MuJoCo, it stays; another path in the same world
+/// takes its place (takes_place_of).
 ApprovedRun approval_of(const std::string& trace_path, std::string_view run, const std::optional<ApprovedRun>& before);
 
 /// Writes the file. Where a folder `documents` stands beside it or above, the documents of its log go there.

@@ -14,6 +14,7 @@
 #include "continua/replay/check/run_approved.h"
 #include "continua/replay/experiment/shrink.h"
 #include "continua/replay/trace/trace_name.h"
+#include "continua/simulation/mujoco_version.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -80,7 +81,7 @@ int run_shrink(const ShrinkCommandOptions& options) {
 
   auto against = options.against;
   if (goal->kind == "changed" && against.empty()) {
-    const auto approved = find_approved_run(options.trace, options.replay.physics ? "physics" : "kinematic");
+    const auto approved = find_approved_run(options.trace, options.replay.physics ? "physics" : "kinematic", mujoco_version());
     if (!approved) return fail(approved.error());
     if (!*approved)
       return fail({options.trace, "has no approved run beside it; expected one, or --against RUN or TRACE"});

@@ -14,6 +14,7 @@
 #include "continua/replay/commands/validate.h"
 #include "continua/replay/log/log_file.h"
 #include "continua/replay/log/run_log.h"
+#include "continua/simulation/mujoco_version.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
 #include "support/standard_output.h"
@@ -436,4 +437,27 @@ TEST_CASE("a world may have an approved run of its own") {
   CHECK(approval_of(one.trace, elsewhere, approval).path == own);
   CHECK(takes_place_of({one.folder.at("one.run.json"), ""}, before));
   CHECK_FALSE(takes_place_of(before, before));
+}
+
+TEST_CASE("a version of MuJoCo may have an approved run of its own") {
+  Approved one;
+  const auto physics = replaced(one.run, R"("world":"kinematic")", R"("world":"physics")");
+  const auto by = [&](const std::string& version) {
+    return replaced(physics, fmt::format(R"("mujoco":"{}")", mujoco_version()), fmt::format(R"("mujoco":"{}")", version));
+  };
+  const ApprovedRun before{one.folder.file("one.physics.run.jsonl", by("2.2.2")), by("2.2.2")};
+  CHECK(approval_of(one.trace, by("2.2.2"), before).path == before.path);
+  CHECK(approval_of(one.trace, replaced(by("3.1.0"), R"("digest":")", R"("digest":"x)"), before).path == before.path);
+
+  const auto newer = approval_of(one.trace, by("3.1.0"), before);
+  CHECK(newer.path == one.folder.at("one.physics.mujoco-3.1.0.run.jsonl"));
+  CHECK_FALSE(takes_place_of(newer, before));
+  one.folder.file("one.physics.mujoco-3.1.0.run.jsonl", newer.content);
+  CHECK(find_approved_run(one.trace, "physics", "3.1.0").value()->path == newer.path);
+  CHECK(find_approved_run(one.trace, "physics", "3.2.0").value()->path == before.path);
+  CHECK(find_approved_run(one.trace, "kinematic", "3.1.0").value()->path == one.run_path);
+  CHECK(approval_of(one.trace, by("3.1.0"), newer).path == newer.path);
+
+  CHECK(other_mujocos(one.trace, before, "3.2.0") == "MuJoCo 2.2.2, 3.1.0");
+  CHECK(other_mujocos(one.trace, before, "2.2.2").empty());
 }
