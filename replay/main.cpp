@@ -18,8 +18,10 @@
 #include "continua/replay/commands/accept.h"
 #include "continua/replay/commands/check.h"
 #include "continua/replay/commands/command.h"
+#include "continua/replay/commands/complete.h"
 #include "continua/replay/commands/coverage.h"
 #include "continua/replay/commands/diff.h"
+#include "continua/replay/commands/doctor.h"
 #include "continua/replay/commands/explain.h"
 #include "continua/replay/commands/export.h"
 #include "continua/replay/commands/import.h"
@@ -80,6 +82,8 @@ std::vector<Subcommand> add_all(CLI::App& program) {
       add(program, "validate",
           "Check traces, machines, phrases, lexicons, voxemes, scenes, run logs, notes and session logs",
           describe_validate, run_validate),
+      add(program, "doctor", "Tell what of the program works on this machine", describe_doctor, run_doctor),
+      add(program, "complete", "Tell a shell how a command line may go on", describe_complete, run_complete),
   };
 }
 
