@@ -41,7 +41,7 @@ def check_link(page, line, target):
 # A cited source may be named from any of these folders, or from the file's own.
 BASES = [root, root / "engine", root / "replay", root / "tests", root / "web"]
 # Files of others that comments name.
-FOREIGN = {"graphviz/gvc.h"}
+FOREIGN = {"graphviz/gvc.h", "mujoco/mujoco.h"}
 
 
 def check_source(name, line, cited):
