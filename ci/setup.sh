@@ -13,6 +13,7 @@ packages=(
 if [[ "${1:-}" == --tests ]]; then
   packages+=(chromium locales python3-jsonschema python3-pytest python3-pandas python3-setuptools python3-wheel mypy)
 fi
+if [[ "${1:-}" == --tests ]]; then packages+=(chromium locales python3-jsonschema lintian mmdebstrap zsh fish); fi
 # Another npm than Debian's may be installed; Debian's would remove it.
 if ! command -v npm > /dev/null; then packages+=(nodejs npm); fi
 

@@ -9,3 +9,4 @@ ci/floors.sh
 ci/build.sh
 ctest --preset release --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-2}"
 ci/same_bytes.sh
+ci/mujoco.sh

@@ -38,7 +38,7 @@ if [[ $(id -u) != 0 ]] || ! command -v mmdebstrap > /dev/null; then echo "skippe
 cd - > /dev/null
 
 # The tour in a folder of the new root that looks like the source tree, with the installed program and its data.
-cat > "$out/tour.sh" << 'END'
+cat > "$out/tour" << 'END'
 set -e
 mkdir -p /tour/tests /tour/build
 cp -r /usr/share/continua/* /tour
@@ -55,6 +55,6 @@ sources=(/etc/apt/sources.list.d/debian.sources /etc/apt/sources.list)
 for list in "${sources[@]}"; do if [[ -s $list ]]; then break; fi; done
 mmdebstrap --quiet --variant=minbase --format=null --dpkgopt=force-unsafe-io --include="$package" \
   --hook-dir=/usr/share/mmdebstrap/hooks/file-mirror-automount --customize-hook="sync-in $out/pages /root/pages" \
-  --customize-hook="upload $out/tour.sh /root/tour.sh" \
-  --customize-hook='chroot "$1" env -i PATH=/usr/bin:/bin HOME=/root LC_ALL=C.UTF-8 bash /root/tour.sh' \
+  --customize-hook="upload $out/tour /root/tour" \
+  --customize-hook='chroot "$1" env -i PATH=/usr/bin:/bin HOME=/root LC_ALL=C.UTF-8 bash /root/tour' \
   bookworm - "$list"
