@@ -45,7 +45,7 @@ cp -r /usr/share/continua/* /tour
 cp -r /root/pages/. /tour
 mv /tour/readme_test.sh /tour/tests
 ln -s /usr/bin/continua /tour/build/continua
-continua --version
+continua doctor
 bash /tour/tests/readme_test.sh /tour/build
 echo "the tour ran in a bare root"
 END
