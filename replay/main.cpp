@@ -27,6 +27,7 @@
 #include "continua/replay/commands/import.h"
 #include "continua/replay/commands/learn.h"
 #include "continua/replay/commands/machine.h"
+#include "continua/replay/commands/new.h"
 #include "continua/replay/commands/pack.h"
 #include "continua/replay/commands/record.h"
 #include "continua/replay/commands/render.h"
@@ -82,6 +83,7 @@ std::vector<Subcommand> add_all(CLI::App& program) {
       add(program, "validate",
           "Check traces, machines, phrases, lexicons, voxemes, scenes, run logs, notes and session logs",
           describe_validate, run_validate),
+      add(program, "new", "Make a folder to begin a project in", describe_new, run_new),
       add(program, "doctor", "Tell what of the program works on this machine", describe_doctor, run_doctor),
       add(program, "complete", "Tell a shell how a command line may go on", describe_complete, run_complete),
   };

@@ -8,7 +8,7 @@ trap 'rm -rf "$folder"' EXIT
 mkdir -p "$folder/bin" "$folder/at/runs"
 ln -s "$program" "$folder/bin/continua"
 touch "$folder/at/"{a.trace.jsonl,b.trace.jsonl,a.run.jsonl,my.json,x.xml,"two words.trace.jsonl"} "$folder/at/runs/c.run.jsonl"
-cd "$folder/at"
+cd "$folder/at" || exit
 PATH=$folder/bin:$PATH
 failed=0
 

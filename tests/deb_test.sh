@@ -54,7 +54,7 @@ cp -r README.md docs tests/readme_test.sh "$out/pages"
 sources=(/etc/apt/sources.list.d/debian.sources /etc/apt/sources.list)
 for list in "${sources[@]}"; do if [[ -s $list ]]; then break; fi; done
 mmdebstrap --quiet --variant=minbase --format=null --dpkgopt=force-unsafe-io --include="$package" \
-  --hook-dir=/usr/share/mmdebstrap/hooks/file-mirror-automount --customize-hook="sync-in $out/pages /root/pages" \
+  --hook-dir=/usr/share/mmdebstrap/hooks/file-mirror-automount --customize-hook='mkdir "$1/root/pages"' --customize-hook="sync-in $out/pages /root/pages" \
   --customize-hook="upload $out/tour /root/tour" \
   --customize-hook='chroot "$1" env -i PATH=/usr/bin:/bin HOME=/root LC_ALL=C.UTF-8 bash /root/tour' \
   bookworm - "$list"

@@ -183,8 +183,8 @@ std::string part_of_name(const Json& header, const std::optional<ApprovedRun>& b
                           was.trace == text_at(header, "/trace/digest");
   const auto own = std::string(of_mujoco) + mujoco;
   if (by_another || before->path.find(own + ".run.") != std::string::npos) return own;
-  const bool elsewhere = before->path.find("." + world + ".run.") != std::string::npos ||
-                         (!was.world.empty() && was.world != world);
+  const bool elsewhere =
+      before->path.find("." + world + ".run.") != std::string::npos || (!was.world.empty() && was.world != world);
   return elsewhere ? "." + world : "";
 }
 

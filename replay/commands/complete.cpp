@@ -73,8 +73,11 @@ void add_values(const CLI::Option& option, const std::string& typed, std::vector
   };
   if (const auto listed = listed_values(type); !listed.empty()) return add(listed);
   if (!type.starts_with("TEXT") && !option.get_positional()) return;
-  const auto name = option.get_positional() ? option.get_name() : option.get_lnames().empty() ? "" : option.get_lnames()[0];
-  const auto* kind = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& one) { return one.name == name; });
+  const auto name = option.get_positional()       ? option.get_name()
+                    : option.get_lnames().empty() ? ""
+                                                  : option.get_lnames()[0];
+  const auto* kind =
+      std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& one) { return one.name == name; });
   if (kind == std::end(kinds)) return add_files(typed, "", found);
   add(names_of(*kind));
   add_files(typed, kind->ending, found);

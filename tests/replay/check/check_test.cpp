@@ -443,7 +443,8 @@ TEST_CASE("a version of MuJoCo may have an approved run of its own") {
   Approved one;
   const auto physics = replaced(one.run, R"("world":"kinematic")", R"("world":"physics")");
   const auto by = [&](const std::string& version) {
-    return replaced(physics, fmt::format(R"("mujoco":"{}")", mujoco_version()), fmt::format(R"("mujoco":"{}")", version));
+    return replaced(physics, fmt::format(R"("mujoco":"{}")", mujoco_version()),
+                    fmt::format(R"("mujoco":"{}")", version));
   };
   const ApprovedRun before{one.folder.file("one.physics.run.jsonl", by("2.2.2")), by("2.2.2")};
   CHECK(approval_of(one.trace, by("2.2.2"), before).path == before.path);
