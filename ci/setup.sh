@@ -11,9 +11,9 @@ packages=(
   catch2 librapidcheck-dev libbenchmark-dev
 )
 if [[ "${1:-}" == --tests ]]; then
-  packages+=(chromium locales python3-jsonschema python3-pytest python3-pandas python3-setuptools python3-wheel mypy)
+  packages+=(chromium locales lintian mmdebstrap zsh fish mypy
+    python3-jsonschema python3-pytest python3-pandas python3-setuptools python3-wheel)
 fi
-if [[ "${1:-}" == --tests ]]; then packages+=(chromium locales python3-jsonschema lintian mmdebstrap zsh fish); fi
 # Another npm than Debian's may be installed; Debian's would remove it.
 if ! command -v npm > /dev/null; then packages+=(nodejs npm); fi
 
