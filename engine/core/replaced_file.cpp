@@ -10,9 +10,13 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <streambuf>
 
 #include <fmt/format.h>
+
+#include "continua/core/gzip_blocks.h"
+#include "continua/core/gzip_name.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -44,6 +48,7 @@ std::string with_free_name(const std::string& folder, Make make) {
 class ReplacedFile::Buffer : public std::streambuf {
  public:
   Buffer(const std::string& path, Links links) : path_(path), target_(path) {
+    if (is_gzip_name(path)) packed_.emplace();
     struct stat there {};
     const bool exists = (links == Links::follow ? ::stat : ::lstat)(path.c_str(), &there) == 0;
     if (exists && !S_ISREG(there.st_mode) && !S_ISLNK(there.st_mode)) {
@@ -69,6 +74,7 @@ class ReplacedFile::Buffer : public std::streambuf {
 
   Outcome commit() {
     if (problem_ == 0) put();
+    if (problem_ == 0 && packed_) write(packed_->finish());
     if (problem_ == 0 && aside_) {
       if (::fsync(file_) != 0) problem_ = errno;
       if (problem_ == 0 && name_.empty()) give_name();
@@ -116,19 +122,28 @@ class ReplacedFile::Buffer : public std::streambuf {
   }
 
   bool put() {
-    for (const char* next = pbase(); problem_ == 0 && next < pptr();) {
-      const auto put = ::write(file_, next, static_cast<std::size_t>(pptr() - next));
-      if (put < 0 && errno != EINTR) problem_ = errno;
-      if (put > 0) next += put;
-    }
+    const std::string_view part(pbase(), static_cast<std::size_t>(pptr() - pbase()));
+    if (packed_)
+      write(packed_->add(part));
+    else
+      write(part);
     setp(part_.data(), part_.data() + part_.size());
     return problem_ == 0;
+  }
+
+  void write(std::string_view bytes) {
+    while (problem_ == 0 && !bytes.empty()) {
+      const auto put = ::write(file_, bytes.data(), bytes.size());
+      if (put < 0 && errno != EINTR) problem_ = errno;
+      if (put > 0) bytes.remove_prefix(static_cast<std::size_t>(put));
+    }
   }
 
   const std::string path_;
   std::string target_, name_;  // name_: of the file beside, where it has one
   int file_ = -1, problem_ = 0;
   bool aside_ = true;
+  std::optional<GzipBlocks> packed_;
   std::array<char, 65536> part_;
 };
 

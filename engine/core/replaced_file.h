@@ -1,5 +1,6 @@
 // The one way in which the program puts a whole file in the place of another. Whatever ends the program, a full disk or
-// a signal, the old file or the new one is there, never a part.
+// a signal, the old file or the new one is there, never a part. Under a name that ends with .gz the file is packed with
+// gzip, in blocks (gzip_blocks.h).
 #pragma once
 
 #include <memory>
