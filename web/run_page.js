@@ -61,7 +61,7 @@ export class RunPage {
   #begin() {
     const {data, model, comparison} = this;
     const {n, zoom, hunk} = model.selection;
-    this.title = (data.summary.trace || this.id).replace(/(\.trace)?\.jsonl$/, '');
+    this.title = (data.summary.trace || this.id).replace(/(\.trace)?\.jsonl(\.gz)?$/, '');
     document.title = `${this.title}${comparison ? ' compared' : ''} – Continua`;
     const start = data.clamp(n ?? comparison?.start ?? data.summary.first);
     model.settle({

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string ending_of(const ApprovedRun& approved) {
-  return approved.path.ends_with(".jsonl") ? ".approved.run.jsonl" : ".approved.run.json";
+  return is_whole_log(approved) ? ".approved.run.jsonl" : ".approved.run.json";
 }
 
 }  // namespace

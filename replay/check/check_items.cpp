@@ -22,16 +22,16 @@ bool is_data(const fs::path& path) {
   return path.extension() == ".json" && (folder == "phrases" || folder == "gestures");
 }
 bool is_voxemes(const fs::path& path) { return is_folder(path) && path.filename() == "voxemes"; }
-bool is_trace(const fs::path& path) { return path.string().ends_with(trace_ending); }
 bool is_approved_run(const fs::path& path) {
-  return path.string().ends_with(".run.jsonl") || path.string().ends_with(".run.json");
+  const auto name = path.string();
+  return without_gzip_ending(name).ends_with(".run.jsonl") || name.ends_with(".run.json");
 }
 
 ItemKind kind_of(const fs::path& path) {
   if (is_lexicon(path)) return ItemKind::lexicon;
   if (is_voxemes(path)) return ItemKind::voxemes;
   if (is_data(path)) return ItemKind::data;
-  return path.extension() == ".jsonl" ? ItemKind::trace : ItemKind::machine;
+  return without_gzip_ending(path.string()).ends_with(".jsonl") ? ItemKind::trace : ItemKind::machine;
 }
 
 void collect(const fs::path& path, std::vector<CheckItem>& items) {
@@ -43,12 +43,11 @@ void collect(const fs::path& path, std::vector<CheckItem>& items) {
   for (const auto& entry : fs::directory_iterator(path, problem)) entries.push_back(entry.path());
   std::sort(entries.begin(), entries.end());
   for (const auto& entry : entries)
-    if (is_folder(entry) || is_machine(entry) || is_data(entry) || is_trace(entry)) collect(entry, items);
+    if (is_folder(entry) || is_machine(entry) || is_data(entry) || is_trace_name(entry.string())) collect(entry, items);
 }
 
 std::string short_name(const fs::path& path) {
-  const auto file = path.filename().string();
-  return file.ends_with(trace_ending) ? file.substr(0, file.size() - trace_ending.size()) : path.stem().string();
+  return is_trace_name(path.string()) ? trace_name(path.string()) : path.stem().string();
 }
 
 // "traces-paper-one" of traces/paper/one.trace.jsonl.

@@ -76,11 +76,12 @@ bool is_notes_file(std::string_view, const std::string& path) { return path.ends
 
 // Notes on records of the run in the same folder, if there is one.
 FileCheck check_notes(std::string_view text, const std::string& path) {
-  const auto log = path.substr(0, path.size() - notes_ending.size()) + ".run.jsonl";
   std::error_code unknown;
   std::optional<std::size_t> records;
-  if (std::filesystem::is_regular_file(log, unknown))
-    if (const auto run = RunIndex::open(log)) records = run->size();
+  for (const auto* ending : {".run.jsonl", ".run.jsonl.gz"})
+    if (const auto log = path.substr(0, path.size() - notes_ending.size()) + ending;
+        std::filesystem::is_regular_file(log, unknown))
+      if (const auto run = RunIndex::open(log)) records = run->size();
   FileCheck check{notes_problems(text, path, records), {}, ""};
   if (!check.problems.empty()) return check;
   const auto notes = LocatedJson::parse(text, path)->root()["notes"].size();

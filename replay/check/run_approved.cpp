@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "continua/core/gzip_name.h"
 #include "continua/core/located_json.h"
 #include "continua/replay/log/kept_documents.h"
 #include "continua/replay/log/line_scan.h"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string beside(const std::string& trace_path, const std::string& ending) {
-  const std::string_view trace = trace_path;
+  const auto trace = without_gzip_ending(trace_path);
   const auto stem = trace.ends_with(trace_ending)
                         ? trace.substr(0, trace.size() - trace_ending.size())
                         : trace.substr(0, trace.size() - fs::path(trace).extension().string().size());
@@ -213,11 +214,11 @@ Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_pa
   if (world == "physics" && !mujoco.empty()) parts.insert(parts.begin(), std::string(of_mujoco) + mujoco);
   for (const auto& of_world : parts) {
     std::optional<ApprovedRun> found;
-    for (const char* ending : {".run.jsonl", ".run.json"}) {
+    for (const char* ending : {".run.jsonl", ".run.jsonl.gz", ".run.json"}) {
       const auto path = beside(trace_path, of_world + ending);
       if (!fs::exists(path)) continue;
       if (found) return Error{path, fmt::format("is approved beside {}; expected one of them", found->path)};
-      auto content = path.ends_with(".jsonl") ? read_run_log(path) : read_file(path);
+      auto content = is_run_log_name(path) ? read_run_log(path) : read_file(path);
       if (!content) return content.error();
       found = ApprovedRun{path, *std::move(content)};
     }
@@ -226,7 +227,7 @@ Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_pa
   return std::optional<ApprovedRun>();
 }
 
-bool is_whole_log(const ApprovedRun& approved) { return approved.path.ends_with(".jsonl"); }
+bool is_whole_log(const ApprovedRun& approved) { return is_run_log_name(approved.path); }
 
 Outcome write_approval(const ApprovedRun& approval) {
   if (!is_whole_log(approval)) return replace_file(approval.path, approval.content);
@@ -245,8 +246,9 @@ ApprovedRun approval_of(const std::string& trace_path, std::string_view run, con
   const auto log = read_log(run, trace_path);
   require(log.ok(), "a run is a run log");
   const auto of_world = part_of_name(log->header, before);
-  if (whole && bytes_of_file(run, trace_path) <= longest_approved_log)
-    return {beside(trace_path, of_world + ".run.jsonl"), std::string(run)};
+  const bool packed = before && is_gzip_name(before->path);
+  if (whole && (packed || bytes_of_file(run, trace_path) <= longest_approved_log))
+    return {beside(trace_path, fmt::format("{}.run.jsonl{}", of_world, packed ? gzip_ending : "")), std::string(run)};
   return {beside(trace_path, of_world + ".run.json"), digests_of(*log).dump(2) + "\n"};
 }
 

@@ -10,12 +10,12 @@
 
 namespace continua {
 
-/// Runs whose logs would be longer files are approved by their digests alone.
+/// Runs whose logs would be longer files are approved by their digests alone; one that is approved packed stays packed.
 inline constexpr std::size_t longest_approved_log = 1024 * 1024;
 
 /// The file next to a trace that holds its approved run.
 struct ApprovedRun {
-  std::string path;     ///< NAME.run.jsonl: a log; NAME.run.json: its digests
+  std::string path;     ///< NAME.run.jsonl, packed or not: a log; NAME.run.json: its digests
   std::string content;  ///< of a log, with the documents that are kept beside it
 };
 
@@ -25,7 +25,7 @@ bool is_whole_log(const ApprovedRun& approved);
 /// The approved run of a trace, NAME.trace.jsonl, in a world, "physics" or "kinematic": NAME.WORLD.run.jsonl or .json
 /// where the body's deeds lead elsewhere in that world, else NAME.run.jsonl or .json; nullopt if there is none. Before
 /// these, for physics, NAME.physics.mujoco-VERSION.run.jsonl or .json of the version `mujoco`. An error if it cannot be
-/// read or there are both.
+/// read or there are two of these.
 Result<std::optional<ApprovedRun>> find_approved_run(const std::string& trace_path, const std::string& world,
                                                      const std::string& mujoco = "");
 

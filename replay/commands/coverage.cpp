@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
-#include <fstream>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -13,30 +12,37 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "continua/core/gzip_name.h"
 #include "continua/core/located_json.h"
 #include "continua/knowledge_files/data_paths.h"
 #include "continua/knowledge_files/language_loading.h"
 #include "continua/language/reduction.h"
 #include "continua/language/vocabulary.h"
 #include "continua/replay/coverage/coverage_text.h"
+#include "continua/replay/log/log_file.h"
 #include "continua/replay/session/session.h"
 #include "continua/replay/session/shelf.h"
 #include "continua/replay/terminal/progress.h"
+#include "continua/replay/trace/trace_name.h"
 #include "continua/term/raising_file.h"
 
 namespace continua {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view trace_ending = ".trace.jsonl", run_ending = ".run.jsonl";
+constexpr std::string_view run_ending = ".run.jsonl";
 
-// NAME.run.jsonl or NAME.WORLD.run.jsonl next to NAME.trace.jsonl.
+bool is_run_name(std::string_view path) { return without_gzip_ending(path).ends_with(run_ending); }
+
+// NAME.run.jsonl or NAME.WORLD.run.jsonl next to NAME.trace.jsonl, each of them packed or not.
 bool goes_with_a_trace(const fs::path& log) {
-  auto stem = log.string();
+  std::string stem(without_gzip_ending(log.string()));
   stem.resize(stem.size() - run_ending.size());
   std::error_code problem;
-  return fs::exists(stem + std::string(trace_ending), problem) ||
-         fs::exists(fs::path(stem).replace_extension().string() + std::string(trace_ending), problem);
+  for (const auto& name : {stem, fs::path(stem).replace_extension().string()})
+    for (const auto packed : {std::string_view(), gzip_ending})
+      if (fs::exists(fmt::format("{}{}{}", name, trace_ending, packed), problem)) return true;
+  return false;
 }
 
 // The files that a folder stands for, in the order of the names.
@@ -46,17 +52,16 @@ std::vector<std::string> files_of(const fs::path& path) {
   std::error_code problem;
   for (auto entry = fs::recursive_directory_iterator(path, problem); entry != fs::end(entry); entry.increment(problem))
     if (const auto name = entry->path().string();
-        name.ends_with(trace_ending) || (name.ends_with(run_ending) && !goes_with_a_trace(entry->path())))
+        is_trace_name(name) || (is_run_name(name) && !goes_with_a_trace(entry->path())))
       files.push_back(name);
   std::sort(files.begin(), files.end());
   return files;
 }
 
 bool is_run_log(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string line;
-  std::getline(file, line);
-  const auto header = parse_json_line(without_byte_order_mark(line), path, 1);
+  const auto line = first_line(path);
+  if (!line) return false;
+  const auto header = parse_json_line(without_byte_order_mark(*line), path, 1);
   return header && header->is_object() && header->contains("kind") && (*header)["kind"] == "run";
 }
 
@@ -179,7 +184,7 @@ int run_coverage(const CoverageOptions& options) {
   for (const auto& path : options.paths) {
     const auto found = files_of(fs::path(path).lexically_normal());
     if (found.empty()) {
-      report({path, "found neither a trace (.trace.jsonl) nor a run log (.run.jsonl) in it"});
+      report({path, "found neither a trace (.trace.jsonl) nor a run log (.run.jsonl), packed or not, in it"});
       usable = false;
     }
     files.insert(files.end(), found.begin(), found.end());

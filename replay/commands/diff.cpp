@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <future>
 
 #include <fmt/format.h>
@@ -13,16 +12,17 @@
 #include "continua/replay/diff/run_diff_text.h"
 #include "continua/replay/experiment/trace_diff.h"
 #include "continua/replay/log/line_scan.h"
+#include "continua/replay/log/log_file.h"
 
 namespace continua {
 namespace {
 
 // "trace" or "run", as the first line says; empty for anything else.
 std::string kind_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string line, kind;
-  std::getline(file, line);
-  scan_members(without_byte_order_mark(line), [&](std::string_view key, std::string_view value) {
+  const auto line = first_line(path);
+  std::string kind;
+  if (!line) return kind;
+  scan_members(without_byte_order_mark(*line), [&](std::string_view key, std::string_view value) {
     if (key == "kind" && value.size() >= 2) kind = value.substr(1, value.size() - 2);
   });
   return kind;

@@ -44,7 +44,7 @@ int run_explain(const ExplainOptions& options) {
 }
 
 void describe_explain(CLI::App& command, ExplainOptions& options) {
-  command.add_option("RUN", options.run, "a run log (.run.jsonl)")->required();
+  command.add_option("RUN", options.run, "a run log (.run.jsonl, .run.jsonl.gz)")->required();
   auto* asked = command.add_option_group("what is asked about",
                                          "without any: an unmet expectation, the first question or the last act");
   asked->add_option("--at", options.question.at_s, "the last that the avatar did or refused until then, in seconds");

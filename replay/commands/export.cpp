@@ -43,8 +43,7 @@ Outcome export_html(const RunIndex& run, std::ostream& out) {
 Outcome export_log(const RunIndex& run, std::ostream& out) {
   const auto log = source_of_log(run.path());
   if (!log) return log.error();
-  const bool all = read_pieces(**log, [&](std::string_view piece) { out << piece; });
-  return all ? Outcome() : Error{run.path(), file_changed};
+  return read_pieces(**log, run.path(), [&](std::string_view piece) { out << piece; });
 }
 
 // An exporter is a function and a row.
@@ -85,7 +84,7 @@ int run_export(const ExportOptions& options) {
 }
 
 void describe_export(CLI::App& command, ExportOptions& options) {
-  command.add_option("RUN", options.run, "a run log (.run.jsonl)")->required();
+  command.add_option("RUN", options.run, "a run log (.run.jsonl, .run.jsonl.gz)")->required();
   std::vector<std::string> formats;
   std::string described;
   for (const auto& one : exporters) {

@@ -176,7 +176,7 @@ int run_learn(const LearnOptions& options) {
 
 void describe_learn(CLI::App& command, LearnOptions& options) {
   command.add_option("MACHINE", options.machine, "a name or a machine file")->required();
-  command.add_option("TRACE", options.traces, "traces (.jsonl) with `observed` events")->required();
+  command.add_option("TRACE", options.traces, "traces (.jsonl, .jsonl.gz) with `observed` events")->required();
   command.add_option("-o,--output", options.output, "the file of weights, for --weights of other commands")->required();
   command
       .add_option("--held-out", options.held_out,

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "continua/core/gzip_name.h"
 #include "continua/replay/live/event_pipe.h"
 #include "continua/replay/server/inspector_server.h"
 #include "continua/replay/server/stop_signals.h"
@@ -22,6 +23,10 @@ constexpr int usual_port = 8080;
 // Where the traces go. The first is called as `output` says, which must not be there yet.
 Outcome place_traces(const std::string& output, LiveDefaults& live) {
   if (output.empty()) return std::nullopt;
+  if (is_gzip_name(output))
+    return Error{output,
+                 "would be packed, but each event is written at once; expected a name without .gz (continua "
+                 "pack --gzip packs it afterwards)"};
   std::error_code problem;
   if (fs::is_directory(output, problem)) {
     live.folder = output;

@@ -145,7 +145,7 @@ int run_render(const RenderOptions& options) {
 }
 
 void describe_render(CLI::App& command, RenderOptions& options) {
-  command.add_option("RUN", options.run, "a run log (.run.jsonl)")->required();
+  command.add_option("RUN", options.run, "a run log (.run.jsonl, .run.jsonl.gz)")->required();
   command
       .add_option(
           "-o,--output", options.output,

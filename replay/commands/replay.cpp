@@ -27,19 +27,21 @@ namespace {
 constexpr int most_branches = 100'000;  // each takes some kilobytes
 
 // The name of a run that was given none; a run with changes must not take the place of the run itself.
-std::string run_name(const std::string& trace, const ReplayOptions& options) {
-  return trace_name(trace) + (options.from ? ".what_if" : "") + ".run.jsonl";
+std::string run_name(const std::string& trace, const ReplayCommandOptions& options) {
+  return fmt::format("{}{}.run.jsonl{}", trace_name(trace), options.replay.from ? ".what_if" : "",
+                     options.gzip ? gzip_ending : "");
 }
 
 // The trace's run without changes, where a file of its name stands in the folder of the trace or of the output.
 std::optional<std::string> original_run(const std::string& trace, const std::string& output, bool physics) {
   const auto name = trace_name(trace);
   for (const auto& folder : {fs::path(trace).parent_path(), fs::path(output).parent_path()})
-    for (const auto* ending : {physics ? ".physics.run.jsonl" : ".kinematic.run.jsonl", ".run.jsonl"}) {
-      const auto path = folder / (name + ending);
-      std::error_code unknown;
-      if (fs::is_regular_file(path, unknown) && !fs::equivalent(path, output, unknown)) return path.string();
-    }
+    for (const std::string ending : {physics ? ".physics.run.jsonl" : ".kinematic.run.jsonl", ".run.jsonl"})
+      for (const auto packed : {std::string_view(), gzip_ending}) {
+        const auto path = folder / fmt::format("{}{}{}", name, ending, packed);
+        std::error_code unknown;
+        if (fs::is_regular_file(path, unknown) && !fs::equivalent(path, output, unknown)) return path.string();
+      }
   return std::nullopt;
 }
 
@@ -67,7 +69,7 @@ Result<std::vector<std::string>> runs_of(const ReplayCommandOptions& options) {
   std::vector<std::string> outputs;
   std::map<std::string, std::string> trace_of;
   for (const auto& trace : options.traces) {
-    const auto path = folder ? (fs::path(output) / run_name(trace, options.replay)).string() : output;
+    const auto path = folder ? (fs::path(output) / run_name(trace, options)).string() : output;
     const auto [other, fresh] = trace_of.emplace(path, trace);
     if (!fresh) return Error{trace, fmt::format("would be written to {}, as would {}", path, other->second)};
     if (auto over = not_an_input(path, options.traces)) return *std::move(over);
@@ -232,11 +234,13 @@ int run_replay(const ReplayCommandOptions& options) {
 }
 
 void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
-  command.add_option("TRACE", options.traces, "traces (.jsonl)")->required();
-  command.add_option("-o,--output", options.output, "a run log, a folder, or '-'; otherwise NAME.run.jsonl here");
+  command.add_option("TRACE", options.traces, "traces (.jsonl, .jsonl.gz)")->required();
+  command.add_option("-o,--output", options.output,
+                     "a run log, packed if its name ends with .gz, a folder, or '-'; otherwise NAME.run.jsonl here");
   command.add_flag(
       "--whole", options.whole,
       "with a folder: each log has its machine and scene in it; otherwise these are kept once, in documents/");
+  command.add_flag("--gzip", options.gzip, "where no file is named: NAME.run.jsonl.gz, which all commands read");
   command.add_option("--seed", options.replay.seed, "for draws; otherwise the trace's");
   const auto choice = add_choice(command);
   command.add_option("--branches", options.replay.most_branches, "under explore, how many configurations are kept")

@@ -13,6 +13,7 @@ struct ReplayCommandOptions {
   std::vector<std::string> traces;
   std::string output;  ///< a run log or a folder; empty: NAME.run.jsonl in the current folder; "-": standard output
   bool whole = false;  ///< logs in a folder have everything; otherwise documents are kept once beside them
+  bool gzip = false;   ///< logs in a folder, or of no given name, are packed
   int jobs = 1;
   ReplayOptions replay;
 };

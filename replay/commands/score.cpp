@@ -37,7 +37,8 @@ Result<std::vector<std::string>> runs_of(const ScoreOptions& options) {
   std::map<std::string, std::string> trace_of;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const auto& trace = options.traces[i];
-    runs[i] = (fs::path(options.output) / (trace_name(trace) + ".run.jsonl")).string();
+    runs[i] =
+        (fs::path(options.output) / (trace_name(trace) + (options.gzip ? ".run.jsonl.gz" : ".run.jsonl"))).string();
     const auto [other, fresh] = trace_of.emplace(runs[i], trace);
     if (!fresh) return Error{trace, fmt::format("would be written to {}, as would {}", runs[i], other->second)};
     if (auto over = not_an_input(runs[i], options.traces)) return *std::move(over);
@@ -157,7 +158,7 @@ int run_score(const ScoreOptions& options) {
 
 void describe_score(CLI::App& command, ScoreOptions& options) {
   options.replay.physics = false;
-  command.add_option("TRACE", options.traces, "traces (.jsonl) with `observed` events")->required();
+  command.add_option("TRACE", options.traces, "traces (.jsonl, .jsonl.gz) with `observed` events")->required();
   auto variant = std::make_shared<std::string>();
   command
       .add_option("--variant", *variant,
@@ -169,6 +170,7 @@ void describe_score(CLI::App& command, ScoreOptions& options) {
                      "a folder for the run logs, NAME.run.jsonl; otherwise they are not kept");
   command.add_flag("--whole", options.whole,
                    "with -o: each log has its machine and scene in it; otherwise these are kept once, in documents/");
+  command.add_flag("--gzip", options.gzip, "with -o: NAME.run.jsonl.gz, which all commands read");
   auto* json = command.add_flag("--json", options.json, "one JSON document, with all misses");
   command.add_flag("--markdown", options.markdown, "the tables as Markdown")->excludes(json);
   command.add_flag("--misses", options.all_misses, "tell all misses, not the first few of each trace");

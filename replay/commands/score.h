@@ -13,6 +13,7 @@ struct ScoreOptions {
   std::vector<std::string> traces;
   std::string output;  ///< folder that the run logs are written to, NAME.run.jsonl; empty: they are not kept
   bool whole = false;  ///< these have everything; otherwise documents are kept once beside them
+  bool gzip = false;   ///< these are packed
   int jobs = 1;
   bool json = false, markdown = false;
   bool all_misses = false;  ///< tell all, not the first few of each trace

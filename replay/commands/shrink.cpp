@@ -110,7 +110,7 @@ int run_shrink(const ShrinkCommandOptions& options) {
 
 void describe_shrink(CLI::App& command, ShrinkCommandOptions& options) {
   options.replay.physics = false;
-  command.add_option("TRACE", options.trace, "a trace (.jsonl)")->required();
+  command.add_option("TRACE", options.trace, "a trace (.jsonl, .jsonl.gz)")->required();
   command
       .add_option(
           "--until", options.until,

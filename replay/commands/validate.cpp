@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "continua/core/located_json.h"
+#include "continua/core/gzip_text.h"
 #include "continua/knowledge_files/data_paths.h"
 #include "continua/replay/check/file_kinds.h"
 
@@ -17,12 +17,13 @@ namespace {
 int validate(const std::string& path);
 
 int validate_folder(const std::string& folder) {
-  constexpr std::array<std::string_view, 4> extensions = {".xml", ".json", ".jsonl", ".jff"};
+  constexpr std::array<std::string_view, 5> extensions = {".xml", ".json", ".jsonl", ".jsonl.gz", ".jff"};
   std::vector<std::string> files;
   std::error_code problem;
   for (std::filesystem::recursive_directory_iterator each(folder, problem), end; !problem && each != end;
        each.increment(problem))
-    if (std::find(extensions.begin(), extensions.end(), each->path().extension().string()) != extensions.end() &&
+    if (std::any_of(extensions.begin(), extensions.end(),
+                    [&](std::string_view one) { return each->path().string().ends_with(one); }) &&
         !is_folder(each->path()))
       files.push_back(each->path().lexically_normal().string());
   if (problem) return report({folder, "cannot be read to its end: " + problem.message()}), exit_impossible;
@@ -38,7 +39,7 @@ int validate_folder(const std::string& folder) {
 // Of a folder, the files that may be the project's.
 int validate(const std::string& path) {
   if (is_folder(path)) return validate_folder(path);
-  const auto text = read_file(path);
+  const auto text = read_text(path);
   if (!text) return report(text.error()), exit_impossible;
   const auto check = check_file(*text, path);
   for (const auto& problem : check.problems) put(stderr, printable_line(problem.text()) + "\n");

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "continua/core/gzip_name.h"
+
 namespace continua {
 namespace {
 
@@ -18,7 +20,8 @@ constexpr std::size_t most_held_records = 3000000;  // of all but the one used l
 
 bool is_letter_or_digit(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-std::string without_suffix(std::string name) {
+std::string without_suffix(const std::string& path) {
+  std::string name(without_gzip_ending(path));
   for (const std::string_view end : {suffix, std::string_view(".jsonl")})
     if (name.size() > end.size() && name.ends_with(end)) return name.substr(0, name.size() - end.size());
   return name;
@@ -37,7 +40,7 @@ std::vector<fs::path> logs_below(const fs::path& folder) {
   std::error_code problem;
   fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, problem), end;
   for (; !problem && at != end; at.increment(problem))
-    if (at->is_regular_file(problem) && at->path().filename().string().ends_with(suffix))
+    if (at->is_regular_file(problem) && without_gzip_ending(at->path().string()).ends_with(suffix))
       found.push_back(at->path().lexically_relative(folder));
   std::sort(found.begin(), found.end());
   return found;

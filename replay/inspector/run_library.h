@@ -37,7 +37,7 @@ struct RunFile {
 /// Safe to use from several threads: those that ask for other runs do not wait while one is read.
 class RunLibrary {
  public:
-  /// Run files, or folders whose files named *.run.jsonl are meant, at any depth.
+  /// Run files, or folders whose files named *.run.jsonl or *.run.jsonl.gz are meant, at any depth.
   explicit RunLibrary(std::vector<std::string> paths) : paths_(std::move(paths)) {}
 
   /// All runs there are now, in order of their paths; then those that were added.

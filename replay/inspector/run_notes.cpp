@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "continua/core/digest.h"
+#include "continua/core/gzip_name.h"
 #include "continua/core/replaced_file.h"
 #include "continua/replay/log/run_brief.h"
 
@@ -94,7 +95,7 @@ bool there_is(const std::string& path) {
 }  // namespace
 
 std::string notes_path(const std::string& run_path) {
-  auto name = run_path;
+  std::string name(without_gzip_ending(run_path));
   for (const std::string_view end : {".run.jsonl", ".jsonl"})
     if (name.ends_with(end)) {
       name.resize(name.size() - end.size());

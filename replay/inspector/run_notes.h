@@ -1,4 +1,4 @@
-// People's notes on records of a run: NAME.notes.json next to NAME.run.jsonl (RUNLOG.md, Notes).
+// People's notes on records of a run: NAME.notes.json next to NAME.run.jsonl, packed or not (RUNLOG.md, Notes).
 #pragma once
 
 #include <cstddef>

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <functional>
 #include <limits>
 
@@ -13,6 +11,7 @@
 #include "continua/core/located_json.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/line_scan.h"
+#include "continua/replay/log/log_file.h"
 #include "continua/replay/log/run_text.h"
 
 namespace continua {
@@ -87,7 +86,7 @@ Outcome Scan::read_on(std::uint64_t offset) {
     const auto kept = held.size();
     held.resize(kept + block_bytes);
     const auto got = source_.read(held_at + kept, held.data() + kept, block_bytes);
-    if (got < 0) return Error{log_.path, fmt::format("cannot be read: {}", std::strerror(errno))};
+    if (got < 0) return Error{log_.where(log_.entries.size()), reading_problem(got)};
     held.resize(kept + static_cast<std::size_t>(got));
     std::size_t from = 0;
     for (auto end = held.find('\n', searched); end != std::string::npos; end = held.find('\n', from)) {
@@ -118,8 +117,8 @@ Outcome Scan::read_on(std::uint64_t offset) {
 Outcome Scan::note_last_line() {
   const auto& last = log_.entries.back();
   std::string line(last.length, '\0');
-  if (source_.read(last.offset, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
-    return Error{log_.where(log_.entries.size() - 1), file_changed};
+  const auto got = source_.read(last.offset, line.data(), line.size());
+  if (got != static_cast<ssize_t>(line.size())) return Error{log_.where(log_.entries.size() - 1), reading_problem(got)};
   log_.last_line = hash_of(line);
   return std::nullopt;
 }

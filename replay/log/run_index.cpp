@@ -75,8 +75,8 @@ std::vector<std::size_t> RunIndex::of_kind(std::string_view kind) const {
 Result<std::string> RunIndex::line(std::size_t n) const {
   const auto& entry = log_.entries[n];
   std::string text(entry.length, '\0');
-  if (source_->read(entry.offset, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
-    return Error{where(n), file_changed};
+  const auto got = source_->read(entry.offset, text.data(), text.size());
+  if (got != static_cast<ssize_t>(text.size())) return Error{where(n), reading_problem(got)};
   return text;
 }
 
@@ -92,7 +92,7 @@ Outcome RunIndex::read_lines(const std::function<bool(std::size_t)>& wanted,
       block_at = entry.offset;
       const auto got = source_->read(block_at, block.data(), block.size());
       block.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-      if (block.size() < entry.length) return Error{where(n), file_changed};
+      if (block.size() < entry.length) return Error{where(n), reading_problem(got)};
     }
     if (!use(n, std::string_view(block).substr(entry.offset - block_at, entry.length))) break;
   }

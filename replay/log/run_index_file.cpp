@@ -10,14 +10,15 @@
 #include <fmt/format.h>
 
 #include "continua/core/digest.h"
+#include "continua/core/gzip_text.h"
 #include "continua/core/replaced_file.h"
 
 namespace continua {
 namespace fs = std::filesystem;
 namespace {
 
-// Shorter logs are read faster than anybody notices.
-constexpr std::uint64_t shortest_kept = std::uint64_t{8} << 20;
+// Shorter logs are read faster than anybody notices. A packed one is some ten times as long when it is unpacked.
+constexpr std::uint64_t shortest_kept = std::uint64_t{8} << 20, shortest_packed = shortest_kept / 16;
 
 // The beginning of an index file. A file of another version, or of a machine that lays numbers out otherwise, begins
 // otherwise.
@@ -149,7 +150,7 @@ std::optional<LogPrint> print_of(const std::string& path) {
   std::error_code problem;
   LogPrint print;
   print.bytes = fs::file_size(path, problem);
-  if (problem || print.bytes < shortest_kept) return std::nullopt;
+  if (problem || print.bytes < (is_gzip_file(path) ? shortest_packed : shortest_kept)) return std::nullopt;
   print.written_ns = fs::last_write_time(path, problem).time_since_epoch().count();
   std::ifstream file(path, std::ios::binary);
   std::array<char, 8192> ends{};

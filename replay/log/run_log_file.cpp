@@ -69,10 +69,10 @@ Outcome rewrite_run_log(const std::string& from, const std::string& path, const 
   const auto source = source_of_log(from);
   if (!source) return source.error();
   RunLogFile file(path, documents);
-  const bool all = read_pieces(**source, [&](std::string_view piece) {
+  auto problem = read_pieces(**source, from, [&](std::string_view piece) {
     file.stream().write(piece.data(), static_cast<std::streamsize>(piece.size()));
   });
-  if (!all) return Error{from, file_changed};
+  if (problem) return problem;
   return file.commit();
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "continua/core/gzip_text.h"
 #include "continua/replay/trace/trace_event.h"
 #include "continua/replay/trace/trace_reader.h"
 
@@ -26,7 +27,7 @@ Result<Trace> read_trace_text(std::string_view text, const std::string& name) {
 }
 
 Result<Trace> read_trace(const std::string& path) {
-  const auto text = read_file(path);
+  const auto text = read_text(path);
   if (!text) return text.error();
   return read_trace_text(*text, path);
 }

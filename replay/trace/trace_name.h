@@ -5,13 +5,18 @@
 #include <string>
 #include <string_view>
 
+#include "continua/core/gzip_name.h"
+
 namespace continua {
 
 inline constexpr std::string_view trace_ending = ".trace.jsonl";
 
-/// "x.trace.jsonl" and "x.jsonl" are called "x"; without their folder.
+/// Whether it is called "x.trace.jsonl", or "x.trace.jsonl.gz".
+inline bool is_trace_name(std::string_view path) { return without_gzip_ending(path).ends_with(trace_ending); }
+
+/// "x.trace.jsonl" and "x.jsonl", packed or not, are called "x"; without their folder.
 inline std::string trace_name(const std::string& trace) {
-  auto name = std::filesystem::path(trace).filename().string();
+  auto name = std::filesystem::path(without_gzip_ending(trace)).filename().string();
   for (const std::string ending : {".trace.jsonl", ".jsonl"})
     if (name.ends_with(ending)) {
       name.resize(name.size() - ending.size());

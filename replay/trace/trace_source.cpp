@@ -5,7 +5,7 @@
 #include <memory>
 #include <sstream>
 
-#include "continua/core/located_json.h"
+#include "continua/core/gzip_text.h"
 #include "continua/replay/trace/trace_reader.h"
 
 namespace continua {
@@ -24,9 +24,16 @@ NextEvent reading_of(std::shared_ptr<TraceReader> reader, const std::string& dig
 
 Result<OpenText> text_of(const std::string& path) {
   std::error_code unknown;
+  if (is_gzip_file(path)) {
+    const auto packed = GzipText::open(path);
+    if (!packed) return packed.error();
+    // Behind a fault the text would seem to be at its end.
+    if (auto damage = (*packed)->read_all([](std::string_view) {})) return *std::move(damage);
+    return OpenText([text = *packed] { return stream_of(text); });
+  }
   if (std::filesystem::is_regular_file(path, unknown) && std::ifstream(path))
     return OpenText([path] { return std::make_unique<std::ifstream>(path, std::ios::binary); });
-  auto text = read_file(path);
+  auto text = read_text(path);
   if (!text) return text.error();
   return OpenText([text = *std::move(text)] { return std::make_unique<std::istringstream>(text); });
 }
