@@ -165,13 +165,14 @@ class InOne : public GzipPieces {
   int go_on(Begin& place, Room& room, std::uint64_t text_at) {
     const auto* first = room.next;
     std::array<char, read_bytes> bytes;
+    std::string_view from;  // what is left of them
     while (room.bytes > 0) {
-      const auto got = read_at(*packed_, place.packed_at, bytes.data(), bytes.size());
-      if (got == 0 && place.inflater.is_between()) return 0;
-      std::string_view from(bytes.data(), got);
+      if (from.empty()) from = {bytes.data(), read_at(*packed_, place.packed_at, bytes.data(), bytes.size())};
+      const auto left = from.size();
+      if (left == 0 && place.inflater.is_between()) return 0;
       const int state = place.inflater.go_on(from, room);
-      place.packed_at += got - from.size();
-      if (state == Z_BUF_ERROR && got == 0) return cut;
+      place.packed_at += left - from.size();
+      if (state == Z_BUF_ERROR && left == 0) return cut;
       if (state == Z_STREAM_END)
         place.inflater.begin_next();
       else if (state != Z_OK && state != Z_BUF_ERROR)

@@ -37,7 +37,7 @@ Result<std::vector<std::string>> logs_in(const std::string& path) {
 }
 
 std::string folder_for_documents(const std::string& path) {
-  const auto folder = is_folder(path) ? fs::path(path) : fs::path(path).parent_path();
+  const auto folder = is_folder(path) ? fs::path(path) : fs::absolute(path).parent_path();
   const auto there = documents_above((folder / "any").string());
   return there ? *there : (fs::absolute(folder).lexically_normal() / "documents").lexically_normal().string();
 }

@@ -10,6 +10,7 @@
 #include "continua/replay/session/scene_voxemes.h"
 #include "continua/replay/session/session_parts.h"
 #include "continua/replay/session/version.h"
+#include "continua/replay/trace/trace_name.h"
 #include "continua/voxml/catalogue.h"
 
 namespace continua {
@@ -46,7 +47,7 @@ void add_knowledge(log::Run& header, const EngineParts& parts) {
 log::Run header_of(const LoadedSession& loaded, const EngineParts& parts) {
   log::Run header;
   header.continua = program_version();
-  header.trace.name = std::filesystem::path(loaded.trace.head().name).filename().string();
+  header.trace.name = name_in_log(loaded.trace.head().name);
   if (!loaded.options.live && !loaded.trace.head().digest.empty())
     header.trace.digest.emplace(loaded.trace.head().digest);
   header.seed = parts.seed;

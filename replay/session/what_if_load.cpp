@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "continua/replay/session/session_load.h"
+#include "continua/replay/trace/trace_name.h"
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -61,7 +62,7 @@ Outcome splice(TraceSource& trace, const TraceSource& edited, WhatIf& what_if) {
   auto notes = notes_of(edited, what_if.from, trace.head());
   if (!notes) return notes.error();
   what_if.notes = *std::move(notes);
-  what_if.trace = {fs::path(edited.head().name).filename().string(), edited.head().digest};
+  what_if.trace = {name_in_log(edited.head().name), edited.head().digest};
   auto spliced = trace.with(edited, what_if.from);
   if (!spliced) return spliced.error();
   trace = *std::move(spliced);

@@ -202,6 +202,8 @@ const leadWords = (runs) =>
         h('code', {}, 'continua replay TRACE -o FOLDER'),
         '; files named ',
         h('code', {}, '*.run.jsonl'),
+        ' or ',
+        h('code', {}, '*.run.jsonl.gz'),
         ' in the served folders appear here.',
       ];
 

@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "continua/core/gzip.h"
+#include "continua/core/gzip_blocks.h"
+#include "continua/core/located_json.h"
+#include "continua/replay/trace/trace_name.h"
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 
@@ -35,6 +39,12 @@ std::string words_of(const NextEvent& next) {
     if (!*event) return words;
     words += std::get<InputEvent>((*event)->what).text + " ";
   }
+}
+
+std::string in_blocks(const std::string& text) {
+  GzipBlocks blocks;
+  auto packed = blocks.add(text);
+  return packed + blocks.finish();
 }
 
 }  // namespace
@@ -78,6 +88,25 @@ TEST_CASE("a file that changes is noticed") {
   std::remove(trace.path.c_str());
   CHECK(words_of(source.read()) == changed);
   CHECK_FALSE(source.events().ok());
+}
+
+TEST_CASE("a packed trace is the trace, and its damage is told at once") {
+  const WrittenTrace trace(said(1, "a") + said(2, "b"));
+  const auto text = read_file(trace.path).value();
+  for (const auto& bytes : {in_blocks(text), gzipped(text)}) {
+    const auto path = trace.folder.file("t.jsonl.gz", bytes);
+    const auto source = TraceSource::open(path);
+    REQUIRE(source.ok());
+    CHECK(source->head().digest == trace.source().head().digest);
+    CHECK(words_of(source->read()) == "a b ");
+    CHECK(words_of(source->read()) == "a b ");
+    CHECK(read_trace(path)->events.size() == 2);
+    trace.folder.file("t.jsonl.gz", bytes.substr(0, bytes.size() - 9));
+    for (const auto& problem : {TraceSource::open(path).error(), read_trace(path).error()})
+      CHECK(problem.text().starts_with(path + ": is cut short"));
+  }
+  CHECK(trace_name("runs/x.trace.jsonl.gz") == "x");
+  CHECK(name_in_log("runs/x.trace.jsonl.gz") == "x.trace.jsonl");
 }
 
 TEST_CASE("from an instant on the events are those of another trace") {
