@@ -105,7 +105,7 @@ TEST_CASE("a packed log that is cut or damaged is refused with its place") {
   const auto text = log_of(3 << 20, 3);
   const auto bytes = read_file(packed(folder, text)).value();
   const auto in_one = gzipped(text);
-  const auto problem = [&](std::string damaged) {
+  const auto problem = [&](const std::string& damaged) {
     return problem_of(folder.file("bad.run.jsonl.gz", damaged)).substr(folder.path().string().size() + 1);
   };
   CHECK(problem(bytes.substr(0, 100)) ==
