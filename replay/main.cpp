@@ -68,7 +68,8 @@ std::vector<Subcommand> add_all(CLI::App& program) {
       add(program, "pack", "Keep what run logs have in common once beside them, or put it back", describe_pack,
           run_pack),
       add(program, "machine", "Describe a machine, or draw it", describe_machine, run_machine),
-      add(program, "import", "Turn VoxSim session logs into traces", describe_import, run_import),
+      add(program, "import", "Turn session logs of VoxSim, and annotations of ELAN and Praat, into traces",
+          describe_import, run_import),
       add(program, "check",
           "Check what the project's files say of themselves, and hold traces against their approved runs",
           describe_check, run_check),
@@ -98,9 +99,14 @@ std::vector<std::string> options_of(const CLI::App& command) {
 
 // The fault of the arguments, in one sentence.
 std::string sentence_of(const CLI::App& program, const CLI::ParseError& problem) {
-  const auto chosen = program.get_subcommands();
-  const CLI::App& command = chosen.empty() ? program : *chosen.front();
-  const auto help = chosen.empty() ? "continua --help" : "continua " + command.get_name() + " --help";
+  const CLI::App* chosen = &program;
+  std::string called = "continua";
+  while (!chosen->get_subcommands().empty()) {
+    chosen = chosen->get_subcommands().front();
+    called += " " + chosen->get_name();
+  }
+  const CLI::App& command = *chosen;
+  const auto help = called + " --help";
   const auto not_understood = program.remaining(true);
   if (not_understood.empty()) return fmt::format("{} (see {})", problem.what(), help);
 
@@ -108,9 +114,9 @@ std::string sentence_of(const CLI::App& program, const CLI::ParseError& problem)
   if (first.starts_with('-'))
     return fmt::format("there is no option {}{} (see {})", in_quotes(first), did_you_mean(first, options_of(command)),
                        help);
-  if (!chosen.empty()) return fmt::format("found {}; expected no more arguments (see {})", in_quotes(first), help);
   std::vector<std::string> names;
-  for (const auto* known : program.get_subcommands({})) names.push_back(known->get_name());
+  for (const auto* known : command.get_subcommands({})) names.push_back(known->get_name());
+  if (names.empty()) return fmt::format("found {}; expected no more arguments (see {})", in_quotes(first), help);
   return fmt::format("there is no command {}{}; expected one of {}", in_quotes(first), did_you_mean(first, names),
                      fmt::join(names, ", "));
 }

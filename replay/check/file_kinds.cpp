@@ -13,6 +13,7 @@
 #include "continua/machine_file/jflap.h"
 #include "continua/machine_file/machine_loader.h"
 #include "continua/machine_file/phrase_file.h"
+#include "continua/replay/annotation/tier_map.h"
 #include "continua/replay/inspector/run_notes.h"
 #include "continua/replay/log/kept_documents.h"
 #include "continua/replay/log/log_file.h"
@@ -239,6 +240,19 @@ FileCheck check_live_file(std::string_view text, const std::string& path) {
   return {check_live_setup(text, path, *data), {}, "what live sessions begin with"};
 }
 
+bool is_json_with(std::string_view text, const std::string& path, const char* key) {
+  return path.ends_with(".json") && text.find(fmt::format("\"{}\"", key)) != text.npos &&
+         text.find("\"transitions\"") == text.npos;
+}
+
+FileCheck check_tier_map(std::string_view text, const std::string& path) {
+  return {tier_map_problems(text, path), {}, "map of tiers"};
+}
+
+FileCheck check_tier_names(std::string_view text, const std::string& path) {
+  return {tier_names_problems(text, path), {}, "words in the names of tiers"};
+}
+
 bool begins_with(std::string_view text, std::string_view beginning) {
   const auto from = text.find_first_not_of(" \t\r\n");
   return from != std::string_view::npos && text.substr(from).starts_with(beginning);
@@ -258,21 +272,11 @@ constexpr std::array file_kinds = {
     FileKind{is_notes_file, check_notes},
     FileKind{is_lexicon_file, check_lexicon_file},
     FileKind{is_gesture_file, check_gesture_file},
-    FileKind{[](std::string_view text, const std::string& path) {
-               return path.ends_with(".json") && text.find("\"phrases\"") != text.npos &&
-                      text.find("\"transitions\"") == text.npos;
-             },
-             check_phrase_file},
-    FileKind{[](std::string_view text, const std::string& path) {
-               return path.ends_with(".json") && text.find("\"buttons\"") != text.npos &&
-                      text.find("\"transitions\"") == text.npos;
-             },
-             check_live_file},
-    FileKind{[](std::string_view text, const std::string& path) {
-               return path.ends_with(".json") && text.find("\"raising\"") != text.npos &&
-                      text.find("\"transitions\"") == text.npos;
-             },
-             check_raising},
+    FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "tier_names"); }, check_tier_names},
+    FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "phrases"); }, check_phrase_file},
+    FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "buttons"); }, check_live_file},
+    FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "raising"); }, check_raising},
+    FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "tiers"); }, check_tier_map},
     FileKind{[](std::string_view text, const std::string& path) {
                return path.ends_with(".json") || (begins_with(text, "{") && text.find("\"machine\"") != text.npos &&
                                                   text.find("\"transitions\"") != text.npos);

@@ -5,6 +5,10 @@
 #include <iostream>
 
 #include "continua/core/replaced_file.h"
+#include "continua/replay/annotation/cues.h"
+#include "continua/replay/annotation/eaf.h"
+#include "continua/replay/annotation/textgrid.h"
+#include "continua/replay/commands/export_annotations.h"
 #include "continua/replay/export/chrome.h"
 #include "continua/replay/export/csv.h"
 #include "continua/replay/export/graph_dot.h"
@@ -51,6 +55,7 @@ struct Exporter {
   const char* format;
   const char* what;
   Outcome (*write)(const RunIndex& run, std::ostream& out);
+  std::string (*annotate)(const Annotations& annotations) = nullptr;  // instead of `write`; of a trace, too
 };
 constexpr std::array exporters = {
     Exporter{"json", "one document, every stack snapshot expanded",
@@ -61,12 +66,35 @@ constexpr std::array exporters = {
     Exporter{"chrome", "trace events on a time line, for Perfetto, chrome://tracing and speedscope", export_chrome},
     Exporter{"jsonl", "the log with its documents in it, byte for byte as a whole log was written", export_log},
     Exporter{"html", "the inspector's page with this run in it, one file that opens offline", export_html},
+    Exporter{"eaf", "annotations for ELAN; also of a trace, as the next three", nullptr, eaf_of},
+    Exporter{"textgrid", "annotations for Praat", nullptr, textgrid_of},
+    Exporter{"vtt", "words and gestures as subtitles, WebVTT", nullptr, vtt_of},
+    Exporter{"srt", "the same as SubRip", nullptr, srt_of},
 };
 
-Outcome written(const Exporter& exporter, const RunIndex& run, const std::string& path) {
-  if (auto problem = not_an_input(path, {run.path()})) return problem;
-  ReplacedFile file(path);
-  if (auto problem = exporter.write(run, file.stream())) return problem;
+Outcome export_annotations(const Exporter& exporter, const ExportOptions& options, std::ostream& out) {
+  const auto annotations = annotations_of_file(options.run, options.media);
+  if (!annotations) return annotations.error();
+  out << exporter.annotate(*annotations);
+  return out ? Outcome() : Error{options.run, "the export could not be written"};
+}
+
+Outcome export_run(const Exporter& exporter, const ExportOptions& options, std::ostream& out) {
+  if (is_trace_file(options.run))
+    return Error{options.run, "found a trace; expected a run log, or --to eaf, textgrid, vtt or srt"};
+  const auto run = RunIndex::open(options.run);
+  if (!run) return run.error();
+  return exporter.write(*run, out);
+}
+
+Outcome write(const Exporter& exporter, const ExportOptions& options, std::ostream& out) {
+  return exporter.annotate ? export_annotations(exporter, options, out) : export_run(exporter, options, out);
+}
+
+Outcome written(const Exporter& exporter, const ExportOptions& options) {
+  if (auto problem = not_an_input(options.output, {options.run})) return problem;
+  ReplacedFile file(options.output);
+  if (auto problem = write(exporter, options, file.stream())) return problem;
   return file.commit();
 }
 
@@ -75,16 +103,13 @@ Outcome written(const Exporter& exporter, const RunIndex& run, const std::string
 int run_export(const ExportOptions& options) {
   const auto exporter =
       std::find_if(exporters.begin(), exporters.end(), [&](const auto& one) { return one.format == options.format; });
-  const auto run = RunIndex::open(options.run);
-  if (!run) return report(run.error()), exit_impossible;
-  const auto problem =
-      options.output == "-" ? exporter->write(*run, std::cout) : written(*exporter, *run, options.output);
+  const auto problem = options.output == "-" ? write(*exporter, options, std::cout) : written(*exporter, options);
   if (problem) return report(*problem), exit_impossible;
   return exit_done;
 }
 
 void describe_export(CLI::App& command, ExportOptions& options) {
-  command.add_option("RUN", options.run, "a run log (.run.jsonl, .run.jsonl.gz)")->required();
+  command.add_option("RUN", options.run, "a run log (.run.jsonl, .run.jsonl.gz); for annotations also a trace")->required();
   std::vector<std::string> formats;
   std::string described;
   for (const auto& one : exporters) {
@@ -93,13 +118,16 @@ void describe_export(CLI::App& command, ExportOptions& options) {
   }
   command.add_option("--to", options.format, described)->required()->check(CLI::IsMember(formats));
   command.add_option("-o,--output", options.output, "a file, or '-'");
+  command.add_option("--media", options.media,
+                     "recordings that the annotations are about, for ELAN; also several times");
   command.footer(
       "Examples: continua export talk.run.jsonl --to json -o talk.json\n"
       "          continua export talk.run.jsonl --to svg -o talk.svg\n"
       "          continua export talk.run.jsonl --to csv -o talk.csv\n"
       "          continua export talk.run.jsonl --to chrome -o talk.trace.json\n"
       "          continua export runs/talk.run.jsonl --to jsonl -o talk.run.jsonl\n"
-      "          continua export talk.run.jsonl --to html -o talk.html");
+      "          continua export talk.run.jsonl --to html -o talk.html\n"
+      "          continua export talk.run.jsonl --to eaf --media talk.mp4 -o talk.eaf");
 }
 
 }  // namespace continua

@@ -1,7 +1,8 @@
-// continua export: a run in another format.
+// continua export: a run, or a trace, in another format.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "continua/replay/commands/command.h"
 
@@ -10,6 +11,7 @@ namespace continua {
 struct ExportOptions {
   std::string run, format;
   std::string output = "-";
+  std::vector<std::string> media = {};  ///< recordings that annotations link
 };
 
 int run_export(const ExportOptions& options);

@@ -8,6 +8,7 @@
 #include "continua/core/replaced_file.h"
 #include "continua/knowledge_files/named_machine.h"
 #include "continua/machine_file/machine_parameters.h"
+#include "continua/replay/commands/import_annotations.h"
 #include "continua/replay/trace/session_import.h"
 
 namespace continua {
@@ -17,7 +18,7 @@ namespace {
 constexpr std::size_t notes_shown = 20;
 
 struct Counts {
-  std::size_t traces = 0, events = 0, inputs = 0, observed = 0, notes = 0;
+  std::size_t traces = 0, events = 0, inputs = 0, observed = 0, notes = 0, guessed = 0;
 };
 
 void count(const Trace& trace, Counts& counts) {
@@ -37,15 +38,15 @@ void print_notes(const Trace& trace) {
     put(stderr, fmt::format("{}: {} more notes\n", trace.name, trace.notes.size() - notes_shown));
 }
 
-// Which file each log becomes; an error if two would be the same or a log would be overwritten.
+// Which trace each file becomes; an error if two would be the same or an input would be overwritten.
 Result<std::vector<std::string>> traces_of(const ImportOptions& options) {
   if (options.output == "-" && options.logs.size() > 1)
-    return Error{"-", "takes one trace; expected a folder for several logs"};
+    return Error{"-", "takes one trace; expected a folder for several files"};
   const bool folder = options.logs.size() > 1 || fs::is_directory(options.output) || options.output.ends_with('/');
   std::error_code problem;
   if (folder) fs::create_directories(options.output, problem);
   if (problem || (folder && !fs::is_directory(options.output)))
-    return Error{options.output, "is no folder and cannot become one; several logs need a folder"};
+    return Error{options.output, "is no folder and cannot become one; several files need a folder"};
   std::vector<std::string> outputs;
   std::map<std::string, std::string> log_of;
   for (const auto& log : options.logs) {
@@ -59,26 +60,43 @@ Result<std::vector<std::string>> traces_of(const ImportOptions& options) {
   return outputs;
 }
 
+// The trace of a session log, with the values that the machine's parameters had when it was recorded.
+Result<Trace> import_log(const std::string& path) {
+  const auto machine = load_named_machine(imported_machine, "");
+  if (!machine) return machine.error();
+  auto trace = import_session(path);
+  if (!trace) return trace;
+  if (const auto& recorded = trace->header.recorded; !recorded.empty())
+    trace->header.parameters = parameter_values_at(**machine, recorded);
+  else
+    trace->notes.push_back({1, "the name does not tell when it was recorded; the machine's present rules count"});
+  return trace;
+}
+
+// The trace of any file. A map of tiers that had to be guessed is shown.
+Result<Trace> import_file(const std::string& path, const ImportOptions& options, Counts& counts) {
+  if (!is_annotation_file(path)) return import_log(path);
+  std::string guessed;
+  auto trace = import_annotations(path, options.tiers, guessed);
+  counts.guessed += !guessed.empty();
+  put(options.output == "-" ? stderr : stdout, printable(guessed));
+  return trace;
+}
+
 }  // namespace
 
 int run_import(const ImportOptions& options) {
   const auto outputs = traces_of(options);
   if (!outputs) return report(outputs.error()), exit_impossible;
-  const auto machine = load_named_machine(imported_machine, "");
-  if (!machine) return report(machine.error()), exit_impossible;
   Counts counts;
   int status = exit_done;
   for (std::size_t i = 0; i < options.logs.size(); ++i) {
-    auto trace = import_session(options.logs[i]);
+    const auto trace = import_file(options.logs[i], options, counts);
     if (!trace) {
       report(trace.error());
       status = exit_impossible;
       continue;
     }
-    if (const auto& recorded = trace->header.recorded; !recorded.empty())
-      trace->header.parameters = parameter_values_at(**machine, recorded);
-    else
-      trace->notes.push_back({1, "the name does not tell when it was recorded; the machine's present rules count"});
     print_notes(*trace);
     if (const auto problem = write_file(outputs.value()[i], write_trace(*trace))) {
       report(*problem);
@@ -88,17 +106,25 @@ int run_import(const ImportOptions& options) {
     count(*trace, counts);
   }
   if (counts.traces > 0)
-    fmt::print(options.output == "-" ? stderr : stdout, "imported {}: {} ({}, {} observed), {}\n",
-               counted(counts.traces, "log"), counted(counts.events, "event"), counted(counts.inputs, "input"),
+    fmt::print(options.output == "-" || counts.guessed > 0 ? stderr : stdout, "imported {}: {} ({}, {} observed), {}\n",
+               counted(counts.traces, "file"), counted(counts.events, "event"), counted(counts.inputs, "input"),
                counts.observed, counted(counts.notes, "note"));
   return status;
 }
 
 void describe_import(CLI::App& command, ImportOptions& options) {
-  command.add_option("FILE", options.logs, "session logs (.txt)")->required();
-  command.add_option("-o,--output", options.output, "the trace, '-', or a folder; a folder for several logs")
+  command.add_option("FILE", options.logs, "session logs (.txt), annotations of ELAN (.eaf) or Praat (.TextGrid)")
       ->required();
-  command.footer("Example: continua import logs/*.txt -o traces/pilot");
+  command.add_option("-o,--output", options.output, "the trace, '-', or a folder; a folder for several files")
+      ->required();
+  command.add_option(
+      "--tiers", options.tiers,
+      "a map that says how tiers of annotations are used; without one it is guessed from their names, and "
+      "printed");
+  command.footer(
+      "Examples: continua import logs/*.txt -o traces/pilot\n"
+      "          continua import talk.eaf -o talk.trace.jsonl > talk.tiers.json\n"
+      "          continua import talk.eaf --tiers talk.tiers.json -o talk.trace.jsonl");
 }
 
 }  // namespace continua

@@ -1,4 +1,4 @@
-// continua import: session logs of VoxSim to traces.
+// continua import: session logs of VoxSim, and annotations of ELAN and Praat, to traces.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@ namespace continua {
 
 struct ImportOptions {
   std::vector<std::string> logs;
-  std::string output;  ///< a trace, "-", or a folder; with several logs always a folder
+  std::string output;      ///< a trace, "-", or a folder; with several logs always a folder
+  std::string tiers = {};  ///< the map of tiers of annotations; empty: it is guessed, and printed
 };
 
 /// Notes go to standard error, one line in total to standard output (to standard error if the trace goes there).

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 
+#include "continua/replay/log/reading_time.h"
+
 namespace continua {
 namespace {
 
 constexpr std::size_t most_of_a_speaker = 2;
 
-// A second to notice it, and 17 characters a second: the rule of makers of subtitles.
-SimTime reading_time(const StoryLine& line) {
-  const auto letters = static_cast<std::int64_t>(line.text.size());
-  return line.gesture ? SimTime{1'500'000} : SimTime{1'000'000 + letters * 1'000'000 / 17};
-}
+SimTime shown_time(const StoryLine& line) { return line.gesture ? gesture_time : reading_time(line.text); }
 
 }  // namespace
 
@@ -25,7 +23,7 @@ std::vector<Subtitle> subtitles_of(const RunStory& story) {
           (!line.gesture || other.text.starts_with('[')))
         other.until = line.from;
     }
-    subtitles.push_back({line.speaker, line.text, line.from, std::max(line.until, line.from + reading_time(line))});
+    subtitles.push_back({line.speaker, line.text, line.from, std::max(line.until, line.from + shown_time(line))});
   }
   return subtitles;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "continua/core/local_time.h"
+#include "continua/replay/trace/trace_event.h"
 #include "continua/replay/trace/trace_fields.h"
 
 namespace continua {
@@ -45,6 +46,11 @@ TraceHeader read_header(Json json, const std::string& where, std::vector<Error>&
     else
       fields.wrong("parameters", "an object {NAME: value} of the machine's parameters");
   }
+  fields.for_each("media", [](const TraceFields& media) {
+    media.need({"file"});
+    for (const char* text : {"file", "kind", "label"}) media.text(text);
+    media.number("offset", -trace_time_limit_s, trace_time_limit_s);
+  });
   header.seed = fields.whole_number("seed", UINT64_MAX).value_or(0);
   if (fields.choice("perspective", {"human", "avatar"}) == "avatar") header.perspective = Perspective::avatar;
   if (const Json* objects = fields.find("objects")) {
