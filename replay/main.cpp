@@ -35,6 +35,7 @@
 #include "continua/replay/commands/score.h"
 #include "continua/replay/commands/serve.h"
 #include "continua/replay/commands/shrink.h"
+#include "continua/replay/commands/trace.h"
 #include "continua/replay/commands/validate.h"
 #include "continua/replay/session/version.h"
 
@@ -70,6 +71,8 @@ std::vector<Subcommand> add_all(CLI::App& program) {
       add(program, "machine", "Describe a machine, or draw it", describe_machine, run_machine),
       add(program, "import", "Turn session logs of VoxSim, and annotations of ELAN and Praat, into traces",
           describe_import, run_import),
+      add(program, "trace", "Make traces of traces: cut, merge, shift, select, rename, anonymise", describe_trace,
+          run_trace),
       add(program, "check",
           "Check what the project's files say of themselves, and hold traces against their approved runs",
           describe_check, run_check),

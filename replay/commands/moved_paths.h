@@ -1,0 +1,16 @@
+// Paths in the header of a trace that is written to another folder.
+#pragma once
+
+#include <string>
+
+#include "continua/core/result.h"
+#include "continua/replay/trace/trace_file.h"
+
+namespace continua {
+
+/// Makes the header's paths, which were relative to the trace at `trace`, relative to the file `output`. Names stay.
+/// Error: the program's data is not there.
+Outcome move_paths(TraceHeader& header, const std::string& trace, const std::string& output,
+                   const std::string& knowledge = "");
+
+}  // namespace continua
