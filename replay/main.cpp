@@ -35,6 +35,7 @@
 #include "continua/replay/commands/score.h"
 #include "continua/replay/commands/serve.h"
 #include "continua/replay/commands/shrink.h"
+#include "continua/replay/commands/table.h"
 #include "continua/replay/commands/trace.h"
 #include "continua/replay/commands/validate.h"
 #include "continua/replay/session/version.h"
@@ -66,6 +67,7 @@ std::vector<Subcommand> add_all(CLI::App& program) {
       add(program, "serve", "Show runs in a browser", describe_serve, run_serve),
       add(program, "render", "Draw pictures or a film of a run, without a display", describe_render, run_render),
       add(program, "export", "Write a run in another format", describe_export, run_export),
+      add(program, "table", "Write the records of many runs as tables", describe_table, run_table),
       add(program, "pack", "Keep what run logs have in common once beside them, or put it back", describe_pack,
           run_pack),
       add(program, "machine", "Describe a machine, or draw it", describe_machine, run_machine),

@@ -2,38 +2,13 @@
 
 #include <ostream>
 #include <string>
-#include <string_view>
 #include <unordered_set>
 #include <vector>
 
+#include "continua/replay/export/csv_cell.h"
 #include "continua/replay/export/each_record.h"
 
 namespace continua {
-namespace {
-
-void write_cell(std::string_view text, std::ostream& out) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-    out << text;
-    return;
-  }
-  out << '"';
-  for (const char c : text) {
-    if (c == '"') out << '"';
-    out << c;
-  }
-  out << '"';
-}
-
-void write_value(const Json& value, std::ostream& out) {
-  if (value.is_null()) return;
-  if (const auto* text = value.get_ptr<const std::string*>())
-    write_cell(*text, out);
-  else
-    write_cell(value.dump(-1, ' ', false, Json::error_handler_t::replace), out);
-}
-
-}  // namespace
-
 Outcome export_csv(const RunIndex& run, std::ostream& out) {
   std::vector<std::string> columns = {"n", "t", "kind", "cause"};
   std::unordered_set<std::string> known(columns.begin(), columns.end());
