@@ -16,6 +16,10 @@ commands=$(sed -n '/^Subcommands:/,/^$/s/^  \([a-z_]*\) .*/\1/p' <<< "$overview"
   done
   sed '1,/^Subcommands:/d' <<< "$overview" | sed -n '/^$/,$p'
   for command in $commands; do
-    printf '\n## %s\n\n```text\n%s\n```\n' "$command" "$("$program" "$command" --help)"
+    help=$("$program" "$command" --help)
+    printf '\n## %s\n\n```text\n%s\n```\n' "$command" "$help"
+    for part in $(sed -n '/^Subcommands:/,/^$/s/^  \([a-z_]*\) .*/\1/p' <<< "$help"); do
+      printf '\n### %s %s\n\n```text\n%s\n```\n' "$command" "$part" "$("$program" "$command" "$part" --help)"
+    done
   done
 } | sed 's/ *$//'
