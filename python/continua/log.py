@@ -20,7 +20,6 @@ _KEPT = (("machine", "document"), ("phrases", "document"), ("knowledge",), ("gra
          ("scene", "geoms"), ("scene", "bodies"))
 _DIGITS = 32
 _GZIP = b"\x1f\x8b"
-_BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 
 
 class Records(Sequence[Record]):
@@ -66,7 +65,7 @@ def _whole_lines(path: Path) -> list[bytes]:
             content = gzip.decompress(content)
     except (OSError, EOFError) as problem:
         raise Error(f"{path}: cannot be read ({problem}); expected a run log") from None
-    lines = content.removeprefix(_BYTE_ORDER_MARK).split(b"\n")
+    lines = content.split(b"\n")
     lines.pop()  # after the last line's end: nothing, or a line that was cut short
     if not lines:
         raise Error(f"{path}: found no whole line; expected a run log")

@@ -72,9 +72,22 @@ test('the example asks the action for inputs that it has', () => {
       for (const input of Object.keys(one.with)) assert.ok(input in action.inputs, input);
 });
 
+test('the action takes the program that is there, or one of these very sources', () => {
+  const output = join(repository, 'output');
+  const look = (env) => {
+    assert.equal(
+      run(step('Look for the program'), {GITHUB_OUTPUT: output, GITHUB_ACTION_PATH: root, ...env}).status,
+      0,
+    );
+    const told = readFileSync(output, 'utf8');
+    rmSync(output);
+    return told;
+  };
+  assert.equal(look({}), 'found=true\n');
+  assert.match(look({PATH: '/usr/bin:/bin'}), /^sources=[0-9a-f]{64}\n$/);
+});
+
 test('the action checks a shard: annotation, report, summary, failures', () => {
-  assert.equal(run(step('Look for the program'), {GITHUB_OUTPUT: join(repository, 'output')}).status, 0);
-  assert.equal(readFileSync(join(repository, 'output'), 'utf8'), 'found=true\n');
   const {status, stdout} = check('1/1');
   assert.equal(status, 1);
   assert.match(stdout, /::error file=traces\/bad\.trace\.jsonl,line=3/);
