@@ -28,7 +28,8 @@ std::string phrases_folder(const DataPaths& data);
 Result<DataPaths> data_paths_of(const std::string& tree);
 
 /// Finds the data: in the tree CONTINUA_HOME if that is set, else in the nearest tree above the program: a folder, or
-/// its share/continua. `knowledge` replaces the knowledge folder unless it is empty. An error names the expected folders.
+/// its share/continua. `knowledge` replaces the knowledge folder unless it is empty. An error names the expected
+/// folders.
 Result<DataPaths> find_data_paths(const std::string& knowledge = "");
 
 /// The file for a `name` in a trace or an option. In this order: NAME.xml of mjcf/scenes or NAME.json of

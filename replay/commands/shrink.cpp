@@ -57,7 +57,8 @@ int run_shrink(const ShrinkCommandOptions& options) {
 
   auto against = options.against;
   if (goal->kind == "changed" && against.empty()) {
-    const auto approved = find_approved_run(options.trace, options.replay.physics ? "physics" : "kinematic", mujoco_version());
+    const auto approved =
+        find_approved_run(options.trace, options.replay.physics ? "physics" : "kinematic", mujoco_version());
     if (!approved) return fail(approved.error());
     if (!*approved)
       return fail({options.trace, "has no approved run beside it; expected one, or --against RUN or TRACE"});
