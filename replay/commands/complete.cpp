@@ -63,7 +63,7 @@ std::vector<std::string> listed_values(const std::string& type) {
   return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
 }
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+std::string short_text(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 void add_values(const CLI::Option& option, const std::string& typed, std::vector<Completion>& found) {
   const auto type = option.get_type_name();
@@ -105,7 +105,7 @@ const CLI::Option* positional_at(const CLI::App& command, std::size_t index) {
 void add_options(const CLI::App& command, const std::string& typed, std::vector<Completion>& found) {
   for (const auto* option : command.get_options())
     for (const auto& name : option->get_lnames())
-      if (("--" + name).starts_with(typed)) found.push_back({"--" + name, first_line(option->get_description())});
+      if (("--" + name).starts_with(typed)) found.push_back({"--" + name, short_text(option->get_description())});
 }
 
 void add_of_command(const CLI::App& command, const std::vector<std::string>& before, const std::string& typed,
