@@ -242,7 +242,8 @@ OrReason<Placement> Places::on_top(Occupied occupied) const {
   if (bearing.x() <= needed.x() || bearing.y() <= needed.y())
     return Reason{ReasonCode::too_narrow, {below.name, object_.name}};
   if (occupied == Occupied::cleared) return Placement{on_grid(ideal)};
-  for (const Vec3& step : steps_around(farthest_m)) {
+  static const auto steps = steps_around(farthest_m);
+  for (const Vec3& step : steps) {
     const ObjectState there = placed(ideal + step);
     if (!is_over(top, there.p_WO, rim_m) || !free(there) || !holds(there)) continue;
     if (is_inside(there, below)) return Reason{ReasonCode::falls_in, {object_.name, below.name}};
@@ -256,8 +257,9 @@ OrReason<Placement> Places::on_top(Occupied occupied) const {
 std::optional<Placement> Places::nearest(const std::vector<Vec3>& centers, Occupied occupied, bool whole,
                                          const Reaches& reaches) const {
   constexpr double farthest_m = 0.3;
+  static const auto steps = steps_around(farthest_m);
   int tries = 400;  // of reaching, which takes some 20 microseconds
-  for (const Vec3& step : steps_around(farthest_m)) {
+  for (const Vec3& step : steps) {
     for (const Vec3& center : centers) {
       const ObjectState there = standing(center + step, occupied);
       const bool borne = whole ? on_table(there) : bears(world_.table, there.p_WO);
