@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "continua/body/push_apart.h"
 #include "continua/body/standing.h"
@@ -61,17 +62,27 @@ WorldReport KinematicBody::advance(SimTime t) {
   WorldReport report;
   report.until = waiting_.empty() ? std::max(world_.t, t) : world_.t;
   world_.t = report.until;
+  if (waiting_.empty()) return report;
   const WorldSnapshot before = world_;
   give_up_stopped(report);
   while (!waiting_.empty()) {
     const AvatarCommand command = waiting_.front();
-    if (!begun_) report.acts.push_back({command.id, world_.t, Status::started, 0, {}});
-    // As in MuJoCo's world, an act begins before it has changed anything.
-    begun_ = !begun_ && handles_things(command) && accepts(command);
-    if (begun_) break;
+    auto outcome = std::exchange(begun_, std::nullopt);
+    if (!outcome) {
+      report.acts.push_back({command.id, world_.t, Status::started, 0, {}});
+      outcome = tried(command);
+      // As in MuJoCo's world, an act begins before it has changed anything.
+      if (handles_things(command) && outcome->end.status == Status::done) {
+        begun_ = std::move(outcome);
+        break;
+      }
+    }
     waiting_.pop_front();
     const std::string held = world_.held;
-    ActReport end = act(command);
+    ActReport end = std::move(outcome->end);
+    world_ = std::move(outcome->world);
+    world_.t = report.until;
+    lying_ = std::move(outcome->lying);
     end.id = command.id;
     end.t = world_.t;
     const ObjectState* object = world_.find(command.object.empty() ? held : command.object);
@@ -96,12 +107,14 @@ void KinematicBody::give_up_stopped(WorldReport& report) {
       report.acts.push_back({each->id, world_.t, Status::stopped, 0, {}});
   kept.insert(kept.end(), last.base() - 1, waiting_.end());
   waiting_ = std::move(kept);
-  begun_ = false;
+  begun_.reset();
 }
 
-bool KinematicBody::accepts(const AvatarCommand& command) const {
-  KinematicBody trial = *this;
-  return trial.act(command).status == Status::done;
+KinematicBody::Tried KinematicBody::tried(const AvatarCommand& command) const {
+  KinematicBody trial(world_, occupied_, ability_);
+  trial.lying_ = lying_;
+  auto end = trial.act(command);
+  return {std::move(end), std::move(trial.world_), std::move(trial.lying_)};
 }
 
 PoseSample KinematicBody::become(const KinematicBody& other) {
@@ -110,7 +123,7 @@ PoseSample KinematicBody::become(const KinematicBody& other) {
   world_.t = before.t;
   lying_ = other.lying_;
   waiting_.clear();
-  begun_ = false;
+  begun_.reset();
   return moved_since(before);
 }
 

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "continua/body/ability.h"
 #include "continua/body/body.h"
@@ -36,8 +39,13 @@ class KinematicBody : public Body {
  private:
   /// Takes the commands before the last stop off the queue, and reports them as stopped.
   void give_up_stopped(WorldReport& report);
-  /// Whether the act would be done.
-  bool accepts(const AvatarCommand& command) const;
+  /// An act that was tried: its report, and the world after it.
+  struct Tried {
+    ActReport end;
+    WorldSnapshot world;
+    std::map<std::string, ObjectState> lying;
+  };
+  Tried tried(const AvatarCommand& command) const;
   /// Does the act. The report lacks id and time.
   ActReport act(const AvatarCommand& command);
   OrReason<Placement> place_of(const AvatarCommand& command, const WorldSnapshot& world) const;
@@ -58,7 +66,7 @@ class KinematicBody : public Body {
   std::shared_ptr<const Ability> ability_;
   std::map<std::string, ObjectState> lying_;  // objects on their end, as they lay before
   std::deque<AvatarCommand> waiting_;
-  bool begun_ = false;  // the first of them: it was reported, and is done in the next advance
+  std::optional<Tried> begun_;  // the first of them: it was reported, and comes about in the next advance
 };
 
 }  // namespace continua
