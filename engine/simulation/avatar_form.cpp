@@ -9,7 +9,7 @@ namespace {
 
 double deepest(const OrientedBox& part, const std::vector<OrientedBox>& others) {
   double depth = 0;
-  for (const auto& other : others) depth = std::max(depth, overlap_depth(part, other));
+  for (const auto& other : others) depth = std::max(depth, overlap_depth(part, other, depth));
   return depth;
 }
 

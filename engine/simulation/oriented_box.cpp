@@ -1,11 +1,10 @@
 #include "continua/simulation/oriented_box.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace continua {
 
-double overlap_depth(const OrientedBox& a, const OrientedBox& b) {
+double overlap_depth(const OrientedBox& a, const OrientedBox& b, double enough_m) {
   const Vec3 apart = b.center_W - a.center_W;
   double least = std::numeric_limits<double>::max();
   for (const OrientedBox* faces : {&a, &b}) {
@@ -14,6 +13,7 @@ double overlap_depth(const OrientedBox& a, const OrientedBox& b) {
       const double reach =
           (a.R_WB.transpose() * axis).cwiseAbs().dot(a.half_m) + (b.R_WB.transpose() * axis).cwiseAbs().dot(b.half_m);
       least = std::min(least, reach - std::abs(axis.dot(apart)));
+      if (least <= enough_m) return least;
     }
   }
   return least;

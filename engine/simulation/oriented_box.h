@@ -1,6 +1,8 @@
 // Turned boxes and their overlaps.
 #pragma once
 
+#include <limits>
+
 #include <Eigen/Core>
 
 #include "continua/world/world_snapshot.h"
@@ -15,8 +17,10 @@ struct OrientedBox {
 };
 
 /// The shortest way along a face's axis that would part the two boxes; zero or negative if they are apart. Axes of
-/// pairs of edges are left out: they could only shorten the way.
-double overlap_depth(const OrientedBox& a, const OrientedBox& b);
+/// pairs of edges are left out: they could only shorten the way. The search ends where it falls to `enough_m`: for
+/// callers to whom no lesser depth matters.
+double overlap_depth(const OrientedBox& a, const OrientedBox& b,
+                     double enough_m = -std::numeric_limits<double>::infinity());
 
 /// The box of an object, turned about the vertical like the object.
 OrientedBox box_of(const ObjectState& object);
