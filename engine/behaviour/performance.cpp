@@ -56,13 +56,13 @@ std::optional<PerformanceEvent> Performer::next(Performance& performance, const 
   if (performance.stopping) give_up(performance, world);
   if (!performance.given_up.empty()) {
     ActEnd end = std::move(performance.given_up.front());
-    performance.given_up.pop_front();
+    performance.given_up.erase(performance.given_up.begin());
     return end;
   }
   if (!performance.doing) {
     if (performance.waiting.empty()) return std::nullopt;
     auto waiting = std::move(performance.waiting.front());
-    performance.waiting.pop_front();
+    performance.waiting.erase(performance.waiting.begin());
     if (auto* gesture = std::get_if<AvatarCommand>(&waiting)) return GestureCommand{std::move(*gesture)};
     performance.doing = under_way(std::get<AskedAct>(std::move(waiting)), world);
     const Circumstances circumstances(perspective_, world, performance.doing->brought);

@@ -2,7 +2,6 @@
 // on(plate)) into acts of the body. Acts run one after the other; each step waits for the body's report.
 #pragma once
 
-#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -88,10 +87,10 @@ struct ActUnderWay {
 
 /// The act under way and everything that waits: a value.
 struct Performance {
-  std::deque<std::variant<AskedAct, AvatarCommand>> waiting;  ///< acts, and avatar gestures behind them
+  std::vector<std::variant<AskedAct, AvatarCommand>> waiting;  ///< acts, and avatar gestures behind them
   std::optional<ActUnderWay> doing;
   bool stopping = false;  ///< a waiting act stops the body
-  std::deque<ActEnd> given_up;
+  std::vector<ActEnd> given_up;
   EarlierPlaces earlier;
   int commands = 0;  ///< number of the latest command
 

@@ -122,7 +122,7 @@ std::string ShownShapes::name_for(const Shape& shape, const Learned& learned,
 void ShownShapes::add(const std::string& name, const Shape& shape) {
   std::erase_if(shown_, [&](const auto& one) { return one.first == name; });
   shown_.emplace_back(name, shape);
-  if (shown_.size() > most) shown_.pop_front();
+  if (shown_.size() > most) shown_.erase(shown_.begin());
 }
 
 Shape ShownShapes::find(std::string_view name) const {

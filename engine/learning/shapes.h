@@ -2,7 +2,6 @@
 // enough and no exemplar with another meaning is about as near.
 #pragma once
 
-#include <deque>
 #include <functional>
 #include <optional>
 #include <string>
@@ -55,7 +54,7 @@ class ShownShapes {
   Shape find(std::string_view name) const;
 
  private:
-  std::deque<std::pair<std::string, Shape>> shown_;
+  std::vector<std::pair<std::string, Shape>> shown_;
   int named_ = 0;  ///< number of names given
 };
 

@@ -88,7 +88,7 @@ Tick attend_again(EngineState state, const Reattended& again) {
     state.doubted.erase(found);
   }
   ensemble.at = SimTime::from_seconds(again.now_s);
-  state.complete.push_front(std::move(ensemble));
+  state.complete.insert(state.complete.begin(), std::move(ensemble));
   return {std::move(state), {}};
 }
 

@@ -1,7 +1,6 @@
 // The state of the engine between ticks, and the events of a tick: values.
 #pragma once
 
-#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -22,6 +21,7 @@
 
 namespace continua {
 
+/// Its queues are vectors: they are short, and the state is moved from stage to stage, where each deque would allocate.
 struct EngineState {
   EngineState(Beliefs first_beliefs, Chooser first_chooser, Fusion first_fusion)
       : beliefs(std::move(first_beliefs)), chooser(std::move(first_chooser)), fusion(std::move(first_fusion)) {}
@@ -30,8 +30,8 @@ struct EngineState {
   Exploration exploration;      ///< all branches; empty under the other policies
   Beliefs beliefs;
   Chooser chooser;
-  Fusion fusion;                  ///< percepts that wait for their counterparts
-  std::deque<Ensemble> complete;  ///< ensembles to attend to, in order
+  Fusion fusion;                   ///< percepts that wait for their counterparts
+  std::vector<Ensemble> complete;  ///< ensembles to attend to, in order
   std::string last_utterance;
   std::optional<Pointed> pointed;
   GazeTrack gaze;

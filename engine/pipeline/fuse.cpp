@@ -63,7 +63,7 @@ EngineState released_all(const Engine& engine, EngineState state) {
 
 Ensemble take_complete(const Engine& engine, EngineState& state) {
   Ensemble ensemble = std::move(state.complete.front());
-  state.complete.pop_front();
+  state.complete.erase(state.complete.begin());
   const auto understanding = understanding_of(engine, state);
   auto& percept = ensemble.percept;
   if (understanding && percept.event.modality == Modality::speech)

@@ -137,9 +137,10 @@ std::vector<std::size_t> Pipeline::doubted(const EngineState& state, const std::
 bool Pipeline::may_ask(const Ensemble& ensemble, const std::vector<Offer>& offers) const {
   const auto& percept = ensemble.percept;
   const bool is_later_move = percept.resumes && percept.resumes->fragment > 0;
-  if (!machine().knows_input(unsure_symbol) || !percept.assured.empty() || is_later_move) return false;
+  if (!percept.assured.empty() || is_later_move) return false;
   const auto* thresholds = machine().thresholds_of(offers.front().input.symbol);
-  return offers.size() > 1 || (thresholds && offers.front().input.confidence < thresholds->confirm);
+  const bool unsure = thresholds && offers.front().input.confidence < thresholds->confirm;
+  return (offers.size() > 1 || unsure) && machine().knows_input(unsure_symbol);
 }
 
 // Asks about an input that is unsure; nothing if it is sure, or if the machine does not ask.

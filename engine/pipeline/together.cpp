@@ -18,7 +18,7 @@ namespace continua {
 namespace {
 
 // Of the ensembles, the number of the first one's counterpart; 0 if it has none.
-std::size_t counterpart(const std::deque<Ensemble>& complete, const FusionWindow& window) {
+std::size_t counterpart(const std::vector<Ensemble>& complete, const FusionWindow& window) {
   const auto& first = complete.front().percept;
   if (!first.assured.empty() || first.again > 0 || first.resumes) return 0;
   for (std::size_t i = 1; i < complete.size(); ++i) {
@@ -91,7 +91,7 @@ bool goes_with_words(const Engine& engine, const EngineState& state, std::string
 }
 
 std::optional<Tick> attended_together(const Engine& engine, const EngineState& before, const WorldSnapshot& world) {
-  if (!engine.machine->knows_input(together_symbol)) return std::nullopt;
+  if (before.complete.size() < 2 || !engine.machine->knows_input(together_symbol)) return std::nullopt;
   const auto other = counterpart(before.complete, engine.window);
   if (other == 0) return std::nullopt;
   Tick tick{before, {}};
