@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "continua/core/random.h"
 #include "continua/term/substitution.h"
 
 namespace continua {
@@ -185,7 +186,21 @@ Evaluation::Step Evaluation::reduce_constant(Redex& redex) {
   const Held held = lookup_ ? lookup_(name) : nullptr;
   if (!held.value || !names_same(redex.head.type(), held.value->type())) return keep(redex, true);
   redex.head = Term(*held.value);
-  return held.kept && redex.arguments.empty() ? Step::done : Step::again;
+  if (!redex.arguments.empty()) return Step::again;
+  if (!held.kept) redex.head = value_of(name, std::move(redex.head));
+  return Step::done;
+}
+
+// Definitions name one another again and again; the value of each is worked out once, but for those that draw or whose
+// applications are told.
+Term Evaluation::value_of(Name name, Term held) {
+  const auto known = std::find_if(values_.begin(), values_.end(), [&](const auto& each) { return each.first == name; });
+  if (known != values_.end()) return known->second;
+  const auto effects = [this] { return std::pair(applications.size(), facts_.random ? facts_.random->state() : 0); };
+  const auto before = effects();
+  Term value = evaluated(held);
+  if (!exhausted && effects() == before) values_.emplace_back(name, value);
+  return value;
 }
 
 // `if`, `and` and `or` evaluate only the arguments they need, but all of them while they wait for a bound variable.

@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "continua/term/derivation.h"
@@ -123,6 +124,7 @@ class Evaluation {
   Term evaluated_list(const Term& term);
   Term reduced(Redex redex);
   Step reduce_constant(Redex& redex);
+  Term value_of(Name name, Term held);
   Step reduce_choice(Redex& redex);
   Step reduce_rule(Redex& redex, const Rule& rule);
   void reduce_lambda(Redex& redex);
@@ -134,6 +136,7 @@ class Evaluation {
   const RuleTable& rules_;
   Lookup lookup_;
   Facts facts_;
+  std::vector<std::pair<Name, Term>> values_;  ///< of names that were evaluated, few
   std::size_t steps_ = 0;
   int depth_ = 0;
 };
