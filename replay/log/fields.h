@@ -133,10 +133,13 @@ concept HasBrief = requires(const T& record) {
 template <IsRecord... T>
 struct Kinds {};
 
+template <HasFields T>
+inline constexpr auto fields_of = T::fields();
+
 /// Calls `use(field)` for each member of T, in the order in which they are written.
 template <HasFields T, class Use>
 constexpr void for_each_field(Use&& use) {
-  std::apply([&use](const auto&... field) { (use(field), ...); }, T::fields());
+  std::apply([&use](const auto&... field) { (use(field), ...); }, fields_of<T>);
 }
 
 /// The name of a member in the log.

@@ -1,16 +1,16 @@
 #include "continua/replay/log/record_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "continua/core/characters.h"
 #include "continua/replay/log/record_json.h"
 
 namespace continua::log {
 namespace {
-
-enum class Part : bool { all, decision };
 
 // Neither control characters nor bytes that are not UTF-8.
 bool is_plain(std::string_view text) {
@@ -23,7 +23,22 @@ bool is_plain(std::string_view text) {
   return true;
 }
 
+bool stands_for_itself(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x20 && byte < 0x80 && c != '"' && c != '\\';
+}
+
+// Appends a text in no need of escapes, in one go: most of a log is such texts.
+void add_quoted(std::string& out, std::string_view text, std::string_view end = "\"") {
+  const auto at = out.size();
+  out.resize(at + 1 + text.size() + end.size());
+  out[at] = '"';
+  const auto after = std::copy(text.begin(), text.end(), out.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+  std::copy(end.begin(), end.end(), after);
+}
+
 void add(std::string& out, std::string_view text) {
+  if (std::all_of(text.begin(), text.end(), stands_for_itself)) return add_quoted(out, text);
   if (!is_plain(text)) {
     out += compact(Json(text));
     return;
@@ -52,94 +67,160 @@ void add_number(std::string& out, Number number) {
   }
 }
 
+void add_json(std::string& out, const Json& value) {
+  bool first = true;
+  const auto comma = [&] {
+    if (!std::exchange(first, false)) out += ',';
+  };
+  switch (value.type()) {
+    case Json::value_t::object:
+      out += '{';
+      for (const auto& [name, member] : value.get_ref<const Json::object_t&>()) {
+        comma();
+        add(out, name);
+        out += ':';
+        add_json(out, member);
+      }
+      out += '}';
+      return;
+    case Json::value_t::array:
+      out += '[';
+      for (const auto& element : value) {
+        comma();
+        add_json(out, element);
+      }
+      out += ']';
+      return;
+    case Json::value_t::string:
+      return add(out, value.get_ref<const std::string&>());
+    case Json::value_t::number_integer:
+      return add_number(out, value.get<std::int64_t>());
+    case Json::value_t::number_unsigned:
+      return add_number(out, value.get<std::uint64_t>());
+    case Json::value_t::number_float:
+      return add_number(out, value.get<double>());
+    default:
+      out += compact(value);
+  }
+}
+
+// A line and its decision, which lacks parts of the line and else has the same bytes.
+struct Texts {
+  std::string& line;
+  std::string* decision = nullptr;  // null: nothing counts for it
+
+  /// Appends to both what `one(out)` appends to its argument.
+  template <class Write>
+  void write(const Write& one) const {
+    const auto from = line.size();
+    one(line);
+    if (decision) decision->append(line, from);
+  }
+  void append(std::string_view text) const {
+    write([text](std::string& out) { out += text; });
+  }
+};
+
 // Members with commas between them, in braces.
 class Members {
  public:
-  explicit Members(std::string& out) : out_(out) { out_ += '{'; }
-  void name(std::string_view name) {
-    if (!first_) out_ += ',';
-    first_ = false;
-    add(out_, name);
-    out_ += ':';
+  explicit Members(Texts texts) : texts_(texts) { texts_.append("{"); }
+  /// From now on members count for this decision, in which braces are open.
+  void decide(std::string& decision) { texts_.decision = &decision; }
+  void end() const { texts_.append("}"); }
+
+  /// The texts for the value of a member. `decides`: it counts for the decision.
+  Texts member(std::string_view name, bool decides = true) {
+    const Texts texts = begin(decides);
+    texts.write([name](std::string& out) { add_quoted(out, name, "\":"); });
+    return texts;
   }
-  void end() { out_ += '}'; }
+  /// The same of a name from data, which may need escapes.
+  Texts named(std::string_view name) {
+    const Texts texts = begin(true);
+    texts.write([name](std::string& out) {
+      add(out, name);
+      out += ':';
+    });
+    return texts;
+  }
 
  private:
-  std::string& out_;
-  bool first_ = true;
+  Texts begin(bool decides) {
+    if (std::exchange(has_any_, true)) texts_.line += ',';
+    const Texts texts{texts_.line, decides ? texts_.decision : nullptr};
+    if (texts.decision && std::exchange(decides_any_, true)) *texts.decision += ',';
+    return texts;
+  }
+
+  Texts texts_;
+  bool has_any_ = false, decides_any_ = false;
 };
 
 template <class T>
-void add_value(std::string& out, const T& value, Part part);
+void add_value(Texts texts, const T& value);
 
 template <class T>
-void add_members(std::string& out, Members& members, const T& value, Part part) {
+void add_members(Members& members, const T& value) {
   for_each_field<T>([&](const auto& field) {
     const auto& member = value.*(field.member);
-    if (part == Part::decision && (field.says == Says::aside || field.follows)) return;
+    const bool decides = field.says != Says::aside && !field.follows;
     if constexpr (is_optional<std::decay_t<decltype(member)>>) {
-      if (!member) return;
-      members.name(field.name);
-      add_value(out, *member, part);
+      if (member) add_value(members.member(field.name, decides), *member);
     } else {
-      members.name(field.name);
-      add_value(out, member, part);
+      add_value(members.member(field.name, decides), member);
     }
   });
 }
 
 template <class T>
-void add_list(std::string& out, const T& list, Part part) {
-  out += '[';
+void add_list(Texts texts, const T& list) {
+  texts.append("[");
   for (auto element = list.begin(); element != list.end(); ++element) {
-    if (element != list.begin()) out += ',';
-    add_value(out, *element, part);
+    if (element != list.begin()) texts.append(",");
+    add_value(texts, *element);
   }
-  out += ']';
+  texts.append("]");
 }
 
 template <class T>
-void add_value(std::string& out, const T& value, Part part) {
+void add_value(Texts texts, const T& value) {
   if constexpr (HasFields<T>) {
-    Members members(out);
-    add_members(out, members, value, part);
+    Members members(texts);
+    add_members(members, value);
     members.end();
   } else if constexpr (is_or_null<T>) {
     if (value)
-      add_value(out, *value, part);
+      add_value(texts, *value);
     else
-      out += "null";
+      texts.append("null");
   } else if constexpr (is_named<T>) {
-    Members members(out);
-    for (const auto& [name, member] : value) {
-      members.name(name);
-      add_value(out, member, part);
-    }
+    Members members(texts);
+    for (const auto& [name, member] : value) add_value(members.named(name), member);
     members.end();
   } else if constexpr (is_list<T> || is_array<T>) {
-    add_list(out, value, part);
-  } else if constexpr (std::is_same_v<T, Json>) {
-    out += compact(value);
-  } else if constexpr (std::is_same_v<T, bool>) {
-    out += value ? "true" : "false";
-  } else if constexpr (std::is_arithmetic_v<T>) {
-    add_number(out, value);
+    add_list(texts, value);
   } else {
-    add(out, value);
+    texts.write([&](std::string& out) {
+      if constexpr (std::is_same_v<T, Json>)
+        add_json(out, value);
+      else if constexpr (std::is_same_v<T, bool>)
+        out += value ? "true" : "false";
+      else if constexpr (std::is_arithmetic_v<T>)
+        add_number(out, value);
+      else
+        add(out, value);
+    });
   }
 }
 
-void add_fields(std::string& out, Members& members, const Record& record, Part part) {
+void add_record(Members& members, const Record& record) {
   std::visit(
       [&]<class T>(const T& known) {
-        if constexpr (std::is_same_v<T, Unknown>) {
-          for (const auto& [name, value] : known.members.items()) {
-            members.name(name);
-            out += compact(value);
-          }
-        } else {
-          add_members(out, members, known, part);
-        }
+        if constexpr (std::is_same_v<T, Unknown>)
+          for (const auto& [name, value] : known.members.items()) add_value(members.named(name), value);
+        else
+          add_members(members, known);
       },
       record);
 }
@@ -157,49 +238,31 @@ Decision decision_of(const Record& record) {
 
 }  // namespace
 
-std::string text_of(const Stamp& stamp, const Record& record) {
-  std::string text;
-  Members members(text);
-  members.name("kind");
-  add(text, kind_of(record));
-  members.name(name_of(&Stamp::n));
-  add_number(text, stamp.n);
-  members.name(name_of(&Stamp::t_s));
-  add_number(text, stamp.t_s);
-  if (stamp.cause) {
-    members.name(name_of(&Stamp::cause));
-    add_number(text, *stamp.cause);
+// {"kind":K,"n":N,"t":T,…} and {"kind":K,"fields":{…},"t":T}
+void add_text(const Stamp& stamp, const Record& record, std::string& line, std::string& decision) {
+  constexpr auto n = name_of(&Stamp::n), t = name_of(&Stamp::t_s), cause = name_of(&Stamp::cause),
+                 measured = name_of(&Stamp::measured);
+  Members members({line});
+  add_value(members.member("kind"), kind_of(record));
+  add_value(members.member(n), stamp.n);
+  add_value(members.member(t), stamp.t_s);
+  if (stamp.cause) add_value(members.member(cause), *stamp.cause);
+  const auto counts = decision_of(record);
+  if (counts != Decision::no) {
+    Members decided({decision});
+    add_value(decided.member("kind"), kind_of(record));
+    decided.member("fields").append("{");
+    members.decide(decision);
   }
-  add_fields(text, members, record, Part::all);
-  if (stamp.measured) {
-    members.name(name_of(&Stamp::measured));
-    text += "true";
-  }
+  add_record(members, record);
+  if (stamp.measured) add_value(members.member(measured), true);
   members.end();
-  return text;
-}
-
-std::optional<std::string> decision_text_of(const Stamp& stamp, const Record& record) {
-  const auto decision = decision_of(record);
-  if (decision == Decision::no) return std::nullopt;
-  std::string text;
-  Members members(text);
-  members.name("kind");
-  add(text, kind_of(record));
-  members.name("fields");
-  Members fields(text);
-  add_fields(text, fields, record, Part::decision);
-  if (stamp.measured) {
-    fields.name(name_of(&Stamp::measured));
-    text += "true";
+  if (counts == Decision::no) return;
+  if (counts == Decision::yes && !stamp.measured) {
+    ((decision += ",\"") += t) += "\":";
+    add_number(decision, stamp.t_s);
   }
-  fields.end();
-  if (decision == Decision::yes && !stamp.measured) {
-    members.name(name_of(&Stamp::t_s));
-    add_number(text, stamp.t_s);
-  }
-  members.end();
-  return text;
+  decision += '}';
 }
 
 }  // namespace continua::log

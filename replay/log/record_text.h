@@ -2,18 +2,15 @@
 // (record_json.h), without building it.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "continua/replay/log/records.h"
 
 namespace continua::log {
 
-/// The whole line: in the order kind, stamp, members, `measured`.
-std::string text_of(const Stamp& stamp, const Record& record);
-
-/// The part of the record that must be equal on every machine and in every world (RUNLOG.md, `decisions`): the bytes of
-/// what DecisionOrder makes of the line. Nothing if records of its kind are no decisions.
-std::optional<std::string> decision_text_of(const Stamp& stamp, const Record& record);
+/// Appends the whole line, in the order kind, stamp, members, `measured`, to `line`. To `decision` it appends the part
+/// that must be equal on every machine and in every world (RUNLOG.md, `decisions`), the bytes of what DecisionOrder
+/// makes of the line; nothing if records of this kind are no decisions.
+void add_text(const Stamp& stamp, const Record& record, std::string& line, std::string& decision);
 
 }  // namespace continua::log

@@ -74,37 +74,41 @@ int RunLog::write(const log::Record& record, SimTime t, std::optional<int> cause
   return write_line(record, t, cause, measured);
 }
 
+void RunLog::add_block_to_all() { all_.add(std::string_view(block_).substr(block_begin_)); }
+
 void RunLog::close_block(SimTime t) {
-  const auto digest = block_.text();
-  block_ = RunningDigest();
-  block_.add(digest);
-  write_line(log::Block{{next_ - records_per_block + 1, next_ - 1}, digest}, t);
+  add_block_to_all();
+  block_ = digest(block_);
+  block_begin_ = block_.size();
+  write_line(log::Block{{next_ - records_per_block + 1, next_ - 1}, block_}, t);
 }
 
 int RunLog::write_line(const log::Record& record, SimTime t, std::optional<int> cause, bool measured) {
-  const log::Stamp stamp{next_, t.seconds(), cause, measured};
-  const auto line = log::text_of(stamp, record) + "\n";
-  all_.add(line);
-  block_.add(line);
+  const auto begin = block_.size();
+  decision_.clear();
+  log::add_text({next_, t.seconds(), cause, measured}, record, block_, decision_);
+  block_ += '\n';
+  const auto line = std::string_view(block_).substr(begin);
   if (std::holds_alternative<log::Pose>(record)) physics_.add(line);
-  if (auto decision = log::decision_text_of(stamp, record)) decide(record, *std::move(decision));
+  if (!decision_.empty()) decide(record);
   ++counts_[std::string(log::kind_of(record))];
   out_.write(line.data(), static_cast<std::streamsize>(line.size()));
   return next_++;
 }
 
 // As DecisionOrder does: of an act that was asked for only the outcome counts, by the act's number.
-void RunLog::decide(const log::Record& record, std::string text) {
+void RunLog::decide(const log::Record& record) {
   const auto* act = std::get_if<Act>(&record);
   if (!act || act->status == log::asked)
-    decisions_.add(text);
+    decisions_.add(decision_);
   else if (!act->step)
-    outcomes_[act->act] = std::move(text);
+    outcomes_[act->act] = decision_;
 }
 
 void RunLog::finish(SimTime t) {
   for (const auto& [act, outcome] : outcomes_) decisions_.add(outcome);
   if (next_ % records_per_block == records_per_block - 1) close_block(t);
+  add_block_to_all();
   write_line(log::End{.counts = {counts_.begin(), counts_.end()},
                       .fragile = fragile_,
                       .decisions = decisions_.text(),

@@ -58,14 +58,18 @@ class RunLog {
 
  private:
   int write_line(const log::Record& record, SimTime t, std::optional<int> cause = std::nullopt, bool measured = false);
-  void decide(const log::Record& record, std::string text);
+  void decide(const log::Record& record);
   void close_block(SimTime t);
+  void add_block_to_all();
 
   std::ostream& out_;
   int next_ = 0;
   std::vector<log::FragileDecision> fragile_;
   std::map<std::string, std::int64_t, std::less<>> counts_;  ///< by kind
-  RunningDigest all_, block_, decisions_, physics_;
+  std::string block_;                                        ///< the digest of the block before, and the lines so far
+  std::size_t block_begin_ = 0;                              ///< of the lines in it
+  std::string decision_;                                     ///< of the record that is being written
+  RunningDigest all_, decisions_, physics_;
   std::map<std::int64_t, std::string> outcomes_;  ///< of acts, by their numbers
 };
 

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "continua/replay/log/log_file.h"
-#include "continua/replay/log/record_text.h"
 #include "continua/replay/log/records.h"
 #include "continua/replay/log/schema.h"
+#include "log/line_of.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -154,7 +154,7 @@ TEST_CASE("RECORDS.md has an example of every kind, with members that the kind d
     REQUIRE(example != examples.end());
     const auto line = Json::parse(example->second);
     if (example->second.find("…") == std::string::npos)
-      CHECK(log::text_of(log::stamp_of(line), *log::read_record(line)) == example->second);
+      CHECK(line_of(log::stamp_of(line), *log::read_record(line)) == example->second);
     for (const auto& [name, value] : line.items()) {
       const auto named = [&name = name](const log::MemberSchema& member) { return member.name == name; };
       const auto& stamp = log::stamp_schema();

@@ -11,6 +11,7 @@
 #include "continua/replay/log/record_json.h"
 #include "continua/replay/log/record_text.h"
 #include "continua/replay/log/run_log.h"
+#include "log/line_of.h"
 #include "support/catch.h"
 
 using namespace continua;
@@ -27,7 +28,7 @@ log::Record record_of(const Json& line) {
 }
 
 // The line when it went through its record.
-std::string through_record(const Json& line) { return log::text_of(log::stamp_of(line), record_of(line)); }
+std::string through_record(const Json& line) { return line_of(log::stamp_of(line), record_of(line)); }
 
 // A writer of the log and a reader of its line count the same as the record's decision. A reader tells nothing of an
 // act that goes on.
@@ -35,11 +36,12 @@ void check_decision(const Json& line) {
   DecisionOrder order;
   auto read = order.next(line);
   if (const auto outcomes = order.outcomes(); !read && !outcomes.empty()) read = outcomes.front();
-  const auto written = log::decision_text_of(log::stamp_of(line), record_of(line));
+  std::string text, written;
+  log::add_text(log::stamp_of(line), record_of(line), text, written);
   if (read)
     CHECK(written == compact(*read));
   else
-    CHECK((!written || line["kind"] == log::Act::kind.name));
+    CHECK((written.empty() || line["kind"] == log::Act::kind.name));
 }
 
 // The record with all members that brief() is not said to read at their defaults.
@@ -133,14 +135,21 @@ TEST_CASE("texts and numbers are written as the library for JSON writes them") {
   for (const std::string text :
        {"", "a \"b\" \\x. c", "tab\tand line\n", "δ → ε", "\x7f", "\xff no text", "\xed\xa0\x80", "\x01"}) {
     const log::Utterance said{text, {}};
-    CHECK(log::text_of({}, said) ==
+    CHECK(line_of({}, said) ==
           compact(Json{{"kind", "utterance"}, {"n", 0}, {"t", 0.0}, {"text", text}, {"because", Json::array()}}));
   }
   for (const double t : {0.0, -0.0, 1.0, 0.1, 1e-7, 123456.789012, 1e15, 1e16, -2.5e-300}) {
     INFO(t);
-    CHECK(log::text_of({0, t, std::nullopt, false}, log::Utterance{"", {}}) ==
+    CHECK(line_of({0, t, std::nullopt, false}, log::Utterance{"", {}}) ==
           compact(Json{{"kind", "utterance"}, {"n", 0}, {"t", t}, {"text", ""}, {"because", Json::array()}}));
   }
+}
+
+TEST_CASE("JSON within a record is written as the library writes it") {
+  const auto line = Json::parse(
+      R"({"kind":"input","n":1,"t":0.5,"line":2,"event":{"a":[],"b":{},"c":[-1,18446744073709551615,0.1,1e300,
+      true,null,"\"\\δ\u0001"],"d\n":{"e":[[1],[2,3]]}},"symbol":"x"})");
+  CHECK(through_record(line) == compact(line));
 }
 
 TEST_CASE("a member of another type is an error that names its place") {
