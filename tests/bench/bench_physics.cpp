@@ -1,7 +1,7 @@
 // The cost of a replay with physics: recorded sessions replayed, and MuJoCo alone stepping the same scene through the
 // same time. bench_physics LOG… writes a table; see README.md.
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 
@@ -17,16 +17,16 @@ using namespace continua;
 
 namespace {
 
-double wall_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Wall time of `simulated_s` of MuJoCo alone: the arm is commanded to stay as it is.
+/// Processor time of `simulated_s` of MuJoCo alone: the arm is commanded to stay as it is.
 double plain_steps_s(const Scene& scene, double simulated_s) {
   const mjModel& model = scene.model();
   const DataOwner data(mj_makeData(&model));
   std::copy(scene.initial_qpos().begin(), scene.initial_qpos().end(), data->qpos);
   for (int i = 0; i < model.nu; ++i) data->ctrl[i] = data->qpos[model.jnt_qposadr[model.actuator_trnid[2 * i]]];
   const auto steps = static_cast<long>(simulated_s / model.opt.timestep);
-  const double before = wall_s();
+  const double before = processor_s();
   for (long i = 0; i < steps; ++i) {
     for (int dof = 0; dof < model.nu; ++dof) {
       const int address = model.jnt_dofadr[model.actuator_trnid[2 * dof]];
@@ -34,7 +34,7 @@ double plain_steps_s(const Scene& scene, double simulated_s) {
     }
     mj_step(&model, data.get());
   }
-  return wall_s() - before;
+  return processor_s() - before;
 }
 
 int fail(const Error& error) {
@@ -58,12 +58,12 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     auto trace = import_session(argv[i]);
     if (!trace) return fail(trace.error());
-    const double before = wall_s();
+    const double before = processor_s();
     auto session = Session::load(folder.file("session.trace.jsonl", write_trace(*trace)), {});
     if (!session) return fail(session.error());
     std::ofstream log(folder.at("session.run.jsonl"), std::ios::binary);
     const auto summary = session->run(log);
-    const double replay_s = wall_s() - before;
+    const double replay_s = processor_s() - before;
     const auto scene = load_scene(fmt::format("{}/mjcf/scenes/{}.xml", CONTINUA_SOURCE_DIR, trace->header.scene));
     if (!scene) return fail(scene.error());
     const double alone_s = plain_steps_s(*scene, summary.end.seconds());
