@@ -199,8 +199,7 @@ std::string unpacking_problem(int error) {
   if (error == cut) return "is cut short: its packed bytes end in the midst; expected a whole gzip file";
   if (error == damaged) return "is damaged: its packed bytes cannot be unpacked here; expected a whole gzip file";
   if (error != too_long) return "";
-  return fmt::format("becomes more than {} times as long when it is unpacked; expected at most so much",
-                     most_times);
+  return fmt::format("becomes more than {} times as long when it is unpacked; expected at most so much", most_times);
 }
 
 }  // namespace continua
