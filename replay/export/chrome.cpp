@@ -1,5 +1,6 @@
 #include "continua/replay/export/chrome.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <ostream>
@@ -16,6 +17,33 @@ namespace {
 enum Lane { human = 1, states, transitions, avatar, acts };
 
 constexpr int process = 1;
+
+// The time for which something without length is shown, microseconds.
+constexpr std::int64_t longest_shown_us = 1'000'000, transition_us = 40'000;
+
+struct Slice {
+  std::size_t n = 0;
+  Lane lane = human;
+  std::int64_t from_us = 0, until_us = 0;
+  std::string name;
+  Json args;
+  bool within = false;  // a step of the act before it
+};
+
+// Slices of a lane nest or follow one another, as viewers want them: one ends where the next begins, and those that
+// begin together lie one in the other.
+void nest(std::vector<Slice*>& slices) {
+  std::vector<Slice*> open;
+  for (auto* slice : slices) {
+    while (!open.empty() &&
+           (open.back()->until_us <= slice->from_us || (!slice->within && open.back()->from_us < slice->from_us))) {
+      open.back()->until_us = std::min(open.back()->until_us, slice->from_us);
+      open.pop_back();
+    }
+    if (!open.empty()) slice->until_us = std::min(slice->until_us, open.back()->until_us);
+    open.push_back(slice);
+  }
+}
 
 class TraceEvents {
  public:
@@ -58,6 +86,15 @@ class TraceEvents {
   void end() {
     leave_state();
     while (!under_way_.empty()) finish(under_way_.begin()->first, Json::object());
+    std::map<int, std::vector<Slice*>> lanes;
+    for (auto& slice : slices_) lanes[slice.lane].push_back(&slice);
+    for (auto& [lane, slices] : lanes) {
+      std::stable_sort(slices.begin(), slices.end(),
+                       [](const auto* a, const auto* b) { return a->from_us < b->from_us; });
+      nest(slices);
+      for (const auto* slice : slices) write_slice(*slice);
+    }
+    write_arrows();
     out_ << "\n]}\n";
   }
 
@@ -82,13 +119,40 @@ class TraceEvents {
   }
 
   void at_once(Lane lane, const std::string& name, const Json& record) {
-    write({{"ph", "i"},
-           {"s", "t"},
-           {"name", name},
-           {"ts", now_us_},
+    const auto shown_us = lane == transitions ? transition_us : longest_shown_us;
+    slices_.push_back({number_of(record), lane, now_us_, now_us_ + shown_us, name, shown(record)});
+  }
+
+  static std::size_t number_of(const Json& record) { return static_cast<std::size_t>(integer_of(record, "n")); }
+
+  void write_slice(const Slice& slice) {
+    write({{"ph", "X"},
+           {"name", slice.name},
+           {"ts", slice.from_us},
+           {"dur", slice.until_us - slice.from_us},
            {"pid", process},
-           {"tid", int(lane)},
-           {"args", shown(record)}});
+           {"tid", int(slice.lane)},
+           {"args", slice.args}});
+  }
+
+  // From the slice of the nearest cause that has one to its consequence.
+  void write_arrows() {
+    std::map<std::size_t, const Slice*> of_record;
+    for (const auto& slice : slices_) of_record.emplace(slice.n, &slice);
+    for (const auto& slice : slices_) {
+      auto cause = run_.cause(slice.n);
+      while (cause && !of_record.contains(*cause)) cause = run_.cause(*cause);
+      if (!cause) continue;
+      write_arrow("s", slice.n, *of_record.at(*cause));
+      write_arrow("f", slice.n, slice);
+    }
+  }
+
+  void write_arrow(const char* phase, std::size_t id, const Slice& at) {
+    Json arrow{{"ph", phase},      {"cat", "cause"}, {"name", "cause"},    {"id", id},
+               {"ts", at.from_us}, {"pid", process}, {"tid", int(at.lane)}};
+    if (*phase == 'f') arrow["bp"] = "e";
+    write(arrow);
   }
 
   void add_transition(const Json& record) {
@@ -116,8 +180,9 @@ class TraceEvents {
     const auto status = text_of(record, "status");
     if (status == "asked") return;
     if (status == "started") {
-      if (!under_way_.emplace(which, text_of(record, "program")).second) return;
-      span("b", which, under_way_[which], shown(record));
+      if (!under_way_.emplace(which, slices_.size()).second) return;
+      slices_.push_back(
+          {number_of(record), acts, now_us_, now_us_, text_of(record, "program"), shown(record), which.second > 0});
     } else {
       finish(which, shown(record));
     }
@@ -127,24 +192,14 @@ class TraceEvents {
   void finish(const ActStep& which, const Json& args) {
     for (auto step = under_way_.upper_bound(which);
          which.second == 0 && step != under_way_.end() && step->first.first == which.first;) {
-      span("e", step->first, step->second, Json::object());
+      slices_[step->second].until_us = now_us_;
       step = under_way_.erase(step);
     }
     const auto found = under_way_.find(which);
     if (found == under_way_.end()) return;
-    span("e", which, found->second, args);
+    slices_[found->second].until_us = now_us_;
+    if (!args.empty()) slices_[found->second].args = args;
     under_way_.erase(found);
-  }
-
-  void span(const char* phase, const ActStep& which, const std::string& program, const Json& args) {
-    write({{"ph", phase},
-           {"cat", "act"},
-           {"id", which.first},
-           {"name", program},
-           {"ts", now_us_},
-           {"pid", process},
-           {"tid", int(acts)},
-           {"args", args}});
   }
 
   const RunIndex& run_;
@@ -152,7 +207,8 @@ class TraceEvents {
   bool first_ = true;
   std::int64_t now_us_ = 0, since_us_ = 0;
   std::string state_;
-  std::map<ActStep, std::string> under_way_;
+  std::vector<Slice> slices_;
+  std::map<ActStep, std::size_t> under_way_;  // places in slices_
 };
 
 }  // namespace

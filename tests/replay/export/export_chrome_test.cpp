@@ -31,12 +31,12 @@ std::string told(const Json& events, const std::string& phase) {
 
 TEST_CASE("a time line has what was done and said, the states one after the other, and acts as spans") {
   const auto events = events_of(small_log().text());
-  CHECK(told(events, "X") == "0+1500000 Wait\n1500000+1500000 AskWhichBlock\n3000000+7000000 Wait\n");
-  CHECK(told(events, "i") ==
-        "1500000 “Put it there.”\n1500000 ask\n1500000 “Which block?”\n2000000 stay\n3000000 right point start\n"
-        "3000000 agree\n");
-  CHECK(told(events, "b") == "3100000 put(block2, on(block1))\n");
-  CHECK(told(events, "e") == "5000000 put(block2, on(block1))\n");
+  CHECK(told(events, "X") ==
+        "0+1500000 Wait\n1500000+1500000 AskWhichBlock\n3000000+7000000 Wait\n"
+        "1500000+1000000 “Put it there.”\n3000000+1000000 right point start\n"
+        "1500000+40000 ask\n2000000+40000 stay\n3000000+40000 agree\n"
+        "1500000+1000000 “Which block?”\n"
+        "3100000+1900000 put(block2, on(block1))\n");
 }
 
 TEST_CASE("steps are spans inside of their act, and end with it") {
@@ -56,8 +56,38 @@ TEST_CASE("steps are spans inside of their act, and end with it") {
   act(4, "lift(a)", "started", 0);
   log.add("rest", 6);
   const auto events = events_of(log.text());
-  CHECK(told(events, "b") == "1000000 put(a, on(b))\n1000000 grasp(a)\n2000000 move(a, on(b))\n4000000 lift(a)\n");
-  CHECK(told(events, "e") == "2000000 grasp(a)\n3000000 move(a, on(b))\n3000000 put(a, on(b))\n6000000 lift(a)\n");
+  CHECK(told(events, "X") ==
+        "1000000+2000000 put(a, on(b))\n1000000+1000000 grasp(a)\n2000000+1000000 move(a, on(b))\n"
+        "4000000+2000000 lift(a)\n");
+}
+
+TEST_CASE("slices of a lane nest or follow one another, and arrows lead from causes to what came of them") {
+  const auto run = RunIndex::open(CONTINUA_SOURCE_DIR "/traces/building_blocks.run.jsonl");
+  REQUIRE(run);
+  std::ostringstream out;
+  REQUIRE_FALSE(export_chrome(*run, out));
+  const Json events = Json::parse(out.str())["traceEvents"];
+  std::map<int, std::vector<std::pair<std::int64_t, std::int64_t>>> lanes;
+  std::map<std::int64_t, std::int64_t> begun;
+  std::size_t arrows = 0;
+  for (const auto& event : events) {
+    const std::int64_t from = event.value("ts", 0);
+    if (event["ph"] == "X") {
+      auto& open = lanes[event["tid"].get<int>()];
+      const auto until = from + event["dur"].get<std::int64_t>();
+      while (!open.empty() && open.back().second <= from) open.pop_back();
+      if (!open.empty()) CHECK((open.back().first <= from && until <= open.back().second));
+      open.emplace_back(from, until);
+    } else if (event["ph"] == "s") {
+      begun[event["id"].get<std::int64_t>()] = from;
+    } else if (event["ph"] == "f") {
+      ++arrows;
+      REQUIRE(begun.contains(event["id"].get<std::int64_t>()));
+      CHECK(begun[event["id"].get<std::int64_t>()] <= from);
+    }
+  }
+  CHECK(lanes.size() == 5);
+  CHECK(arrows > 100);
 }
 
 TEST_CASE("of a log cut short what there is makes a time line") {
