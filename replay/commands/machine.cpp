@@ -13,6 +13,7 @@
 #include "continua/analysis/machine_analysis.h"
 #include "continua/core/replaced_file.h"
 #include "continua/knowledge_files/named_machine.h"
+#include "continua/machine_file/jflap_writer.h"
 #include "continua/replay/export/graph_dot.h"
 #include "continua/replay/export/graph_svg.h"
 #include "continua/replay/log/record_json.h"
@@ -117,6 +118,7 @@ std::string description_of(const std::shared_ptr<const Machine>& machine) {
 }
 
 Result<std::string> answer(const MachineOptions& options, const std::shared_ptr<const Machine>& machine) {
+  if (options.jff) return jflap_of(*machine);
   if (!options.dot && !options.svg) return printable(description_of(machine));
   const auto graph = state_graph_of(log::to_json(graph_of(*machine)), machine->name);
   if (!graph) return graph.error();
@@ -138,7 +140,10 @@ int run_machine(const MachineOptions& options) {
 void describe_machine(CLI::App& command, MachineOptions& options) {
   command.add_option("MACHINE", options.machine, "a name of the knowledge folder, or a path")->required();
   auto* dot = command.add_flag("--dot", options.dot, "its state graph for Graphviz");
-  command.add_flag("--svg", options.svg, "its state graph as a picture")->excludes(dot);
+  auto* svg = command.add_flag("--svg", options.svg, "its state graph as a picture")->excludes(dot);
+  command.add_flag("--jff", options.jff, "a JFLAP file, if it is a finite or pushdown machine of characters")
+      ->excludes(dot)
+      ->excludes(svg);
   command.add_option("--knowledge", options.knowledge, "folder to use instead of engine/knowledge");
   command.add_option("-o,--output", options.output, "a file, or '-'");
   command.footer("Example: continua machine diana2018 --svg -o diana2018.svg");

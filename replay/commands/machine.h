@@ -12,6 +12,7 @@ struct MachineOptions {
   std::string knowledge;  ///< folder; empty: the program's own
   bool dot = false, svg = false;
   std::string output = "-";
+  bool jff = false;
 };
 
 /// A description on standard output, or a picture to `output`.
