@@ -25,7 +25,7 @@ wrappers='
 nlohmann/*     engine/core/located_json.h
 xxhash.h       engine/core/digest.cpp
 Eigen/*        engine/world/*.h engine/world/*.cpp engine/simulation/*
-pugixml.hpp    engine/voxml/catalogue* engine/machine_file/jflap* engine/simulation/scene* replay/annotation/eaf* tests/replay/export/*
+pugixml.hpp    engine/voxml/catalogue* engine/machine_file/jflap* engine/simulation/scene* replay/annotation/eaf* replay/recogniser/emma* tests/replay/export/*
 mujoco/*       engine/simulation/*
 EGL/*          engine/simulation/*
 GL/*           engine/simulation/*

@@ -9,6 +9,8 @@
 #include "continua/knowledge_files/named_machine.h"
 #include "continua/machine_file/machine_parameters.h"
 #include "continua/replay/commands/import_annotations.h"
+#include "continua/replay/recogniser/recogniser_import.h"
+#include "continua/replay/recogniser/recogniser_output.h"
 #include "continua/replay/trace/session_import.h"
 
 namespace continua {
@@ -83,9 +85,25 @@ Result<Trace> import_file(const std::string& path, const ImportOptions& options,
   return trace;
 }
 
+// One trace of all files.
+int import_recognisers(const ImportOptions& options) {
+  const auto fail = [](const Error& error) {
+    report(error);
+    return exit_impossible;
+  };
+  if (const auto problem = not_an_input(options.output, options.logs)) return fail(*problem);
+  const auto trace = trace_of_recognisers(options.logs, options.from);
+  if (!trace) return fail(trace.error());
+  if (const auto problem = write_file(options.output, write_trace(*trace))) return fail(*problem);
+  fmt::print(options.output == "-" ? stderr : stdout, "imported {}: {}\n", counted(options.logs.size(), "file"),
+             counted(trace->events.size(), "event"));
+  return exit_done;
+}
+
 }  // namespace
 
 int run_import(const ImportOptions& options) {
+  if (!options.from.empty()) return import_recognisers(options);
   const auto outputs = traces_of(options);
   if (!outputs) return report(outputs.error()), exit_impossible;
   Counts counts;
@@ -121,10 +139,19 @@ void describe_import(CLI::App& command, ImportOptions& options) {
       "--tiers", options.tiers,
       "a map that says how tiers of annotations are used; without one it is guessed from their names, and "
       "printed");
+  std::vector<std::string> formats;
+  std::string described =
+      "the files are a recogniser's; all make one trace, in order of time. A format for each file, or one for all";
+  for (const auto& format : recogniser_formats()) {
+    formats.emplace_back(format.name);
+    described += fmt::format("; {}: {}", format.name, format.what);
+  }
+  command.add_option("--from", options.from, described)->check(CLI::IsMember(formats))->allow_extra_args(false);
   command.footer(
       "Examples: continua import logs/*.txt -o traces/pilot\n"
       "          continua import talk.eaf -o talk.trace.jsonl > talk.tiers.json\n"
-      "          continua import talk.eaf --tiers talk.tiers.json -o talk.trace.jsonl");
+      "          continua import talk.eaf --tiers talk.tiers.json -o talk.trace.jsonl\n"
+      "          continua import speech.json hands.jsonl --from whisper --from mediapipe -o talk.trace.jsonl");
 }
 
 }  // namespace continua

@@ -1,4 +1,4 @@
-// continua import: session logs of VoxSim, and annotations of ELAN and Praat, to traces.
+// continua import: session logs of VoxSim, annotations of ELAN and Praat, and outputs of recognisers, to traces.
 #pragma once
 
 #include <string>
@@ -11,6 +11,7 @@ namespace continua {
 struct ImportOptions {
   std::vector<std::string> logs;
   std::string output;      ///< a trace, "-", or a folder; with several logs always a folder
+  std::vector<std::string> from = {};  ///< formats of recognisers: the files make one trace
   std::string tiers = {};  ///< the map of tiers of annotations; empty: it is guessed, and printed
 };
 
