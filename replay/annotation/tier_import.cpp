@@ -102,7 +102,9 @@ class TierImport {
     const auto& line = member_of(annotation.event, "line");
     const bool whole = event.is_object() && member_of(event, "t").is_number() && at.is_array() && at.size() == 2 &&
                        at[0].is_number_integer() && at[1].is_number_integer() && line.is_number_unsigned();
-    if (!whole || (use.kind != "event" && label_of_event(event) != label_of(annotation.value))) return false;
+    if (!whole) return false;
+    const bool used_so = text_of(event, "kind") == use.kind && text_of(event, "channel") == use.channel;
+    if (use.kind != "event" && (!used_so || label_of_event(event) != label_of(annotation.value))) return false;
     const auto begin = annotation.begin_ms - at[0].get<std::int64_t>(),
                end = annotation.end_ms - at[1].get<std::int64_t>();
     Json moved = begin == 0 ? event : shifted_event(event, {begin * 1000});

@@ -96,6 +96,18 @@ TEST_CASE("An annotation with another label counts as annotated by hand") {
         Json::parse(R"({"t":1.0,"kind":"gesture","name":"point","hand":"left","target":[0.1,-0.2],"until":2.5})"));
 }
 
+TEST_CASE("A map may use exported tiers otherwise") {
+  const auto annotations = read_eaf(eaf_of(annotations_of_trace(trace_of(R"({"t":1,"kind":"speech","text":"hi"})"
+                                                                         "\n"))),
+                                    "t.eaf");
+  const auto map = parse_tier_map(R"({"tiers":{"human speech":{"kind":"observed","channel":"speech"}}})", "m");
+  const auto trace = trace_of_annotations(*annotations, *map);
+  REQUIRE(trace);
+  Json event = Json::parse(write_event(trace->events.at(0)));
+  event.erase("row");
+  CHECK(event == Json::parse(R"({"t":1.0,"kind":"observed","channel":"speech","content":"hi"})"));
+}
+
 TEST_CASE("A run's annotations lead back to its records") {
   const auto run = RunIndex::open(CONTINUA_SOURCE_DIR "/traces/building_blocks.run.jsonl");
   REQUIRE(run);
