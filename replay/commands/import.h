@@ -10,9 +10,9 @@ namespace continua {
 
 struct ImportOptions {
   std::vector<std::string> logs;
-  std::string output;      ///< a trace, "-", or a folder; with several logs always a folder
+  std::string output;                  ///< a trace, "-", or a folder; with several logs always a folder
   std::vector<std::string> from = {};  ///< formats of recognisers: the files make one trace
-  std::string tiers = {};  ///< the map of tiers of annotations; empty: it is guessed, and printed
+  std::string tiers = {};              ///< the map of tiers of annotations; empty: it is guessed, and printed
 };
 
 /// Notes go to standard error, one line in total to standard output (to standard error if the trace goes there).
