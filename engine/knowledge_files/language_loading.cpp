@@ -9,6 +9,7 @@
 #include "continua/core/digest.h"
 #include "continua/core/located_json.h"
 #include "continua/facts/world_facts.h"
+#include "continua/knowledge_files/based_machine.h"
 #include "continua/knowledge_files/deictic_program.h"
 #include "continua/language/vocabulary.h"
 #include "continua/machine_file/machine_loader.h"
@@ -124,7 +125,14 @@ Result<Machine> load_machine(const std::string& path, const DataPaths& data, con
                              did_you_mean(language, folders_in(known)), known.lexically_normal().string())};
   const auto raising = load_raising(data);
   if (!raising) return raising.error();
-  return load_machine(path, WorldFacts::signature(), phrases_folder(data), language, *raising);
+  const auto text = read_file(path);
+  if (!text) return text.error();
+  const auto based = based_machine(*text, path, data);
+  if (!based) return based.error();
+  if (!*based) return load_machine(path, WorldFacts::signature(), phrases_folder(data), language, *raising);
+  auto machine = parse_machine((*based)->text, path, WorldFacts::signature(), phrases_folder(data), language, *raising);
+  if (!machine) return (*based)->told(machine.error(), path);
+  return machine;
 }
 
 Result<Language> load_language(const DataPaths& data, const Machine& machine) {

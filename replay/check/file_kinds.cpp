@@ -8,6 +8,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/facts/world_facts.h"
+#include "continua/knowledge_files/based_machine.h"
 #include "continua/knowledge_files/data_paths.h"
 #include "continua/knowledge_files/language_loading.h"
 #include "continua/machine_file/jflap.h"
@@ -103,9 +104,17 @@ FileCheck check_machine_file(std::string_view text, const std::string& path) {
   const auto phrases = data ? phrases_folder(*data) : "";
   const auto rules = data ? load_raising(*data) : RaisingRules();
   const auto raising = rules ? *rules : RaisingRules();
+  const auto based = data ? based_machine(std::string(text), path, *data)
+                          : Result<std::optional<BasedMachine>>(std::optional<BasedMachine>());
+  if (!based) return {{based.error()}, {}, "", exit_impossible};
+  if (*based) text = (*based)->text;
   const auto machine = parse_machine(text, path, WorldFacts::signature(), phrases, "", raising);
-  if (!machine)
-    return {check_machine(text, path, WorldFacts::signature(), phrases, "", raising), {}, "", exit_impossible};
+  if (!machine) {
+    auto problems = check_machine(text, path, WorldFacts::signature(), phrases, "", raising);
+    for (auto& problem : problems)
+      if (*based) problem = (*based)->told(problem, path);
+    return {std::move(problems), {}, "", exit_impossible};
+  }
   return {{},
           {},
           fmt::format("machine, {}, {}", counted(machine->states.size(), "state"),
