@@ -24,6 +24,7 @@ struct Physics::State {
   int grip = -1;  // the object the weld may hold
   DataOwner saved_data;
   int saved_grip = -1;
+  std::vector<mjtNum> servo_damping;  // in the joints, for each degree of freedom
 
   bool welded() const {
 #if mjVERSION_HEADER >= 300
@@ -60,6 +61,29 @@ struct Physics::State {
     }
   }
 
+  /// Damping of the servo, for each radian or metre per second of its joint.
+  mjtNum damping_of(int servo) const {
+    if (model->actuator_biastype[servo] != mjBIAS_AFFINE) return 0;
+    return -model->actuator_biasprm[mjNBIAS * servo + 2] * std::pow(model->actuator_gear[6 * servo], 2);
+  }
+
+  /// Lets Euler's integrator, at half the cost, do what the implicit one is there for: the damping of the servos. Euler
+  /// takes the damping of joints at the speed after the step as well; so a joint gets the damping of its servo, and in
+  /// each step a force against its effect at the speed before. A servo of several joints keeps the implicit integrator.
+  void damp_in_joints() {
+    servo_damping.assign(static_cast<std::size_t>(model->nv), 0);
+    if (model->opt.integrator != mjINT_IMPLICIT) return;
+    for (int i = 0; i < model->nu; ++i)
+      if (damping_of(i) != 0 && model->actuator_trntype[i] != mjTRN_JOINT) return;
+    model->opt.integrator = mjINT_EULER;
+    for (int i = 0; i < model->nu; ++i) {
+      if (damping_of(i) == 0) continue;
+      const int dof = model->jnt_dofadr[model->actuator_trnid[2 * i]];
+      model->dof_damping[dof] += damping_of(i);
+      servo_damping[static_cast<std::size_t>(dof)] += damping_of(i);
+    }
+  }
+
   /// Welds the object in its present pose in the hand's frame.
   void weld_to(int body) {
     mj_kinematics(model.get(), data.get());
@@ -91,7 +115,7 @@ struct Physics::State {
 
   /// Applies forces against the weight of the arm and the held object, so that servos need not carry it.
   void carry_weight() {
-    for (const int dof : ids.dof) data->qfrc_applied[dof] = data->qfrc_bias[dof];
+    for (const int dof : ids.dof) data->qfrc_applied[dof] += data->qfrc_bias[dof];
     if (!welded()) return;
     const int body = model->eq_obj2id[ids.weld];
     std::vector<mjtNum> J(3 * static_cast<std::size_t>(model->nv));
@@ -127,6 +151,7 @@ Result<std::unique_ptr<Physics>> Physics::create(const Scene& scene) {
   std::tie(state->avatar, state->ids) = *avatar;
   state->clear_pads();
   state->soften_pads();
+  state->damp_in_joints();
   std::copy(scene.initial_qpos().begin(), scene.initial_qpos().end(), state->data->qpos);
   mj_forward(state->model.get(), state->data.get());
   std::unique_ptr<Physics> physics(new Physics(std::move(state)));
@@ -149,6 +174,8 @@ bool Physics::step(const AvatarTarget& target) {
     const auto hinge = static_cast<Eigen::Index>(i);
     data->ctrl[servo.actuator] = servo.control(target.hinges.q[hinge] + servo.lead_s * target.hinges.qdot[hinge]);
   }
+  for (int dof = 0; dof < model->nv; ++dof)
+    data->qfrc_applied[dof] = s.servo_damping[static_cast<std::size_t>(dof)] * data->qvel[dof];
   s.carry_weight();
   for (const Servo& servo : s.ids.finger_servo) data->ctrl[servo.actuator] = servo.control(target.opening_m);
   mj_step(model, data);
