@@ -98,8 +98,9 @@ Outcome write_scene(const DataPaths& data, const NewOptions& options) {
 
 Outcome make(const NewOptions& options) {
   std::error_code unknown;
-  if (fs::path(options.folder).filename().empty())
-    return Error{options.folder, "is no name; expected one for a folder"};
+  const auto name = fs::path(options.folder).filename().string();
+  if (name.empty() || name.find_first_of("\"\\\n") != std::string::npos)
+    return Error{options.folder, "is no name; expected one for a folder, without quotation marks"};
   if (fs::exists(options.folder, unknown))
     return Error{options.folder, "exists already; expected the name of a new folder"};
   const auto data = find_data_paths();
@@ -139,8 +140,8 @@ void describe_new(CLI::App& command, NewOptions& options) {
   command.add_flag("--own-knowledge", options.own_knowledge,
                    "a copy of machines, lexicon, phrases and voxemes too, with a file for words of your own");
   command.footer(
-      "Makes a project: a trace with its approved run, a scene, a page that tells what to do next, and a workflow for\n"
-      "GitHub; and checks it.\n"
+      "Makes a project: a trace with its approved run, a machine based on another, a scene, a page that tells what\n"
+      "to do next, and a workflow for GitHub; and checks it.\n"
       "Exit status: 0 the project's check passes, 1 it does not (the trace is for the usual scene), 2 it cannot be "
       "made.\n"
       "Examples: continua new my_study\n"
