@@ -109,7 +109,8 @@ int run_export(const ExportOptions& options) {
 }
 
 void describe_export(CLI::App& command, ExportOptions& options) {
-  command.add_option("RUN", options.run, "a run log (.run.jsonl, .run.jsonl.gz); for annotations also a trace")->required();
+  command.add_option("RUN", options.run, "a run log (.run.jsonl, .run.jsonl.gz); for annotations also a trace")
+      ->required();
   std::vector<std::string> formats;
   std::string described;
   for (const auto& one : exporters) {
