@@ -8,6 +8,7 @@ function literal(text) {
 function section(title) { print ".SH " title }
 NR == 1 {
   printf ".TH %s 1 \"\" \"Continua %s\" \"Commands of Continua\"\n", toupper(literal(name)), version
+  print ".ad l"
   section("NAME")
   print literal(name) " \\- " literal($0)
   next

@@ -64,14 +64,18 @@ std::pair<Input, Input> inputs_of(EngineState& state, const Pair& pair, const Of
   return {std::move(beside), std::move(together)};
 }
 
-// What both were understood as.
-std::vector<EngineEvent> accounts_of(const Engine& engine, const Pair& pair, const std::vector<Offer>& said,
-                                     const std::vector<Offer>& shown) {
-  std::vector<EngineEvent> events{account_of(pair.gesture, engine.window), account_of(pair.words, engine.window)};
-  for (const auto* offers : {&shown, &said}) {
-    const auto account = account_of(*offers, 0);
-    events.insert(events.end(), account.begin(), account.end());
-  }
+// An ensemble, the one way in which it was understood, and the input that comes of it.
+struct Half {
+  const Ensemble& ensemble;
+  const std::vector<Offer>& offers;
+  const Input& input;
+};
+
+// What it was understood as.
+std::vector<EngineEvent> account_of(const Engine& engine, const Half& half) {
+  std::vector<EngineEvent> events{account_of(half.ensemble, engine.window)};
+  const auto offers = account_of(half.offers, 0);
+  events.insert(events.end(), offers.begin(), offers.end());
   return events;
 }
 
@@ -102,11 +106,12 @@ std::optional<Tick> attended_together(const Engine& engine, const EngineState& b
   const auto said = offers_of(pair.words, dialogue_of(engine, state, world));
   const auto shown = offers_of(pair.gesture, dialogue_of(engine, state, world));
   if (said.size() > 1 || shown.size() > 1) return std::nullopt;
-  tick.events = accounts_of(engine, pair, said, shown);
   const auto [beside, together] = inputs_of(state, pair, said.front(), shown.front());
-  for (const auto* input : {&beside, &together}) {
-    tick.then(believe(engine, std::move(state), *input, world));
-    auto stepped = step_if_taken(engine, std::move(state), *input, world);
+  for (const auto& half : {Half{pair.gesture, shown, beside}, Half{pair.words, said, together}}) {
+    const auto events = account_of(engine, half);
+    tick.events.insert(tick.events.end(), events.begin(), events.end());
+    tick.then(believe(engine, std::move(state), half.input, world));
+    auto stepped = step_if_taken(engine, std::move(state), half.input, world);
     if (!stepped) return std::nullopt;
     tick.then(behave(engine, *std::move(stepped)));
   }

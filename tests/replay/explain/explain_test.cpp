@@ -96,7 +96,7 @@ TEST_CASE("the headline tells what the avatar did and what it is due to") {
        "At 1.0 s the avatar asks “Which block do you mean? Should I take the yellow block?”, because the human "
        "said “Take the block.” (1.0 s): “block” may mean block1, block4 or block6."},
       {"paper/disambiguation", at(6.5),
-       "At 5.0 s the avatar asks “Should I take the red block?”, because the human made the gesture negack stroke (5.0 "
+       "At 5.4 s the avatar asks “Should I take the red block?”, because the human made the gesture negack stroke (5.0 "
        "s) "
        "after “Take the block.” (1.0 s)."},
       {"paper/dialogue_gesture", act(1),
@@ -106,9 +106,9 @@ TEST_CASE("the headline tells what the avatar did and what it is due to") {
        "At 4.0 s the avatar does put(plate, <-0.1, -0.15, 0>), because the human said “The plate.” (4.0 s) after "
        "“Put it there.” (1.0 s) and pointing right [-0.1,-0.15] (0.9 s). It was done at 4.0 s."},
       {"paper/one_shot_learning", act(3),
-       "At 30.0 s the avatar does put(cup, on(plate)), because the human made the gesture left two_fingers stroke "
+       "At 30.4 s the avatar does put(cup, on(plate)), because the human made the gesture left two_fingers stroke "
        "(30.0 s) after gesture right two_fingers stroke (1.0 s), “Grasp the cup.” (3.0 s) and “Put on the plate.” "
-       "(26.0 s). It was done at 30.0 s."},
+       "(26.0 s). It was done at 30.4 s."},
       {"paper/one_shot_learning", at(27),
        "At 26.0 s the avatar asks “What should I put there?”, because the human said “Put on the plate.” (26.0 s): "
        "\\x. put(x, on(plate)) leaves its argument of type e unsaid."},
