@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What `continua doctor` says where all is well, and where a part is missing. Arguments: the program, the source tree.
+# `continua doctor` where all is well, and where a part is missing. Arguments: the program, the source tree.
 set -uo pipefail
 program=$1
 tree=$2

@@ -37,7 +37,7 @@ std::size_t read_at(std::istream& packed, std::uint64_t offset, char* into, std:
   return static_cast<std::size_t>(packed.gcount());
 }
 
-// What is left of a text's room.
+// The rest of a text's room.
 struct Room {
   explicit Room(std::string& text) : next(text.data()), bytes(text.size()) {}
   char* next;

@@ -22,10 +22,10 @@ bool is_gzip_file(const std::string& path);
 
 class GzipText {
  public:
-  /// Of a file, which stays open. Errors: it cannot be opened, or it is seen at once that it was cut, or that its text
-  /// is much longer than any of ours.
+  /// The text of a file that stays open. Errors: it cannot be opened, or it is seen at once that it was cut, or that
+  /// its text is much longer than any of ours.
   static Result<std::shared_ptr<const GzipText>> open(const std::string& path);
-  /// Of bytes that can be read at any place; `name` stands for the file.
+  /// The text of bytes that can be read at any place; `name` stands for the file.
   static Result<std::shared_ptr<const GzipText>> of(std::unique_ptr<std::istream> packed, const std::string& name);
   ~GzipText();
   GzipText(const GzipText&) = delete;

@@ -71,7 +71,7 @@ struct Half {
   const Input& input;
 };
 
-// What it was understood as.
+// The records of how it was understood.
 std::vector<EngineEvent> account_of(const Engine& engine, const Half& half) {
   std::vector<EngineEvent> events{account_of(half.ensemble, engine.window)};
   const auto offers = account_of(half.offers, 0);

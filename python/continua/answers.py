@@ -5,31 +5,37 @@ import json
 from typing import Any
 
 
-class Why(dict[str, Any]):
-    """Why a record: the members that `continua explain --json` prints, and its text when it is printed."""
+class Answer(dict[str, Any]):
+    """The members of an answer as the program prints them in JSON, and its text when it is printed."""
 
-    def __init__(self, document: str, text: str, tree: str) -> None:
+    def __init__(self, document: str, text: str) -> None:
         super().__init__(json.loads(document))
         self._text = text
-        self.tree = tree.rstrip("\n")
-        """The term behind the record as a tree, with the words its leaves came from; empty where there is none."""
 
     def __str__(self) -> str:
         return self._text.rstrip("\n")
-
-    def __repr__(self) -> str:
-        return f"<continua.Why: {self['headline']}>"
 
     def _repr_html_(self) -> str:
         return preformatted(str(self))
 
 
-class Diff(dict[str, Any]):
+class Why(Answer):
+    """Why a record: the members that `continua explain --json` prints, and its text when it is printed."""
+
+    def __init__(self, document: str, text: str, tree: str) -> None:
+        super().__init__(document, text)
+        self.tree = tree.rstrip("\n")
+        """The term behind the record as a tree, with the words its leaves came from; empty where there is none."""
+
+    def __repr__(self) -> str:
+        return f"<continua.Why: {self['headline']}>"
+
+
+class Diff(Answer):
     """Where two runs part, and why: the members that `continua diff --json` prints, and its text when it is printed."""
 
     def __init__(self, document: str, text: str, markdown: str) -> None:
-        super().__init__(json.loads(document))
-        self._text = text
+        super().__init__(document, text)
         self.markdown = markdown
         """The same for a pull request, with the details folded."""
 
@@ -38,14 +44,8 @@ class Diff(dict[str, Any]):
         """Whether nothing that happened differs."""
         return bool(self["same"])
 
-    def __str__(self) -> str:
-        return self._text.rstrip("\n")
-
     def __repr__(self) -> str:
         return f"<continua.Diff: {self['sentence']}>"
-
-    def _repr_html_(self) -> str:
-        return preformatted(str(self))
 
 
 class Picture(bytes):

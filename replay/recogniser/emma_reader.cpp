@@ -20,7 +20,7 @@ std::string attribute_of(const pugi::xml_node& element, std::string_view name) {
   return {};
 }
 
-// Of an interpretation, or of the list that it is in.
+// The value of an interpretation, or of the list that it is in.
 std::string inherited(pugi::xml_node element, std::string_view name) {
   for (; element; element = element.parent())
     if (auto value = attribute_of(element, name); !value.empty()) return value;

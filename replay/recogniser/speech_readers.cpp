@@ -47,7 +47,8 @@ Json speech(const std::string& text, double begin_s, std::optional<double> end_s
   return event;
 }
 
-// Of whisper.cpp: pieces of words, of which those that begin with a blank begin a word; names in brackets are no words.
+// Tokens of whisper.cpp are pieces of words: those that begin with a blank begin a word; names in brackets are no
+// words.
 std::vector<TimedWord> words_of_tokens(const Json& tokens) {
   std::vector<TimedWord> words;
   if (!tokens.is_array()) return words;
