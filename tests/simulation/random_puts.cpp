@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -27,12 +28,14 @@ int below(Random& random, std::size_t count) { return static_cast<int>(random.ne
 Vec3 half_of(const Box& box) { return (box.max - box.min) / 2; }
 
 /// The reach of the arm, told from its bones as the scene shows them: a shoulder, two equal limbs, and a hand that
-/// comes from above. Between surely and surely not lie the cases that depend on the grip.
+/// comes from above. Between surely and surely not lie the cases that depend on the grip. An arm that is built of other
+/// bones cannot be judged: std::invalid_argument.
 class Bones {
  public:
   explicit Bones(const Scene& scene) {
     const Json bodies = scene.description()["bodies"];
     const auto at = [&](const char* name) {
+      if (!bodies.contains(name)) throw std::invalid_argument(fmt::format("its arm has no body '{}'", name));
       const Json& pose = bodies.at(name);
       return Vec3(pose[0], pose[1], pose[2]);
     };
