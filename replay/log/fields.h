@@ -42,6 +42,11 @@ struct Margin : OrNull<double> {
   using OrNull<double>::OrNull;
 };
 
+/// A JSON value that nobody looks into: its compact text, which is written as it stands.
+struct JsonText {
+  std::string text = "null";
+};
+
 /// A JSON object whose members are named by data, in their order.
 template <class T>
 using Named = std::vector<std::pair<std::string, T>>;

@@ -39,26 +39,23 @@ struct Found {
   std::string_view value;  // within the header
 };
 
-void find_in(std::string_view text, std::string_view object, std::vector<Found>& found) {
-  scan_members(text, [&](std::string_view key, std::string_view value) {
+// The places in `text`, which is the header, its `what_if` or, by its name, an object in one of them. False if it is
+// not one whole object.
+bool find_in(std::string_view text, std::string_view object, std::vector<Found>& found) {
+  return scan_members(text, [&](std::string_view key, std::string_view value) {
     const auto same = std::find(places.begin(), places.end(), Place{object, key});
     if (same != places.end()) found.push_back({*same, value});
+    if (!object.empty() || key.empty()) return;
     const auto inner = std::find_if(places.begin(), places.end(), [&](const Place& one) { return one.object == key; });
-    if (object.empty() && !key.empty() && inner != places.end()) find_in(value, inner->object, found);
+    if (inner != places.end()) find_in(value, inner->object, found);
+    if (key == "what_if") find_in(value, "", found);
   });
 }
 
 // All that may be kept, in the order of the header. None if the header is not one whole object.
 std::vector<Found> find_places(std::string_view header) {
   std::vector<Found> found;
-  std::string_view what_if;
-  const bool whole = scan_members(header, [&](std::string_view key, std::string_view value) {
-    if (key == "what_if") what_if = value;
-  });
-  if (!whole) return found;
-  find_in(header, "", found);
-  find_in(what_if, "", found);
-  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.value.data() < b.value.data(); });
+  if (!find_in(header, "", found)) return {};
   return found;
 }
 

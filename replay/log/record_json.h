@@ -79,6 +79,8 @@ Json to_json(const T& value) {
     Json::array_t array;
     for (const auto& element : value) array.push_back(to_json(element));
     return Json(std::move(array));
+  } else if constexpr (std::is_same_v<T, JsonText>) {
+    return Json::parse(value.text);
   } else {
     return Json(value);
   }
@@ -172,6 +174,9 @@ Outcome read_value(const Json& json, T& value) {
     return std::nullopt;
   } else if constexpr (std::is_same_v<T, Json>) {
     value = json;
+    return std::nullopt;
+  } else if constexpr (std::is_same_v<T, JsonText>) {
+    value.text = compact(json);
     return std::nullopt;
   } else {
     return read_number(json, value);

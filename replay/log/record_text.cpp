@@ -204,6 +204,8 @@ void add_value(Texts texts, const T& value) {
     texts.write([&](std::string& out) {
       if constexpr (std::is_same_v<T, Json>)
         add_json(out, value);
+      else if constexpr (std::is_same_v<T, JsonText>)
+        out += value.text;
       else if constexpr (std::is_same_v<T, bool>)
         out += value ? "true" : "false";
       else if constexpr (std::is_arithmetic_v<T>)

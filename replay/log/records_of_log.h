@@ -23,7 +23,7 @@ struct NamedFile {
 /// A file with all that it says.
 struct Document {
   std::string name, digest;
-  Json document;
+  JsonText document;
 
   static constexpr auto fields() {
     return std::tuple{field("name", &Document::name, Says::how, "Name of the file."),

@@ -28,7 +28,7 @@ std::string type_text() {
     return "text";
   else if constexpr (std::is_same_v<T, bool>)
     return "boolean";
-  else if constexpr (std::is_same_v<T, Json>)
+  else if constexpr (std::is_same_v<T, Json> || std::is_same_v<T, JsonText>)
     return "any";
   else
     return std::is_integral_v<T> ? "integer" : "number";

@@ -31,11 +31,12 @@ log::SceneDescription description_of(const Scene& scene, const Catalogue& voxeme
 void add_knowledge(log::Run& header, const EngineParts& parts) {
   const Machine& machine = *parts.machine;
   const Language& language = *parts.language;
-  header.machine = {machine.name, digest(machine.document), Json::parse(machine.document)};
+  header.machine = {machine.name, digest(machine.document), {machine.document}};
   if (!machine.phrases.empty())
-    header.phrases.emplace(
-        log::Document{machine.phrases, digest(machine.phrase_document), Json::parse(machine.phrase_document)});
-  if (language.lexicon) header.lexicon.emplace(log::NamedFile{machine.lexicon, language.lexicon->digest});
+    header.phrases.emplace(log::Document{machine.phrases, digest(machine.phrase_document), {machine.phrase_document}});
+  if (language.lexicon)
+    header.lexicon.emplace(
+        log::NamedFile{std::filesystem::path(machine.lexicon).filename().string(), language.lexicon->digest});
   if (const auto& voxemes = language.voxemes->digest(); !voxemes.empty())
     header.voxemes.emplace(log::VoxemeFiles{voxemes});
   header.knowledge = parts.knowledge;
