@@ -33,17 +33,23 @@ for options in '' --own-knowledge; do
   rm -rf moved
 done
 
-# Words of its own.
-continua new own --own-knowledge > /dev/null 2>&1
-continua check own/knowledge/lexicon/english > said 2>&1 || { cat said >&2; complain 'own words: the lexicon does not hold'; }
-words=$(sed -n 's/^    "\([a-z]*\)": .*/\1/p' own/knowledge/lexicon/english/own_words.json)
-for knowledge in own/knowledge ''; do
-  printf '%s\n' '{"kind":"trace","version":1,"scene":"scenes/table.xml","machine":"interaction"}' \
+# Words of its own, besides those of English.
+continua new own > /dev/null 2>&1
+continua check own/lexicon/own > said 2>&1 || { cat said >&2; complain 'own words: the lexicon does not hold'; }
+continua validate own/lexicon/own/words.json > said 2>&1 || { cat said >&2; complain 'own words: the file is not right'; }
+words=$(sed -n 's/^    "\([a-z]*\)": .*/\1/p' own/lexicon/own/words.json)
+for machine in machines/own.json interaction; do
+  printf '%s\n' "{\"kind\":\"trace\",\"version\":1,\"scene\":\"scenes/table.xml\",\"machine\":\"$machine\"}" \
     "{\"t\":1,\"kind\":\"speech\",\"text\":\"$words\"}" > own/words.trace.jsonl
-  continua replay own/words.trace.jsonl --no-physics ${knowledge:+--knowledge "$knowledge"} -o words.run.jsonl > /dev/null
+  continua replay own/words.trace.jsonl --no-physics -o words.run.jsonl > /dev/null
   unknown=$(grep -c '"unknown":\["' words.run.jsonl)
-  [[ $unknown == $([[ $knowledge ]] && echo 0 || echo 1) ]] || complain "own word $words with knowledge '$knowledge': $unknown unknown"
+  [[ $unknown == $([[ $machine == interaction ]] && echo 1 || echo 0) ]] || complain "own word $words with $machine: $unknown unknown"
+  grep -c '"lexicon/own/words.json"' words.run.jsonl | grep -qx "$([[ $machine == interaction ]] && echo 0 || echo 1)" ||
+    complain "$machine: the header's digests of knowledge"
 done
+sed -i 's/"based_on": "english"/"based_on": "englisch"/' own/lexicon/own/words.json
+continua validate own/lexicon/own/words.json > said 2>&1
+grep -q "words.json:3:15: there is no folder '.*englisch'; expected the name of a lexicon" said || { cat said >&2; complain 'own words based on nothing'; }
 
 continua new own > said 2>&1
 [[ $? == 2 ]] && grep -q 'own: exists already; expected the name of a new folder' said || complain 'a folder that is there was not refused'

@@ -10,7 +10,7 @@ Result<EngineParts> load_engine_parts(Machine machine, const DataPaths& data, Kn
   EngineParts parts;
   parts.choice = machine.choice;
   if (machine.perspective == "avatar") parts.perspective = Perspective::avatar;
-  parts.knowledge = shelf.digests(data, machine);
+  parts.knowledge = shelf.digests(data, machine, **language);
   parts.machine = std::make_shared<const Machine>(std::move(machine));
   parts.language = *std::move(language);
   return parts;

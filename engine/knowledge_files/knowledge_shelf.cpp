@@ -31,12 +31,12 @@ Result<std::shared_ptr<const Language>> KnowledgeShelf::language(const DataPaths
   return languages_.emplace(key, std::make_shared<const Language>(*std::move(language))).first->second;
 }
 
-Json KnowledgeShelf::digests(const DataPaths& data, const Machine& machine) {
+Json KnowledgeShelf::digests(const DataPaths& data, const Machine& machine, const Language& language) {
   const std::lock_guard lock(mutex_);
   const auto key = key_of(data, machine);
   const auto known = digests_.find(key);
   return known != digests_.end() ? known->second
-                                 : digests_.emplace(key, knowledge_digests(data, machine)).first->second;
+                                 : digests_.emplace(key, knowledge_digests(data, machine, language)).first->second;
 }
 
 }  // namespace continua

@@ -23,7 +23,7 @@ class KnowledgeShelf {
                           const std::string& where);
   Result<std::shared_ptr<const Language>> language(const DataPaths& data, const Machine& machine);
   /// The digests of the files of that machine's language.
-  Json digests(const DataPaths& data, const Machine& machine);
+  Json digests(const DataPaths& data, const Machine& machine, const Language& language);
 
  private:
   std::mutex mutex_;

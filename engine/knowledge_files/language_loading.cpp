@@ -32,7 +32,14 @@ std::vector<std::string> folders_in(const fs::path& folder) {
 
 fs::path lexicon_folder(const DataPaths& data, const std::string& name) {
   const auto known = data.knowledge / "lexicon" / name;
-  return is_folder(known) ? known : fs::path(name);
+  return (is_folder(known) ? known : fs::path(name)).lexically_normal();
+}
+
+// A machine names a lexicon of its own by the path from its file.
+void find_lexicon(Machine& machine, const std::string& path, const DataPaths& data) {
+  if (machine.lexicon.empty() || is_folder(data.knowledge / "lexicon" / machine.lexicon)) return;
+  const auto beside = fs::path(path).parent_path() / machine.lexicon;
+  if (is_folder(beside)) machine.lexicon = beside.lexically_normal().string();
 }
 
 // Adds the digests of the files below `folder` (or of the file `folder`); keys are `name` and the path below it.
@@ -50,13 +57,12 @@ void add_digests(const fs::path& folder, const std::string& name, const std::str
 
 }  // namespace
 
-Json knowledge_digests(const DataPaths& data, const Machine& machine) {
+Json knowledge_digests(const DataPaths& data, const Machine& machine, const Language& language) {
   Json digests = Json::object();
   const auto name_of = [](const fs::path& path) { return path.filename().string(); };
-  if (!machine.lexicon.empty()) {
-    const auto folder = lexicon_folder(data, machine.lexicon);
-    add_digests(folder, "lexicon/" + name_of(folder), ".json", digests);
-  }
+  if (language.lexicon)
+    for (const auto& folder : language.lexicon->folders)
+      add_digests(folder, "lexicon/" + name_of(folder), ".json", digests);
   if (!machine.gestures.empty())
     if (const auto path = resolve_gestures(machine.gestures, data, ""))
       add_digests(*path, "gestures/" + name_of(*path), ".json", digests);
@@ -78,7 +84,7 @@ Result<std::shared_ptr<const Lexicon>> load_named_lexicon(const DataPaths& data,
     return Error{where, fmt::format("there is no lexicon {}{}; expected a folder, or a name in {}", in_quotes(name),
                                     did_you_mean(name, folders_in(data.knowledge / "lexicon")),
                                     (data.knowledge / "lexicon").lexically_normal().string())};
-  auto lexicon = load_lexicon(folder.lexically_normal().string(), names_of_terms());
+  auto lexicon = load_lexicon(folder.string(), names_of_terms(), (data.knowledge / "lexicon").string());
   if (!lexicon) return lexicon.error();
   return std::make_shared<const Lexicon>(*std::move(lexicon));
 }
@@ -129,9 +135,12 @@ Result<Machine> load_machine(const std::string& path, const DataPaths& data, con
   if (!text) return text.error();
   const auto based = based_machine(*text, path, data);
   if (!based) return based.error();
-  if (!*based) return load_machine(path, WorldFacts::signature(), phrases_folder(data), language, *raising);
-  auto machine = parse_machine((*based)->text, path, WorldFacts::signature(), phrases_folder(data), language, *raising);
-  if (!machine) return (*based)->told(machine.error(), path);
+  const auto facts = WorldFacts::signature();
+  const auto phrases = phrases_folder(data);
+  auto machine = *based ? parse_machine((*based)->text, path, facts, phrases, language, *raising)
+                        : load_machine(path, facts, phrases, language, *raising);
+  if (!machine) return *based ? (*based)->told(machine.error(), path) : machine.error();
+  find_lexicon(*machine, path, data);
   return machine;
 }
 

@@ -30,9 +30,9 @@ Result<Machine> load_machine(const std::string& path, const DataPaths& data, con
 Result<Language> load_language(const DataPaths& data, const Machine& machine);
 
 /// The digests of all files that load_language() reads for this machine, for the header of a run:
-/// {"lexicon/NAME/FILE": digest of its bytes, …}, and likewise gestures, raising rules and voxemes. Files that cannot
-/// be read are left out.
-Json knowledge_digests(const DataPaths& data, const Machine& machine);
+/// {"lexicon/NAME/FILE": digest of its bytes, …}, and likewise gestures, raising rules and voxemes. `language`: what
+/// load_language() gave. Files that cannot be read are left out.
+Json knowledge_digests(const DataPaths& data, const Machine& machine, const Language& language);
 
 /// A lexicon by its name in knowledge/lexicon, or by its path. `where`: the error's place.
 Result<std::shared_ptr<const Lexicon>> load_named_lexicon(const DataPaths& data, const std::string& name,

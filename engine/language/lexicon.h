@@ -107,16 +107,18 @@ struct Lexicon {
   std::vector<NameTemplate> nouns;    ///< for nouns that the human taught: "put (bob) on the plate"
   std::vector<NameTemplate> numbers;  ///< for numbers in digits: "(10) centimetres"
   std::vector<LexiconExample> examples;
-  std::vector<ObjectState> sample;  ///< the objects of the scene in which the examples are read
-  std::string digest;               ///< of its files
+  std::vector<ObjectState> sample;   ///< the objects of the scene in which the examples are read
+  std::string digest;                ///< of its files
+  std::vector<std::string> folders;  ///< of its files; that of the lexicon which another one is based on comes before
 };
 
-/// Reads all *.json of the folder. `facts`: the facts of the world, which terms may use besides the names of the term
-/// language and of the lexicon. The error is the first problem.
-Result<Lexicon> load_lexicon(const std::string& folder, const Signature& facts);
+/// Reads all *.json of the folder, after those of the lexicon that it is based on (LEXICON.md, Words of one's own).
+/// `facts`: the facts of the world, which terms may use besides the names of the term language and of the lexicon.
+/// `known`: the folder of the lexicons that have names. The error is the first problem.
+Result<Lexicon> load_lexicon(const std::string& folder, const Signature& facts, const std::string& known = "");
 
 /// Every problem of the folder, file by file, as "file:line:column: found …, expected …".
-std::vector<Error> check_lexicon(const std::string& folder, const Signature& facts);
+std::vector<Error> check_lexicon(const std::string& folder, const Signature& facts, const std::string& known = "");
 
 /// An error for each example sentence whose reading is not the expected one, with the place of the example.
 std::vector<Error> check_examples(const Lexicon& lexicon);

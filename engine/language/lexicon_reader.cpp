@@ -16,7 +16,7 @@ namespace {
 const std::vector<std::string> sections = {
     "about",      "categories", "names", "define",   "determiners", "proforms",    "words",   "skip",
     "attributes", "plural",     "unary", "examples", "sample",      "learned",     "unknown", "numbers",
-    "nouns",      "asides",     "forms", "taken",    "contracted",  "apostrophes", "scope"};
+    "nouns",      "asides",     "forms", "taken",    "contracted",  "apostrophes", "scope",   "based_on"};
 
 }  // namespace
 
@@ -98,39 +98,91 @@ void problem_with_quote(const Item& item, const Error& error) {
 
 namespace {
 
-// The documents of the folder in the order of their names, or the error of the first that cannot be read.
-Result<std::vector<LocatedJson>> documents_of(const std::string& folder) {
-  std::vector<std::string> paths;
-  std::error_code error;
-  for (std::filesystem::directory_iterator each(folder, error), end; !error && each != end; each.increment(error))
-    if (each->path().extension() == ".json") paths.push_back(each->path().string());
-  if (error) return Error{folder, fmt::format("cannot be read: {}; expected a folder of JSON files", error.message())};
-  if (paths.empty()) return Error{folder, "there is no *.json in this folder; expected the files of a lexicon"};
-  std::sort(paths.begin(), paths.end());
-  std::vector<LocatedJson> documents;
-  for (const auto& path : paths) {
-    auto document = LocatedJson::read(path);
-    if (!document) return document.error();
-    documents.push_back(*std::move(document));
-  }
-  return documents;
+namespace fs = std::filesystem;
+
+// The folder of a lexicon that another one is based on: a name in `known`, or a path from the other's folder.
+fs::path base_folder(const std::string& name, const fs::path& folder, const std::string& known) {
+  const auto named = fs::path(known) / name;
+  std::error_code unknown;
+  return (!known.empty() && fs::is_directory(named, unknown) ? named : folder / name).lexically_normal();
 }
+
+// The documents of lexicons that are based on one another.
+class Documents {
+ public:
+  explicit Documents(const std::string& known) : known_(known) {}
+
+  const std::vector<LocatedJson>& all() const { return all_; }
+  /// In the order of the documents.
+  const std::vector<std::string>& folders() const { return folders_; }
+
+  /// Those of the folder in the order of their names, after those of its base; or the first problem.
+  Outcome read(const fs::path& folder) {
+    begun_.push_back(folder);
+    std::vector<fs::path> paths;
+    std::error_code error;
+    for (fs::directory_iterator each(folder, error), end; !error && each != end; each.increment(error))
+      if (each->path().extension() == ".json") paths.push_back(each->path());
+    if (error)
+      return Error{folder.string(),
+                   fmt::format("cannot be read: {}; expected a folder of JSON files", error.message())};
+    if (paths.empty())
+      return Error{folder.string(), "there is no *.json in this folder; expected the files of a lexicon"};
+    std::sort(paths.begin(), paths.end());
+    std::vector<LocatedJson> own;
+    for (const auto& path : paths) {
+      auto document = LocatedJson::read(path.string());
+      if (!document) return document.error();
+      own.push_back(*std::move(document));
+    }
+    for (const auto& document : own)
+      if (auto problem = read_base(document, folder)) return problem;
+    std::move(own.begin(), own.end(), std::back_inserter(all_));
+    folders_.push_back(folder.string());
+    return std::nullopt;
+  }
+
+ private:
+  // Of a document that names one. A folder counts once, whoever names it.
+  Outcome read_base(const LocatedJson& document, const fs::path& folder) {
+    DocumentReader reader;
+    const auto told = reader.root(document).member("based_on");
+    if (!told.exists()) return std::nullopt;
+    const auto name = told.text("the name of a lexicon, or the path of its folder");
+    if (reader.sound()) {
+      const auto base = base_folder(name, folder, known_);
+      std::error_code unknown;
+      if (!fs::is_directory(base, unknown))
+        told.problem(fmt::format("there is no folder {}; expected the name of a lexicon, or the path of its folder",
+                                 in_quotes(base.string())));
+      else if (std::find(begun_.begin(), begun_.end(), base) == begun_.end())
+        return read(base);
+    }
+    return reader.sound() ? Outcome() : reader.problems().front();
+  }
+
+  const std::string& known_;
+  std::vector<fs::path> begun_;
+  std::vector<LocatedJson> all_;
+  std::vector<std::string> folders_;
+};
 
 }  // namespace
 
-Result<Lexicon> load_lexicon(const std::string& folder, const Signature& facts) {
-  const auto documents = documents_of(folder);
-  if (!documents) return documents.error();
-  LexiconReader reader(*documents, facts);
+Result<Lexicon> load_lexicon(const std::string& folder, const Signature& facts, const std::string& known) {
+  Documents documents(known);
+  if (auto problem = documents.read(folder)) return *std::move(problem);
+  LexiconReader reader(documents.all(), facts);
   auto lexicon = reader.read();
   if (auto problems = reader.problems(); !problems.empty()) return problems.front();
+  lexicon.folders = documents.folders();
   return lexicon;
 }
 
-std::vector<Error> check_lexicon(const std::string& folder, const Signature& facts) {
-  const auto documents = documents_of(folder);
-  if (!documents) return {documents.error()};
-  LexiconReader reader(*documents, facts);
+std::vector<Error> check_lexicon(const std::string& folder, const Signature& facts, const std::string& known) {
+  Documents documents(known);
+  if (auto problem = documents.read(folder)) return {*std::move(problem)};
+  LexiconReader reader(documents.all(), facts);
   reader.read();
   return reader.problems();
 }

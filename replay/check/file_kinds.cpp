@@ -129,8 +129,10 @@ bool is_lexicon_file(std::string_view, const std::string& path) {
 // The files of a lexicon belong together: all are read, and the problems of this one are told.
 FileCheck check_lexicon_file(std::string_view, const std::string& path) {
   const auto name = std::filesystem::path(path).filename().string();
+  const auto data = find_data_paths();
+  const auto known = data ? (data->knowledge / "lexicon").string() : std::string();
   FileCheck check{{}, {}, "file of a lexicon"};
-  for (auto& problem : check_lexicon(std::filesystem::absolute(path).parent_path().string(), names_of_terms())) {
+  for (auto& problem : check_lexicon(std::filesystem::absolute(path).parent_path().string(), names_of_terms(), known)) {
     const auto place = problem.where.find("/" + name + ":");
     if (place == std::string::npos) continue;
     problem.where = path + problem.where.substr(place + 1 + name.size());

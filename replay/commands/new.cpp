@@ -78,7 +78,7 @@ Outcome copy_knowledge(const DataPaths& data, const NewOptions& options) {
     if (!text) return text.error();
     if (auto problem = write(to / inside, *text)) return problem;
   }
-  return fill(data.knowledge / template_name / "own_knowledge", to, options);
+  return std::nullopt;
 }
 
 // The scene with all that it includes, so that it stands by itself.
@@ -106,7 +106,7 @@ Outcome make(const NewOptions& options) {
   const auto data = find_data_paths();
   if (!data) return data.error();
   if (auto problem = write_scene(*data, options)) return problem;
-  if (auto problem = fill(data->knowledge / template_name / "all", options.folder, options)) return problem;
+  if (auto problem = fill(data->knowledge / template_name, options.folder, options)) return problem;
   return options.own_knowledge ? copy_knowledge(*data, options) : std::nullopt;
 }
 
@@ -138,7 +138,7 @@ void describe_new(CLI::App& command, NewOptions& options) {
   command.add_option("FOLDER", options.folder, "its name; the folder must not be there yet")->required();
   command.add_option("--scene", options.scene, "a name or an MJCF file; otherwise that of knowledge/live.json");
   command.add_flag("--own-knowledge", options.own_knowledge,
-                   "a copy of machines, lexicon, phrases and voxemes too, with a file for words of your own");
+                   "a copy of machines, lexicon, phrases and voxemes too, to change");
   command.footer(
       "Makes a project: a trace with its approved run, a machine based on another, a scene, a page that tells what\n"
       "to do next, and a workflow for GitHub; and checks it.\n"

@@ -151,3 +151,40 @@ TEST_CASE("what the scene says of its objects can be said") {
   CHECK_FALSE(english_words().knows("banana"));
   CHECK(words.names().at("banana").text() == "e -> t");
 }
+
+TEST_CASE("a lexicon may be based on another one") {
+  const TemporaryFolder all;
+  const auto known = all.path().string();
+  all.file("base/a.json", small);
+  all.file("own/a.json", R"({"based_on": "base", "words": {"freeze": [["S", "stop"]]}})");
+  const auto own = load_lexicon(known + "/own", WorldFacts::signature(), known);
+  REQUIRE(own.ok());
+  CHECK(own->words.contains("halt"));
+  CHECK(own->words.contains("freeze"));
+  CHECK(own->folders == std::vector{known + "/base", known + "/own"});
+
+  SECTION("which is a name among those that are known, or a path") {
+    all.file("own/a.json", R"({"based_on": "../base"})");
+    CHECK(load_lexicon(known + "/own", WorldFacts::signature()).ok());
+  }
+  SECTION("of which more are based on others, each read once") {
+    all.file("third/a.json", R"({"based_on": "own"})");
+    all.file("third/b.json", R"({"based_on": "base", "skip": {"well": 0}})");
+    const auto third = load_lexicon(known + "/third", WorldFacts::signature(), known);
+    REQUIRE(third.ok());
+    CHECK(third->folders == std::vector{known + "/base", known + "/own", known + "/third"});
+  }
+  SECTION("but not on itself for ever") {
+    all.file("base/b.json", R"({"based_on": "own"})");
+    CHECK(load_lexicon(known + "/own", WorldFacts::signature(), known).ok());
+  }
+  const auto error_of = [&](const std::string& text) {
+    all.file("own/a.json", text);
+    return load_lexicon(known + "/own", WorldFacts::signature(), known).error().text();
+  };
+  CHECK(error_of(R"({"based_on": "bass"})") ==
+        known + "/own/a.json:1:14: there is no folder '" + known +
+            "/own/bass'; expected the name of a lexicon, or the path of its folder");
+  CHECK(error_of(R"({"based_on": 3})") ==
+        known + "/own/a.json:1:14: found 3, expected the name of a lexicon, or the path of its folder, a string");
+}
