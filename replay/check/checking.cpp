@@ -125,6 +125,7 @@ Checking::Finding Checking::trace_finding(std::size_t index) {
   options.shelf = shelf_;
   options.learned = options_.learned;
   options.language = options_.language;
+  options.settings = options_.settings;
   options.physics = options_.physics.value_or(!options_.approve);
   options.progress = [this, index](double done) {
     const std::lock_guard lock(mutex_);
@@ -166,6 +167,8 @@ Result<std::string> Checking::keep_failure(std::size_t index, const TraceCheck& 
   report.replay_options = options_.physics.value_or(true) ? "" : " --no-physics";
   if (!options_.knowledge.empty()) report.replay_options += " --knowledge " + shell_word(options_.knowledge);
   if (!options_.language.empty()) report.replay_options += " --language " + shell_word(options_.language);
+  for (const auto& [name, value] : options_.settings.items())
+    report.replay_options += " --set " + shell_word(name + "=" + compact(value));
   return write_failure(report, check);
 }
 

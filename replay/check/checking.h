@@ -22,6 +22,7 @@ struct CheckOptions {
   std::string learned;             ///< file of lessons, for traces; empty: none
   std::string knowledge;           ///< folder; empty: the program's own
   std::string language;            ///< for traces; empty: their own
+  Json settings = Json::object();  ///< for the machines of traces (machine_settings.h)
   std::optional<bool> physics;  ///< false: the kinematic world; nullopt: the kinematic one if runs are to be approved
   int jobs = 1;
   Shard shard;

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "continua/core/located_json.h"
+#include "continua/replay/commands/set_option.h"
 
 namespace continua {
 namespace {
@@ -24,6 +25,7 @@ void describe_check(CLI::App& command, CheckOptions& options) {
                      "machines, folders of lexicon/, phrases, gestures, folders voxemes, traces, or folders of them;\n"
                      "the knowledge folder if left out");
   command.add_option("--knowledge", options.knowledge, "folder to use instead of engine/knowledge");
+  add_set_option(command, options.settings);
   command.add_option("--language", options.language,
                      "replay traces in this language, a name in knowledge/lexicon; otherwise in their own");
   command.add_option("--learned", options.learned,

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "continua/core/gzip_name.h"
+#include "continua/replay/commands/set_option.h"
 #include "continua/replay/live/event_pipe.h"
 #include "continua/replay/server/inspector_server.h"
 #include "continua/replay/server/stop_signals.h"
@@ -100,6 +101,7 @@ void describe_record(CLI::App& command, RecordOptions& options) {
   command.add_option("--scene", live.scene, "a name or an MJCF file; otherwise that of knowledge/live.json");
   command.add_option("--machine", live.machine, "a name or a machine file; otherwise that of knowledge/live.json");
   command.add_option("--seed", live.replay.seed, "for draws");
+  add_set_option(command, live.replay.settings);
   command.add_option("--language", live.replay.language,
                      "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the machine's");
   command.add_option("--knowledge", live.replay.knowledge,

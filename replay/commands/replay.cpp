@@ -2,6 +2,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
+#include "continua/replay/commands/set_option.h"
 #include "continua/replay/log/run_log_file.h"
 #include "continua/replay/session/outside_choice.h"
 #include "continua/replay/session/shelf.h"
@@ -264,6 +265,7 @@ void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
   command.add_option("--machine", options.replay.machine, "a name or a machine file; otherwise the trace's");
   command.add_option("--weights", options.replay.weights,
                      "a file of continua learn: weights and levels of evidence in place of the machine's own");
+  add_set_option(command, options.replay.settings);
   command.add_option(
       "--language", options.replay.language,
       "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the trace's, or the machine's");
@@ -283,6 +285,7 @@ void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
   command.add_option("-j,--jobs", options.jobs, "how many traces at a time")->check(CLI::Range(1, 256));
   command.footer(
       "Examples: continua replay traces/pilot/*.jsonl -o runs -j 2\n"
+      "          continua replay session.trace.jsonl --set surer_by=0.1 -o other.run.jsonl\n"
       "          continua replay session.trace.jsonl --force 12=ask_color -o what_if.run.jsonl\n"
       "          continua replay session.trace.jsonl --from 4.0 --machine edited.json -o what_if.run.jsonl\n"
       "          continua diff session.run.jsonl what_if.run.jsonl");

@@ -15,6 +15,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
+#include "continua/replay/commands/set_option.h"
 #include "continua/replay/log/run_log_file.h"
 #include "continua/replay/score/score_report.h"
 #include "continua/replay/session/shelf.h"
@@ -179,6 +180,7 @@ void describe_score(CLI::App& command, ScoreOptions& options) {
   command.add_option("--machine", options.replay.machine, "a name or a machine file; otherwise the trace's");
   command.add_option("--weights", options.replay.weights,
                      "a file of continua learn: weights and levels of evidence in place of the machine's own");
+  add_set_option(command, options.replay.settings);
   command.add_option(
       "--language", options.replay.language,
       "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the trace's, or the machine's");

@@ -12,6 +12,7 @@
 #include "continua/core/replaced_file.h"
 #include "continua/replay/check/run_approved.h"
 #include "continua/replay/commands/moved_paths.h"
+#include "continua/replay/commands/set_option.h"
 #include "continua/replay/experiment/shrink.h"
 #include "continua/replay/trace/trace_name.h"
 #include "continua/simulation/mujoco_version.h"
@@ -107,6 +108,7 @@ void describe_shrink(CLI::App& command, ShrinkCommandOptions& options) {
                    "with physics; otherwise in the kinematic world, in which acts succeed at once");
   command.add_option("--scene", options.replay.scene, "a name or an MJCF file; otherwise the trace's");
   command.add_option("--machine", options.replay.machine, "a name or a machine file; otherwise the trace's");
+  add_set_option(command, options.replay.settings);
   command.add_option(
       "--language", options.replay.language,
       "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the trace's, or the machine's");

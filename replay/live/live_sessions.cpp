@@ -70,6 +70,7 @@ std::variant<LiveOptions, LiveRefusal> LiveSessions::options_of(const Json& aske
   Json header{{"kind", "trace"}, {"version", is_header && asked.contains("version") ? asked["version"] : Json(1)}};
   if (defaults_.replay.seed) header["seed"] = *defaults_.replay.seed;
   if (!defaults_.replay.language.empty()) header["language"] = defaults_.replay.language;
+  if (!defaults_.replay.settings.empty()) header["parameters"] = defaults_.replay.settings;
   for (const char* field : {"language", "seed", "perspective", "objects"})
     if (asked.contains(field)) header[field] = asked[field];
   for (const std::string field : {"scene", "machine"}) {
@@ -85,6 +86,7 @@ std::variant<LiveOptions, LiveRefusal> LiveSessions::options_of(const Json& aske
   options.header.json = nullptr;
   options.replay.seed.reset();
   options.replay.language.clear();
+  options.replay.settings = Json::object();
 
   if (const auto physics = asked.find("physics"); physics != asked.end()) {
     if (!physics->is_boolean()) return bad("physics", *physics, "true or false");

@@ -177,7 +177,8 @@ struct Run {
         field("graph", &Run::graph, Says::how, "The machine as a graph."),
         field("scene", &Run::scene, Says::how, "The world when the run begins."),
         field("parameters", &Run::parameters, Says::how,
-              "{name: value} of all parameters of the machine; left out where it has none."),
+              "{name: value} of all parameters of the machine, and of its numbers that were set for this run; left out "
+              "where there are none."),
         field("variant", &Run::variant, Says::how,
               "`world` or `teacher`: how far the run follows the observations; left out where it does not."),
         field("what_if", &Run::what_if, Says::how,

@@ -43,6 +43,7 @@ struct ReplayOptions {
   std::optional<Choice> choice;       ///< else the machine's
   std::string outside;                ///< a policy from outside in its place (outside_choice.h); empty: none
   std::string weights;                ///< file of weights in place of the machine's (machine_weights.h); empty: none
+  Json settings = Json::object();     ///< {name: value} for the machine (machine_settings.h)
   std::shared_ptr<const MachineWeights> own_weights;  ///< in place of a file of them; null: none
   std::string scene, machine;                         ///< names or paths; empty: the trace's
   std::string language;          ///< of speech and phrases, a name; empty: the trace's, else the machine's

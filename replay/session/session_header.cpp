@@ -5,6 +5,7 @@
 #include "continua/core/located_json.h"
 #include "continua/learning/learning_file.h"
 #include "continua/machine_file/machine_parameters.h"
+#include "continua/machine_file/machine_settings.h"
 #include "continua/replay/log/records.h"
 #include "continua/replay/recorder/machine_graph.h"
 #include "continua/replay/session/scene_voxemes.h"
@@ -44,6 +45,18 @@ void add_knowledge(log::Run& header, const EngineParts& parts) {
   if (!machine.parameters.empty()) header.parameters = parameter_values(machine);
 }
 
+// The settings that are no parameters are told besides these; those of the trace only if the machine knows them.
+void add_settings(log::Run& header, const LoadedSession& loaded, const Machine& machine) {
+  Json numbers = Json::object();
+  for (const auto* settings : {&loaded.trace.head().header.parameters, &loaded.options.settings})
+    for (const auto& [name, value] : settings->items())
+      if (name.find('.') != std::string::npos) numbers[name] = value;
+  if (numbers.empty()) return;
+  if (!header.parameters) header.parameters = Json::object();
+  for (const auto& name : names_of_settings(machine))
+    if (numbers.contains(name)) (*header.parameters)[name] = numbers[name];
+}
+
 // The header of a run that these parts answer from its beginning.
 log::Run header_of(const LoadedSession& loaded, const EngineParts& parts) {
   log::Run header;
@@ -60,6 +73,7 @@ log::Run header_of(const LoadedSession& loaded, const EngineParts& parts) {
   header.perspective = name_of(parts.perspective);
   header.fingerprint = fingerprint();
   add_knowledge(header, parts);
+  add_settings(header, loaded, *parts.machine);
   if (!(loaded.learned == Learned())) header.learned = Json::parse(print_learned(loaded.learned));
   header.scene = description_of(loaded.scene, *parts.language->voxemes);
   if (loaded.options.variant != Variant::free) header.variant = name_of(loaded.options.variant);

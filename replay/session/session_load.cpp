@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "continua/core/located_json.h"
-#include "continua/machine_file/machine_parameters.h"
+#include "continua/machine_file/machine_settings.h"
 #include "continua/machine_file/machine_weights.h"
 #include "continua/replay/session/learned_file.h"
 #include "continua/replay/session/outside_choice.h"
@@ -55,15 +55,16 @@ Result<std::map<int, std::size_t>> forced_of(const std::map<int, std::string>& o
   return forced;
 }
 
-// Those of the trace are its own machine's: another one has the values that it knows.
-Outcome set_parameters_of(const TraceHead& trace, const ReplayOptions& options, Machine& machine) {
+// Those of the trace are its own machine's: another one has the values that it knows. Those of the options come after
+// weights from a file.
+Outcome apply_settings_of(const TraceHead& trace, const ReplayOptions& options, Machine& machine) {
   Json values = trace.header.parameters;
-  if (!options.machine.empty()) {
-    const auto known = parameter_values(machine);
+  if (!options.machine.empty() && !values.empty()) {
+    const auto known = names_of_settings(machine);
     for (const auto& [name, value] : trace.header.parameters.items())
-      if (!known.contains(name)) values.erase(name);
+      if (std::find(known.begin(), known.end(), name) == known.end()) values.erase(name);
   }
-  return set_parameters(machine, values, header_line(trace));
+  return apply_settings(machine, values, header_line(trace));
 }
 
 Outcome refused_variant(const ReplayOptions& options, Choice choice) {
@@ -119,7 +120,7 @@ Result<EngineParts> load_parts(const TraceHead& trace, const ReplayOptions& opti
   auto machine =
       shelf.machine(*path, *data, language_name, options.language.empty() ? header_line(trace) : "--language");
   if (!machine) return machine.error();
-  if (const auto problem = set_parameters_of(trace, options, *machine)) return *problem;
+  if (const auto problem = apply_settings_of(trace, options, *machine)) return *problem;
   if (options.own_weights) {
     if (const auto problem = set_weights(*machine, *options.own_weights)) return *problem;
   } else if (!options.weights.empty()) {
@@ -127,6 +128,7 @@ Result<EngineParts> load_parts(const TraceHead& trace, const ReplayOptions& opti
     if (!weights) return weights.error();
     if (const auto problem = set_weights(*machine, *weights)) return *problem;
   }
+  if (const auto problem = apply_settings(*machine, options.settings, "--set")) return *problem;
   const bool own_perspective = !machine->perspective.empty();
   auto parts = load_engine_parts(*std::move(machine), *data, shelf);
   if (!parts) return parts.error();

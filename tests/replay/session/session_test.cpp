@@ -241,6 +241,46 @@ TEST_CASE("a branch that was not taken can be taken") {
         "--force 1=lihgt: the machine fork has no transition 'lihgt' (did you mean 'light'?)");
 }
 
+TEST_CASE("values of the machine are set for a run, and the log tells them") {
+  Folder folder;
+  auto rivals = Json::parse(machine);
+  rivals["parameters"]["polite"] = {{"value", true}};
+  rivals["states"]["Done"]["enter"] = Json::array({{{"when", "polite"}, {"say", "OK."}}});
+  for (const char* id : {"nod", "shrug"})
+    rivals["transitions"].push_back({{"id", id}, {"from", "Done"}, {"on", "speech what"}, {"to", "Wait"}});
+  folder.write("fetch.json", rivals.dump());
+  const auto run_with = [&](const Json& settings) {
+    auto options = kinematic();
+    options.settings = settings;
+    return records_of(log_of(folder.file("talk.jsonl"), options));
+  };
+  const auto last_transition = [](const std::vector<Json>& records) {
+    return of_kind(records, "transition").back()["id"].get<std::string>();
+  };
+  const auto with = run_with({{"polite", false}, {"weights.shrug", 3}});
+  CHECK(with[0]["parameters"] == Json{{"polite", false}, {"weights.shrug", 3}});
+  CHECK(of_kind(with, "utterance").size() + 1 == of_kind(run_with(Json::object()), "utterance").size());
+  CHECK(last_transition(with) == "shrug");
+  CHECK(last_transition(run_with({{"weights.nod", 3}})) == "nod");
+
+  // A trace's header sets them just so, and another machine has those that it knows.
+  const std::string headed = trace;
+  folder.write(
+      "set.jsonl",
+      R"({"kind":"trace","version":1,"scene":"staircase","machine":"fetch.json","parameters":{"weights.shrug":3,"polite":true}})" +
+          headed.substr(headed.find('\n')));
+  CHECK(last_transition(records_of(log_of(folder.file("set.jsonl")))) == "shrug");
+  auto other = kinematic();
+  other.machine = folder.file("other.json");
+  folder.write("other.json", machine);
+  CHECK_FALSE(records_of(log_of(folder.file("set.jsonl"), other))[0].contains("parameters"));
+
+  auto wrong = kinematic();
+  wrong.settings = {{"polit", true}};
+  CHECK(Session::load(folder.file("talk.jsonl"), wrong).error().text() ==
+        "--set: the machine fetch has no parameter 'polit' (did you mean 'polite'?)");
+}
+
 TEST_CASE("explore carries all branches along; what one does is done, what the others are is told") {
   const Folder folder;
   folder.write("hearing.json", R"json({"machine":1,"name":"hearing","start":"A","choice":"explore",
