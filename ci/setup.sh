@@ -12,7 +12,7 @@ packages=(
 )
 if [[ "${1:-}" == --tests ]]; then
   packages+=(chromium locales lintian mmdebstrap zsh fish mypy praat libxml2-utils
-    espeak-ng pocketsphinx pocketsphinx-en-us
+    slurm-wlm munge espeak-ng pocketsphinx pocketsphinx-en-us
     python3-jsonschema python3-pytest python3-pandas python3-setuptools python3-wheel)
 fi
 # Another npm than Debian's may be installed; Debian's would remove it.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include <fmt/format.h>
 
@@ -76,24 +75,7 @@ Json json_of(const CheckCase& one) {
   return json;
 }
 
-constexpr std::size_t most_shards = 10000;
-
-// How many of the files are a shard's.
-std::size_t share_of(const Shard& shard, std::size_t files) {
-  return (files + shard.count - shard.index) / shard.count;
-}
-
 }  // namespace
-
-std::optional<Shard> parse_shard(const std::string& text) {
-  Shard shard;
-  const auto* end = text.data() + text.size();
-  const auto index = std::from_chars(text.data(), end, shard.index);
-  if (index.ec != std::errc() || index.ptr == end || *index.ptr != '/') return std::nullopt;
-  const auto count = std::from_chars(index.ptr + 1, end, shard.count);
-  if (count.ec != std::errc() || count.ptr != end || shard.index < 1 || shard.index > shard.count) return std::nullopt;
-  return shard;
-}
 
 int CheckReport::status() const {
   int status = exit_done;
@@ -162,43 +144,24 @@ Result<CheckReport> read_report(std::string_view text, const std::string& name) 
       return document->error(fmt::format("/cases/{}", report.cases.size()), fault);
     report.cases.push_back(case_of(one));
   }
-  if (report.cases.size() != share_of(report.shard, report.files))
+  if (report.cases.size() != report.shard.share(report.files))
     return document->error("/cases",
                            fmt::format("found {}; expected {}, the share of shard {}/{} of {}",
-                                       counted(report.cases.size(), "case"), share_of(report.shard, report.files),
+                                       counted(report.cases.size(), "case"), report.shard.share(report.files),
                                        report.shard.index, report.shard.count, counted(report.files, "file")));
   return report;
 }
 
 MergedReports merged(const std::vector<std::string>& names, const std::vector<CheckReport>& reports) {
-  MergedReports all;
-  const auto& first = reports.front();
-  all.report.files = first.files;
-  std::vector<std::size_t> places(first.shard.count, reports.size());  // of each shard, its report
-  for (std::size_t i = 0; i < reports.size(); ++i) {
-    const auto& [shard, files, seconds, cases] = reports[i];
-    if (shard.count != first.shard.count || files != first.files) {
-      all.problems.push_back({names[i], fmt::format("is shard {}/{} of {}; expected one of {} of {} as in {}",
-                                                    shard.index, shard.count, counted(files, "file"), first.shard.count,
-                                                    counted(first.files, "file"), names.front())});
-      continue;
-    }
-    auto& place = places[shard.index - 1];
-    if (place < reports.size()) {
-      all.problems.push_back({names[i], fmt::format("is shard {}/{}, and so is {}; expected each once", shard.index,
-                                                    shard.count, names[place])});
-      continue;
-    }
-    place = i;
-    all.report.seconds += seconds;
-  }
-  for (std::size_t shard = 0; shard < places.size(); ++shard)
-    if (places[shard] == reports.size())
-      all.problems.push_back({"--merge", fmt::format("shard {}/{} is missing", shard + 1, places.size())});
-  for (std::size_t file = 0; file < first.files; ++file) {
-    const auto place = places[file % places.size()];
-    if (place < reports.size()) all.report.cases.push_back(reports[place].cases[file / places.size()]);
-  }
+  std::vector<ShardOf> shards;
+  for (std::size_t i = 0; i < reports.size(); ++i) shards.push_back({names[i], reports[i].shard, reports[i].files});
+  auto [report_of, problems] = places_of(shards, "file");
+  MergedReports all{{{}, reports.front().files, 0, {}}, std::move(problems)};
+  for (const auto& place : report_of)
+    if (place) all.report.seconds += reports[*place].seconds;
+  for (std::size_t file = 0; file < all.report.files; ++file)
+    if (const auto place = report_of[file % report_of.size()])
+      all.report.cases.push_back(reports[*place].cases[file / report_of.size()]);
   return all;
 }
 

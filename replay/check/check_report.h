@@ -9,17 +9,10 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/result.h"
+#include "continua/replay/terminal/shard.h"
 #include "continua/replay/terminal/terminal.h"
 
 namespace continua {
-
-/// One part of several of about equal size, so that machines can share the work: each `count`-th file from `index` on.
-struct Shard {
-  std::size_t index = 1, count = 1;  ///< index from 1
-};
-
-/// "2/4". Nothing for any other text.
-std::optional<Shard> parse_shard(const std::string& text);
 
 /// The result for one file.
 struct CheckCase {

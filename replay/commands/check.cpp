@@ -8,6 +8,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/replay/commands/set_option.h"
+#include "continua/replay/commands/shard_option.h"
 
 namespace continua {
 namespace {
@@ -44,10 +45,7 @@ void describe_check(CLI::App& command, CheckOptions& options) {
                        "show what is new or not as approved, ask, then write these runs beside their traces");
   command.add_flag("--yes", options.yes, "with --approve: do not ask")->needs(approve);
   command.add_option("-j,--jobs", options.jobs, "how many files at a time")->check(CLI::Range(1, 256));
-  auto shard = std::make_shared<std::string>();
-  command.add_option("--shard", *shard, "I/N: only part I of N, from 1")->check([](const std::string& text) {
-    return parse_shard(text) ? std::string() : fmt::format("found {}; expected I/N, I from 1 to N", in_quotes(text));
-  });
+  add_shard_option(command, options.shard);
   command.add_option("--report", options.report, "write what came out to this file, as JSON that --merge reads");
   command.add_option("--merge", options.merge, "tell the reports of all shards as one, instead of checking")
       ->excludes(approve)
@@ -68,10 +66,7 @@ void describe_check(CLI::App& command, CheckOptions& options) {
       "          continua check traces --approve\n"
       "          continua check traces --shard 1/2 --report 1.json\n"
       "          continua check --merge 1.json 2.json --junit all.xml");
-  command.callback([&options, shard] {
-    if (!shard->empty()) options.shard = *parse_shard(*shard);
-    options.github = options.github || on_github();
-  });
+  command.callback([&options] { options.github = options.github || on_github(); });
 }
 
 }  // namespace continua

@@ -3,6 +3,7 @@
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
 #include "continua/replay/commands/set_option.h"
+#include "continua/replay/commands/shard_option.h"
 #include "continua/replay/log/run_log_file.h"
 #include "continua/replay/session/outside_choice.h"
 #include "continua/replay/session/shelf.h"
@@ -115,9 +116,24 @@ class Batch {
     return status_;
   }
 
+  /// After the run.
+  ShardReport report() const {
+    ShardReport all{"replay", options_.shard, options_.traces.size(), status_, {}};
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      if (options_.shard.has(i)) all.told.push_back(told(i));
+    return all;
+  }
+
  private:
   void work() {
-    for (std::size_t i = next_++; i < options_.traces.size(); i = next_++) one(i);
+    for (std::size_t i = next_++; i < options_.traces.size(); i = next_++)
+      if (options_.shard.has(i)) one(i);
+  }
+
+  // The line of a trace that was replayed.
+  std::string told(std::size_t index) const {
+    const auto& line = *lines_[index];
+    return line.empty() ? line : printable_line(line) + "\n";
   }
 
   void one(std::size_t index) {
@@ -164,7 +180,7 @@ class Batch {
     progress_.show(index, 1);
     progress_.clear();
     if (!summary) {
-      report(summary.error());
+      continua::report(summary.error());
       status_ = exit_impossible;
       lines_[index] = "";
     } else {
@@ -174,14 +190,14 @@ class Batch {
         report_warning({trace, fmt::format("--from {}: nothing happens from then on; nothing was changed",
                                            *options_.replay.from)});
       for (const auto& [step, transition] : summary->not_forced) {
-        report({options_.traces[index],
-                fmt::format("--force {}={}: that transition does not apply at that step", step, transition)});
+        continua::report({options_.traces[index],
+                          fmt::format("--force {}={}: that transition does not apply at that step", step, transition)});
         status_ = exit_impossible;
       }
       if (summary->expectations_met < summary->expectations && status_ == exit_done) status_ = exit_no;
     }
-    for (; printed_ < lines_.size() && lines_[printed_]; ++printed_)
-      if (!lines_[printed_]->empty()) put(output == "-" ? stderr : stdout, printable_line(*lines_[printed_]) + "\n");
+    for (; printed_ < lines_.size() && (lines_[printed_] || !options_.shard.has(printed_)); ++printed_)
+      if (lines_[printed_]) put(output == "-" ? stderr : stdout, told(printed_));
     std::fflush(stdout);
   }
 
@@ -226,16 +242,40 @@ std::shared_ptr<std::string> add_choice(CLI::App& command) {
   return choice;
 }
 
+// What several processes need that share the traces.
+void add_shards(CLI::App& command, ReplayCommandOptions& options) {
+  add_shard_option(command, options.shard);
+  command.add_option("--report", options.report, "write what came out to this file, as JSON that --merge reads");
+  command.add_option("--merge", options.merge, "tell the reports of all shards as one, instead of replaying")
+      ->excludes("TRACE");
+}
+
+constexpr const char* examples =
+    "Examples: continua replay traces/pilot/*.jsonl -o runs -j 2\n"
+    "          continua replay session.trace.jsonl --set surer_by=0.1 -o other.run.jsonl\n"
+    "          continua replay session.trace.jsonl --force 12=ask_color -o what_if.run.jsonl\n"
+    "          continua replay session.trace.jsonl --from 4.0 --machine edited.json -o what_if.run.jsonl\n"
+    "          continua diff session.run.jsonl what_if.run.jsonl\n"
+    "          continua replay traces/*.jsonl -o runs/ --shard 1/2 --report 1.json\n"
+    "          continua replay --merge 1.json 2.json";
+
 }  // namespace
 
 int run_replay(const ReplayCommandOptions& options) {
+  if (!options.merge.empty()) return tell_merged("replay", options.merge);
   auto outputs = runs_of(options);
   if (!outputs) return report(outputs.error()), exit_impossible;
-  return Batch(options, std::move(*outputs)).run();
+  if (const auto problem = not_an_input(options.report, options.traces)) return report(*problem), exit_impossible;
+  Batch batch(options, std::move(*outputs));
+  const int status = batch.run();
+  if (options.report.empty()) return status;
+  if (const auto problem = write_file(options.report, text_of(batch.report())))
+    return report(*problem), exit_impossible;
+  return status;
 }
 
 void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
-  command.add_option("TRACE", options.traces, "traces (.jsonl, .jsonl.gz)")->required();
+  command.add_option("TRACE", options.traces, "traces (.jsonl, .jsonl.gz)");
   command.add_option("-o,--output", options.output,
                      "a run log, packed if its name ends with .gz, a folder, or '-'; otherwise NAME.run.jsonl here");
   command.add_flag(
@@ -283,13 +323,10 @@ void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
                   "where the dialogue goes on from after a difference (teacher); otherwise not (free)")
       ->check(CLI::IsMember({"free", "world", "teacher"}));
   command.add_option("-j,--jobs", options.jobs, "how many traces at a time")->check(CLI::Range(1, 256));
-  command.footer(
-      "Examples: continua replay traces/pilot/*.jsonl -o runs -j 2\n"
-      "          continua replay session.trace.jsonl --set surer_by=0.1 -o other.run.jsonl\n"
-      "          continua replay session.trace.jsonl --force 12=ask_color -o what_if.run.jsonl\n"
-      "          continua replay session.trace.jsonl --from 4.0 --machine edited.json -o what_if.run.jsonl\n"
-      "          continua diff session.run.jsonl what_if.run.jsonl");
+  add_shards(command, options);
+  command.footer(examples);
   command.callback([&options, choice, forced, variant] {
+    if (options.traces.empty() && options.merge.empty()) throw CLI::RequiredError("TRACE");
     options.replay.variant = parse_variant(*variant).value_or(Variant::free);
     options.replay.choice = parse_choice(*choice);
     if (is_outside_choice(*choice)) options.replay.outside = *choice;

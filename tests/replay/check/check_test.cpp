@@ -285,28 +285,6 @@ TEST_CASE("runs are approved with their documents in the nearest folder for them
   CHECK_THAT(checked(trace).reason, Contains("is kept in a file of its own"));
 }
 
-TEST_CASE("shards are parts, and together the whole") {
-  struct Case {
-    const char* text;
-    bool valid;
-  };
-  for (const auto& [text, valid] : {Case{"1/1", true},
-                                    {"2/4", true},
-                                    {"4/4", true},
-                                    {"0/4", false},
-                                    {"5/4", false},
-                                    {"", false},
-                                    {"1", false},
-                                    {"1/", false},
-                                    {"/1", false},
-                                    {"1/2x", false},
-                                    {"-1/2", false},
-                                    {"1/99999999999999999999999", false}}) {
-    CAPTURE(text);
-    CHECK(parse_shard(text).has_value() == valid);
-  }
-}
-
 TEST_CASE("the shards of a check, merged, are the check that is not shared") {
   TemporaryFolder folder;
   for (const char* name : {"a", "b", "c"}) folder.file(std::string(name) + ".trace.jsonl", conversation);

@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# Shares checks and replays among processes, by hand and over a Slurm cluster of two nodes on this machine; what is merged
+# must be what one process tells. The program is the first argument. Skipped (77) in part without root or slurm-wlm.
+set -euo pipefail
+program=$1
+root=$(cd "$(dirname "$0")/.." && pwd)
+folder=$(mktemp -d)
+cd "$folder"
+stop() {
+  [[ -f slurm.conf ]] && scontrol shutdown > stopped 2>&1
+  rm -rf "$folder"
+}
+trap stop EXIT
+failed=0
+complain() {
+  echo "$1" >&2
+  failed=1
+}
+same() { diff "$1" "$2" >&2 || complain "$3: not what one process tells"; }
+# A check's last line tells how long it took.
+timeless() { sed 's/; in [0-9.]* s$//'; }
+
+traces=("$root"/traces/paper/*.trace.jsonl)
+"$program" replay "${traces[@]}" --no-physics -o runs/ > whole.txt
+"$program" check "$root/traces/paper" --no-physics | timeless > checked.txt
+for count in 1 2 7; do
+  for ((index = 1; index <= count; ++index)); do
+    "$program" replay "${traces[@]}" --no-physics -o runs/ --shard "$index/$count" --report "$index.json" > "$index.txt"
+  done
+  "$program" replay --merge $(seq -f '%g.json' "$count") > merged.txt || complain "replay in $count shards: status $?"
+  same whole.txt merged.txt "replay in $count shards"
+  rm ./*.json
+done
+SLURM_ARRAY_TASK_ID=2 SLURM_ARRAY_TASK_COUNT=2 "$program" replay "${traces[@]}" --no-physics -o runs/ --shard auto --report 2.json > 2.txt
+status=0
+"$program" replay --merge 2.json > merged.txt 2> said || status=$?
+[[ $status == 2 ]] && grep -q 'shard 1/2 is missing' said || { cat said >&2; complain "a missing shard: status $status"; }
+[[ $failed == 0 ]] || exit 1
+
+for each in slurmctld slurmd munged; do
+  command -v "$each" > /dev/null || { echo "skipped the cluster: no $each (slurm-wlm, munge)"; exit 77; }
+done
+[[ $(id -u) == 0 ]] || { echo "skipped the cluster: it is started as root"; exit 77; }
+
+host=$(hostname -s)
+cat > slurm.conf << END
+ClusterName=continua
+SlurmctldHost=$host(127.0.0.1)
+SlurmctldPort=17000
+SlurmUser=root
+SlurmdUser=root
+AuthType=auth/munge
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+SchedulerParameters=batch_sched_delay=0,sched_interval=1
+MpiDefault=none
+ReturnToService=2
+StateSaveLocation=$folder/state
+SlurmdSpoolDir=$folder/spool.%n
+SlurmctldPidFile=$folder/slurmctld.pid
+SlurmdPidFile=$folder/slurmd.%n.pid
+SlurmctldLogFile=$folder/slurmctld.log
+SlurmdLogFile=$folder/slurmd.%n.log
+SlurmdParameters=config_overrides
+NodeName=n[1-2] NodeHostname=$host NodeAddr=127.0.0.1 Port=[17001-17002] CPUs=1 State=UNKNOWN
+PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
+END
+export SLURM_CONF=$folder/slurm.conf
+mkdir -p state
+pgrep -x munged > /dev/null || { mkdir -p /run/munge && chown munge: /run/munge && su -s /bin/sh munge -c /usr/sbin/munged; }
+slurmctld -f "$SLURM_CONF" 2> started
+for node in n1 n2; do slurmd -f "$SLURM_CONF" -N "$node" 2>> started; done
+for ((i = 0; i < 60; ++i)); do
+  [[ $(sinfo -h -t idle -o %D 2> /dev/null | awk '{n += $1} END {print n + 0}') == 2 ]] && break
+  sleep 0.5
+done
+[[ $i -lt 60 ]] || { cat slurmctld.log slurmd.*.log >&2; echo 'skipped the cluster: its nodes do not come up here'; exit 77; }
+
+export CONTINUA=$program
+slurm=$root/examples/cluster/slurm.sh
+# A task that is killed cannot pass for one that is done.
+cat > killed.sh << END
+#!/usr/bin/env bash
+if [[ "\$*" == *auto* && \$SLURM_ARRAY_TASK_ID == 2 ]]; then kill -9 \$\$; fi
+exec "$program" "\$@"
+END
+chmod +x killed.sh
+
+# All three wait for the cluster at the same time.
+"$slurm" replay "${traces[@]}" --no-physics -o runs/ -- 3 > replayed.txt & replaying=$!
+"$slurm" check "$root/traces/paper" --no-physics -- 2 --junit all.xml > merged.txt & checking=$!
+CONTINUA=$folder/killed.sh "$slurm" replay "${traces[@]}" --no-physics -o runs/ -- 3 > killed.txt 2>&1 & killing=$!
+wait "$replaying" || complain "replay over Slurm: status $?"
+same whole.txt replayed.txt 'replay over Slurm'
+wait "$checking" || complain "check over Slurm: status $?"
+timeless < merged.txt > timeless.txt
+same checked.txt timeless.txt 'check over Slurm'
+grep -q "tests=\"$(($(wc -l < checked.txt) - 1))\"" all.xml || complain 'check over Slurm: its JUnit report'
+status=0
+wait "$killing" || status=$?
+[[ $status == 2 ]] && grep -q 'shard 2/3 is missing' killed.txt || { cat killed.txt >&2; complain "a killed task: status $status"; }
+exit "$failed"
