@@ -2,7 +2,7 @@
 import {h} from './dom.js';
 import {Cursor} from './cursor.js';
 import {onKey} from './keys.js';
-import {Model} from './model.js';
+import {linkTo, Model} from './model.js';
 import {onTheme} from './theme.js';
 import {RunPage} from './run_page.js';
 import {StartPage} from './panels/start.js';
@@ -58,7 +58,7 @@ export class App {
         {class: 'start'},
         h('h1', {}, heading),
         h('p', {class: 'trouble', 'data-testid': 'problem'}, problem.message),
-        h('p', {}, h('a', {href: '/'}, 'All runs')),
+        h('p', {}, h('a', {href: linkTo('/')}, 'All runs')),
       ),
     );
   }

@@ -1,14 +1,17 @@
-// Starts the page in an exported file: unpacks its modules and the recorded answers about the run, and runs them. Not a
-// module itself: it stands in the file as it is.
+// Starts the page in an exported file, or in a site of them: unpacks its modules, and the recorded answers about the
+// run that is in the file, and runs them. Not a module itself: it stands in the file as it is.
 (async () => {
-  const unpacked = (node) => {
-    const bytes = Uint8Array.from(atob(node.textContent.trim()), (letter) => letter.charCodeAt(0));
-    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip')));
+  const unpacked = (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).text();
   };
+  const nodes = [...document.querySelectorAll('script[data-module]')];
+  const modules =
+    globalThis.continua_modules ??
+    Object.fromEntries(nodes.map((node) => [node.dataset.module, node.textContent.trim()]));
   const sources = new Map();
   const addresses = new Map();
-  for (const node of document.querySelectorAll('script[data-module]'))
-    sources.set(node.dataset.module, await unpacked(node).text());
+  for (const [path, packed] of Object.entries(modules)) sources.set(path, await unpacked(packed));
 
   // A module's own address, once those that it imports have theirs.
   const addressOf = (path) => {
@@ -24,16 +27,24 @@
     return addresses.get(path);
   };
 
-  try {
-    // One answer a line: the question, a tab, the answer as JSON.
+  // One answer a line: the question, a tab, the answer as JSON.
+  const answersIn = (text) => {
     const answers = new Map();
-    for (const line of (await unpacked(document.getElementById('answers')).text()).split('\n')) {
+    for (const line of text.split('\n')) {
       const tab = line.indexOf('\t');
       if (tab > 0) answers.set(line.slice(0, tab), line.slice(tab + 1));
     }
+    return answers;
+  };
+
+  try {
+    const inside = document.getElementById('answers');
+    const answers = inside && answersIn(await unpacked(inside.textContent.trim()));
     globalThis.continua_recorded = {
-      answers,
-      start: JSON.parse(answers.get('start')),
+      answers, // null in a site: it has files of them
+      answersIn,
+      unpacked,
+      start: answers ? JSON.parse(answers.get('start')) : '/',
       icon: document.querySelector('link[rel=icon]').href,
     };
     await import(addressOf('/main.js'));

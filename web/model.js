@@ -115,7 +115,9 @@ const write_ms = 250; // the address is rewritten at most this often
 // The address of an exported page, wherever it lies, has no place for all this but behind its '#'.
 const recorded = globalThis.continua_recorded;
 const here = () => (recorded ? location.hash.slice(1) || recorded.start : location.href);
-const there = (address) => (recorded ? `#${address}` : address);
+
+/** The link to an address as of formatAddress(). */
+export const linkTo = (address) => (recorded ? `#${address}` : address);
 
 export class Model {
   #listener;
@@ -146,7 +148,7 @@ export class Model {
     const now = performance.now();
     if (how === 'jump' || (how === 'step' && now - this.#last_step > quiet_ms)) {
       this.#flush(formatAddress(before));
-      history.pushState(null, '', there(address));
+      history.pushState(null, '', linkTo(address));
     } else if (!this.#timer) {
       this.#timer = setTimeout(() => this.#flush(formatAddress(this.selection)), write_ms);
     }
@@ -166,12 +168,12 @@ export class Model {
   /** Fills in what the address left open, without a trace in the history. */
   settle(change) {
     this.selection = {...this.selection, ...change};
-    history.replaceState(null, '', there(formatAddress(this.selection)));
+    history.replaceState(null, '', linkTo(formatAddress(this.selection)));
   }
 
   #flush(address) {
     clearTimeout(this.#timer);
-    if (this.#timer) history.replaceState(null, '', there(address));
+    if (this.#timer) history.replaceState(null, '', linkTo(address));
     this.#timer = 0;
   }
 }

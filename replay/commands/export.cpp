@@ -15,6 +15,7 @@
 #include "continua/replay/export/graph_svg.h"
 #include "continua/replay/export/json.h"
 #include "continua/replay/inspector/page_file.h"
+#include "continua/replay/inspector/site_files.h"
 #include "continua/replay/log/log_file.h"
 #include "continua/replay/terminal/progress.h"
 
@@ -50,6 +51,8 @@ Outcome export_log(const RunIndex& run, std::ostream& out) {
   return read_pieces(**log, run.path(), [&](std::string_view piece) { out << piece; });
 }
 
+constexpr auto site_format = "site";  // of many runs: its row has no function
+
 // An exporter is a function and a row.
 struct Exporter {
   const char* format;
@@ -70,19 +73,20 @@ constexpr std::array exporters = {
     Exporter{"textgrid", "annotations for Praat", nullptr, textgrid_of},
     Exporter{"vtt", "words and gestures as subtitles, WebVTT", nullptr, vtt_of},
     Exporter{"srt", "the same as SubRip", nullptr, srt_of},
+    Exporter{site_format, "the inspector with many runs in it, a folder of files that opens offline", nullptr},
 };
 
 Outcome export_annotations(const Exporter& exporter, const ExportOptions& options, std::ostream& out) {
-  const auto annotations = annotations_of_file(options.run, options.media);
+  const auto annotations = annotations_of_file(options.runs.front(), options.media);
   if (!annotations) return annotations.error();
   out << exporter.annotate(*annotations);
-  return out ? Outcome() : Error{options.run, "the export could not be written"};
+  return out ? Outcome() : Error{options.runs.front(), "the export could not be written"};
 }
 
 Outcome export_run(const Exporter& exporter, const ExportOptions& options, std::ostream& out) {
-  if (is_trace_file(options.run))
-    return Error{options.run, "found a trace; expected a run log, or --to eaf, textgrid, vtt or srt"};
-  const auto run = RunIndex::open(options.run);
+  if (is_trace_file(options.runs.front()))
+    return Error{options.runs.front(), "found a trace; expected a run log, or --to eaf, textgrid, vtt or srt"};
+  const auto run = RunIndex::open(options.runs.front());
   if (!run) return run.error();
   return exporter.write(*run, out);
 }
@@ -92,24 +96,46 @@ Outcome write(const Exporter& exporter, const ExportOptions& options, std::ostre
 }
 
 Outcome written(const Exporter& exporter, const ExportOptions& options) {
-  if (auto problem = not_an_input(options.output, {options.run})) return problem;
+  if (auto problem = not_an_input(options.output, {options.runs.front()})) return problem;
   ReplacedFile file(options.output);
   if (auto problem = write(exporter, options, file.stream())) return problem;
   return file.commit();
 }
 
+Outcome written_site(const ExportOptions& options) {
+  if (options.output == "-") return Error{"-o", "is missing; expected a folder for the site"};
+  SiteRequest request{options.runs};
+  for (std::size_t i = 0; i + 1 < options.pairs.size(); i += 2)
+    request.pairs.push_back({options.pairs[i], options.pairs[i + 1]});
+  Progress progress(1);
+  const auto written = write_site(request, options.output, [&](double done) { progress.show(0, done); });
+  progress.clear();
+  if (!written) return written.error();
+  fmt::print("{}, {} -> {}\n", counted(written->runs, "run"), counted(written->comparisons, "comparison"),
+             printable_line(options.output + "/index.html"));
+  return std::nullopt;
+}
+
+Outcome exported(const ExportOptions& options) {
+  if (options.format == site_format) return written_site(options);
+  if (options.runs.size() != 1)
+    return Error{options.runs[1], "found a second run; expected one, or --to site"};
+  if (!options.pairs.empty()) return Error{"--compare", "is of --to site alone"};
+  const auto exporter =
+      std::find_if(exporters.begin(), exporters.end(), [&](const auto& one) { return one.format == options.format; });
+  return options.output == "-" ? write(*exporter, options, std::cout) : written(*exporter, options);
+}
+
 }  // namespace
 
 int run_export(const ExportOptions& options) {
-  const auto exporter =
-      std::find_if(exporters.begin(), exporters.end(), [&](const auto& one) { return one.format == options.format; });
-  const auto problem = options.output == "-" ? write(*exporter, options, std::cout) : written(*exporter, options);
+  const auto problem = exported(options);
   if (problem) return report(*problem), exit_impossible;
   return exit_done;
 }
 
 void describe_export(CLI::App& command, ExportOptions& options) {
-  command.add_option("RUN", options.run, "a run log (.run.jsonl, .run.jsonl.gz); for annotations also a trace")
+  command.add_option("RUN", options.runs, "a run log (.run.jsonl, .run.jsonl.gz); for annotations also a trace; for a site run logs, or folders of them")
       ->required();
   std::vector<std::string> formats;
   std::string described;
@@ -118,9 +144,15 @@ void describe_export(CLI::App& command, ExportOptions& options) {
     described += std::string(described.empty() ? "" : "; ") + one.format + ": " + one.what;
   }
   command.add_option("--to", options.format, described)->required()->check(CLI::IsMember(formats));
-  command.add_option("-o,--output", options.output, "a file, or '-'");
+  command.add_option("-o,--output", options.output, "a file, or '-'; of a site a folder");
   command.add_option("--media", options.media,
-                     "recordings that the annotations are about, for ELAN; also several times");
+                     "recordings that the annotations are about, for ELAN; also several times")
+      ->allow_extra_args(false);
+  command
+      .add_option("--compare", options.pairs,
+                  "A B: two runs that a site compares, also several times; if left out, each run with the next of the "
+                  "same trace, in order of names")
+      ->type_size(2);
   command.footer(
       "Examples: continua export talk.run.jsonl --to json -o talk.json\n"
       "          continua export talk.run.jsonl --to svg -o talk.svg\n"
@@ -128,7 +160,8 @@ void describe_export(CLI::App& command, ExportOptions& options) {
       "          continua export talk.run.jsonl --to chrome -o talk.trace.json\n"
       "          continua export runs/talk.run.jsonl --to jsonl -o talk.run.jsonl\n"
       "          continua export talk.run.jsonl --to html -o talk.html\n"
-      "          continua export talk.run.jsonl --to eaf --media talk.mp4 -o talk.eaf");
+      "          continua export talk.run.jsonl --to eaf --media talk.mp4 -o talk.eaf\n"
+      "          continua export runs --to site -o site");
 }
 
 }  // namespace continua

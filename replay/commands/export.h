@@ -1,4 +1,4 @@
-// continua export: a run, or a trace, in another format.
+// continua export: a run, or a trace, in another format; many runs as a site.
 #pragma once
 
 #include <string>
@@ -9,9 +9,11 @@
 namespace continua {
 
 struct ExportOptions {
-  std::string run, format;
+  std::vector<std::string> runs;  ///< one, except for a site
+  std::string format;
   std::string output = "-";
   std::vector<std::string> media = {};  ///< recordings that annotations link
+  std::vector<std::string> pairs = {};  ///< of a site: runs to be compared, the first with the second, and so on
 };
 
 int run_export(const ExportOptions& options);

@@ -1,6 +1,7 @@
 // Asks for the run to compare the shown run with: runs of the same trace first.
 import {h, clock, dialog} from '../dom.js';
-import {fetchRuns, served} from '../run/run_client.js';
+import {pairOf} from '../run/pairs.js';
+import {fetchRuns, listed} from '../run/run_client.js';
 
 const most_shown = 100;
 
@@ -21,12 +22,13 @@ export function compareDialog({id, cursor, model}) {
     list,
     h('form', {method: 'dialog'}, h('button', {}, 'Close')),
   );
+  let own = null; // the run that is shown, and those that it can be compared with
   let runs = [];
 
   const ofSameTrace = (run) => run.trace === cursor.data.summary.trace;
   function choose(run) {
     element.close();
-    model.open(id, run.id);
+    model.open(...pairOf(own, run));
   }
   const choice = (run) =>
     h(
@@ -47,9 +49,11 @@ export function compareDialog({id, cursor, model}) {
   return {
     element,
     async open() {
-      if (!served) return;
+      if (!listed) return;
       element.showModal();
-      const others = (await fetchRuns()).filter((run) => run.id !== id && !run.error && !run.pending);
+      const all = await fetchRuns();
+      own = all.find((run) => run.id === id);
+      const others = all.filter((run) => run.id !== id && !run.error && !run.pending && pairOf(own, run));
       runs = others.sort((a, b) => ofSameTrace(b) - ofSameTrace(a));
       draw();
       filter.focus();

@@ -1,7 +1,8 @@
 // The top line: the run and how it went, where the cursor stands, and the buttons.
 import {h, s, brief, icon, counted, grouped, seconds} from '../dom.js';
 import {copyLink} from '../announce.js';
-import {served} from '../run/run_client.js';
+import {linkTo} from '../model.js';
+import {listed, served} from '../run/run_client.js';
 import {toggleTheme} from '../theme.js';
 
 const icons = {
@@ -50,12 +51,12 @@ export function mountHeader(host, page, dialogs) {
   });
   const home = h(
     'a',
-    {class: 'brand', href: '/', title: 'All runs'},
+    {class: 'brand', href: linkTo('/'), title: 'All runs'},
     h('img', {src: icon(), alt: 'All runs', width: 22, height: 22}),
   );
   home.addEventListener('click', (event) => {
     event.preventDefault();
-    if (served) model.open(null);
+    if (listed) model.open(null);
   });
   host.replaceChildren(
     home,
@@ -120,7 +121,7 @@ function tools(dialogs, comparison) {
   return h(
     'div',
     {class: 'transport'},
-    served && opens('compare', 'Compare with another run (C)', 'Compare', 'compare'),
+    listed && opens('compare', 'Compare with another run (C)', 'Compare', 'compare'),
     served && !comparison && opens('what_if', 'What if? (X)', 'What if', 'what-if-open'),
     linked,
     button('Light or dark (T)', sign('theme'), toggleTheme, {'data-testid': 'theme'}),

@@ -1,8 +1,11 @@
 // The start page: all runs, the newest first, a search, and the choice of two to compare.
 import {h, clock, icon, counted, grouped} from '../dom.js';
-import {fetchRuns, pictureOf} from '../run/run_client.js';
+import {formatAddress, fresh, linkTo} from '../model.js';
+import {pairOf} from '../run/pairs.js';
+import {fetchRuns, fetchWords, pictureOf, served} from '../run/run_client.js';
 import {fetchSessions} from '../talk/session_client.js';
 import {toggleTheme} from '../theme.js';
+import {comparisonsOf, linesFound, linesWith} from './start_site.js';
 
 const again_ms = 1500; // while runs are being read, or written
 const at_most = 200; // lines in the page; the rest is found by searching
@@ -16,6 +19,7 @@ export class StartPage {
   #host;
   #model;
   #runs = null; // null before they are known
+  #words = null; // of a site: what was said, shown and done in each run
   #sessions = new Map(); // run -> the live session that writes it
   #chosen = []; // ids of at most two runs
   #pictures = new Pictures();
@@ -38,7 +42,7 @@ export class StartPage {
       class: 'primary',
       disabled: true,
       'data-testid': 'compare-chosen',
-      onclick: () => this.#model.open(...this.#chosen),
+      onclick: () => this.#model.open(...this.#pair()),
     },
     'Compare',
   );
@@ -55,6 +59,7 @@ export class StartPage {
   );
   #hint = h('span', {class: 'muted', role: 'status'});
   #rows = h('tbody', {});
+  #comparisons = h('div', {});
   #table = h('div', {class: 'table', role: 'region', 'aria-label': 'Runs', tabindex: 0, hidden: true});
 
   constructor(host, model) {
@@ -72,7 +77,7 @@ export class StartPage {
     const logo = h('img', {src: icon(), alt: '', width: 28, height: 28});
     const tools = h('div', {class: 'tools'}, this.#search, this.#compare, this.#hint);
     const title = h('h1', {}, logo, 'Continua', this.#record);
-    this.#host.replaceChildren(h('main', {class: 'start'}, title, this.#lead, tools, this.#table));
+    this.#host.replaceChildren(h('main', {class: 'start'}, title, this.#lead, tools, this.#table, this.#comparisons));
   }
 
   async load() {
@@ -80,9 +85,12 @@ export class StartPage {
     await this.#read();
   }
   async #read() {
-    const [runs, live] = await Promise.all([fetchRuns(), fetchSessions().catch(() => null)]);
+    const sessions = served ? fetchSessions().catch(() => null) : null;
+    const [runs, words, live] = await Promise.all([fetchRuns(), fetchWords(), sessions]);
     if (this.#closed) return;
     this.#runs = runs;
+    this.#words = words;
+    this.#comparisons.replaceChildren(comparisonsOf(runs) ?? '');
     this.#record.hidden = !live;
     this.#sessions = new Map((live?.sessions ?? []).filter((one) => one.live).map((one) => [one.run, one.id]));
     this.render();
@@ -106,22 +114,26 @@ export class StartPage {
     const {search} = this.#model.selection;
     const words = search.toLowerCase().split(/\s+/).filter(Boolean);
     if (this.#search.value !== search) this.#search.value = search;
-    const found = this.#runs.filter((run) => words.every((word) => searched(run).includes(word)));
+    const found = this.#runs.filter(
+      (run) => words.every((word) => searched(run).includes(word)) || this.#lines(run, words).length,
+    );
     const shown = found.slice(0, at_most);
     const all = this.#runs.length;
     this.#lead.replaceChildren(...leadWords(all));
     this.#table.hidden = !found.length;
     this.#search.parentElement.hidden = !all;
-    this.#rows.replaceChildren(...shown.map((run) => this.#row(run)));
+    this.#rows.replaceChildren(...shown.map((run) => this.#row(run, words)));
     const rest = found.length > at_most ? `, the first ${at_most} shown` : '';
     this.#hint.textContent = words.length || rest ? `${grouped(found.length)} of ${grouped(all)}${rest}` : '';
     this.#showChosen();
   }
 
-  #row(run) {
+  #lines = (run, words) => linesWith(this.#words?.[run.id] ?? [], words);
+
+  #row(run, words) {
     const readable = !run.error && !run.pending;
     const address = pictureOf(run.id, pictureTime(run), '192x108');
-    const picture = readable && run.drawable ? this.#pictures.picture(address) : null;
+    const picture = served && readable && run.drawable ? this.#pictures.picture(address) : null;
     return h(
       'tr',
       {'data-testid': 'run'},
@@ -132,6 +144,7 @@ export class StartPage {
         {},
         readable ? this.#link(run) : h('span', {class: 'name'}, run.name),
         run.what_if_of && h('span', {class: 'badge'}, `what if of ${run.what_if_of}`),
+        linesFound(run, this.#lines(run, words)),
       ),
       run.error ? h('td', {colspan: 7, class: 'trouble'}, run.error.message) : this.#facts(run),
     );
@@ -152,7 +165,7 @@ export class StartPage {
     return box;
   }
   #link(run) {
-    const link = h('a', {class: 'name', href: `/r/${encodeURIComponent(run.id)}`}, run.name);
+    const link = h('a', {class: 'name', href: linkTo(formatAddress(fresh(run.id)))}, run.name);
     link.addEventListener('click', (event) => {
       if (event.ctrlKey || event.metaKey || event.shiftKey) return;
       event.preventDefault();
@@ -183,8 +196,15 @@ export class StartPage {
 
   #showChosen() {
     for (const box of this.#rows.querySelectorAll('input[type=checkbox]')) box.checked = this.#chosen.includes(box.run);
-    this.#compare.disabled = this.#chosen.length < 2;
-    this.#compare.textContent = this.#chosen.length === 1 ? 'Choose one more' : 'Compare';
+    const pair = this.#pair();
+    this.#compare.disabled = !pair;
+    this.#compare.textContent =
+      this.#chosen.length === 1 ? 'Choose one more' : pair || !this.#chosen.length ? 'Compare' : 'Not compared here';
+  }
+  /** The ids of the chosen two, if they can be compared. */
+  #pair() {
+    const [a, b] = this.#chosen.map((id) => this.#runs.find((run) => run.id === id));
+    return a && b ? pairOf(a, b) : null;
   }
 }
 

@@ -1,9 +1,11 @@
-// The server's addresses. An answer is JSON or bytes; an error carries a sentence for the reader. An exported page has
-// no server: it brings the answers along.
+// The server's addresses. An answer is JSON or bytes; an error carries a sentence for the reader. An exported page, or a
+// site of them, has no server: it brings the answers along.
 
 import {Recorded} from './recorded.js';
+import {Site} from './site.js';
 
-const recorded = globalThis.continua_recorded ? new Recorded(globalThis.continua_recorded) : null;
+const exported = globalThis.continua_recorded;
+const recorded = !exported ? null : exported.answers ? new Recorded(exported) : new Site(exported);
 
 // Requests made before this module was loaded; each answer is taken once.
 const early = globalThis.continua_early ?? new Map();
@@ -31,8 +33,12 @@ const run = (id) => `/api/runs/${encodeURIComponent(id)}`;
 
 /** Whether there is a server that can replay, save notes, and tell of runs that grow. */
 export const served = recorded === null;
+/** Whether there may be more than one run. */
+export const listed = !(recorded instanceof Recorded);
 
 export const fetchRuns = () => get('/api/runs').then((answer) => answer.runs);
+/** In a site: run -> [number of the record, what was said, shown or done][]; of a server null. */
+export const fetchWords = async () => (served ? null : get('/api/words'));
 export const fetchDiff = (a, b) => get(`/api/diff?a=${encodeURIComponent(a)}&b=${encodeURIComponent(b)}`);
 export const askWhatIf = (question) => send('POST', '/api/what-if', question);
 export const pictureOf = (id, t, size) => `${run(id)}/frame?t=${t}&size=${size}`;

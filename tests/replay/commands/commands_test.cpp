@@ -226,7 +226,7 @@ TEST_CASE("an export that fails leaves what was there") {
   const TemporaryFolder folder;
   const auto broken = folder.file("none.run.jsonl", "{\"kind\":\"run\",\"n\":0,\"t\":0,\"version\":1}\n");
   const auto old = folder.file("old.svg", "a picture");
-  CHECK(run_export({broken, "svg", old}) == exit_impossible);
+  CHECK(run_export({{broken}, "svg", old}) == exit_impossible);
   CHECK(std::filesystem::file_size(old) == 9);
   CHECK(!std::filesystem::exists(old + ".part"));
 }
@@ -234,10 +234,10 @@ TEST_CASE("an export that fails leaves what was there") {
 TEST_CASE("export draws what a run visited") {
   const TemporaryFolder folder;
   const auto run = folder.file("small.run.jsonl", small_log().text());
-  CHECK(run_export({run, "dot", folder.at("small.dot")}) == exit_done);
+  CHECK(run_export({{run}, "dot", folder.at("small.dot")}) == exit_done);
   CHECK(read_file(folder.at("small.dot")).value().find("1× d") != std::string::npos);
-  CHECK(run_export({run, "svg", folder.at("small.svg")}) == exit_done);
+  CHECK(run_export({{run}, "svg", folder.at("small.svg")}) == exit_done);
   CHECK(read_file(folder.at("small.svg")).value().find("1× d") != std::string::npos);
-  CHECK(run_export({folder.file("none.run.jsonl", "{\"kind\":\"run\",\"n\":0,\"t\":0,\"version\":1}\n"), "svg", "-"}) ==
+  CHECK(run_export({{folder.file("none.run.jsonl", "{\"kind\":\"run\",\"n\":0,\"t\":0,\"version\":1}\n")}, "svg", "-"}) ==
         exit_impossible);
 }

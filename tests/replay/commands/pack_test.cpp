@@ -56,7 +56,7 @@ TEST_CASE("replays into a folder keep their documents once; packing and unpackin
     CHECK(lean.at(name).size() * 2 < text.size());
     CHECK(read_run_log(replayed.lean + "/" + name).value() == text);
   }
-  CHECK(run_export({replayed.lean + "/a.run.jsonl", "jsonl", replayed.folder.at("x.jsonl")}) == exit_done);
+  CHECK(run_export({{replayed.lean + "/a.run.jsonl"}, "jsonl", replayed.folder.at("x.jsonl")}) == exit_done);
   CHECK(read_file(replayed.folder.at("x.jsonl")).value() == whole.at("a.run.jsonl"));
 
   CHECK(run_pack({{replayed.lean}, true, std::nullopt}) == exit_done);
