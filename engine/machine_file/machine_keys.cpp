@@ -18,6 +18,7 @@ constexpr KindOfObject kinds[] = {
      "slots bottom memory inputs define wordings beliefs states transitions implied examples"},
     {"fusion", "before after lateness pause together"},
     {"a context", "focus among topic handled shown_things shown_places"},
+    {"a move", "move inputs about"},
     {"confidences", "confirm ignore about"},
     {"the fading of looks", "half_life least about"},
     {"a parameter", "value until about"},

@@ -122,12 +122,24 @@ class MachineReader {
     machine_.perspective = root_.member("perspective").one_of({"human", "avatar"}).value_or("");
   }
 
+  void read_moves(const Item& moves) {
+    if (!moves.is_list()) {
+      for (const auto& [name, inputs] : moves.members("moves and their inputs"))
+        machine_.moves.push_back({name, symbols_.symbols(inputs)});
+      return;
+    }
+    for (const auto& item : moves.elements("moves")) {
+      if (!expect_kind(item, "a move")) continue;
+      auto name = item.required("move", "the name of a move").name("the name of a move");
+      machine_.moves.push_back({std::move(name), symbols_.symbols(item.required("inputs", "the inputs of the move"))});
+    }
+  }
+
   void read_perception() {
     machine_.gestures = root_.member("gestures").name("the name of a gesture catalogue");
     machine_.fusion = read_fusion(root_.member("fusion"));
     machine_.context = read_context(root_.member("context"), !machine_.lexicon.empty(), terms_);
-    for (const auto& [name, inputs] : root_.member("moves").members("moves and their inputs"))
-      machine_.moves.push_back({name, symbols_.symbols(inputs)});
+    read_moves(root_.member("moves"));
     if (const auto ignored = root_.member("ignore"); ignored.exists()) machine_.ignored = symbols_.symbols(ignored);
     symbols_.add_known({"gaze", "interim"});
     machine_.confidence = read_confidence(root_.member("confidence"), symbols_);

@@ -156,8 +156,6 @@ Result<std::size_t> asked_record(const RunIndex& run, const ExplainQuestion& que
 Result<Json> explain(const RunIndex& run, std::size_t n) {
   const auto record = run.record(n);
   if (!record) return record.error();
-  const auto header = run.record(0);
-  if (!header) return header.error();
   auto about = n;
   if (log::is<log::Expect>(run.kind(n))) about = held_against(run, n);
   if (log::is<log::Act>(run.kind(n)))
@@ -177,9 +175,9 @@ Result<Json> explain(const RunIndex& run, std::size_t n) {
   auto& chain = told["chain"] = Json::array();
   for (const auto at : own.chain()) chain.push_back(brief_json(own, at));
   told["inputs"] = explained_inputs(scope);
-  const auto& graph = member_of(*header, "graph");
+  const auto graph = header_member(run, "graph");
   told["steps"] = explained_steps(scope, graph);
-  told["choice"] = member_of(*header, "choice");
+  told["choice"] = header_member(run, "choice");
   told["refused"] = log::is<log::Refusal>(run.kind(about)) ? explained_refusals(scope.record(about), graph) : Json();
   auto stack = explained_stack(scope);
   if (!stack) return stack.error();

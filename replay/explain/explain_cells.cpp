@@ -34,8 +34,7 @@ struct Cell {
 class Cells {
  public:
   explicit Cells(ExplainScope& scope) : scope_(scope), run_(scope.run()), marks_(run_.stack_marks()) {
-    const auto header = run_.record(0);
-    if (header) conditions_of(member_of(*header, "graph"));
+    conditions_of(header_member(run_, "graph"));
     if (run_.size() > 1 && log::is<log::Symbol>(run_.kind(1)))
       if (const auto& id = member_of(scope_.record(1), "id"); id.is_number_integer()) first_ = id.get<std::int64_t>();
   }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "continua/replay/log/kinds.h"
+#include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_sources.h"
 
@@ -85,6 +86,14 @@ std::vector<std::size_t> record_numbers(const Json& object, const char* key, std
   for (const auto& one : list)
     if (one.is_number_unsigned() && one.get<std::size_t>() < before) numbers.push_back(one.get<std::size_t>());
   return numbers;
+}
+
+Json header_member(const RunIndex& run, std::string_view name) {
+  const auto line = run.line(0);
+  const auto member = line ? member_in(*line, name) : std::string_view();
+  if (member.empty()) return nullptr;
+  const auto value = parse_json_line(member, run.path(), 1);
+  return value ? *value : Json();
 }
 
 std::string time_text(double seconds) {
