@@ -1,16 +1,19 @@
 #!/usr/bin/env bash
-# Executes tour.ipynb with the module of a build tree, and keeps it as tour.html: make.sh BUILD. Needs Debian's
-# python3-nbconvert and python3-ipykernel, which no test does.
+# Executes the notebooks with the module and the program of a build tree, and keeps each as a page: make.sh BUILD. Needs
+# Debian's python3-nbconvert and python3-ipykernel, which no test does. pilot.ipynb also needs the recordings of the
+# pilot study (CONTINUA_PILOT, a folder), and is left as it is without.
 set -euo pipefail
 build=$(cd "$1" && pwd)
 cd "$(dirname "$0")"
-{
-  cat << 'END'
+
+page() {  # NAME TITLE
+  {
+    cat << END
 <!doctype html>
 <html lang="en">
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>A conversation with an avatar, replayed and questioned</title>
+<title>$2</title>
 <style>
   body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font: 16px/1.5 sans-serif; color-scheme: light dark; }
   pre { font: 13px/1.4 monospace; overflow-x: auto; }
@@ -22,7 +25,13 @@ cd "$(dirname "$0")"
 </style>
 <body>
 END
-  PYDEVD_DISABLE_FILE_VALIDATION=1 PYTHONPATH=$build/python /usr/bin/python3 -m nbconvert --to html --template basic --execute --stdout --log-level ERROR tour.ipynb
-  echo '</body></html>'
-} > tour.html.new
-mv tour.html.new tour.html
+    PATH=$build:$PATH PYDEVD_DISABLE_FILE_VALIDATION=1 PYTHONPATH=$build/python /usr/bin/python3 -m nbconvert --to html --template basic --execute --stdout --log-level ERROR "$1.ipynb"
+    echo '</body></html>'
+  } > "$1.html.new"
+  mv "$1.html.new" "$1.html"
+}
+
+page tour "A conversation with an avatar, replayed and questioned"
+if [ -n "${CONTINUA_PILOT:-}" ]; then
+  page pilot "Three figures of a pilot study, from tables"
+fi

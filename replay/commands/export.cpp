@@ -118,8 +118,7 @@ Outcome written_site(const ExportOptions& options) {
 
 Outcome exported(const ExportOptions& options) {
   if (options.format == site_format) return written_site(options);
-  if (options.runs.size() != 1)
-    return Error{options.runs[1], "found a second run; expected one, or --to site"};
+  if (options.runs.size() != 1) return Error{options.runs[1], "found a second run; expected one, or --to site"};
   if (!options.pairs.empty()) return Error{"--compare", "is of --to site alone"};
   const auto exporter =
       std::find_if(exporters.begin(), exporters.end(), [&](const auto& one) { return one.format == options.format; });
@@ -135,7 +134,10 @@ int run_export(const ExportOptions& options) {
 }
 
 void describe_export(CLI::App& command, ExportOptions& options) {
-  command.add_option("RUN", options.runs, "a run log (.run.jsonl, .run.jsonl.gz); for annotations also a trace; for a site run logs, or folders of them")
+  command
+      .add_option("RUN", options.runs,
+                  "a run log (.run.jsonl, .run.jsonl.gz); for annotations also a trace; for a site run logs, or "
+                  "folders of them")
       ->required();
   std::vector<std::string> formats;
   std::string described;
@@ -145,8 +147,8 @@ void describe_export(CLI::App& command, ExportOptions& options) {
   }
   command.add_option("--to", options.format, described)->required()->check(CLI::IsMember(formats));
   command.add_option("-o,--output", options.output, "a file, or '-'; of a site a folder");
-  command.add_option("--media", options.media,
-                     "recordings that the annotations are about, for ELAN; also several times")
+  command
+      .add_option("--media", options.media, "recordings that the annotations are about, for ELAN; also several times")
       ->allow_extra_args(false);
   command
       .add_option("--compare", options.pairs,

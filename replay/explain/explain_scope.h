@@ -52,8 +52,8 @@ class ExplainScope {
 /// The numbers of records that a member lists, without those that are no record before `before`.
 std::vector<std::size_t> record_numbers(const Json& object, const char* key, std::size_t before);
 
-/// A member of the log's header, null where it has none. The header carries the whole machine, so that reading all of it
-/// takes most of the time of an explanation.
+/// A member of the log's header, null where it has none. The header carries the whole machine, so that reading all of
+/// it takes most of the time of an explanation.
 Json header_member(const RunIndex& run, std::string_view name);
 
 /// "5.05 s".

@@ -46,13 +46,15 @@ Outcome write_page(const std::string& run_path, std::ostream& out, const std::fu
       << "' blob:; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">\n"
       << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       << "<title>" << in_html(id) << " – Continua</title>\n"
-      << "<link rel=\"icon\" href=\"data:image/svg+xml;base64," << base64(gunzipped(page_asset("/icon.svg").gzip)) << "\">\n"
+      << "<link rel=\"icon\" href=\"data:image/svg+xml;base64," << base64(gunzipped(page_asset("/icon.svg").gzip))
+      << "\">\n"
       << "<style>" << style << "</style>\n</head>\n<body>\n"
       << page_body;
   for (const auto& one : web_assets())
     if (is_page_module(one))
       out << "<script type=\"text/plain\" data-module=\"" << one.path << "\">" << base64(one.gzip) << "</script>\n";
-  out << "<script type=\"text/plain\" id=\"answers\">" << packed(answer_line("start", compact(Json("/r/" + id))) + *answers) << "</script>\n"
+  out << "<script type=\"text/plain\" id=\"answers\">"
+      << packed(answer_line("start", compact(Json("/r/" + id))) + *answers) << "</script>\n"
       << "<script>" << starter << "</script>\n</body>\n</html>\n";
   return std::nullopt;
 }

@@ -10,8 +10,8 @@
 namespace continua {
 
 /// Writes the page as HTML: its modules, its style, and the inspector's answers about the run (run_answers.h), all
-/// compressed. Its policy lets it load and send nothing. `progress` is called with the part that is done. Errors: the log cannot be read, or is too long for
-/// one file.
+/// compressed. Its policy lets it load and send nothing. `progress` is called with the part that is done. Errors: the
+/// log cannot be read, or is too long for one file.
 Outcome write_page(const std::string& run_path, std::ostream& out,
                    const std::function<void(double done)>& progress = {});
 

@@ -111,7 +111,8 @@ class Site {
         const auto found = std::find_if(files_.begin(), files_.end(), [&](const RunFile& file) {
           return file.path == given[side] || file.name == given[side] || file.id == given[side];
         });
-        if (found == files_.end()) return Error{given[side], "is none of the runs of the site; expected a path or a name"};
+        if (found == files_.end())
+          return Error{given[side], "is none of the runs of the site; expected a path or a name"};
         ids[side] = found->id;
       }
       pairs.push_back(ids);
@@ -218,8 +219,8 @@ class Site {
       if (!line.contains("compared")) line["compared"] = Json::array();
       runs.push_back(line);
     }
-    for (const auto& [name, content] : {std::pair("runs", Json{{"runs", std::move(runs)}}),
-                                        std::pair("words", words_), std::pair("schema", log::schema_json())})
+    for (const auto& [name, content] : {std::pair("runs", Json{{"runs", std::move(runs)}}), std::pair("words", words_),
+                                        std::pair("schema", log::schema_json())})
       if (const auto problem = put(name, compact(content))) return problem;
     return std::nullopt;
   }

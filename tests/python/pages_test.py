@@ -53,6 +53,14 @@ def test_the_tour_prints_what_it_says(root, monkeypatch):
                                               for example, got in examples.others)
 
 
+def test_the_kept_pilot_notebook_shows_three_figures(root):
+    kept = (root / "docs/notebook/pilot.html").read_text()
+    assert re.findall(r'<svg[^>]*aria-label="([^"]*)"', kept) == [
+        "The inputs refused most often", "Seconds from the end of an act to the asking of the next",
+        "Questions for each act, by session"]
+    assert not re.search(r"/(home|root|tmp|work)/", kept), "paths of the machine that it was made on"
+
+
 def test_the_notebook_runs(root, monkeypatch):
     pytest.importorskip("continua._engine")
     pytest.importorskip("pandas")
@@ -65,10 +73,12 @@ def test_the_notebook_runs(root, monkeypatch):
     assert cells
 
 
-def test_the_kept_notebook_is_of_the_same_cells(root):
-    shown = html.unescape(re.sub(r"<[^>]+>", "", (root / "docs/notebook/tour.html").read_text()))
-    assert (root / "docs/notebook/tour.html").stat().st_size < 200_000
-    for cell in json.loads((root / "docs/notebook/tour.ipynb").read_text())["cells"]:
+@pytest.mark.parametrize("name", ["tour", "pilot"])
+def test_the_kept_notebook_is_of_the_same_cells(root, name):
+    kept = (root / f"docs/notebook/{name}.html").read_text()
+    shown = html.unescape(re.sub(r"<[^>]+>", "", kept))
+    assert len(kept.encode()) < 200_000
+    for cell in json.loads((root / f"docs/notebook/{name}.ipynb").read_text())["cells"]:
         if cell["cell_type"] == "code":
             for line in "".join(cell["source"]).splitlines():
                 assert line in shown, line

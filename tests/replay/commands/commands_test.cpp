@@ -238,6 +238,7 @@ TEST_CASE("export draws what a run visited") {
   CHECK(read_file(folder.at("small.dot")).value().find("1× d") != std::string::npos);
   CHECK(run_export({{run}, "svg", folder.at("small.svg")}) == exit_done);
   CHECK(read_file(folder.at("small.svg")).value().find("1× d") != std::string::npos);
-  CHECK(run_export({{folder.file("none.run.jsonl", "{\"kind\":\"run\",\"n\":0,\"t\":0,\"version\":1}\n")}, "svg", "-"}) ==
-        exit_impossible);
+  CHECK(
+      run_export({{folder.file("none.run.jsonl", "{\"kind\":\"run\",\"n\":0,\"t\":0,\"version\":1}\n")}, "svg", "-"}) ==
+      exit_impossible);
 }
