@@ -69,12 +69,12 @@ TEST_CASE("moves are the members of an object, or a list where names differ only
   const auto moves_of = [&](const std::string& moves) {
     std::string told;
     for (const auto& move : with(moves).value().moves)
-      told += move.name + " " + std::to_string(move.inputs.size()) + ";";
+      told += move.name + " " + std::to_string(move.inputs.names.size()) + ";";
     return told;
   };
   CHECK(moves_of(R"([{"move":"N","inputs":["x","y"]},{"move":"n","inputs":"y","about":"no"}])") == "N 2;n 1;");
   CHECK(moves_of(R"({"N":["x","y"],"n":"y"})") == "N 2;n 1;");
   CHECK(with(R"([{"move":"N"}])").error().text() ==
-        "m.json:1:53: there is no \"inputs\"; expected the inputs of the move");
-  CHECK(with(R"(["N"])").error().sentence == "found \"N\", expected a move, an object");
+        "m.json:1:46: there is no \"inputs\"; expected the inputs of the move");
+  CHECK(with(R"(["N"])").error().sentence == "found 'N', expected a move, an object");
 }
