@@ -3,7 +3,7 @@
 const asked = (globalThis.continua_early = new Map());
 const ask = (path) => asked.set(path, fetch(path));
 const of_run = (id) => {
-  for (const view of ['', '/graph', '/columns']) ask(`/api/runs/${id}${view}`);
+  for (const view of ['', '/graph', '/columns', '/media']) ask(`/api/runs/${id}${view}`);
 };
 const [, kind, a, b] = /^\/(r|diff)\/([^/]+)(?:\/([^/]+))?\/?$/.exec(location.pathname) ?? [];
 if (kind === 'r') of_run(a);

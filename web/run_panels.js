@@ -15,6 +15,7 @@ import {mountLanes} from './panels/lanes.js';
 import {mountRecords} from './panels/records.js';
 import {mountWhy} from './panels/why.js';
 import {hasBranches, mountBranches} from './panels/branches.js';
+import {mountMedia} from './panels/media.js';
 import {mountNotes} from './panels/notes.js';
 import {mountDifferences} from './panels/differences.js';
 import {keepMarked, otherSide} from './panels/side_by_side.js';
@@ -54,6 +55,7 @@ function mountAll(page, before) {
     why: mountWhy({data, client, jump}),
     records: mountRecords({data, client, model, cursor}),
     notes: before?.parts.notes ?? mountNotes({client, cursor, marked: (spans) => page.parts?.lanes.showNotes(spans)}),
+    ...(data.media.length && {media: mountMedia({media: data.media, cursor})}),
     ...(hasBranches(data) && {branches: mountBranches({client, model})}),
     ...(comparison && {differences: mountDifferences({comparison, model, jump, copy})}),
   };
@@ -85,7 +87,7 @@ const inTabs = ({comparison}, parts) =>
   [
     ...(comparison ? ['differences', 'derivation', 'derivation_b'] : []),
     ...['why', 'records', 'notes'],
-    ...(parts.branches ? ['branches'] : []),
+    ...['media', 'branches'].filter((name) => parts[name]),
   ].map((name) => parts[name].element);
 
 function placed({comparison}, parts, more) {

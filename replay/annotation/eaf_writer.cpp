@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
 
 #include "continua/replay/annotation/eaf.h"
+#include "continua/replay/media/media_file.h"
 
 namespace continua {
 namespace {
@@ -18,14 +18,6 @@ constexpr const char* schema = "http://www.mpi.nl/tools/elan/EAFv3.0.xsd";
 std::string date_of(const std::string& recorded) {
   constexpr std::string_view unknown = "1970-01-01T00:00:00";
   return recorded + std::string(unknown.substr(std::min(recorded.size(), unknown.size())));
-}
-
-std::string mime_type_of(const std::string& file) {
-  static const std::map<std::string, std::string> types = {
-      {".mp4", "video/mp4"},   {".webm", "video/webm"}, {".mov", "video/quicktime"}, {".mpg", "video/mpeg"},
-      {".wav", "audio/x-wav"}, {".mp3", "audio/mpeg"},  {".ogg", "audio/ogg"},       {".m4a", "audio/mp4"}};
-  const auto found = types.find(std::filesystem::path(file).extension().string());
-  return found == types.end() ? "unknown" : found->second;
 }
 
 // A path as an address: bytes that an address may not have are told by their numbers.
@@ -79,7 +71,8 @@ class EafWriter {
       const bool absolute = address.starts_with('/');
       auto element = header.append_child("MEDIA_DESCRIPTOR");
       element.append_attribute("MEDIA_URL") = ((absolute ? "file://" : "./") + address).c_str();
-      element.append_attribute("MIME_TYPE") = mime_type_of(media.file).c_str();
+      const auto type = media_type(media.file);
+      element.append_attribute("MIME_TYPE") = type.empty() ? "unknown" : type.c_str();
       if (!absolute) element.append_attribute("RELATIVE_MEDIA_URL") = ("./" + address).c_str();
       if (const auto origin = std::llround(media.offset_s * 1000); origin != 0)
         element.append_attribute("TIME_ORIGIN") = static_cast<long long>(origin);

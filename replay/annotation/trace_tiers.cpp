@@ -1,7 +1,7 @@
 // Traces as annotations.
 #include "continua/replay/annotation/event_tiers.h"
 #include "continua/replay/annotation/run_tiers.h"
-#include "continua/replay/log/run_brief.h"
+#include "continua/replay/media/media_file.h"
 #include "continua/replay/trace/trace_event.h"
 
 namespace continua {
@@ -9,13 +9,7 @@ namespace {
 
 std::vector<Media> media_of(const Json& header) {
   std::vector<Media> media;
-  const auto& listed = member_of(header, "media");
-  if (!listed.is_array()) return media;
-  for (const auto& one : listed) {
-    const auto& offset = member_of(one, "offset");
-    if (const auto file = text_of(one, "file"); !file.empty())
-      media.push_back({file, offset.is_number() ? offset.get<double>() : 0});
-  }
+  for (const auto& one : media_in(header)) media.push_back({one.file, one.offset_s});
   return media;
 }
 

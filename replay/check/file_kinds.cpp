@@ -20,6 +20,7 @@
 #include "continua/replay/log/log_file.h"
 #include "continua/replay/log/run_index.h"
 #include "continua/replay/log/run_integrity.h"
+#include "continua/replay/media/media_file.h"
 #include "continua/replay/session/live_setup.h"
 #include "continua/replay/session/scene_voxemes.h"
 #include "continua/replay/trace/session_import.h"
@@ -54,6 +55,11 @@ FileCheck check_trace(std::string_view text, const std::string& path) {
   const auto reading = read_whole_trace(text, path);
   FileCheck check{reading.problems, {}, "trace, " + counted(reading.trace.events.size(), "event")};
   for (const auto& note : reading.trace.notes) check.notes.push_back(sentence_of(reading.trace, note));
+  const auto folder = std::filesystem::path(path).parent_path().string();
+  // Corpora are passed on without their films: a recording that is missing is no fault of the trace.
+  for (const auto& one : media_in(reading.trace.header.json))
+    if (const auto found = find_media(one.file, folder, folder); !found)
+      check.notes.push_back(fmt::format("{}: the recording {} {}", path, in_quotes(one.file), found.error().sentence));
   return check;
 }
 

@@ -220,6 +220,7 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
   if (view == "find") return find(log, query);
   if (view == "frame") return frame(*opened, query);
   if (view == "notes") return notes(log);
+  if (view == "media") return media(id);
   if (view == "poses") return poses(*opened, query);
   if (view == "scene") {
     const auto scene = run_scene(log);

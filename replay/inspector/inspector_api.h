@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "continua/replay/inspector/run_library.h"
@@ -15,6 +16,7 @@
 #include "continua/replay/inspector/run_temporary.h"
 #include "continua/replay/inspector/run_what_if.h"
 #include "continua/replay/log/run_index.h"
+#include "continua/replay/media/run_media.h"
 #include "continua/replay/scene/run_frames.h"
 #include "continua/replay/scene/run_world.h"
 
@@ -29,6 +31,11 @@ struct ApiResponse {
 /// An answer with a JSON body; of an error, 500 with its text.
 ApiResponse answer(const Json& body, int status = 200);
 ApiResponse answer(const Result<Json>& body);
+
+/// A recording that may be sent, and its media type.
+struct ServedMedia {
+  std::string path, type;
+};
 
 /// Query parameters by name, already decoded. The first of a name counts.
 using Query = std::map<std::string, std::string>;
@@ -64,10 +71,16 @@ class InspectorApi {
   /// "/api/runs/ID/columns" (run_columns.h), "/labels?n=5,17" or "?from=N&limit=K" (run_labels.h) and
   /// "/find?text=WORDS&kind=KIND" (run_find.h; the numbers as u32, little endian) are what a page draws all records
   /// from.
+  /// "/api/runs/ID/media" is {"media": [{"file", "kind", "label", "offset" (seconds)}]}: the recordings that the run's
+  /// trace names, each with its "type" and "bytes", or with a "problem". The bytes are at "/media/I" (media_file).
   /// "/api/schema" is schema_json (schema.h): the kinds of records and their members.
   /// "/api/diff?a=ID&b=ID&tolerance=METRES" is what diff_json (run_diff_text.h) tells of two runs,
   /// as `markdown` what diff_markdown does, and `pairs`: [[n of a, n of b], …].
   ApiResponse get(std::string_view target);
+
+  /// The recording of "/api/runs/ID/media/I": the I-th of the list, from 0. Never a file that the list does not have, nor
+  /// one outside of the folder that is served. Otherwise the answer that says why not.
+  std::variant<ServedMedia, ApiResponse> media_file(std::string_view target);
 
   /// One more run, by its log; gives its id.
   std::string add(const std::string& name, const std::string& log_path) { return library_.add(name, log_path); }
@@ -95,6 +108,9 @@ class InspectorApi {
   Result<std::shared_ptr<RunWorld>> world_of(const std::shared_ptr<const RunIndex>& run);
   ApiResponse poses(const std::shared_ptr<const RunIndex>& run, const Query& query);
   ApiResponse frame(const std::shared_ptr<const RunIndex>& run, const Query& query);
+  // inspector_media.cpp
+  Result<RunMedia> media_of(const std::string& id);
+  ApiResponse media(const std::string& id);
   // inspector_changes.cpp
   ApiResponse notes(const RunIndex& run);
   ApiResponse replay(const RunIndex& run, const WhatIfRequest& request, int number);

@@ -65,26 +65,26 @@ std::vector<RunFile> RunLibrary::runs() {
     added = added_;
   }
   for (const auto& run : added) ids.insert(run.id);
-  const auto add = [&](const fs::path& path, const std::string& relative) {
+  const auto add = [&](const fs::path& path, const std::string& relative, const std::string& served) {
     std::error_code problem;
     const auto real = fs::weakly_canonical(path, problem).string();
     if (!paths.insert(real).second) return;
     const auto name = without_suffix(relative);
     auto id = id_of(name);
     for (int copy = 2; !ids.insert(id).second; ++copy) id = fmt::format("{}-{}", id_of(name), copy);
-    found.push_back({id, path.string(), name, ""});
+    found.push_back({id, path.string(), name, "", served});
   };
   for (const auto& path : paths_) {
     std::error_code problem;
     if (fs::is_directory(path, problem))
-      for (const auto& relative : logs_below(path)) add(fs::path(path) / relative, relative.string());
+      for (const auto& relative : logs_below(path)) add(fs::path(path) / relative, relative.string(), path);
     else
-      add(path, fs::path(path).filename().string());
+      add(path, fs::path(path).filename().string(), fs::path(path).parent_path().string());
   }
   found.insert(found.end(), added.begin(), added.end());
   const std::lock_guard lock(mutex_);
   known_.clear();
-  for (const auto& file : found) known_.emplace(file.id, file.path);
+  for (const auto& file : found) known_.emplace(file.id, file);
   return found;
 }
 
@@ -99,7 +99,7 @@ std::string RunLibrary::add(const std::string& name, const std::string& path, co
   auto id = name;
   for (int copy = 2; is_known(id); ++copy) id = fmt::format("{}-{}", name, copy);
   const std::lock_guard lock(mutex_);
-  added_.push_back({id, path, id, what_if_of});
+  added_.push_back({id, path, id, what_if_of, fs::path(path).parent_path().string()});
   return id;
 }
 
@@ -110,17 +110,24 @@ bool RunLibrary::is_being_written(const std::string& path, const FileState& log)
   return age < lately && age > -lately;
 }
 
-// Empty: no run has this id.
-std::string RunLibrary::path_of(const std::string& id) {
+std::optional<RunFile> RunLibrary::find(const std::string& id) {
   {
     const std::lock_guard lock(mutex_);
     const auto known = known_.find(id);
     std::error_code problem;
-    if (known != known_.end() && fs::exists(known->second, problem)) return known->second;
+    if (known != known_.end() && fs::exists(known->second.path, problem)) return known->second;
   }
-  for (const auto& file : runs())
-    if (file.id == id) return file.path;
-  return {};
+  for (auto& file : runs())
+    if (file.id == id) return std::move(file);
+  return std::nullopt;
+}
+
+std::vector<std::string> RunLibrary::folders() const {
+  std::vector<std::string> found;
+  std::error_code problem;
+  for (const auto& path : paths_)
+    if (fs::is_directory(path, problem)) found.push_back(path);
+  return found;
 }
 
 // Moved to the front. Null if it is not held and none is to be made.
@@ -157,9 +164,9 @@ Result<std::shared_ptr<const RunIndex>> RunLibrary::read(Held& held) {
 }
 
 Result<std::shared_ptr<const RunIndex>> RunLibrary::open(const std::string& id) {
-  const auto path = path_of(id);
-  if (path.empty()) return std::shared_ptr<const RunIndex>();
-  return read(*held(path, true));
+  const auto file = find(id);
+  if (!file) return std::shared_ptr<const RunIndex>();
+  return read(*held(file->path, true));
 }
 
 Result<std::shared_ptr<const RunIndex>> RunLibrary::look_into(const RunFile& file) {

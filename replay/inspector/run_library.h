@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct RunFile {
   std::string path;
   std::string name;             ///< for people: the id without its folder's marks
   std::string what_if_of = {};  ///< the run that it was made from by replaying it otherwise; else empty
+  std::string served = {};      ///< the folder given that it lies in, or its own folder
 };
 
 /// Safe to use from several threads: those that ask for other runs do not wait while one is read.
@@ -42,6 +44,11 @@ class RunLibrary {
 
   /// All runs there are now, in order of their paths; then those that were added.
   std::vector<RunFile> runs();
+
+  /// The run of this id, if there is one.
+  std::optional<RunFile> find(const std::string& id);
+  /// The folders among the paths.
+  std::vector<std::string> folders() const;
 
   /// One more run, perhaps made from another; gives its id, `name` where that is free. One that is among those of the
   /// paths already is not added.
@@ -69,14 +76,13 @@ class RunLibrary {
     FileState state;
     std::shared_ptr<const RunIndex> run;
   };
-  std::string path_of(const std::string& id);
   std::shared_ptr<Held> held(const std::string& path, bool make);
   static Result<std::shared_ptr<const RunIndex>> read(Held& held);
 
   std::vector<std::string> paths_;
   IsOpen is_open_;
   std::mutex mutex_;                          // guards the members below; never held while a file is read
-  std::map<std::string, std::string> known_;  // id -> path, as found last
+  std::map<std::string, RunFile> known_;  // by id, as found last
   std::vector<RunFile> added_;
   std::list<std::shared_ptr<Held>> held_;  // the last used first
 };

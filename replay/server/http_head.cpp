@@ -100,11 +100,13 @@ std::string_view HttpHead::value(std::string_view name) const {
 }
 
 std::string HttpHead::text() const {
-  static constexpr std::array<std::string_view, 6> done = {"Connection",       "Content-Length", "Expect",
-                                                           "Content-Encoding", "Range",          "If-Range"};
+  static constexpr std::array<std::string_view, 7> done = {
+      "Connection", "Content-Length", "Expect", "Content-Encoding", "Range", "If-Range", passed_range};
   auto text = fmt::format("{} {} HTTP/1.1\r\n", method, target);
   for (const auto& [name, value] : headers)
     if (!is_one_of(name, done)) text += fmt::format("{}: {}\r\n", name, value);
+  if (const auto* range = header("Range"); range && !header("If-Range"))
+    text += fmt::format("{}: {}\r\n", passed_range, *range);
   return text + fmt::format("Content-Length: {}\r\n\r\n", body);
 }
 

@@ -25,6 +25,9 @@ struct HttpAnswer {
   std::vector<std::pair<std::string, std::string>> headers;  ///< besides those of every answer
 };
 
+/// The header by which answers learn what Range asked for: the library would cut every answer by that itself.
+inline constexpr const char* passed_range = "Continua-Range";
+
 struct HttpHead {
   std::string method, target;  ///< the target with its query, as it was sent
   std::vector<std::pair<std::string, std::string>> headers;
@@ -36,7 +39,8 @@ struct HttpHead {
   /// The same; empty if there is none.
   std::string_view value(std::string_view name) const;
 
-  /// As the library is to read it, without what is done already: ranges, expectations, transfer.
+  /// As the library is to read it, without what is done already: expectations, transfer. A range is
+  /// passed on as `passed_range`, unless it depends on a state (If-Range) that answers do not tell.
   std::string text() const;
 };
 

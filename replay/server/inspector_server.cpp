@@ -19,6 +19,7 @@
 #include "continua/replay/server/http_door.h"
 #include "continua/replay/server/http_stream.h"
 #include "continua/replay/server/live_routes.h"
+#include "continua/replay/server/media_answer.h"
 #include "continua/web/assets.h"
 
 // After Eigen, whose names are macros of a header of the library's.
@@ -33,7 +34,7 @@ constexpr std::chrono::milliseconds look_every{200};  // at a run that is being 
 
 // Only this server's own answers may be loaded, run, framed or sent to.
 constexpr auto policy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; media-src 'self'; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 // Of every answer.
@@ -139,6 +140,11 @@ class InspectorServer::Impl {
       live_ = std::make_unique<LiveApi>(sessions_);
       add_live_routes(server_, *live_);
     }
+    server_.Get(R"(/api/runs/[^/]+/media/[^/]+)", [this](const httplib::Request& request, httplib::Response& response) {
+      const auto found = api_.media_file(request.target);
+      if (const auto* refused = std::get_if<ApiResponse>(&found)) return send_answer(request, response, *refused);
+      send_media(request, response, std::get<ServedMedia>(found));
+    });
     server_.Get("/api/.*", [this](const httplib::Request& request, httplib::Response& response) {
       send_answer(request, response, api_.get(request.target));
     });

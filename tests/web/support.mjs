@@ -12,7 +12,8 @@ export const program = process.env.CONTINUA ?? join(root, 'build/continua');
 const chromium_path = process.env.CHROMIUM || '/usr/bin/chromium';
 export const packages = process.env.CONTINUA_NODE_MODULES ?? join(root, 'build/tests/web/npm/node_modules');
 
-function skip(why) {
+/** Ends the test as skipped. */
+export function skip(why) {
   console.log(`skipped: ${why}`);
   process.exit(77);
 }

@@ -47,15 +47,23 @@ let schema = null;
 // The same as long as the server lives.
 const fetchSchema = () => (schema ??= get('/api/schema'));
 
+// The recordings that the run's trace names, each with the address of its bytes in `src`.
+const fetchMedia = (id) =>
+  get(`${run(id)}/media`).then(
+    ({media}) => media.map((one, i) => ({src: `${run(id)}/media/${i}`, ...one})),
+    () => [],
+  );
+
 /** All that the page of a run needs at once. */
 export async function fetchRun(id) {
-  const [summary, graph, columns, schema] = await Promise.all([
+  const [summary, graph, columns, schema, media] = await Promise.all([
     get(run(id)),
     get(`${run(id)}/graph`),
     bytes(`${run(id)}/columns`),
     fetchSchema(),
+    fetchMedia(id),
   ]);
-  return {summary, graph, columns, schema};
+  return {summary, graph, columns, schema, media};
 }
 
 /** Calls `grown({records, t, complete, live})` whenever the run's log has grown. @returns what to close when enough is heard. */
