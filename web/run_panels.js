@@ -55,7 +55,9 @@ function mountAll(page, before) {
     why: mountWhy({data, client, jump}),
     records: mountRecords({data, client, model, cursor}),
     notes: before?.parts.notes ?? mountNotes({client, cursor, marked: (spans) => page.parts?.lanes.showNotes(spans)}),
-    ...(data.media.length && {media: mountMedia({media: data.media, cursor})}),
+    ...(data.media.length && {
+      media: mountMedia({media: data.media, client, cursor, heard: () => page.parts?.lanes.labelsArrived()}),
+    }),
     ...(hasBranches(data) && {branches: mountBranches({client, model})}),
     ...(comparison && {differences: mountDifferences({comparison, model, jump, copy})}),
   };

@@ -21,6 +21,7 @@
 #include "continua/replay/log/run_index.h"
 #include "continua/replay/log/run_integrity.h"
 #include "continua/replay/media/media_file.h"
+#include "continua/replay/media/media_peaks.h"
 #include "continua/replay/session/live_setup.h"
 #include "continua/replay/session/scene_voxemes.h"
 #include "continua/replay/trace/session_import.h"
@@ -270,6 +271,10 @@ FileCheck check_tier_names(std::string_view text, const std::string& path) {
   return {tier_names_problems(text, path), {}, "words in the names of tiers"};
 }
 
+FileCheck check_peaks(std::string_view text, const std::string& path) {
+  return {peaks_problems(text, path), {}, "peaks of a recording"};
+}
+
 bool begins_with(std::string_view text, std::string_view beginning) {
   const auto from = text.find_first_not_of(" \t\r\n");
   return from != std::string_view::npos && text.substr(from).starts_with(beginning);
@@ -287,6 +292,7 @@ constexpr std::array file_kinds = {
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "trace"); }, check_trace},
     FileKind{[](std::string_view text, const std::string&) { return begins_with_kind(text, "run"); }, check_run},
     FileKind{is_notes_file, check_notes},
+    FileKind{[](std::string_view, const std::string& path) { return path.ends_with(peaks_ending); }, check_peaks},
     FileKind{is_lexicon_file, check_lexicon_file},
     FileKind{is_gesture_file, check_gesture_file},
     FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "tier_names"); }, check_tier_names},

@@ -4,11 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 
 #include "continua/core/characters.h"
 #include "continua/core/replaced_file.h"
 #include "continua/replay/commands/moved_paths.h"
 #include "continua/replay/commands/objects_at.h"
+#include "continua/replay/media/media_file.h"
+#include "continua/replay/media/media_peaks.h"
 #include "continua/replay/trace/trace_edit.h"
 #include "continua/replay/trace/trace_event.h"
 #include "continua/replay/trace/trace_names.h"
@@ -81,6 +84,26 @@ Result<Trace> made(const std::vector<Trace>& traces, const TraceCommandOptions& 
   return anonymise(trace, options);
 }
 
+// A file of peaks beside each recording.
+int write_peaks(const std::string& path) {
+  const auto trace = read_trace(path);
+  if (!trace) return report(trace.error()), exit_impossible;
+  const auto folder = std::filesystem::path(path).parent_path().string();
+  int status = exit_done;
+  for (const auto& one : media_in(trace->header.json)) {
+    const auto recording = find_media(one.file, folder, "/");
+    const auto peaks = recording ? work_out_peaks(*recording) : Result<std::string>(recording.error());
+    const auto written = peaks ? write_file(*recording + peaks_ending, *peaks + "\n") : Outcome(peaks.error());
+    if (written) {
+      report(*written);
+      status = exit_no;
+    } else {
+      fmt::print("{} -> {}{}\n", printable_line(one.file), printable_line(one.file), peaks_ending);
+    }
+  }
+  return status;
+}
+
 CLI::App& add(CLI::App& command, TraceCommandOptions& options, const std::string& name, const std::string& purpose) {
   auto* sub = command.add_subcommand(name, purpose);
   sub->parse_complete_callback([&options, name] { options.what = name; });
@@ -95,6 +118,7 @@ CLI::App& add(CLI::App& command, TraceCommandOptions& options, const std::string
 }  // namespace
 
 int run_trace(const TraceCommandOptions& options) {
+  if (options.what == "peaks") return write_peaks(options.traces.front());
   const auto fail = [](const Error& error) {
     report(error);
     return exit_impossible;
@@ -150,6 +174,13 @@ void describe_trace(CLI::App& command, TraceCommandOptions& options) {
       "left\n"
       "out.\n"
       "Example: continua trace anonymise talk.trace.jsonl --table names.json --by 3.5 -o public.trace.jsonl");
+  auto* peaks = command.add_subcommand("peaks", "The waveforms of a trace's recordings, kept beside them");
+  peaks->parse_complete_callback([&options] { options.what = "peaks"; });
+  peaks->add_option("TRACE", options.traces, "a trace (.jsonl)")->required()->expected(1);
+  peaks->footer(
+      "The timeline of the page then shows them at once, and where there is no ffmpeg.\n"
+      "Exit status: 1 if one has no sound or cannot be read.\n"
+      "Example: continua trace peaks talk.trace.jsonl");
 }
 
 }  // namespace continua

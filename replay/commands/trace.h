@@ -10,7 +10,7 @@
 namespace continua {
 
 struct TraceCommandOptions {
-  std::string what;  ///< "cut", "merge", "shift", "select", "rename" or "anonymise"
+  std::string what;  ///< "cut", "merge", "shift", "select", "rename", "anonymise" or "peaks"
   std::vector<std::string> traces;
   std::string output = "-";
   double from_s = 0;

@@ -161,6 +161,7 @@ ApiResponse InspectorApi::get(std::string_view target) {
   const auto parts = split(path, '/');
   if (parts.size() >= 2 && parts[0] == "api") {
     if (parts[1] == "runs" && parts.size() == 2) return answer(Json{{"runs", listings_.all()}});
+    if (parts[1] == "runs" && parts.size() == 6 && parts[3] == "media" && parts[5] == "peaks") return peaks(path);
     if (parts[1] == "runs" && parts.size() <= 4) return run(parts[2], parts.size() == 4 ? parts[3] : "", query);
     if (parts[1] == "schema" && parts.size() == 2) return answer(log::schema_json());
     if (parts[1] == "diff" && parts.size() == 2) return diff(query);

@@ -72,14 +72,15 @@ class InspectorApi {
   /// "/find?text=WORDS&kind=KIND" (run_find.h; the numbers as u32, little endian) are what a page draws all records
   /// from.
   /// "/api/runs/ID/media" is {"media": [{"file", "kind", "label", "offset" (seconds)}]}: the recordings that the run's
-  /// trace names, each with its "type" and "bytes", or with a "problem". The bytes are at "/media/I" (media_file).
+  /// trace names, each with its "type" and "bytes", or with a "problem". The bytes are at "/media/I" (media_file),
+  /// "/media/I/peaks" is {"peaks", "per_second", "values"} (media_peaks.h), or {"problem"}.
   /// "/api/schema" is schema_json (schema.h): the kinds of records and their members.
   /// "/api/diff?a=ID&b=ID&tolerance=METRES" is what diff_json (run_diff_text.h) tells of two runs,
   /// as `markdown` what diff_markdown does, and `pairs`: [[n of a, n of b], …].
   ApiResponse get(std::string_view target);
 
-  /// The recording of "/api/runs/ID/media/I": the I-th of the list, from 0. Never a file that the list does not have, nor
-  /// one outside of the folder that is served. Otherwise the answer that says why not.
+  /// The recording of "/api/runs/ID/media/I": the I-th of the list, from 0. Never a file that the list does not have,
+  /// nor one outside of the folder that is served. Otherwise the answer that says why not.
   std::variant<ServedMedia, ApiResponse> media_file(std::string_view target);
 
   /// One more run, by its log; gives its id.
@@ -111,6 +112,8 @@ class InspectorApi {
   // inspector_media.cpp
   Result<RunMedia> media_of(const std::string& id);
   ApiResponse media(const std::string& id);
+  std::variant<ServedMedia, ApiResponse> media_at(const std::string& path);
+  ApiResponse peaks(std::string_view path);
   // inspector_changes.cpp
   ApiResponse notes(const RunIndex& run);
   ApiResponse replay(const RunIndex& run, const WhatIfRequest& request, int number);
@@ -122,6 +125,8 @@ class InspectorApi {
   std::atomic<int> replays_ = 0, what_ifs_ = 0;
   std::atomic<bool> stopped_ = false;
   std::mutex notes_mutex_;
+  std::mutex peaks_mutex_;                                // one recording is listened to at a time; guards the next
+  std::list<std::pair<std::string, std::string>> peaks_;  // by the recording and its state, the last used first
   std::mutex mutex_;
   // Answers worked out from an index stay true as long as that index lives.
   struct Kept {

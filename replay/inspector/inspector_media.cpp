@@ -1,15 +1,19 @@
 // The inspector's addresses of recordings that lie beside a run's trace.
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "continua/replay/inspector/inspector_api.h"
+#include "continua/replay/media/media_peaks.h"
 
 namespace continua {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t most_peaks = 16;  // recordings of which they are kept
 
 // ID and I of "/api/runs/ID/media/I"; nothing for any other path.
 std::optional<std::pair<std::string, std::size_t>> numbered(const std::string& path) {
@@ -58,7 +62,10 @@ ApiResponse InspectorApi::media(const std::string& id) {
 }
 
 std::variant<ServedMedia, ApiResponse> InspectorApi::media_file(std::string_view target) {
-  const auto path = split_target(target).path;
+  return media_at(split_target(target).path);
+}
+
+std::variant<ServedMedia, ApiResponse> InspectorApi::media_at(const std::string& path) {
   const auto wanted = numbered(path);
   if (!wanted) return api_error(404, fmt::format("there is nothing at {}", path));
   const auto& [id, number] = *wanted;
@@ -70,6 +77,23 @@ std::variant<ServedMedia, ApiResponse> InspectorApi::media_file(std::string_view
   const auto found = find_media(file, media->folder, media->within);
   if (!found) return api_error(404, fmt::format("the recording '{}' {}", file, found.error().sentence));
   return ServedMedia{*found, media_type(*found)};
+}
+
+ApiResponse InspectorApi::peaks(std::string_view path) {
+  path.remove_suffix(std::string_view("/peaks").size());
+  const auto found = media_at(std::string(path));
+  if (const auto* refused = std::get_if<ApiResponse>(&found)) return *refused;
+  const auto& recording = std::get<ServedMedia>(found).path;
+  const auto state = file_state(recording);
+  const auto key = fmt::format("{} {} {}", recording, state.bytes, state.written.time_since_epoch().count());
+  const std::lock_guard lock(peaks_mutex_);
+  const auto known = std::find_if(peaks_.begin(), peaks_.end(), [&](const auto& one) { return one.first == key; });
+  if (known != peaks_.end()) return {200, "application/json", known->second};
+  auto peaks = peaks_of(recording);
+  if (!peaks) return answer(Json{{"problem", peaks.error().sentence}});
+  peaks_.emplace_front(key, *peaks);
+  if (peaks_.size() > most_peaks) peaks_.pop_back();
+  return {200, "application/json", *std::move(peaks)};
 }
 
 }  // namespace continua

@@ -81,7 +81,7 @@ class RunLibrary {
 
   std::vector<std::string> paths_;
   IsOpen is_open_;
-  std::mutex mutex_;                          // guards the members below; never held while a file is read
+  std::mutex mutex_;                      // guards the members below; never held while a file is read
   std::map<std::string, RunFile> known_;  // by id, as found last
   std::vector<RunFile> added_;
   std::list<std::shared_ptr<Held>> held_;  // the last used first

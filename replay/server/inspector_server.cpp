@@ -34,7 +34,8 @@ constexpr std::chrono::milliseconds look_every{200};  // at a run that is being 
 
 // Only this server's own answers may be loaded, run, framed or sent to.
 constexpr auto policy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; media-src 'self'; connect-src 'self'; "
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; media-src 'self'; connect-src "
+    "'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 // Of every answer.

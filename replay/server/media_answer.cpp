@@ -90,7 +90,8 @@ void send_media(const httplib::Request& request, httplib::Response& response, co
   response.set_content_provider(static_cast<std::size_t>(part.to - part.from), media.type,
                                 [file, part](std::size_t from, std::size_t length, httplib::DataSink& sink) {
                                   std::array<char, at_once> bytes;
-                                  const auto got = file->read(bytes.data(), std::min(length, bytes.size()), part.from + from);
+                                  const auto got =
+                                      file->read(bytes.data(), std::min(length, bytes.size()), part.from + from);
                                   return got > 0 && sink.write(bytes.data(), static_cast<std::size_t>(got));
                                 });
 }

@@ -46,9 +46,11 @@ export const recordsOf = (run) =>
 /** The number of the first record that is wanted. */
 export const numberOf = (run, wanted) => recordsOf(run).find(wanted).n;
 
-/** `continua serve` of these paths. @returns {Promise<{address: string, pid: number, stop(): void}>} */
+/** `continua serve` of these paths; an object among them: {env} of the server. @returns {Promise<{address: string, pid: number, stop(): void}>} */
 export async function serve(...paths) {
-  const server = spawn(program, ['serve', ...paths, '--port', '0'], {stdio: ['ignore', 'pipe', 'inherit']});
+  const words = paths.filter((path) => typeof path === 'string');
+  const {env = process.env} = paths.find((path) => typeof path === 'object') ?? {};
+  const server = spawn(program, ['serve', ...words, '--port', '0'], {env, stdio: ['ignore', 'pipe', 'inherit']});
   const address = await new Promise((resolve, reject) => {
     let said = '';
     server.stdout.on('data', (part) => {
@@ -76,8 +78,8 @@ const patience_ms = 60000; // machines that do much else at the time are slow
 
 /** A browser that visits one server, and what its page complains of. */
 export class Visitor {
-  /** `webgl`: with WebGL, drawn without a graphics card. */
-  static async start(address, {webgl = false} = {}) {
+  /** `webgl`: with WebGL, drawn without a graphics card; `words`: more words for the browser. */
+  static async start(address, {webgl = false, words = []} = {}) {
     const visitor = new Visitor();
     visitor.address = address;
     visitor.browser = await chromium.launch({
@@ -88,6 +90,7 @@ export class Visitor {
         '--no-first-run',
         '--disable-component-update',
         '--disable-sync',
+        ...words,
         ...(webgl
           ? ['--use-angle=swiftshader', '--enable-unsafe-swiftshader']
           : ['--disable-gpu', '--disable-3d-apis']),

@@ -41,7 +41,8 @@ export class Playback {
     if (!this.#wanted || player.seeking || player.readyState < HTMLMediaElement.HAVE_METADATA) return;
     const {place, playing, speed} = this.#wanted;
     const ahead = player.currentTime - place;
-    if (Math.abs(ahead) > (playing && !player.paused ? far_s * Math.max(1, speed) : still_s)) player.currentTime = place;
+    if (Math.abs(ahead) > (playing && !player.paused ? far_s * Math.max(1, speed) : still_s))
+      player.currentTime = place;
     if (!playing) return;
     player.playbackRate = rateFor(ahead, speed);
     if (player.paused) this.#play();

@@ -25,21 +25,17 @@ class View {
     this.player.addEventListener('error', () => put(this.#told, 'this browser cannot play it'));
     this.player.addEventListener('volumechange', () => this.#showSound());
     this.playback = new Playback(this.player, one.offset);
-    this.#mute = h('button', {
-      type: 'button',
-      'aria-label': `Hear ${name}`,
-      'data-testid': 'media-hear',
-      onclick: () => {
-        this.player.muted = !this.player.muted;
-      },
-    });
+    const toggle = () => {
+      this.player.muted = !this.player.muted;
+    };
+    const props = {type: 'button', 'aria-label': `Hear ${name}`, 'data-testid': 'media-hear', onclick: toggle};
+    this.#mute = h('button', props, 'Hear');
     this.#showSound();
     const caption = h('figcaption', {}, this.#mute, h('span', {class: 'name', title}, name), this.#told);
     this.element = h('figure', {class: this.kind, 'data-testid': 'media-view'}, this.player, caption);
   }
 
   #showSound() {
-    this.#mute.textContent = this.player.muted ? 'muted' : 'heard';
     this.#mute.setAttribute('aria-pressed', String(!this.player.muted));
   }
 
@@ -56,8 +52,23 @@ class View {
 const missing = ({file, problem}) =>
   h('p', {class: 'trouble', 'data-testid': 'media-missing'}, `The recording ${file} ${problem}.`);
 
-/** `media`: the recordings as the server tells them, each with `src` where it can be had. */
-export function mountMedia({media, cursor}) {
+// Asks for the waveforms, one after the other since each takes the server a while, and keeps them with the recordings.
+async function listen(media, client, heard) {
+  for (const [i, {problem, offset, sound}] of media.entries()) {
+    if (problem || sound.peaks) continue;
+    const told = await client.peaks(i).catch(({message}) => ({problem: message}));
+    if (told.problem) sound.problem = `no waveform: ${told.problem}`;
+    else sound.peaks = {...told, offset};
+    heard();
+  }
+}
+
+/**
+ * `media`: the recordings as the server tells them, each with `src` where it can be had, and `sound`, into which its
+ * waveform is put; `heard()` is called when one is there.
+ */
+export function mountMedia({media, client, cursor, heard}) {
+  listen(media, client, heard);
   const there = media.filter((one) => !one.problem);
   const views = there.map((one, i) => new View(one, {cursor, heard: i === 0}));
   const ofKind = (kind) => views.filter((view) => view.kind === kind).map(({element}) => element);

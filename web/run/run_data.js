@@ -7,7 +7,14 @@ const most_effects = 50;
 
 export class RunData {
   /** `columns` as readColumns gives them; `schema` as /api/schema does; `media`: the recordings; `labels` has label(n) and text(n), '' while they are not known. */
-  constructor({summary, graph, schema, columns: {columns, kinds, names, records, duration, complete}, labels, media = []}) {
+  constructor({
+    summary,
+    graph,
+    schema,
+    columns: {columns, kinds, names, records, duration, complete},
+    labels,
+    media = [],
+  }) {
     this.summary = summary;
     this.graph = graph;
     this.schema = new Schema(schema);
@@ -17,7 +24,7 @@ export class RunData {
     this.duration = duration;
     this.complete = complete;
     this.labels = labels;
-    this.media = media;
+    this.media = media.map((one) => ({...one, sound: {peaks: null, problem: ''}}));
     this.t = columns.t;
     this.kind_of = columns.kind;
     this.cause_of = columns.cause;

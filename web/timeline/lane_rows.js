@@ -46,9 +46,18 @@ export function laneRows(data) {
     row('acts', 'act', lanes.act, (i) => `${brief(data.text(lanes.act.n[i]))} ${statusOf(data, i)}`, {
       bad: (i) => statusOf(data, i) !== 'done',
     }),
+    ...data.media.flatMap((one, i) => soundRow(one, i, data)),
     row('as recorded', 'depth', lanes.observed, words(lanes.observed), {optional: true}),
   ];
   return all.filter((one) => !one.optional || one.lane.n.length);
+}
+
+// The waveform of a recording: what the page learns of it later is put into `sound`.
+const nothing = {n: new Uint32Array(), from: new Float64Array(), to: new Float64Array()};
+function soundRow({problem, sound, label, file}, i, {media}) {
+  if (problem) return [];
+  const name = media.length > 1 ? `sound ${i + 1}` : 'sound';
+  return [{name, colour: 'human', kind: 'wave', lane: nothing, reach: nothing.to, text: () => label || file, sound}];
 }
 
 const stateName = (data, i) => (data.lanes.state.name[i] < 0 ? data.graph.start : data.names[data.lanes.state.name[i]]);

@@ -75,7 +75,8 @@ export function drawLanes(pen, {rows, sight, flags, rest, colour, marked}) {
   drawTicks(pen, sight, bottom, colour);
   rows.forEach((row, i) => {
     const top = axis_px + i * row_px;
-    if (row.kind === 'level') drawLevel(pen, row, {sight, top, colour});
+    if (row.kind === 'wave') drawWave(pen, row, {sight, top, colour});
+    else if (row.kind === 'level') drawLevel(pen, row, {sight, top, colour});
     else drawItems(pen, row, {sight, top, colour, marked});
   });
 
@@ -282,6 +283,30 @@ function drawLevel(pen, row, {sight, top, colour}) {
     painted = right;
     const high = (row.value(i) / row.most) * (row_px - 3);
     pen.fillRect(left, top + row_px - 1 - high, right - left, high);
+  }
+}
+
+// The loudest of each pixel, around the middle of the lane; or why there is nothing.
+function drawWave(pen, {sound, colour: name}, {sight, top, colour}) {
+  const middle = top + row_px / 2;
+  if (!sound.peaks) {
+    pen.fillStyle = colour('muted');
+    pen.textAlign = 'left';
+    pen.fillText(sound.problem, gutter_px + 4, middle + 0.5);
+    return;
+  }
+  const {values, per_second, offset} = sound.peaks;
+  const placeAt = (x) => (sight.t(x) + offset) * per_second;
+  pen.fillStyle = colour(name);
+  for (let x = gutter_px, from = placeAt(x); x < sight.width; ++x) {
+    const to = placeAt(x + 1);
+    let loudest = -1;
+    for (let i = Math.max(0, Math.floor(from)); i < Math.min(values.length, Math.max(to, from + 1)); ++i)
+      loudest = Math.max(loudest, values[i]);
+    from = to;
+    if (loudest < 0) continue;
+    const high = Math.max(0.5, (loudest / 100) * (row_px / 2 - 1));
+    pen.fillRect(x, middle - high, 1, 2 * high);
   }
 }
 

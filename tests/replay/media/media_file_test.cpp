@@ -69,8 +69,8 @@ TEST_CASE("A recording that is missing is told, and no fault of the trace") {
   const auto check = check_file(text, path);
   CHECK(check.problems.empty());
   REQUIRE(check.notes.size() == 2);
-  CHECK(check.notes[0] == path + ": the recording \"gone.webm\" is not there");
-  CHECK_THAT(check.notes[1], Contains("\"../out.webm\" lies outside of the folder of the trace"));
+  CHECK(check.notes[0] == path + ": the recording 'gone.webm' is not there");
+  CHECK_THAT(check.notes[1], Contains("'../out.webm' lies outside of the folder of the trace"));
 }
 
 }  // namespace continua

@@ -62,8 +62,8 @@ TEST_CASE("a head is read strictly") {
 }
 
 TEST_CASE("a head tells what follows") {
-  const auto read =
-      read_head("POST /a?b=c HTTP/1.1\r\nhOST:  there \r\nContent-Length: 007\r\nRange: bytes=0-\r\nContinua-Range: x\r\n\r\n");
+  const auto read = read_head(
+      "POST /a?b=c HTTP/1.1\r\nhOST:  there \r\nContent-Length: 007\r\nRange: bytes=0-\r\nContinua-Range: x\r\n\r\n");
   const auto& head = std::get<HttpHead>(read);
   CHECK(head.method == "POST");
   CHECK(head.target == "/a?b=c");
@@ -71,7 +71,8 @@ TEST_CASE("a head tells what follows") {
   CHECK(head.body == 7);
   CHECK(head.keeps_alive);
   CHECK(head.text() == "POST /a?b=c HTTP/1.1\r\nhOST: there\r\nContinua-Range: bytes=0-\r\nContent-Length: 7\r\n\r\n");
-  const auto on_condition = std::get<HttpHead>(read_head("GET / HTTP/1.1\r\nRange: bytes=0-\r\nIf-Range: \"a\"\r\n\r\n"));
+  const auto on_condition =
+      std::get<HttpHead>(read_head("GET / HTTP/1.1\r\nRange: bytes=0-\r\nIf-Range: \"a\"\r\n\r\n"));
   CHECK(on_condition.text() == "GET / HTTP/1.1\r\nContent-Length: 0\r\n\r\n");
   CHECK_FALSE(std::get<HttpHead>(read_head("GET / HTTP/1.1\r\nConnection: Close\r\n\r\n")).keeps_alive);
   CHECK_FALSE(std::get<HttpHead>(read_head("GET / HTTP/1.0\r\n\r\n")).keeps_alive);

@@ -47,9 +47,10 @@ class MediaServer {
   }
 
   std::string get(const std::string& below, const std::string& headers = "", const std::string& method = "GET") const {
-    return answer_to(fmt::format("{} /api/runs/small/media{} HTTP/1.1\r\nConnection: close\r\nHost: 127.0.0.1:{}\r\n{}\r\n",
-                                 method, below, port_, headers),
-                     port_);
+    return answer_to(
+        fmt::format("{} /api/runs/small/media{} HTTP/1.1\r\nConnection: close\r\nHost: 127.0.0.1:{}\r\n{}\r\n", method,
+                    below, port_, headers),
+        port_);
   }
 
  private:
