@@ -36,6 +36,16 @@
     }
     return answers;
   };
+  // Recordings that are in the file: number -> address.
+  const mediaInside = () => {
+    const media = new Map();
+    for (const node of document.querySelectorAll('script[data-media]')) {
+      const bytes = Uint8Array.from(atob(node.textContent), (letter) => letter.charCodeAt(0));
+      const address = URL.createObjectURL(new Blob([bytes], {type: node.dataset.type}));
+      media.set(Number(node.dataset.media), address);
+    }
+    return media;
+  };
 
   try {
     const inside = document.getElementById('answers');
@@ -44,6 +54,7 @@
       answers, // null in a site: it has files of them
       answersIn,
       unpacked,
+      media: mediaInside(),
       start: answers ? JSON.parse(answers.get('start')) : '/',
       icon: document.querySelector('link[rel=icon]').href,
     };

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <filesystem>
 #include <iostream>
 
 #include "continua/core/replaced_file.h"
@@ -38,9 +39,11 @@ Outcome export_svg(const RunIndex& run, std::ostream& out) {
   return std::nullopt;
 }
 
-Outcome export_html(const RunIndex& run, std::ostream& out) {
+Outcome export_html(const ExportOptions& options, std::ostream& out) {
   Progress progress(1);
-  const auto problem = write_page(run.path(), out, [&](double done) { progress.show(0, done); });
+  const auto folder = std::filesystem::path(options.output).parent_path().string();
+  const auto problem = write_page(options.runs.front(), out, [&](double done) { progress.show(0, done); },
+                                  {options.embed_media, folder});
   progress.clear();
   return problem;
 }
@@ -57,7 +60,7 @@ constexpr auto site_format = "site";  // of many runs: its row has no function
 struct Exporter {
   const char* format;
   const char* what;
-  Outcome (*write)(const RunIndex& run, std::ostream& out);
+  Outcome (*write)(const RunIndex& run, std::ostream& out);           // null: a page, which depends on the options
   std::string (*annotate)(const Annotations& annotations) = nullptr;  // instead of `write`; of a trace, too
 };
 constexpr std::array exporters = {
@@ -68,7 +71,7 @@ constexpr std::array exporters = {
     Exporter{"csv", "a table: a row a record, a column for all that records have", export_csv},
     Exporter{"chrome", "trace events on a time line, for Perfetto, chrome://tracing and speedscope", export_chrome},
     Exporter{"jsonl", "the log with its documents in it, byte for byte as a whole log was written", export_log},
-    Exporter{"html", "the inspector's page with this run in it, one file that opens offline", export_html},
+    Exporter{"html", "the inspector's page with this run in it, one file that opens offline", nullptr},
     Exporter{"eaf", "annotations for ELAN; also of a trace, as the next three", nullptr, eaf_of},
     Exporter{"textgrid", "annotations for Praat", nullptr, textgrid_of},
     Exporter{"vtt", "words and gestures as subtitles, WebVTT", nullptr, vtt_of},
@@ -77,7 +80,7 @@ constexpr std::array exporters = {
 };
 
 Outcome export_annotations(const Exporter& exporter, const ExportOptions& options, std::ostream& out) {
-  const auto annotations = annotations_of_file(options.runs.front(), options.media);
+  const auto annotations = annotations_of_file(options.runs.front(), options.media, options.output);
   if (!annotations) return annotations.error();
   out << exporter.annotate(*annotations);
   return out ? Outcome() : Error{options.runs.front(), "the export could not be written"};
@@ -86,6 +89,7 @@ Outcome export_annotations(const Exporter& exporter, const ExportOptions& option
 Outcome export_run(const Exporter& exporter, const ExportOptions& options, std::ostream& out) {
   if (is_trace_file(options.runs.front()))
     return Error{options.runs.front(), "found a trace; expected a run log, or --to eaf, textgrid, vtt or srt"};
+  if (!exporter.write) return export_html(options, out);
   const auto run = RunIndex::open(options.runs.front());
   if (!run) return run.error();
   return exporter.write(*run, out);
@@ -155,6 +159,8 @@ void describe_export(CLI::App& command, ExportOptions& options) {
                   "A B: two runs that a site compares, also several times; if left out, each run with the next of the "
                   "same trace, in order of names")
       ->type_size(2);
+  command.add_flag("--embed-media", options.embed_media,
+                   "puts the recordings of the run's trace into the page of html, which otherwise links them");
   command.footer(
       "Examples: continua export talk.run.jsonl --to json -o talk.json\n"
       "          continua export talk.run.jsonl --to svg -o talk.svg\n"

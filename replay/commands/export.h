@@ -14,6 +14,7 @@ struct ExportOptions {
   std::string output = "-";
   std::vector<std::string> media = {};  ///< recordings that annotations link
   std::vector<std::string> pairs = {};  ///< of a site: runs to be compared, the first with the second, and so on
+  bool embed_media = false;             ///< into the page, which otherwise links them
 };
 
 int run_export(const ExportOptions& options);

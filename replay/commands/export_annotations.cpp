@@ -55,6 +55,16 @@ Result<Annotations> annotations_of_trace_at(const std::string& path) {
   return annotations_of_trace(*trace);
 }
 
+// A recording's path, which starts at the folder of `input`, as it starts at that of `output`.
+std::string from_folder_of(const std::string& output, const std::string& input, const std::string& file) {
+  namespace fs = std::filesystem;
+  if (output == "-" || fs::path(file).is_absolute()) return file;
+  std::error_code problem;
+  const auto folder = fs::absolute(output, problem).parent_path();
+  const auto found = fs::proximate(fs::absolute(input, problem).parent_path() / file, folder, problem);
+  return problem ? file : found.generic_string();
+}
+
 }  // namespace
 
 bool is_trace_file(const std::string& path) {
@@ -65,9 +75,11 @@ bool is_trace_file(const std::string& path) {
   return first && text_of(first->root(), "kind") == "trace";
 }
 
-Result<Annotations> annotations_of_file(const std::string& path, const std::vector<std::string>& media) {
+Result<Annotations> annotations_of_file(const std::string& path, const std::vector<std::string>& media,
+                                        const std::string& output) {
   auto annotations = is_trace_file(path) ? annotations_of_trace_at(path) : annotations_of_run_at(path);
   if (!annotations) return annotations;
+  for (auto& one : annotations->media) one.file = from_folder_of(output, path, one.file);
   for (const auto& file : media) annotations->media.push_back({file, 0});
   return annotations;
 }

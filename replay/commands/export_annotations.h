@@ -13,7 +13,9 @@ namespace continua {
 bool is_trace_file(const std::string& path);
 
 /// Annotations of a trace, or of a run with people's notes on it; linked to the recordings `media` besides those that
-/// the trace names. If the run's trace is beside it, the header of that is kept.
-Result<Annotations> annotations_of_file(const std::string& path, const std::vector<std::string>& media);
+/// the trace names, whose paths are told as they start at the folder of `output`; "-": as the trace has them. If the
+/// run's trace is beside it, the header of that is kept.
+Result<Annotations> annotations_of_file(const std::string& path, const std::vector<std::string>& media,
+                                        const std::string& output = "-");
 
 }  // namespace continua

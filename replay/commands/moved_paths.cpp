@@ -20,6 +20,15 @@ void move_path(std::string& name, const fs::path& from, const fs::path& to, Reso
 
 }  // namespace
 
+void move_media(Json& header, const fs::path& from, const fs::path& to) {
+  if (!header.is_object() || !header.contains("media")) return;
+  for (auto& one : header["media"]) {
+    const fs::path file(one.value("file", ""));
+    std::error_code unknown;
+    if (!file.empty() && file.is_relative()) one["file"] = fs::proximate(from / file, to, unknown).generic_string();
+  }
+}
+
 Outcome move_paths(TraceHeader& header, const std::string& trace, const std::string& output,
                    const std::string& knowledge) {
   const auto data = find_data_paths(knowledge);
@@ -31,6 +40,7 @@ Outcome move_paths(TraceHeader& header, const std::string& trace, const std::str
   const auto from = folder_of(trace), to = folder_of(output);
   move_path(header.scene, from, to, [&](const auto& name) { return resolve_scene(name, *data, from, trace); });
   move_path(header.machine, from, to, [&](const auto& name) { return resolve_machine(name, *data, from, trace); });
+  move_media(header.json, from, to);
   return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 // Paths in the header of a trace that is written to another folder.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "continua/core/result.h"
@@ -12,5 +13,8 @@ namespace continua {
 /// Error: the program's data is not there.
 Outcome move_paths(TraceHeader& header, const std::string& trace, const std::string& output,
                    const std::string& knowledge = "");
+
+/// Makes the paths of recordings in a trace's header, which were relative to the folder `from`, relative to `to`.
+void move_media(Json& header, const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace continua

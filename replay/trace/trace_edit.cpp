@@ -65,7 +65,17 @@ Result<Trace> merge_traces(const std::vector<Trace>& traces) {
 }
 
 Result<Trace> shift_trace(const Trace& trace, SimTime by) {
-  return changed_trace(trace, [&](Json event) { return shifted_event(std::move(event), by); });
+  return changed_trace(
+      trace, [&](Json event) { return shifted_event(std::move(event), by); },
+      [&](Json header) {
+        if (!header.contains("media")) return header;
+        for (auto& one : header["media"])
+          if (const double offset_s = one.value("offset", 0.0) - by.seconds(); offset_s != 0)
+            one["offset"] = offset_s;
+          else
+            one.erase("offset");
+        return header;
+      });
 }
 
 Trace select_events(const Trace& trace, const std::function<bool(const Json& event)>& wanted) {

@@ -8,9 +8,10 @@ export class Recorded {
   #answers;
   #parsed = new Map();
 
-  /** `answers`: what was asked -> the answer as JSON text. */
-  constructor({answers}) {
+  /** `answers`: what was asked -> the answer as JSON text; `media`: number of a recording in the file -> its address. */
+  constructor({answers, media}) {
     this.#answers = answers;
+    this.media = media;
     const numbers = (kind) =>
       [
         ...new Set(
@@ -25,7 +26,8 @@ export class Recorded {
   async answer(path) {
     const url = new URL(path, 'http://localhost');
     const query = url.searchParams;
-    const view = /^\/api\/(?:runs\/[^/]+\/?)?([a-z]*)$/.exec(url.pathname)?.[1] || 'run';
+    const sound = /\/media\/(\d+)\/peaks$/.exec(url.pathname)?.[1];
+    const view = sound ? `peaks ${sound}` : /^\/api\/(?:runs\/[^/]+\/?)?([a-z]*)$/.exec(url.pathname)?.[1] || 'run';
     const n = Number(query.get('n'));
     const own = {
       columns: () => this.#columns(),

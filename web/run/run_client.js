@@ -50,7 +50,7 @@ const fetchSchema = () => (schema ??= get('/api/schema'));
 // The recordings that the run's trace names, each with the address of its bytes in `src`.
 const fetchMedia = (id) =>
   get(`${run(id)}/media`).then(
-    ({media}) => media.map((one, i) => ({src: `${run(id)}/media/${i}`, ...one})),
+    ({media}) => media.map((one, i) => ({src: recorded?.media?.get(i) ?? `${run(id)}/media/${i}`, ...one})),
     () => [],
   );
 
@@ -115,6 +115,10 @@ export class RecordClient {
   /** Motion, pointing and acts in a window of seconds. Not kept here: Motion keeps the windows that it needs. */
   poses(from, to) {
     return get(`${run(this.id)}/poses?from=${from.toFixed(3)}&to=${to.toFixed(3)}`);
+  }
+  /** The loudness of the recording number i: {per_second, values}. */
+  peaks(i) {
+    return get(`${run(this.id)}/media/${i}/peaks`);
   }
   notes() {
     return get(`${run(this.id)}/notes`);

@@ -62,6 +62,13 @@ TEST_CASE("A trace that is shifted there and back is as it was") {
         "t:2: 't' of speech is -0.5; expected a number from 0 to 1000000000");
 }
 
+TEST_CASE("A shift keeps recordings at the events that they show") {
+  const auto trace = trace_of(four, R"(,"media":[{"file":"a.wav"},{"file":"b.wav","offset":2.5}])");
+  const auto later = shift_trace(trace, SimTime::from_seconds(2.5));
+  REQUIRE(later);
+  CHECK(compact(later->header.json["media"]) == R"([{"file":"a.wav","offset":-2.5},{"file":"b.wav"}])");
+}
+
 TEST_CASE("Traces of other scenes do not merge, and one end stays") {
   const auto one = trace_of(four),
              other = trace_of("{\"t\":3,\"kind\":\"mark\",\"text\":\"x\"}\n{\"t\":3.5,\"kind\":\"end\"}\n");
