@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "continua/replay/live/live_save.h"
+#include "continua/replay/log/line_scan.h"
+#include "continua/replay/trace/trace_event.h"
 
 namespace continua {
 namespace {
@@ -95,6 +97,7 @@ ApiResponse LiveApi::post(std::string_view target, std::string_view body) {
   if (what != "save" && !recorder.empty() && (named == query.end() || named->second != recorder))
     return api_error(409, "somebody else records into this session");
   if (what == "events") return events(*listed, query, body);
+  if (what == "media") return media(*listed, query, body);
   if (what == "end") {
     session.end();
     return answer(session_json(*listed, *sessions_));
@@ -127,6 +130,22 @@ ApiResponse LiveApi::events(const ListedSession& listed, const Query& query, std
   auto text = fmt::format(R"({{"accepted":{},"t":{},"moves":[)", reply->accepted, compact(reply->t.seconds()));
   for (std::size_t i = 0; i < reply->moves.size(); ++i) text += (i ? "," : "") + reply->moves[i];
   return {200, "application/json", text + "]}"};
+}
+
+ApiResponse LiveApi::media(const ListedSession& listed, const Query& query, std::string_view body) {
+  const auto text = [&](const char* name) {
+    const auto found = query.find(name);
+    return found == query.end() ? std::string() : found->second;
+  };
+  const auto take = number_in<std::uint64_t>(text("take")), part = number_in<std::uint64_t>(text("part"));
+  const auto t = number_in<double>(text("t"));
+  if (!take || !part || !t || !(*t >= 0 && *t <= trace_time_limit_s))
+    return api_error(400, "expected take and part, numbers, and t, seconds");
+  if (body.empty()) return api_error(400, "expected bytes of a recording");
+  if (!listed.session->audience().state().live) return api_error(409, "the session has ended");
+  const MediaPart given{text("source"), text("type"), *take, *part, SimTime::from_seconds(*t), body};
+  if (const auto refused = listed.session->media().add(given)) return api_error(400, refused->sentence);
+  return answer(Json{{"accepted", body.size()}});
 }
 
 bool LiveApi::admits(const std::string& id, std::size_t events) {

@@ -28,6 +28,7 @@ class LiveApi {
   /// "/api/sessions" begins one (LiveSessions::start): 201 with session_json. Below "/api/sessions/ID":
   /// "/events" takes events (events_in) and gives {"accepted", "t", "moves"}, with "?batch=NAME" once only; "/pause"
   /// takes {"paused"}; "/end";
+  /// "/media?source=camera&type=video/webm&take=0&part=0&t=SECONDS" takes a part of a recording as it is (LiveMedia);
   /// "/save" takes {"name"} and gives 201 {"trace", "runs", "check"}.
   /// 404 unknown, 409 of somebody else's or ended, 429 more than 2000 events a second; nothing is changed by those.
   ApiResponse post(std::string_view target, std::string_view body);
@@ -36,6 +37,7 @@ class LiveApi {
 
  private:
   ApiResponse events(const ListedSession& listed, const Query& query, std::string_view body);
+  static ApiResponse media(const ListedSession& listed, const Query& query, std::string_view body);
   ApiResponse save(const ListedSession& listed, const Json& asked);
   bool admits(const std::string& id, std::size_t events);
 

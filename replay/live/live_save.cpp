@@ -51,6 +51,8 @@ Result<SavedTest> save_as_test(const std::string& trace_path, const std::string&
   if (!trace) return trace.error();
   const auto from = fs::path(trace_path).parent_path();
   for (auto* file : {&trace->header.scene, &trace->header.machine}) *file = from_other_folder(*file, from, folder);
+  if (auto& json = trace->header.json; json.is_object() && json.contains("media"))
+    for (auto& one : json["media"]) one["file"] = from_other_folder(one.value("file", ""), from, folder);
 
   std::error_code problem;
   fs::create_directories(folder, problem);

@@ -43,6 +43,7 @@ Result<std::shared_ptr<LiveSession>> LiveSession::start(LiveOptions options) {
 LiveSession::LiveSession(LiveOptions options, Session session)
     : setting_{options, std::filesystem::path(options.header.scene).stem().string(), session.machine().name,
                gesture_palette(session.machine(), session.gestures()), session.warning()},
+      media_(setting_.options.trace_path),
       session_(std::move(session)),
       timing_(options.timing),
       clock_(options.speed),
@@ -211,6 +212,7 @@ void LiveSession::close(std::optional<SimTime> end) {
   session_.reset();
   trace_.close();
   log_->close();
+  if (auto problem = name_media(setting_.options.trace_path, media_.finish())) broke_ = *std::move(problem);
   tell();
   heard_.notify_all();
 }

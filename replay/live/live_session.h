@@ -17,6 +17,7 @@
 #include "continua/replay/live/live_clock.h"
 #include "continua/replay/live/live_events.h"
 #include "continua/replay/live/live_log.h"
+#include "continua/replay/live/live_media.h"
 #include "continua/replay/session/session.h"
 
 namespace continua {
@@ -70,6 +71,8 @@ class LiveSession {
   const LiveSetting& setting() const { return setting_; }
   /// After the end.
   const ReplaySummary& summary() const { return summary_; }
+  /// Recordings of the human. At the end the trace's header names them.
+  LiveMedia& media() const { return media_; }
   /// Its state, for viewers, and their number.
   LiveAudience& audience() const { return audience_; }
 
@@ -87,6 +90,7 @@ class LiveSession {
 
   const LiveSetting setting_;
   mutable LiveAudience audience_;
+  mutable LiveMedia media_;
 
   std::atomic<int> waiting_ = 0;  // for the next
   mutable std::mutex mutex_;      // guards the members below

@@ -2,13 +2,14 @@
 
 const again_ms = 1000;
 
+function requestOf(body) {
+  if (body === undefined) return {};
+  const is_bytes = body instanceof Blob;
+  const headers = {'Content-Type': is_bytes ? 'application/octet-stream' : 'application/json'};
+  return {method: 'POST', headers, body: is_bytes ? body : JSON.stringify(body)};
+}
 async function ask(path, body) {
-  const response = await fetch(
-    path,
-    body === undefined
-      ? {}
-      : {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)},
-  );
+  const response = await fetch(path, requestOf(body));
   const answer = await response.json().catch(() => null);
   if (response.ok) return answer;
   throw Object.assign(new Error(answer?.error?.message ?? `${path}: ${response.status}`), {status: response.status});
@@ -87,6 +88,10 @@ export class SessionClient {
   }
   end() {
     return ask(this.#own('/end'), {});
+  }
+  /** A part of a recording of the human: {source, type, take, part, t}, and its bytes. */
+  film(named, bytes) {
+    return ask(`${this.#own('/media')}&${new URLSearchParams(named)}`, bytes);
   }
   save(name) {
     return ask(this.#path('/save'), {name});

@@ -5,6 +5,7 @@ import {helpDialog} from '../keys.js';
 import {three} from '../vendor.js';
 import {mountConversation} from './conversation.js';
 import {EngineClock} from './engine_clock.js';
+import {Filming, canFilm} from './filming.js';
 import {LiveWorld} from './live_world.js';
 import {mountPalette} from './palette.js';
 import {mountPlace} from './place.js';
@@ -37,6 +38,7 @@ class SessionPage {
   #clock = new EngineClock();
   #voice = new Voice();
   #world = new LiveWorld(() => this.place?.render());
+  #filming;
   #conversation;
   #palette;
   #dialogs;
@@ -58,14 +60,22 @@ class SessionPage {
     this.#now = {live, running: this.#clock.running, viewers, state: state.state, mapped: false};
     this.#conversation = mountConversation(run);
     this.#palette = mountPalette(state, (event) => this.#send(() => [event]));
+    this.#filming = new Filming({
+      client,
+      time: () => this.#clock.now,
+      say: (sentence) => this.#say(sentence),
+      changed: (filmed) => this.#show({filmed}),
+    });
     this.#dialogs = {
+      film: this.#filming.dialog,
       help: helpDialog([...this.#palette.keys, ...page_keys], mouse_help),
       save: saveDialog(
         (name) => client.save(name),
         (text) => copy(text, 'Copied.'),
       ),
     };
-    this.#status = this.#mountStatus(run);
+    // Time that goes faster or slower than the clock's would not fit a recording.
+    this.#status = this.#mountStatus(run, client.recording && speed === 1 && canFilm());
     this.#link = this.#mountLink();
     const talking = h('div', {class: 'talking'}, this.#conversation.element, this.#notice, this.#below);
     const main = h('main', {class: 'live'}, this.#scene, talking);
@@ -73,7 +83,7 @@ class SessionPage {
     addEventListener('pagehide', this.#leaving);
   }
 
-  #mountStatus(run) {
+  #mountStatus(run, films) {
     const act = {
       pause: () => this.#pause(),
       end: () => this.#end(),
@@ -81,9 +91,10 @@ class SessionPage {
       keys: () => this.#dialogs.help.open(),
       speak: () => this.#voice.toggle(),
       map: () => this.place?.toggle(),
+      film: () => this.#filming.toggle(),
     };
     const {recording} = this.#client;
-    return mountStatus({run, recording, time: () => this.#clock.now, speaks: this.#voice.on, act});
+    return mountStatus({run, recording, films, time: () => this.#clock.now, speaks: this.#voice.on, act});
   }
   #mountLink() {
     return new SessionLink(this.#client, {
@@ -106,6 +117,7 @@ class SessionPage {
   #show(change = {}) {
     this.#now = {...this.#now, ...change};
     this.#status.render(this.#now);
+    this.#filming.pause(!this.#now.running);
     if (this.place) this.place.pointing.enabled = this.#working;
   }
   /** Whether this page records a session that goes on. */
@@ -183,6 +195,7 @@ class SessionPage {
   async #end() {
     this.#say('Ending: the avatar finishes what it is doing …');
     try {
+      await this.#filming.stop();
       this.#ended(await this.#client.end());
     } catch (problem) {
       this.#say(problem.message);
@@ -192,6 +205,7 @@ class SessionPage {
   #ended({t, state, trace, run}) {
     if (!this.#now.live && this.#below.querySelector('.summary')) return;
     this.#link.close();
+    this.#filming.close();
     this.#talk?.close();
     this.#voice.stop();
     this.#clock.told({t, running: false});
@@ -204,6 +218,7 @@ class SessionPage {
     const save = h('button', {type: 'button', class: 'primary'}, 'Save as test');
     save.addEventListener('click', () => this.#dialogs.save.open());
     const sentence = h('p', {}, 'The conversation has ended. Its trace is ', h('code', {}, trace));
+    if (this.#filming.any) sentence.append(', which names the recordings of you: they lie beside it');
     const ways = [
       save,
       h('a', {class: 'button', href: `/r/${encodeURIComponent(run)}`}, 'Inspect'),
@@ -244,7 +259,7 @@ class SessionPage {
   close() {
     removeEventListener('pagehide', this.#leaving);
     this.#link.close();
-    for (const one of [this.#client, this.#world, this.#status, this.place, this.#talk]) one?.close();
+    for (const one of [this.#filming, this.#client, this.#world, this.#status, this.place, this.#talk]) one?.close();
     this.#voice.stop();
   }
 }

@@ -15,6 +15,10 @@ function buttonsOf(act, speaks) {
   return {
     pause: button('Pause', 'Stops the engine’s time (Space)', act.pause, {'data-testid': 'live-pause'}),
     end: button('End', 'Ends the recording', act.end, {'data-testid': 'live-end'}),
+    film: button('Record me', 'Records your voice or your picture, if you agree', act.film, {
+      'aria-pressed': 'false',
+      'data-testid': 'live-film',
+    }),
     speak: window.speechSynthesis ? speak : null,
     map: button('Map', 'The table from above', act.map, {'aria-pressed': 'false', 'data-testid': 'live-map'}),
     save: button('Save as test', 'Keeps this conversation as a test', act.save, {'data-testid': 'live-save'}),
@@ -41,13 +45,16 @@ const inspect = (run) =>
     'Inspect',
   );
 
-/** `act`: {pause, end, save, keys, speak, map}; `recording`: this page records, or only watches. */
-export function mountStatus({run, recording, time, act, speaks}) {
+/**
+ * `act`: {pause, end, save, keys, speak, map, film}; `recording`: this page records, or only watches; `films`: whether it
+ * can record the human.
+ */
+export function mountStatus({run, recording, films, time, act, speaks}) {
   const state = h('span', {class: 'state', 'data-testid': 'live-state'});
   const seconds = h('output', {class: 'engine-time', 'data-testid': 'live-time'});
   const mode = h('span', {class: 'badge', role: 'status', 'data-testid': 'live-mode'});
   const watching = h('span', {class: 'muted watching', 'data-testid': 'live-viewers'});
-  const {pause, end, speak, map, save, keys} = buttonsOf(act, speaks);
+  const {pause, end, film, speak, map, save, keys} = buttonsOf(act, speaks);
   const element = h(
     'header',
     {class: 'top live-top'},
@@ -57,19 +64,21 @@ export function mountStatus({run, recording, time, act, speaks}) {
     seconds,
     state,
     watching,
-    h('div', {class: 'transport'}, recording && [pause, end], speak, map, save, inspect(run), keys),
+    h('div', {class: 'transport'}, recording && [pause, end], films && film, speak, map, save, inspect(run), keys),
   );
   const timer = setInterval(() => put(seconds, clock(time())), tick_ms);
   return {
     element,
-    /** Shows {live, running, viewers, state, mapped}. */
-    render({live, running, viewers, state: now, mapped}) {
+    /** Shows {live, running, viewers, state, mapped, filmed}. */
+    render({live, running, viewers, state: now, mapped, filmed}) {
       mode.className = `badge ${live && running ? 'live' : ''}`;
       put(mode, live ? (running ? '● recording' : '⏸ paused') : 'ended');
       put(watching, viewers > 0 ? `${viewers} watching` : '');
       put(state, now ?? '');
       put(pause, running ? 'Pause' : 'Go on');
-      pause.hidden = end.hidden = !live;
+      pause.hidden = end.hidden = film.hidden = !live;
+      put(film, filmed ? '● Stop recording me' : 'Record me');
+      film.setAttribute('aria-pressed', String(Boolean(filmed)));
       map.setAttribute('aria-pressed', String(mapped));
       put(seconds, clock(time()));
     },

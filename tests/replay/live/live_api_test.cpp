@@ -202,3 +202,20 @@ TEST_CASE("a machine that knows gestures by their names offers those") {
   CHECK(offers("engage start"));
   CHECK(offers("point right start"));
 }
+
+TEST_CASE("a recording goes beside the trace, from the one who records alone") {
+  Asked asked;
+  const auto session = asked.post("/api/sessions", R"({"clock":"wall","recorder":"me"})", 201);
+  const std::string own = "/api/sessions/" + session["id"].get<std::string>();
+  const std::string bytes = "\x1A\x45\xDF\xA3 recording";
+  const std::string camera = own + "/media?source=camera&type=video/webm&t=0.5&take=0&part=0";
+  CHECK(asked.refused(409, camera, bytes) == "somebody else records into this session");
+  CHECK(asked.refused(400, camera + "&recorder=me") == "expected bytes of a recording");
+  CHECK_FALSE(asked.refused(400, own + "/media?source=camera&type=video/webm&recorder=me", bytes).empty());
+  CHECK(asked.post(camera + "&recorder=me", bytes)["accepted"] == bytes.size());
+  asked.post(own + "/end?recorder=me");
+  CHECK(asked.refused(409, camera + "&recorder=me", bytes) == "the session has ended");
+  CHECK(asked.file("session.camera.webm") == bytes);
+  CHECK_THAT(asked.file("session.trace.jsonl"),
+             Contains(R"("media":[{"file":"session.camera.webm","kind":"video","label":"camera","offset":-0.5}])"));
+}
