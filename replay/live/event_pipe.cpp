@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <thread>
 
@@ -105,7 +106,8 @@ class Piped {
     if (!defaults.scene.empty()) asked.erase("scene");
     if (!defaults.machine.empty()) asked.erase("machine");
     if (defaults.replay.seed) asked.erase("seed");
-    auto started = sessions_.start(asked, true);
+    // Who writes events goes on while the session is loaded.
+    auto started = sessions_.start(asked, true, std::chrono::steady_clock::now());
     if (const auto* refusal = std::get_if<LiveRefusal>(&started)) return Error{"standard input", refusal->sentence};
     listed_ = std::get<ListedSession>(started);
     if (const auto& warning = listed_.session->setting().warning) report_warning(*warning);

@@ -58,7 +58,7 @@ Outcome LiveSession::open() {
   auto loop = session_->begin(nobody, log_->stream());
   if (!loop) return loop.error();
   loop_ = std::move(*loop);
-  if (timing_ == LiveTiming::wall) clock_.run(std::chrono::steady_clock::now());
+  if (timing_ == LiveTiming::wall) clock_.run(setting_.options.began.value_or(std::chrono::steady_clock::now()));
   tell();
   thread_ = std::thread([this] { work(); });
   return std::nullopt;

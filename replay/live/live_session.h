@@ -27,6 +27,7 @@ struct LiveOptions {
   TraceHeader header;                ///< scene and machine are needed
   ReplayOptions replay;
   std::optional<LiveTiming> timing;                       ///< none: by events, if the first of them tells its time
+  std::optional<WallTime> began;                          ///< its time 0 by the wall's clock; none: when it is loaded
   double speed = 1;                                       ///< of the wall's clock
   std::uint64_t most_log_bytes = std::uint64_t{1} << 30;  ///< a day of talk with physics has less
   std::string recorder;                                   ///< whoever sends events has to name it; empty: nobody has to

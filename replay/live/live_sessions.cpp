@@ -133,10 +133,12 @@ std::optional<std::string> LiveSessions::take_place(LiveOptions& options, const 
   }
 }
 
-std::variant<ListedSession, LiveRefusal> LiveSessions::start(const Json& asked, bool any_file) {
+std::variant<ListedSession, LiveRefusal> LiveSessions::start(const Json& asked, bool any_file,
+                                                             std::optional<WallTime> began) {
   auto found = options_of(asked, any_file);
   if (auto* refusal = std::get_if<LiveRefusal>(&found)) return std::move(*refusal);
   auto& options = std::get<LiveOptions>(found);
+  options.began = began;
   const Json name = asked.contains("name") ? asked["name"] : Json(defaults_.name);
   if (!name.is_string() || (asked.contains("name") && !is_file_name(name)))
     return bad("name", name, fmt::format("1 to {} letters, digits, _ or -", longest_name));

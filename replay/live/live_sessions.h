@@ -59,8 +59,10 @@ class LiveSessions {
 
   /// {"scene", "machine", "seed", "perspective", "objects", "physics", "clock", "speed", "name", "recorder"}, each of
   /// which may be left out; the first five are as in a trace's header, which will do as well. Unless `any_file`, scene
-  /// and machine are among the names of setup().
-  std::variant<ListedSession, LiveRefusal> start(const Json& asked, bool any_file = false);
+  /// and machine are among the names of setup(). `began`: when its time began, if it goes by the wall's clock; none:
+  /// when it is loaded.
+  std::variant<ListedSession, LiveRefusal> start(const Json& asked, bool any_file = false,
+                                                 std::optional<WallTime> began = std::nullopt);
 
   std::optional<ListedSession> find(const std::string& id) const;
   /// The live one that was begun last.
