@@ -26,6 +26,7 @@
 #include "continua/replay/commands/export.h"
 #include "continua/replay/commands/import.h"
 #include "continua/replay/commands/learn.h"
+#include "continua/replay/commands/listen.h"
 #include "continua/replay/commands/machine.h"
 #include "continua/replay/commands/new.h"
 #include "continua/replay/commands/pack.h"
@@ -62,6 +63,8 @@ std::vector<Subcommand> add_all(CLI::App& program) {
   return {
       add(program, "replay", "Run traces through the engine and write their run logs", describe_replay, run_replay),
       add(program, "record", "Talk and point to the avatar, and keep the session", describe_record, run_record),
+      add(program, "listen", "Turn a recogniser's output, as it comes, into events for record", describe_listen,
+          run_listen),
       add(program, "explain", "Tell why a run went as it did at one of its records", describe_explain, run_explain),
       add(program, "diff", "Tell where two runs, or two traces, part and why", describe_diff, run_diff_command),
       add(program, "serve", "Show runs in a browser", describe_serve, run_serve),

@@ -92,7 +92,9 @@ int import_recognisers(const ImportOptions& options) {
     return exit_impossible;
   };
   if (const auto problem = not_an_input(options.output, options.logs)) return fail(*problem);
-  const auto trace = trace_of_recognisers(options.logs, options.from);
+  const auto camera = named_camera(options.camera);
+  if (!camera) return fail(camera.error());
+  const auto trace = trace_of_recognisers(options.logs, options.from, *camera);
   if (!trace) return fail(trace.error());
   if (const auto problem = write_file(options.output, write_trace(*trace))) return fail(*problem);
   fmt::print(options.output == "-" ? stderr : stdout, "imported {}: {}\n", counted(options.logs.size(), "file"),
@@ -147,6 +149,8 @@ void describe_import(CLI::App& command, ImportOptions& options) {
     described += fmt::format("; {}: {}", format.name, format.what);
   }
   command.add_option("--from", options.from, described)->check(CLI::IsMember(formats))->allow_extra_args(false);
+  command.add_option("--camera", options.camera,
+                     "where the recognisers' camera is (RECOGNISERS.md): hands become pointing rays");
   command.footer(
       "Examples: continua import logs/*.txt -o traces/pilot\n"
       "          continua import talk.eaf -o talk.trace.jsonl > talk.tiers.json\n"

@@ -12,6 +12,7 @@ struct ImportOptions {
   std::vector<std::string> logs;
   std::string output;                  ///< a trace, "-", or a folder; with several logs always a folder
   std::vector<std::string> from = {};  ///< formats of recognisers: the files make one trace
+  std::string camera = {};             ///< the file of the recognisers' camera; empty: none
   std::string tiers = {};              ///< the map of tiers of annotations; empty: it is guessed, and printed
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <pugixml.hpp>
 
-#include "continua/replay/recogniser/json_values.h"
+#include "continua/replay/recogniser/json_reader.h"
 #include "continua/replay/recogniser/recogniser_output.h"
 #include "continua/replay/trace/session_notation.h"
 
@@ -36,11 +36,12 @@ std::string text_within(const pugi::xml_node& element) {
   return trimmed_words(text);
 }
 
-class EmmaReader {
+// One document.
+class EmmaDocument {
  public:
-  EmmaReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  EmmaDocument(const OutputPart& part, const std::string& name) : text_(part.text), first_(part.line), name_(name) {}
 
-  Result<std::vector<Json>> read() {
+  Outcome read(std::vector<Json>& events) {
     const auto parsed = document_.load_buffer(text_.data(), text_.size());
     if (!parsed)
       return lacks(name_, line(parsed.offset),
@@ -48,33 +49,27 @@ class EmmaReader {
     const auto root = document_.document_element();
     if (local(root.name()) != "emma")
       return lacks(name_, line(root.offset_debug()), "<emma:emma>, the root of an EMMA document");
-    if (auto problem = walk(root)) return *problem;
-    return events_;
-  }
-
- private:
-  Outcome walk(const pugi::xml_node& element) {
-    for (const auto part : element.children()) {
-      const auto name = local(part.name());
-      Outcome problem;
-      if (name == "one-of")
-        problem = add_list(part);
-      else if (name == "interpretation")
-        problem = add(part, {part});
-      else if (name == "group" || name == "sequence")
-        problem = walk(part);
-      if (problem) return problem;
-    }
+    walk(root, events);
     return std::nullopt;
   }
 
-  // An n-best list is one event; lists in lists, such as of several readings of one sound, are one list.
-  Outcome add_list(const pugi::xml_node& list) {
-    std::vector<pugi::xml_node> all;
-    collect(list, all);
-    return all.empty() ? Outcome() : add(list, all);
+ private:
+  static void walk(const pugi::xml_node& element, std::vector<Json>& events) {
+    for (const auto part : element.children()) {
+      const auto name = local(part.name());
+      if (name == "one-of") {
+        std::vector<pugi::xml_node> all;
+        collect(part, all);
+        add(all, events);
+      } else if (name == "interpretation") {
+        add({part}, events);
+      } else if (name == "group" || name == "sequence") {
+        walk(part, events);
+      }
+    }
   }
 
+  // An n-best list is one event; lists in lists, such as of several readings of one sound, are one list.
   static void collect(const pugi::xml_node& list, std::vector<pugi::xml_node>& all) {
     for (const auto part : list.children())
       if (local(part.name()) == "interpretation")
@@ -83,14 +78,16 @@ class EmmaReader {
         collect(part, all);
   }
 
-  Outcome add(const pugi::xml_node& element, const std::vector<pugi::xml_node>& interpretations) {
-    const auto start = finite_number(inherited(interpretations.front(), "start"));
-    const auto end = finite_number(inherited(interpretations.front(), "end"));
-    if (!start) return lacks(name_, line(element.offset_debug()), "emma:start, in milliseconds");
-    const auto mode = inherited(interpretations.front(), "mode"), medium = inherited(interpretations.front(), "medium");
+  static void add(const std::vector<pugi::xml_node>& interpretations, std::vector<Json>& events) {
+    if (interpretations.empty()) return;
+    const auto& first = interpretations.front();
+    const auto mode = inherited(first, "mode"), medium = inherited(first, "medium");
     const bool speech = mode == "voice" || medium == "acoustic" || (mode.empty() && medium.empty());
-    Json event = {{"t", *start / 1000}, {"kind", speech ? "speech" : "gesture"}};
-    if (end && *end >= *start) event["until"] = *end / 1000;
+    const auto start = finite_number(inherited(first, "start")), end = finite_number(inherited(first, "end"));
+    Json event = Json::object();
+    if (start) event["t"] = *start / 1000;
+    event["kind"] = speech ? "speech" : "gesture";
+    if (start && end && *end >= *start) event["until"] = *end / 1000;
     for (const auto& one : interpretations) {
       if (attribute_of(one, "uninterpreted") == "true" && attribute_of(one, "tokens").empty()) continue;
       auto content = attribute_of(one, "tokens");
@@ -100,32 +97,39 @@ class EmmaReader {
       Json alternative = {{"text", content}, {"confidence", std::clamp(sure.value_or(1), 0.0, 1.0)}};
       event["alternatives"].push_back(std::move(alternative));
     }
-    if (!event.contains("alternatives")) return std::nullopt;
+    if (!event.contains("alternatives")) return;
     if (event["alternatives"].size() == 1) {
       const auto [text, sure] = std::pair(event["alternatives"][0]["text"], event["alternatives"][0]["confidence"]);
       event.erase("alternatives");
       event[speech ? "text" : "name"] = text;
       if (sure != 1.0) event["confidence"] = sure;
     }
-    events_.push_back(std::move(event));
-    return std::nullopt;
+    events.push_back(std::move(event));
   }
 
   std::size_t line(std::ptrdiff_t offset) const {
     const auto end = std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(text_));
-    return 1 + static_cast<std::size_t>(std::count(text_.begin(), text_.begin() + end, '\n'));
+    return first_ + static_cast<std::size_t>(std::count(text_.begin(), text_.begin() + end, '\n'));
   }
 
   std::string_view text_;
+  std::size_t first_;  // line
   const std::string& name_;
   pugi::xml_document document_;
-  std::vector<Json> events_;
+};
+
+class EmmaReader : public RecogniserReader {
+ public:
+  using RecogniserReader::RecogniserReader;
+  void read(const OutputPart& part, Recognised& gain) override {
+    if (auto problem = EmmaDocument(part, name()).read(gain.events)) gain.problems.push_back(*std::move(problem));
+  }
 };
 
 }  // namespace
 
-Result<std::vector<Json>> read_emma(std::string_view text, const std::string& name) {
-  return EmmaReader(text, name).read();
+std::unique_ptr<RecogniserReader> emma_reader(OutputSource source) {
+  return std::make_unique<EmmaReader>(std::move(source));
 }
 
 }  // namespace continua

@@ -10,31 +10,9 @@
 #include "continua/replay/trace/trace_event.h"
 
 namespace continua {
-namespace {
 
-// A recording that lasts for so many seconds is none: these are times of a calendar.
-constexpr double least_calendar_s = 1e8;
-
-}  // namespace
-
-const std::vector<RecogniserFormat>& recogniser_formats() {
-  static const std::vector<RecogniserFormat> formats = {
-      {"whisper", "Whisper's verbose JSON, or whisper.cpp's of -oj or -ojf", read_whisper},
-      {"vosk", "Vosk's results, one after the other", read_vosk},
-      {"pocketsphinx", "lines of pocketsphinx -time yes", read_pocketsphinx},
-      {"mediapipe", "results of MediaPipe's GestureRecognizer with timestamp_ms, one after the other", read_mediapipe},
-      {"emma", "W3C's EMMA 1.0", read_emma},
-      {"ros4hri", "messages LiveSpeech and Gesture of hri_msgs as JSON, one after the other", read_ros4hri}};
-  return formats;
-}
-
-const RecogniserFormat* recogniser_format(std::string_view name) {
-  const auto& all = recogniser_formats();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& format) { return format.name == name; });
-  return found == all.end() ? nullptr : &*found;
-}
-
-Result<Trace> trace_of_recognisers(const std::vector<std::string>& files, const std::vector<std::string>& formats) {
+Result<Trace> trace_of_recognisers(const std::vector<std::string>& files, const std::vector<std::string>& formats,
+                                   std::shared_ptr<const Camera> camera) {
   if (formats.size() != 1 && formats.size() != files.size())
     return Error{"--from", fmt::format("found {} formats for {} files; expected one, or one for each", formats.size(),
                                        files.size())};
@@ -42,7 +20,8 @@ Result<Trace> trace_of_recognisers(const std::vector<std::string>& files, const 
   for (std::size_t i = 0; i < files.size(); ++i) {
     const auto text = read_file(files[i]);
     if (!text) return text.error();
-    const auto read = recogniser_format(formats[formats.size() == 1 ? 0 : i])->read(*text, files[i]);
+    const auto read =
+        read_output(*recogniser_format(formats[formats.size() == 1 ? 0 : i]), *text, {files[i], false, camera});
     if (!read) return read.error();
     events.insert(events.end(), read->begin(), read->end());
   }
@@ -53,7 +32,7 @@ Result<Trace> trace_of_recognisers(const std::vector<std::string>& files, const 
   Trace trace;
   trace.name = files.front();
   for (auto& event : events) {
-    if (first > least_calendar_s) event = shifted_event(std::move(event), SimTime{} - SimTime::from_seconds(first));
+    if (first >= least_calendar_s) event = shifted_event(std::move(event), SimTime{} - SimTime::from_seconds(first));
     std::vector<Error> problems;
     trace.events.push_back(
         event_from_json(std::move(event), trace.name, trace.events.size() + 2, problems, trace.notes));
