@@ -1,8 +1,10 @@
 #include "continua/replay/commands/machine.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <set>
+#include <sstream>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,18 +13,26 @@
 
 #include "continua/analysis/acceptance.h"
 #include "continua/analysis/machine_analysis.h"
+#include "continua/core/characters.h"
 #include "continua/core/replaced_file.h"
+#include "continua/knowledge_files/data_paths.h"
+#include "continua/knowledge_files/language_loading.h"
 #include "continua/knowledge_files/named_machine.h"
 #include "continua/machine_file/jflap_writer.h"
 #include "continua/replay/export/graph_dot.h"
 #include "continua/replay/export/graph_svg.h"
 #include "continua/replay/log/record_json.h"
+#include "continua/replay/recogniser/speech_grammar.h"
 #include "continua/replay/recorder/machine_graph.h"
+#include "continua/replay/session/live_setup.h"
+#include "continua/simulation/scene.h"
 
 namespace continua {
 namespace {
 
 using Names = std::vector<std::string>;
+
+constexpr std::size_t words_shown = 20;
 
 std::string list(const Names& names) { return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")); }
 
@@ -117,8 +127,65 @@ std::string description_of(const std::shared_ptr<const Machine>& machine) {
   return text + examples_line(machine);
 }
 
+// The words that begin the lines of a pronouncing dictionary; "the(2)" is another pronunciation.
+Result<std::set<std::string, std::less<>>> pronounced_words(const std::string& path) {
+  const auto text = read_file(path);
+  if (!text) return text.error();
+  std::set<std::string, std::less<>> words;
+  std::istringstream lines(*text);
+  for (std::string line; std::getline(lines, line);)
+    if (auto word = line.substr(0, line.find_first_of(" \t(\r")); !word.empty()) words.insert(folded(word));
+  if (words.empty()) return Error{path, "has no words; expected a word and its sounds on each line"};
+  return words;
+}
+
+// What to say when words of the grammar cannot be pronounced.
+void tell_unpronounced(const MachineOptions& options, const std::set<std::string>& words) {
+  if (words.empty()) return;
+  const std::vector<std::string> some(
+      words.begin(), std::next(words.begin(), static_cast<std::ptrdiff_t>(std::min(words.size(), words_shown))));
+  report_warning(
+      {options.dictionary, fmt::format("lacks {}, which the grammar leaves out: {}{}", counted(words.size(), "word"),
+                                       fmt::join(some, ", "), some.size() < words.size() ? ", …" : "")});
+}
+
+Result<std::string> jsgf_of(const MachineOptions& options, const Machine& machine) {
+  const auto data = find_data_paths(options.knowledge);
+  if (!data) return data.error();
+  const auto language = load_language(*data, machine);
+  if (!language) return language.error();
+  if (!language->lexicon) return Error{options.machine, "has no lexicon; expected a machine that hears words"};
+  auto scene_name = options.scene;
+  if (scene_name.empty()) {
+    const auto setup = live_setup(*data);
+    if (!setup) return setup.error();
+    scene_name = setup->value("scene", "");
+  }
+  const auto path = resolve_scene(scene_name, *data, ".", "--scene");
+  if (!path) return path.error();
+  const auto scene = load_scene(*path);
+  if (!scene) return scene.error();
+  SpeechGrammarOptions grammar_options{machine.name, options.patterns, {}, {}};
+  grammar_options.is_taken = [&machine](const std::string& move) {
+    return std::any_of(machine.transitions.begin(), machine.transitions.end(),
+                       [&](const Transition& one) { return one.on && one.on->contains("speech " + move); });
+  };
+  std::set<std::string, std::less<>> known;
+  if (!options.dictionary.empty()) {
+    auto words = pronounced_words(options.dictionary);
+    if (!words) return words.error();
+    known = *std::move(words);
+    grammar_options.is_pronounced = [&known](std::string_view word) { return known.contains(word); };
+  }
+  const auto grammar = speech_grammar(language->lexicon, scene->initial_snapshot(), grammar_options);
+  if (grammar.patterns == 0) return Error{options.machine, "has no sentence for a grammar in this scene"};
+  tell_unpronounced(options, grammar.unpronounced);
+  return grammar.text;
+}
+
 Result<std::string> answer(const MachineOptions& options, const std::shared_ptr<const Machine>& machine) {
   if (options.jff) return jflap_of(*machine);
+  if (options.jsgf) return jsgf_of(options, *machine);
   if (!options.dot && !options.svg) return printable(description_of(machine));
   const auto graph = state_graph_of(log::to_json(graph_of(*machine)), machine->name);
   if (!graph) return graph.error();
@@ -144,9 +211,28 @@ void describe_machine(CLI::App& command, MachineOptions& options) {
   command.add_flag("--jff", options.jff, "a JFLAP file, if it is a finite or pushdown machine of characters")
       ->excludes(dot)
       ->excludes(svg);
+  auto* jsgf =
+      command
+          .add_flag("--jsgf", options.jsgf,
+                    "the grammar, in JSGF, of sentences that it understands in a scene, for a recogniser of speech")
+          ->excludes(dot)
+          ->excludes(svg);
+  command.add_option("--scene", options.scene, "whose words the grammar has; otherwise that of live.json")->needs(jsgf);
+  command
+      .add_option("--dictionary", options.dictionary,
+                  "the recogniser's pronouncing dictionary; words that it lacks are left out of the grammar")
+      ->needs(jsgf);
+  command
+      .add_option("--patterns", options.patterns,
+                  "the most kinds of sentences in the grammar: those that most examples of the lexicon have")
+      ->needs(jsgf)
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
   command.add_option("--knowledge", options.knowledge, "folder to use instead of engine/knowledge");
   command.add_option("-o,--output", options.output, "a file, or '-'");
-  command.footer("Example: continua machine diana2018 --svg -o diana2018.svg");
+  command.footer(
+      "Examples: continua machine diana2018 --svg -o diana2018.svg\n"
+      "          continua machine interaction --jsgf --scene workbench --dictionary cmudict-en-us.dict -o said.jsgf");
 }
 
 }  // namespace continua
