@@ -13,10 +13,10 @@ struct MachineOptions {
   bool dot = false, svg = false;
   std::string output = "-";
   bool jff = false;
-  bool jsgf = false;           ///< the grammar of sentences, for recognisers of speech
-  std::string scene;           ///< whose words the grammar has; empty: that of live sessions
-  std::string dictionary;      ///< a recogniser's pronouncing dictionary; empty: the grammar has all words
-  std::size_t patterns = 100;  ///< the most sentence patterns of the grammar
+  bool jsgf = false;            ///< the grammar of sentences, for recognisers of speech
+  std::string scene = {};       ///< whose words the grammar has; empty: that of live sessions
+  std::string dictionary = {};  ///< a recogniser's pronouncing dictionary; empty: the grammar has all words
+  std::size_t patterns = 100;   ///< the most sentence patterns of the grammar
 };
 
 /// A description on standard output, or a picture to `output`.
