@@ -167,6 +167,14 @@ TEST_CASE("what comes late goes by its own time within the window, and does noth
   CHECK(comparable(log) == comparable(replayed(options.trace_path, false)));
 }
 
+TEST_CASE("time may have begun before the session was loaded") {
+  const TemporaryFolder folder;
+  auto options = options_in(folder, LiveTiming::wall);
+  options.began = std::chrono::steady_clock::now() - 60s;
+  const auto session = started(std::move(options));
+  CHECK(sent(*session, R"({"kind":"mark","text":"now"})").t.seconds() >= 60);
+}
+
 TEST_CASE("a pause lets time stand still, and what is said in it counts then") {
   const TemporaryFolder folder;
   const auto session = started(options_in(folder, LiveTiming::wall));
