@@ -64,6 +64,29 @@ def contradictory():
         yield f"contradictory yes no {shift}", "place_setting", ["take the cup", turn], {"asks": True}
 
 
+def afterwards():
+    """A gesture that contradicts words on which the avatar acts already: what is chosen is done once."""
+    for scene, thing in (("place_setting", "plate"), ("emre_table", "knife"), ("staircase", "block3"), ("workbench", "knife")):
+        words = things.UNIQUE[scene][thing]
+        for at in (0.2, 0.6, 1.0):
+            side = "left" if scene != "emre_table" else "right"
+            other = {"left": "right", "right": "left"}[side]
+            turn = [{"say": f"push {words} to the {side}", "at": 0}, {"gesture": "push", "direction": other, "at": at}]
+            yield f"pushed {side} {thing} {scene} {at}", scene, [turn, "yes"], {"acts": [f"push {thing} {side}"]}
+        for at in (0.1, 0.4):
+            turn = [{"say": f"lift {words}", "at": 0}, {"gesture": "turn", "at": at}]
+            yield f"lifted {thing} {scene} {at}", scene, [turn, "yes"], {"acts": [f"lift {thing}"]}
+            turn = [{"say": f"put {words} in front of me", "at": 0}, {"gesture": "grab", "at": at}]
+            yield f"grasped {thing} {scene} {at}", scene, [turn], {"acts": [f"put {thing} front"]}
+    for scene, thing, ground, elsewhere in (("place_setting", "knife", "plate", [-0.1, -0.17]), ("workbench", "block_red", "plate", [0.0, -0.2]),
+                                            ("staircase", "block7", "block1", [0.12, -0.06])):
+        for at in (0.2, 0.6):
+            turn = [{"say": f"put {things.UNIQUE[scene][thing]} on {things.UNIQUE[scene][ground]}", "at": 0}, {"point": elsewhere, "at": at}]
+            yield f"elsewhere {thing} {ground} {scene} {at}", scene, [turn, "yes"], {"acts": [f"put {thing} on {ground}"]}
+            turn = [turn[0], {"point": things.where(scene, thing), "at": at}]
+            yield f"not elsewhere {thing} {ground} {scene} {at}", scene, [turn], {"acts": [f"put {thing} on {ground}"]}
+
+
 def timed():
     """Words with an end, and gestures while they are spoken."""
     for scene, thing in (("place_setting", "knife"), ("workbench", "cup"), ("emre_table", "plate")):
@@ -73,6 +96,6 @@ def timed():
 
 
 def members():
-    for part in (equal, complementary, contradictory):
+    for part in (equal, complementary, contradictory, afterwards):
         for name, scene, say, expect in part():
             yield {"id": f"ensembles {name}", "scene": scene, "say": say, "expect": expect}

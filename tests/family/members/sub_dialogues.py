@@ -31,7 +31,7 @@ def shown_between(scene):
     thing, name, place, elsewhere = LIFTED[scene]
     lift, act = f"lift {thing}", f"lift {name}"
     yield "contradicted", [[{"point": elsewhere}, lift], thing], [act]
-    yield "contradicted afterwards", [[lift, {"point": elsewhere}], thing], [act, act]
+    yield "contradicted afterwards", [[lift, {"point": elsewhere}], thing], [act]
     yield "contradicted and left", [[{"point": elsewhere}, lift], "never mind"], []
     yield "shown as well", [[lift, {"point": place}]], [act]
     yield "shown by a hand as well", [[lift, {"gesture": "lift"}]], [act]
