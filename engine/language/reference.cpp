@@ -115,16 +115,21 @@ const std::vector<std::string>* objects_of(Proform::Source source, const Context
 Reference refer_to_pointed(const Context& context) {
   Reference reference;
   Fitting fitting;
-  for (const auto* each : asked_about(context, fitting.ruled_out)) {
-    if (context.pointed_W)
-      reference.margin = std::min(reference.margin, pointing_margin(*context.pointed_W, *each, context.pointed_sd_m));
-    if (context.pointed_W && is_pointed_at(*context.pointed_W, *each, context.pointed_sd_m))
-      fitting.objects.push_back(each);
-    else
-      fitting.ruled_out.push_back({each->name, "not pointed at"});
+  const auto candidates = asked_about(context, fitting.ruled_out);
+  // One that is near enough makes it a pointing at things; whatever is about as likely is then a rival of it.
+  bool means_things = false;
+  for (const auto* each : candidates) {
+    if (!context.pointed_W) continue;
+    reference.margin = std::min(reference.margin, pointing_margin(*context.pointed_W, *each, context.pointed_sd_m));
+    means_things = means_things || is_pointed_at(*context.pointed_W, *each, context.pointed_sd_m);
   }
   std::vector<double> densities;
-  if (context.pointed_W) densities = keep_pointed(*context.pointed_W, context.pointed_sd_m, fitting, reference.margin);
+  if (means_things) {
+    fitting.objects = candidates;
+    densities = keep_pointed(*context.pointed_W, context.pointed_sd_m, fitting, reference.margin);
+  } else {
+    for (const auto* each : candidates) fitting.ruled_out.push_back({each->name, "not pointed at"});
+  }
   reference.referents = ranked(fitting, densities, context);
   reference.ruled_out = in_scene_order(std::move(fitting.ruled_out), *context.facts.world);
   if (!reference.referents.empty() || context.among.empty()) return reference;
