@@ -82,12 +82,8 @@ class RunTiers {
   }
 
   void add(std::size_t n, const std::string& kind, SimTime t, const Json& record) {
-    if (log::is<log::Input>(kind))
-      add_event(n, t, record, member_of(record, "event"));
-    else if (log::is_any<log::Observed, log::Mark>(kind))
-      add_event(n, t, record, record);
-    else if (log::is<log::Expect>(kind))
-      add_event(n, t, record, member_of(record, "expected"), "expect");
+    if (log::is_any<log::Input, log::Observed, log::Mark, log::Expect>(kind))
+      add_event(n, t, record);
     else if (log::is<log::Utterance>(kind))
       tiers_.add("avatar speech", n, {t, std::nullopt, reading_time(text_of(record, "text"))}, text_of(record, "text"));
     else if (log::is<log::AvatarGesture>(kind))
@@ -98,14 +94,9 @@ class RunTiers {
       add_step(n, t, record);
   }
 
-  // An act's end is an input without a line: no event of the trace.
-  void add_event(std::size_t n, SimTime t, const Json& record, const Json& members, const char* kind = nullptr) {
-    const auto& line = member_of(record, "line");
-    if (!line.is_number_unsigned() || !members.is_object()) return;
-    Json event{{"t", t.seconds()}, {"kind", kind ? kind : text_of(members, "kind")}};
-    for (const auto& [name, value] : members.items())
-      if (name != "n" && name != "line" && !event.contains(name)) event[name] = value;
-    events_.add(n, line.get<std::size_t>(), event);
+  void add_event(std::size_t n, SimTime t, const Json& record) {
+    const auto event = event_of_record(record, t);
+    if (!event.is_null()) events_.add(n, member_of(record, "line").get<std::size_t>(), event);
   }
 
   void add_act(std::size_t n, SimTime t, const Json& record) {
@@ -140,8 +131,21 @@ class RunTiers {
   bool first_ = true;
 };
 
-// The header of a trace as far as the run tells it. The places of objects are those of the scene.
-std::string header_of(const Json& run) {
+}  // namespace
+
+Json event_of_record(const Json& record, SimTime t) {
+  const auto kind = text_of(record, "kind");
+  const auto& members = log::is<log::Input>(kind)    ? member_of(record, "event")
+                        : log::is<log::Expect>(kind) ? member_of(record, "expected")
+                                                     : record;
+  if (!member_of(record, "line").is_number_unsigned() || !members.is_object()) return nullptr;
+  Json event{{"t", t.seconds()}, {"kind", log::is<log::Expect>(kind) ? kind : text_of(members, "kind")}};
+  for (const auto& [name, value] : members.items())
+    if (name != "n" && name != "line" && !event.contains(name)) event[name] = value;
+  return event;
+}
+
+std::string trace_header_of_run(const Json& run) {
   TraceHeader header;
   header.scene = text_of(member_of(run, "scene"), "name");
   header.machine = text_of(member_of(run, "machine"), "name");
@@ -151,15 +155,13 @@ std::string header_of(const Json& run) {
   return write_header(header);
 }
 
-}  // namespace
-
 Result<Annotations> annotations_of_run(const RunIndex& run, const std::vector<NoteOnRun>& notes) {
   const auto header = run.record(0);
   if (!header) return header.error();
   RunTiers tiers(run);
   if (auto problem = tiers.read()) return *problem;
   const auto end = milliseconds(run.entry(run.size() - 1).t);
-  return Annotations{run.path(), "", header_of(*header), {}, tiers.finish(notes), end};
+  return Annotations{run.path(), "", trace_header_of_run(*header), {}, tiers.finish(notes), end};
 }
 
 }  // namespace continua

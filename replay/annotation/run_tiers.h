@@ -14,6 +14,13 @@ struct NoteOnRun {
   std::string text;
 };
 
+/// The event of the trace that a record `input`, `observed`, `mark` or `expect` at time t tells of, as a trace has it;
+/// null where the record comes of no line of the trace, as the end of an act does.
+Json event_of_record(const Json& record, SimTime t);
+
+/// The header of a trace as far as the header of its run tells it. The places of objects are those of the scene.
+std::string trace_header_of_run(const Json& run);
+
 /// A tier for each kind of event that the trace has; each annotation gives its event back.
 Annotations annotations_of_trace(const Trace& trace);
 

@@ -26,11 +26,15 @@ Result<Trace> trace_of_recognisers(const std::vector<std::string>& files, const 
     events.insert(events.end(), read->begin(), read->end());
   }
   if (events.empty()) return Error{files.front(), "nothing was recognised"};
-  std::stable_sort(events.begin(), events.end(),
-                   [](const Json& a, const Json& b) { return a["t"].get<double>() < b["t"].get<double>(); });
-  const double first = events.front()["t"].get<double>();
   Trace trace;
   trace.name = files.front();
+  return with_events(std::move(trace), std::move(events));
+}
+
+Result<Trace> with_events(Trace trace, std::vector<Json> events) {
+  const auto time_of = [](const Json& event) { return event["t"].get<double>(); };
+  std::stable_sort(events.begin(), events.end(), [&](const Json& a, const Json& b) { return time_of(a) < time_of(b); });
+  const double first = events.empty() ? 0 : time_of(events.front());
   for (auto& event : events) {
     if (first >= least_calendar_s) event = shifted_event(std::move(event), SimTime{} - SimTime::from_seconds(first));
     std::vector<Error> problems;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "continua/core/located_json.h"
 #include "continua/core/result.h"
 #include "continua/replay/recogniser/camera.h"
 #include "continua/replay/trace/trace_file.h"
@@ -16,5 +17,9 @@ namespace continua {
 /// file is no such output, an event is none of a trace, or nothing was recognised.
 Result<Trace> trace_of_recognisers(const std::vector<std::string>& files, const std::vector<std::string>& formats,
                                    std::shared_ptr<const Camera> camera = {});
+
+/// The trace with these events, in JSON, in order of time; calendar times become times since the first. REQUIRES that
+/// each has a number `t`. Error: an event is none of a trace.
+Result<Trace> with_events(Trace trace, std::vector<Json> events);
 
 }  // namespace continua

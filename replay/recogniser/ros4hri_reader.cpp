@@ -1,4 +1,5 @@
 // ROS4HRI (REP 155): speech, gestures, and bodies as frames of tf.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -7,6 +8,7 @@
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/recogniser/json_reader.h"
 #include "continua/replay/recogniser/recogniser_output.h"
+#include "continua/replay/recogniser/ros4hri.h"
 
 namespace continua {
 namespace {
@@ -47,16 +49,11 @@ class Ros4hriReader : public JsonReader {
  private:
   void read_object(const Json& message, std::size_t line, Recognised& gain) override {
     if (message.contains("transforms")) return read_transforms(message["transforms"], gain);
-    const auto& number = member_of(message, "gesture");
-    const bool speech = message.contains("final") || message.contains("incremental");
-    if (!speech && !number.is_number_unsigned()) {
+    if (!is_ros4hri(message)) {
       gain.problems.push_back(lacks(name(), line, "a message LiveSpeech or Gesture of hri_msgs, or a TFMessage"));
       return;
     }
-    Json event = Json::object();
-    if (const auto t_s = stamp_of(message)) event["t"] = *t_s;
-    if (speech ? put_speech(message, event) : put_gesture(number.get<std::size_t>(), event))
-      gain.events.push_back(std::move(event));
+    if (auto event = ros4hri_event(message, stamp_of(message))) gain.events.push_back(*std::move(event));
   }
 
   // A message has the frames that have moved; others stay.
@@ -102,28 +99,6 @@ class Ros4hriReader : public JsonReader {
     return std::nullopt;  // they go round in a circle
   }
 
-  static bool put_speech(const Json& message, Json& event) {
-    const auto final = trimmed_words(text_of(message, "final")),
-               interim = trimmed_words(text_of(message, "incremental"));
-    event["kind"] = "speech";
-    event["text"] = final.empty() ? interim : final;
-    if (final.empty())
-      event["final"] = false;
-    else if (const auto sure = number_of(message, "confidence"); sure && *sure > 0)
-      event["confidence"] = std::clamp(*sure, 0.0, 1.0);
-    return !final.empty() || !interim.empty();
-  }
-
-  static bool put_gesture(std::size_t number, Json& event) {
-    static const std::vector<std::string> gestures = {
-        "other", "hands_on_face", "arms_crossed", "left_hand_raised", "right_hand_raised", "both_hands_raised",
-        "waving"};
-    if (number >= gestures.size()) return false;
-    event["kind"] = "gesture";
-    event["name"] = gestures[number];
-    return true;
-  }
-
   struct Frame {
     std::string parent;
     Pose pose;  // in the parent
@@ -132,6 +107,34 @@ class Ros4hriReader : public JsonReader {
 };
 
 }  // namespace
+
+bool is_ros4hri(const Json& message) {
+  return message.contains("final") || message.contains("incremental") ||
+         member_of(message, "gesture").is_number_unsigned();
+}
+
+std::optional<Json> ros4hri_event(const Json& message, std::optional<double> t_s) {
+  static const std::vector<std::string> gestures = {
+      "other", "hands_on_face", "arms_crossed", "left_hand_raised", "right_hand_raised", "both_hands_raised", "waving"};
+  Json event = Json::object();
+  if (t_s) event["t"] = *t_s;
+  if (const auto& number = member_of(message, "gesture"); number.is_number_unsigned()) {
+    const auto which = number.get<std::size_t>();
+    if (which >= gestures.size()) return std::nullopt;
+    event["kind"] = "gesture";
+    event["name"] = gestures[which];
+    return event;
+  }
+  const auto final = trimmed_words(text_of(message, "final")), interim = trimmed_words(text_of(message, "incremental"));
+  if (final.empty() && interim.empty()) return std::nullopt;
+  event["kind"] = "speech";
+  event["text"] = final.empty() ? interim : final;
+  if (final.empty())
+    event["final"] = false;
+  else if (const auto sure = number_of(message, "confidence"); sure && *sure > 0)
+    event["confidence"] = std::clamp(*sure, 0.0, 1.0);
+  return event;
+}
 
 std::unique_ptr<RecogniserReader> ros4hri_reader(OutputSource source) {
   return std::make_unique<Ros4hriReader>(std::move(source));
