@@ -30,7 +30,8 @@ mujoco/*       engine/simulation/*
 EGL/*          engine/simulation/*
 GL/*           engine/simulation/*
 httplib.h      replay/server/*
-zlib.h         engine/core/gzip.cpp engine/core/gzip_blocks.cpp engine/core/gzip_pieces.cpp
+zlib.h         engine/core/gzip.cpp engine/core/gzip_blocks.cpp engine/core/gzip_pieces.cpp replay/mcap/chunk_packing.cpp
+zstd.h         replay/mcap/chunk_packing.cpp
 cairo*         replay/pictures/canvas.cpp
 graphviz/*     replay/export/graph_layout.cpp
 CLI/*          replay/main.cpp replay/commands/*
