@@ -74,7 +74,7 @@ std::vector<Subcommand> add_all(CLI::App& program) {
       add(program, "pack", "Keep what run logs have in common once beside them, or put it back", describe_pack,
           run_pack),
       add(program, "machine", "Describe a machine, or draw it", describe_machine, run_machine),
-      add(program, "import", "Turn session logs, annotations of ELAN and Praat, and outputs of recognisers into traces",
+      add(program, "import", "Turn session logs, annotations, MCAP files and outputs of recognisers into traces",
           describe_import, run_import),
       add(program, "trace", "Make traces of traces: cut, merge, shift, select, rename, anonymise", describe_trace,
           run_trace),

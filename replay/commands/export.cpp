@@ -18,6 +18,7 @@
 #include "continua/replay/inspector/page_file.h"
 #include "continua/replay/inspector/site_files.h"
 #include "continua/replay/log/log_file.h"
+#include "continua/replay/mcap/run_channels.h"
 #include "continua/replay/terminal/progress.h"
 
 namespace continua {
@@ -56,6 +57,14 @@ Outcome export_log(const RunIndex& run, std::ostream& out) {
 
 constexpr auto site_format = "site";  // of many runs: its row has no function
 
+Outcome export_channels(const RunIndex& run, std::ostream& out) {
+  const auto notes = notes_on(run);
+  if (!notes) return notes.error();
+  const auto header = trace_header_of(run);
+  if (!header) return header.error();
+  return export_mcap(run, *notes, *header, out);
+}
+
 // An exporter is a function and a row.
 struct Exporter {
   const char* format;
@@ -71,6 +80,7 @@ constexpr std::array exporters = {
     Exporter{"csv", "a table: a row a record, a column for all that records have", export_csv},
     Exporter{"chrome", "trace events on a time line, for Perfetto, chrome://tracing and speedscope", export_chrome},
     Exporter{"jsonl", "the log with its documents in it, byte for byte as a whole log was written", export_log},
+    Exporter{"mcap", "channels of messages for Foxglove and ROS 2, with the log attached", export_channels},
     Exporter{"html", "the inspector's page with this run in it, one file that opens offline", nullptr},
     Exporter{"eaf", "annotations for ELAN; also of a trace, as the next three", nullptr, eaf_of},
     Exporter{"textgrid", "annotations for Praat", nullptr, textgrid_of},
@@ -167,6 +177,7 @@ void describe_export(CLI::App& command, ExportOptions& options) {
       "          continua export talk.run.jsonl --to csv -o talk.csv\n"
       "          continua export talk.run.jsonl --to chrome -o talk.trace.json\n"
       "          continua export runs/talk.run.jsonl --to jsonl -o talk.run.jsonl\n"
+      "          continua export talk.run.jsonl --to mcap -o talk.mcap\n"
       "          continua export talk.run.jsonl --to html -o talk.html\n"
       "          continua export talk.run.jsonl --to eaf --media talk.mp4 -o talk.eaf\n"
       "          continua export runs --to site -o site");

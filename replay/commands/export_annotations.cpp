@@ -3,23 +3,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "continua/replay/annotation/run_tiers.h"
 #include "continua/replay/inspector/run_notes.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/trace/trace_file.h"
 
 namespace continua {
 namespace {
-
-Result<std::vector<NoteOnRun>> notes_on(const RunIndex& run) {
-  const auto read = read_notes(notes_path(run.path()));
-  if (!read) return read.error();
-  std::vector<NoteOnRun> notes;
-  for (const auto& note : read->notes)
-    if (const auto to = note.to.value_or(note.n); note.n < run.size() && to < run.size())
-      notes.push_back({note.n, to, note.text});
-  return notes;
-}
 
 // The run's trace, if it lies beside the run and has not changed.
 std::optional<Trace> trace_beside(const RunIndex& run) {
@@ -66,6 +55,23 @@ std::string from_folder_of(const std::string& output, const std::string& input, 
 }
 
 }  // namespace
+
+Result<std::vector<NoteOnRun>> notes_on(const RunIndex& run) {
+  const auto read = read_notes(notes_path(run.path()));
+  if (!read) return read.error();
+  std::vector<NoteOnRun> notes;
+  for (const auto& note : read->notes)
+    if (const auto to = note.to.value_or(note.n); note.n < run.size() && to < run.size())
+      notes.push_back({note.n, to, note.text});
+  return notes;
+}
+
+Result<std::string> trace_header_of(const RunIndex& run) {
+  if (const auto trace = trace_beside(run)) return write_header(trace->header);
+  const auto header = run.record(0);
+  if (!header) return header.error();
+  return trace_header_of_run(*header);
+}
 
 bool is_trace_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);

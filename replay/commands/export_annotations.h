@@ -6,6 +6,7 @@
 
 #include "continua/core/result.h"
 #include "continua/replay/annotation/annotations.h"
+#include "continua/replay/annotation/run_tiers.h"
 
 namespace continua {
 
@@ -17,5 +18,12 @@ bool is_trace_file(const std::string& path);
 /// run's trace is beside it, the header of that is kept.
 Result<Annotations> annotations_of_file(const std::string& path, const std::vector<std::string>& media,
                                         const std::string& output = "-");
+
+/// People's notes on a run. Errors: the file with them cannot be read.
+Result<std::vector<NoteOnRun>> notes_on(const RunIndex& run);
+
+/// The header of the run's trace: the trace's own, if that lies beside the run and has not changed, else as far as the
+/// run tells it.
+Result<std::string> trace_header_of(const RunIndex& run);
 
 }  // namespace continua

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <fstream>
 #include <map>
 
 #include "continua/core/replaced_file.h"
 #include "continua/knowledge_files/named_machine.h"
 #include "continua/machine_file/machine_parameters.h"
 #include "continua/replay/commands/import_annotations.h"
+#include "continua/replay/mcap/mcap_import.h"
+#include "continua/replay/mcap/mcap_reader.h"
 #include "continua/replay/recogniser/recogniser_import.h"
 #include "continua/replay/recogniser/recogniser_output.h"
 #include "continua/replay/trace/session_import.h"
@@ -75,8 +78,17 @@ Result<Trace> import_log(const std::string& path) {
   return trace;
 }
 
+Result<Trace> import_mcap(const std::string& path, const std::string& frame) {
+  std::ifstream file(path, std::ios::binary);
+  if (file.peek() == std::ifstream::traits_type::eof())
+    if (const auto text = read_file(path); !text) return text.error();
+  file.clear();
+  return trace_of_mcap(file, path, frame);
+}
+
 // The trace of any file. A map of tiers that had to be guessed is shown.
 Result<Trace> import_file(const std::string& path, const ImportOptions& options, Counts& counts) {
+  if (is_mcap_file(path)) return import_mcap(path, options.frame);
   if (!is_annotation_file(path)) return import_log(path);
   std::string guessed;
   auto trace = import_annotations(path, options.tiers, guessed);
@@ -133,7 +145,9 @@ int run_import(const ImportOptions& options) {
 }
 
 void describe_import(CLI::App& command, ImportOptions& options) {
-  command.add_option("FILE", options.logs, "session logs (.txt), annotations of ELAN (.eaf) or Praat (.TextGrid)")
+  command
+      .add_option("FILE", options.logs,
+                  "session logs (.txt), annotations of ELAN (.eaf) or Praat (.TextGrid), MCAP files")
       ->required();
   command.add_option("-o,--output", options.output, "the trace, '-', or a folder; a folder for several files")
       ->required();
@@ -141,6 +155,10 @@ void describe_import(CLI::App& command, ImportOptions& options) {
       "--tiers", options.tiers,
       "a map that says how tiers of annotations are used; without one it is guessed from their names, and "
       "printed");
+  command
+      .add_option("--frame", options.frame,
+                  "of MCAP files: the frame of the table in transforms, with z up and x to the human's right")
+      ->capture_default_str();
   std::vector<std::string> formats;
   std::string described =
       "the files are a recogniser's; all make one trace, in order of time. A format for each file, or one for all";
@@ -155,6 +173,7 @@ void describe_import(CLI::App& command, ImportOptions& options) {
       "Examples: continua import logs/*.txt -o traces/pilot\n"
       "          continua import talk.eaf -o talk.trace.jsonl > talk.tiers.json\n"
       "          continua import talk.eaf --tiers talk.tiers.json -o talk.trace.jsonl\n"
+      "          continua import bag.mcap --frame table -o talk.trace.jsonl\n"
       "          continua import speech.json hands.jsonl --from whisper --from mediapipe -o talk.trace.jsonl");
 }
 

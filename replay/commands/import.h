@@ -1,4 +1,5 @@
-// continua import: session logs of VoxSim, annotations of ELAN and Praat, and outputs of recognisers, to traces.
+// continua import: session logs of VoxSim, annotations of ELAN and Praat, MCAP files, and outputs of recognisers, to
+// traces.
 #pragma once
 
 #include <string>
@@ -13,6 +14,7 @@ struct ImportOptions {
   std::string output;                  ///< a trace, "-", or a folder; with several logs always a folder
   std::vector<std::string> from = {};  ///< formats of recognisers: the files make one trace
   std::string camera = {};             ///< the file of the recognisers' camera; empty: none
+  std::string frame = "world";         ///< of the table in transforms of MCAP files
   std::string tiers = {};              ///< the map of tiers of annotations; empty: it is guessed, and printed
 };
 
