@@ -1,5 +1,16 @@
 // Starts the page in an exported file, or in a site of them: unpacks its modules, and the recorded answers about the
 // run that is in the file, and runs them. Not a module itself: it stands in the file as it is.
+// Recordings that are in the file: number -> address.
+const mediaInside = () => {
+  const media = new Map();
+  for (const node of document.querySelectorAll('script[data-media]')) {
+    const bytes = Uint8Array.from(atob(node.textContent), (letter) => letter.charCodeAt(0));
+    const address = URL.createObjectURL(new Blob([bytes], {type: node.dataset.type}));
+    media.set(Number(node.dataset.media), address);
+  }
+  return media;
+};
+
 (async () => {
   const unpacked = (base64) => {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
@@ -35,16 +46,6 @@
       if (tab > 0) answers.set(line.slice(0, tab), line.slice(tab + 1));
     }
     return answers;
-  };
-  // Recordings that are in the file: number -> address.
-  const mediaInside = () => {
-    const media = new Map();
-    for (const node of document.querySelectorAll('script[data-media]')) {
-      const bytes = Uint8Array.from(atob(node.textContent), (letter) => letter.charCodeAt(0));
-      const address = URL.createObjectURL(new Blob([bytes], {type: node.dataset.type}));
-      media.set(Number(node.dataset.media), address);
-    }
-    return media;
   };
 
   try {

@@ -60,7 +60,13 @@ export class StartPage {
   #hint = h('span', {class: 'muted', role: 'status'});
   #rows = h('tbody', {});
   #comparisons = h('div', {});
-  #table = h('div', {class: served ? 'table' : 'table exported', role: 'region', 'aria-label': 'Runs', tabindex: 0, hidden: true});
+  #table = h('div', {
+    class: served ? 'table' : 'table exported',
+    role: 'region',
+    'aria-label': 'Runs',
+    tabindex: 0,
+    hidden: true,
+  });
 
   constructor(host, model) {
     this.#host = host;
