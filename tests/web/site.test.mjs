@@ -109,7 +109,7 @@ test('100 runs would take less than 50 MB: documents and page are there once', a
   assert.equal(await at('comparison').count(), count - logs.length);
 });
 
-test('the same runs give the same bytes, and nothing of this machine', () => {
+test('the same runs give the same bytes', () => {
   const again = join(folder, 'again');
   exportSite('again', ...runs, join(root, 'traces/paper/correction.physics.run.jsonl'));
   for (const entry of readdirSync(again, {recursive: true}))
