@@ -139,6 +139,7 @@ class McapReading {
     channel.channel.topic = bytes.text();
     channel.channel.message_encoding = bytes.text();
     if (!bytes.ok()) return wrong("the channel ends within its members");
+    if (channels_.contains(number)) return std::nullopt;  // told again, as chunks may
     const auto found = schemas_.find(schema);
     if (schema != 0 && found == schemas_.end())
       return wrong(fmt::format("found a channel with the schema {}; expected one that the file has before it", schema));

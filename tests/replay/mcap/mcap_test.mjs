@@ -27,6 +27,16 @@ const folder = mkdtempSync(join(tmpdir(), 'mcap'));
 after(() => rmSync(folder, {recursive: true}));
 const program = (...words) => execFileSync(process.env.CONTINUA, words, {maxBuffer: 2 ** 30});
 
+// Whether a value has the types of a schema, and no members that our own schemas do not have.
+function conforms(value, schema, place) {
+  const types = {string: 'string', number: 'number', integer: 'number', boolean: 'boolean'};
+  if (schema.type === 'array') return value.forEach((one, i) => conforms(one, schema.items, `${place}/${i}`));
+  if (schema.type !== 'object') return assert.equal(typeof value, types[schema.type], `${place}: ${value}`);
+  for (const [name, member] of Object.entries(value))
+    if (schema.properties[name]) conforms(member, schema.properties[name], `${place}/${name}`);
+    else assert.equal(schema.title, 'continua.Event', `${place}/${name} is not in the schema`);
+}
+
 // All that is in a file, by its index.
 async function contentOf(file) {
   const bytes = readFileSync(file);
@@ -46,7 +56,7 @@ async function contentOf(file) {
         ? JSON.parse(new TextDecoder().decode(message.data))
         : new serialization.MessageReader(rosmsg.parse(text, {ros2: true})).readMessage(message.data);
     (messages[topic] ??= []).push({t_ns: message.logTime, data});
-    if (schema.encoding === 'jsonschema') assert.equal(JSON.parse(text).type, 'object');
+    if (schema.encoding === 'jsonschema') conforms(data, JSON.parse(text), topic);
   }
   const attachments = [];
   for await (const attachment of reader.readAttachments()) attachments.push(attachment);
