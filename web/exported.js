@@ -1,5 +1,6 @@
 // Starts the page in an exported file, or in a site of them: unpacks its modules, and the recorded answers about the
 // run that is in the file, and runs them. Not a module itself: it stands in the file as it is.
+
 // Recordings that are in the file: number -> address.
 const mediaInside = () => {
   const media = new Map();
