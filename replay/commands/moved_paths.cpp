@@ -25,7 +25,8 @@ void move_media(Json& header, const fs::path& from, const fs::path& to) {
   for (auto& one : header["media"]) {
     const fs::path file(one.value("file", ""));
     std::error_code unknown;
-    if (!file.empty() && file.is_relative()) one["file"] = fs::proximate(from / file, to, unknown).generic_string();
+    if (!file.empty() && file.is_relative())
+      one["file"] = fs::proximate(fs::absolute(from / file), fs::absolute(to), unknown).generic_string();
   }
 }
 
