@@ -81,7 +81,7 @@ done
 [[ $i -lt 60 ]] || { cat slurmctld.log slurmd.*.log >&2; echo 'skipped the cluster: its nodes do not come up here'; exit 77; }
 
 export CONTINUA=$program
-slurm=$root/examples/cluster/slurm.sh
+slurm() { "$root"/examples/cluster/slurm.sh "$@"; }
 # A task that is killed cannot pass for one that is done.
 cat > killed.sh << END
 #!/usr/bin/env bash
@@ -91,9 +91,9 @@ END
 chmod +x killed.sh
 
 # All three wait for the cluster at the same time.
-"$slurm" replay "${traces[@]}" --no-physics -o runs/ -- 3 > replayed.txt & replaying=$!
-"$slurm" check "$root/traces/paper" --no-physics -- 2 --junit all.xml > merged.txt & checking=$!
-CONTINUA=$folder/killed.sh "$slurm" replay "${traces[@]}" --no-physics -o runs/ -- 3 > killed.txt 2>&1 & killing=$!
+slurm replay "${traces[@]}" --no-physics -o runs/ -- 3 > replayed.txt & replaying=$!
+slurm check "$root/traces/paper" --no-physics -- 2 --junit all.xml > merged.txt & checking=$!
+CONTINUA=$(realpath killed.sh) slurm replay "${traces[@]}" --no-physics -o runs/ -- 3 > killed.txt 2>&1 & killing=$!
 wait "$replaying" || complain "replay over Slurm: status $?"
 same whole.txt replayed.txt 'replay over Slurm'
 wait "$checking" || complain "check over Slurm: status $?"

@@ -25,7 +25,8 @@ check() {
 
 check 'record|render|replay|' re
 check '--help|' --h
-check '--seed|' replay --se
+check '--seed|' replay --see
+check '--seed|--set|' replay --se
 check 'palindromes|' replay --machine pal
 check '--machine=palindromes|' replay --machine=pal
 check 'palindromes|' replay --machine = pal

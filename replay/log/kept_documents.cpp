@@ -39,16 +39,13 @@ struct Found {
   std::string_view value;  // within the header
 };
 
-// The places in `text`, which is the header, its `what_if` or, by its name, an object in one of them. False if it is
-// not one whole object.
+// The places in `text`, the header or an object in it. False if it is not one whole object.
 bool find_in(std::string_view text, std::string_view object, std::vector<Found>& found) {
   return scan_members(text, [&](std::string_view key, std::string_view value) {
     const auto same = std::find(places.begin(), places.end(), Place{object, key});
     if (same != places.end()) found.push_back({*same, value});
-    if (!object.empty() || key.empty()) return;
     const auto inner = std::find_if(places.begin(), places.end(), [&](const Place& one) { return one.object == key; });
-    if (inner != places.end()) find_in(value, inner->object, found);
-    if (key == "what_if") find_in(value, "", found);
+    if (object.empty() && !key.empty() && inner != places.end()) find_in(value, inner->object, found);
   });
 }
 
@@ -56,6 +53,9 @@ bool find_in(std::string_view text, std::string_view object, std::vector<Found>&
 std::vector<Found> find_places(std::string_view header) {
   std::vector<Found> found;
   if (!find_in(header, "", found)) return {};
+  if (header.find("\"what_if\"") == header.npos) return found;
+  find_in(member_in(header, "what_if"), "", found);
+  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.value.data() < b.value.data(); });
   return found;
 }
 

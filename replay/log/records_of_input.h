@@ -80,7 +80,7 @@ struct Percept {
 
   static constexpr Kind kind{
       .name = "percept",
-      .when = "An input is attended to together with pointings or earlier words, or had to wait.",
+      .when = "An input is attended to together with pointings or earlier words, had to wait, or was asked about.",
       .decision = Decision::yes,
       .brief_adds = ": pointed at, nothing is pointed at, it was meant, after s"};
   static constexpr auto fields() {

@@ -64,7 +64,7 @@ void Recorder::one(const Perceived& perceived) {
 
 void Recorder::one(const Attended& attended) {
   next_.cause = source_record_.find(attended.serial);
-  if (attended.bound.empty() && attended.at == attended.happened) return;
+  if (attended.bound.empty() && attended.assured.empty() && attended.at == attended.happened) return;
   next_.cause = write(record_of(attended, source_record_));
 }
 

@@ -5,7 +5,8 @@
 
 Turns are the lexicon's own sentences, the same with their words shuffled or dropped, gestures and pointings, in four
 scenes, without physics. Every 20th turn is a probe: "never mind", then a thing to point at. The avatar must point at
-it; no run may hold a problem, and no stack may be deeper than 12 at a probe. Prints the figures; ends with status 1 if
+it; no run may hold a problem, and no stack may be deeper at a probe than questions can wait: six of at most two symbols
+each, the one that is asked now, and the bottom. Prints the figures; ends with status 1 if
 anything is otherwise.
 """
 import glob
@@ -24,7 +25,7 @@ PROBES = {
     "staircase": {"block6": "the red block", "block1": "the yellow block", "block3": "the black block"},
 }
 GESTURES = ["posack", "negack", "nevermind", "stop", "grab", "release", "lift", "push", "engage", "count_two", "wiggle"]
-DEEPEST = 12
+DEEPEST = 14
 TURNS_OF_A_RUN = 500
 
 
