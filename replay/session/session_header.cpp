@@ -52,9 +52,11 @@ void add_settings(log::Run& header, const LoadedSession& loaded, const Machine& 
     for (const auto& [name, value] : settings->items())
       if (name.find('.') != std::string::npos) numbers[name] = value;
   if (numbers.empty()) return;
-  if (!header.parameters) header.parameters = Json::object();
-  for (const auto& name : names_of_settings(machine))
-    if (numbers.contains(name)) (*header.parameters)[name] = numbers[name];
+  for (const auto& name : names_of_settings(machine)) {
+    if (!numbers.contains(name)) continue;
+    if (!header.parameters) header.parameters = Json::object();
+    (*header.parameters)[name] = numbers[name];
+  }
 }
 
 // The header of a run that these parts answer from its beginning.
