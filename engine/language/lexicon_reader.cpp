@@ -143,7 +143,7 @@ class Documents {
   }
 
  private:
-  // Of a document that names one. A folder counts once, whoever names it.
+  // Reads the base that a document names, if it names one. A folder counts once, whoever names it.
   Outcome read_base(const LocatedJson& document, const fs::path& folder) {
     DocumentReader reader;
     const auto told = reader.root(document).member("based_on");

@@ -139,7 +139,7 @@ Result<std::set<std::string, std::less<>>> pronounced_words(const std::string& p
   return words;
 }
 
-// What to say when words of the grammar cannot be pronounced.
+// The sentence about words of the grammar that cannot be pronounced.
 void tell_unpronounced(const MachineOptions& options, const std::set<std::string>& words) {
   if (words.empty()) return;
   const std::vector<std::string> some(

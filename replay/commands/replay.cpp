@@ -242,7 +242,7 @@ std::shared_ptr<std::string> add_choice(CLI::App& command) {
   return choice;
 }
 
-// What several processes need that share the traces.
+// Options for several processes that share the traces.
 void add_shards(CLI::App& command, ReplayCommandOptions& options) {
   add_shard_option(command, options.shard);
   command.add_option("--report", options.report, "write what came out to this file, as JSON that --merge reads");

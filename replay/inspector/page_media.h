@@ -24,7 +24,7 @@ struct MediaInPage {
   std::string elements;  ///< HTML that holds the recordings; empty where they are linked
 };
 
-/// Of the run of this id. Errors: a recording cannot be read, or they are too long for one file.
+/// The recordings of the run of this id. Errors: a recording cannot be read, or they are too long for one file.
 Result<MediaInPage> media_in_page(InspectorApi& api, const std::string& id, const PageMedia& how);
 
 }  // namespace continua

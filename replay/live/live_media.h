@@ -1,4 +1,4 @@
-// What a camera or a microphone records of a live session: the browser sends it bit by bit, and it is written beside
+// A live session recorded by camera or microphone: the browser sends it bit by bit, and it is written beside
 // the trace. Only if the human has agreed, in the page and in the browser (web/talk/filming.js).
 #pragma once
 

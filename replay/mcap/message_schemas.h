@@ -8,11 +8,11 @@
 
 namespace continua {
 
-/// Of messages in JSON, by a JSON Schema. REQUIRES that `schema` is the name of one that we write: "continua.Event",
+/// A channel of messages in JSON. REQUIRES that `schema` is the name of one that we write: "continua.Event",
 /// "foxglove.Log", …
 McapChannel json_channel(std::string topic, std::string_view schema);
 
-/// Of messages of ROS 2. REQUIRES that `type` is "hri_msgs/msg/LiveSpeech" or "std_msgs/msg/String".
+/// A channel of messages of ROS 2. REQUIRES that `type` is "hri_msgs/msg/LiveSpeech" or "std_msgs/msg/String".
 McapChannel ros_channel(std::string topic, std::string_view type);
 
 }  // namespace continua

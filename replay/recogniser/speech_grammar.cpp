@@ -65,7 +65,7 @@ std::optional<Pattern> pattern_of(const Utterance& read, const SpeechGrammarOpti
   return words == read.words.size() ? std::optional(pattern) : std::nullopt;
 }
 
-// What the examples of a lexicon have, with the number of the examples.
+// How many examples of a lexicon have each pattern and each word.
 struct Counts {
   std::map<Pattern, double> patterns;
   std::map<std::string, std::map<std::string, double>> words;  // by category
