@@ -38,6 +38,8 @@ class Body {
   /// Lets the world go on until `t` or until an act ends, whichever is earlier (WorldReport::until): the consequences
   /// of an act begin at once. An act that takes no time may end without ending the span. `t` never decreases.
   virtual WorldReport advance(SimTime t) = 0;
+  /// While held, an act that has begun changes nothing. A body whose acts take their time may ignore this.
+  virtual void hold(bool /*held*/) {}
   virtual WorldSnapshot snapshot() const = 0;
   /// Nothing moves and no command waits.
   virtual bool at_rest() const = 0;

@@ -52,6 +52,8 @@ const ObjectState* fallen(const WorldSnapshot& now, const WorldSnapshot& before)
   return found == now.objects.end() ? nullptr : &*found;
 }
 
+bool is_stop(const AvatarCommand& command) { return command.what == Capability::stop; }
+
 bool handles_things(const AvatarCommand& command) {
   return needs_object(command.what) || command.what == Capability::ungrasp;
 }
@@ -60,9 +62,10 @@ bool handles_things(const AvatarCommand& command) {
 
 WorldReport KinematicBody::advance(SimTime t) {
   WorldReport report;
-  report.until = waiting_.empty() ? std::max(world_.t, t) : world_.t;
+  const bool waits = this->waits();
+  report.until = waits ? std::max(world_.t, t) : world_.t;
   world_.t = report.until;
-  if (waiting_.empty()) return report;
+  if (waits) return report;
   const WorldSnapshot before = world_;
   give_up_stopped(report);
   while (!waiting_.empty()) {
@@ -95,8 +98,11 @@ WorldReport KinematicBody::advance(SimTime t) {
   return report;
 }
 
+bool KinematicBody::waits() const {
+  return waiting_.empty() || (held_ && begun_ && std::none_of(waiting_.begin(), waiting_.end(), is_stop));
+}
+
 void KinematicBody::give_up_stopped(WorldReport& report) {
-  const auto is_stop = [](const AvatarCommand& command) { return command.what == Capability::stop; };
   const auto last = std::find_if(waiting_.rbegin(), waiting_.rend(), is_stop);
   if (last == waiting_.rend()) return;
   std::deque<AvatarCommand> kept;

@@ -13,7 +13,7 @@
 
 namespace continua {
 
-/// Acts are done in order while time stands still. An `advance` reports that an act has begun, and the next one does
+/// Acts are done in order while time stands still, unless they are held. An `advance` reports that an act has begun, and the next one does
 /// it; an act that is impossible begins and fails in one. A stop cancels all acts commanded before it. Objects stay
 /// where acts leave them and never overlap. Things on or in an object move along with it. An object that fits into a
 /// hollow only on its end is stood up, and the report says so; it lies again at its next place. An act about a missing
@@ -30,6 +30,7 @@ class KinematicBody : public Body {
 
   void command(const AvatarCommand& command) override { waiting_.push_back(command); }
   WorldReport advance(SimTime t) override;
+  void hold(bool held) override { held_ = held; }
   WorldSnapshot snapshot() const override { return world_; }
   bool at_rest() const override { return waiting_.empty(); }
 
@@ -37,6 +38,8 @@ class KinematicBody : public Body {
   PoseSample become(const KinematicBody& other);
 
  private:
+  /// Whether nothing is to be done now.
+  bool waits() const;
   /// Takes the commands before the last stop off the queue, and reports them as stopped.
   void give_up_stopped(WorldReport& report);
   /// An act that was tried: its report, and the world after it.
@@ -67,6 +70,7 @@ class KinematicBody : public Body {
   std::map<std::string, ObjectState> lying_;  // objects on their end, as they lay before
   std::deque<AvatarCommand> waiting_;
   std::optional<Tried> begun_;  // the first of them: it was reported, and comes about in the next advance
+  bool held_ = false;           // begun_ does not come about yet
 };
 
 }  // namespace continua

@@ -105,6 +105,7 @@ Thought Conversation::obey(Tick tick) {
     if (const auto* act = std::get_if<ActStep>(&event); act && act->command) body_.command(*act->command);
   }
   state_ = std::move(tick.after);
+  body_.hold(state_->hold.has_value());
   settled_ = false;
   return {now_, std::move(tick.events)};
 }

@@ -17,7 +17,9 @@ struct FusionWindow {
   double after_s = 1;
   double lateness_s = 0;  ///< how long events wait for earlier ones that come late; 0: events arrive in order
   double pause_s = 0;     ///< how long an unfinished sentence waits for its next piece; 0: it does not wait
-  double together_s = 0;  ///< how long a gesture waits for words that it is shown with; 0: they begin before it does
+  /// How long a gesture waits for words that it is shown with, and an act that words ask for waits for a gesture that
+  /// contradicts them, before it begins; 0: neither waits.
+  double together_s = 0;
 };
 
 /// A part of an utterance that pointing can give content to: a demonstrative, a definite noun phrase, a noun alone.

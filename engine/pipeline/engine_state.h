@@ -21,6 +21,12 @@
 
 namespace continua {
 
+/// Acts change nothing, though they begin: a gesture may still contradict the words that asked for them.
+struct Hold {
+  SimTime until;
+  std::optional<int> inputs = {};  ///< then, until no input up to this serial waits
+};
+
 /// Its queues are vectors: they are short, and the state is moved from stage to stage, where each deque would allocate.
 struct EngineState {
   EngineState(Beliefs first_beliefs, Chooser first_chooser, Fusion first_fusion)
@@ -46,6 +52,7 @@ struct EngineState {
   KnownWords words;          ///< for reading speech
   int inputs = 0;            ///< number of inputs so far; the serial of the latest
   Performance performance;
+  std::optional<Hold> hold = {};
   int acts = 0;  ///< number of acts requested so far; the number of the latest
 
   /// Whether an input up to this serial has not been attended to yet.

@@ -73,7 +73,25 @@ bool Pipeline::comes_before(const EngineState& state, const InputEvent& a, const
   return machine().fusion && continua::comes_before(engine_, state, a, b);
 }
 
-Tick Pipeline::wake(EngineState before, SimTime now) const { return {released(engine_, std::move(before), now), {}}; }
+Tick Pipeline::wake(EngineState before, SimTime now) const {
+  Tick tick{released(engine_, std::move(before), now), {}};
+  EngineState& state = tick.after;
+  if (!state.hold || now < state.hold->until || !state.complete.empty()) return tick;
+  // What came meanwhile may still call an act off, but nothing that comes from now on.
+  const int inputs = state.hold->inputs.value_or(state.inputs);
+  const auto due = state.fusion.waits(inputs) ? state.fusion.due() : std::nullopt;
+  if (due)
+    state.hold = {*due, inputs};
+  else
+    state.hold.reset();
+  return tick;
+}
+
+std::optional<SimTime> Pipeline::due(const EngineState& state) const {
+  const auto due = state.fusion.due();
+  if (!state.hold) return due;
+  return std::min(due.value_or(state.hold->until), state.hold->until);
+}
 
 // Understands. Each move of an utterance is understood in the dialogue that the moves before it have left.
 Tick Pipeline::attend(EngineState before, const WorldSnapshot& world) const {
@@ -86,6 +104,7 @@ Tick Pipeline::attend(EngineState before, const WorldSnapshot& world) const {
   state.words = with_taught(std::move(state.words), state.learned);
   const Ensemble ensemble = take_complete(engine_, state);
   tick.events.push_back(account_of(ensemble, engine_.window));
+  hold(state, ensemble.percept.event, world.t);
   state.looked = looked_at(engine_, state, ensemble.at);
   state.doubted.insert_or_assign(0, ensemble);
   const auto offers = offers_of(ensemble, dialogue_of(engine_, state, world));
@@ -106,6 +125,13 @@ Tick Pipeline::attend(EngineState before, const WorldSnapshot& world) const {
   }
   tick.then(act(std::move(state), world));
   return tick;
+}
+
+// An act that words ask for changes nothing while a gesture may still be shown with them.
+void Pipeline::hold(EngineState& state, const InputEvent& event, SimTime now) const {
+  if (event.modality != Modality::speech || engine_.window.together_s == 0) return;
+  const SimTime until = event.until.value_or(event.t) + SimTime::from_seconds(engine_.window.together_s);
+  if (until > now && (!state.hold || state.hold->until < until)) state.hold = {until};
 }
 
 // The offers to ask about: the one taken, if it is unsure, and those that are about as likely and lead elsewhere. One

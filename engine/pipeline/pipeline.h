@@ -39,10 +39,10 @@ class Pipeline {
   /// Whether `a` is to be received before `b`, if both are known at one instant (pipeline/instant.h). Machines without
   /// fusion take events as they are told.
   bool comes_before(const EngineState& state, const InputEvent& a, const InputEvent& b) const;
-  /// No event came up to `now`: completes the percepts that need not wait longer.
+  /// No event came up to `now`: completes the percepts that need not wait longer, and lets acts go on that need not.
   Tick wake(EngineState before, SimTime now) const;
   /// The latest time to call wake(); none if nothing waits.
-  std::optional<SimTime> due(const EngineState& state) const { return state.fusion.due(); }
+  std::optional<SimTime> due(const EngineState& state) const;
   /// Attends to the first of EngineState::complete. REQUIRES that there is one.
   Tick attend(EngineState before, const WorldSnapshot& world) const;
 
@@ -77,6 +77,7 @@ class Pipeline {
   Tick overhear(EngineState state, Percept percept, SimTime now, const WorldSnapshot& world) const;
   Answered answer(EngineState state, const std::vector<Offer>& offers, const WorldSnapshot& world) const;
   Answered answer(EngineState state, std::span<const Input> inputs, const WorldSnapshot& world) const;
+  void hold(EngineState& state, const InputEvent& event, SimTime now) const;
   Tick act(EngineState state, const WorldSnapshot& world) const;
   Tick attend_all(Tick all, const WorldSnapshot& world) const;
 

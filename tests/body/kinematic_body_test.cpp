@@ -50,6 +50,27 @@ Vec3 place(const KinematicBody& body, const std::string& name) { return body.sna
 
 }  // namespace
 
+TEST_CASE("an act that is held begins and changes nothing, and a stop ends it") {
+  KinematicBody body(three_blocks());
+  body.hold(true);
+  body.command(command(Capability::grasp, "a"));
+  CHECK(body.advance(SimTime{1}).acts.back().status == Status::started);
+  const WorldReport held = body.advance(SimTime{5});
+  CHECK(held.until == SimTime{5});
+  CHECK(held.acts.empty());
+  CHECK_FALSE(body.at_rest());
+  SECTION("let go, it is done") {
+    body.hold(false);
+    CHECK(body.advance(SimTime{5}).acts.back().status == Status::done);
+    CHECK(body.snapshot().held == "a");
+  }
+  SECTION("stopped, it is not") {
+    body.command(command(Capability::stop, ""));
+    CHECK(body.advance(SimTime{5}).acts.front().status == Status::stopped);
+    CHECK(body.snapshot().held.empty());
+  }
+}
+
 TEST_CASE("acts begin, and are done at the same instant, and what stands on an object moves along") {
   KinematicBody body(three_blocks());
   body.advance(SimTime{5});

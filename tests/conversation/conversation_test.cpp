@@ -86,6 +86,30 @@ TEST_CASE("a call-off that is complete when an act begins stops it before anythi
   CHECK(play.body.snapshot().held.empty());
 }
 
+TEST_CASE("a gesture that contradicts words just after them stops their act before it has changed anything") {
+  for (const double later_s : {0.1, 0.3, 0.39}) {
+    CAPTURE(later_s);
+    Play play;
+    play.hear("take the red block");
+    play.advance(later_s);
+    play.see("point", Vec3(0, -0.15, 0));
+    play.advance(10);
+    CHECK(play.told == "says Okay.\nsays You say the red block and point at the blue block.\nsays Should I take the red block?\n"
+                       "did grasp(b1)\ndid stop\n");
+    CHECK(play.body.snapshot().held.empty());
+  }
+}
+
+TEST_CASE("an act does not wait for gestures without end") {
+  Play play;
+  play.hear("take the red block");
+  for (int i = 1; i <= 40; ++i) {
+    play.advance(0.1 * i);
+    play.see("point", Vec3(0, 0.15, 0));
+  }
+  CHECK(play.body.snapshot().held == "b1");
+}
+
 TEST_CASE("a continuation waits in the state until the human says the rest") {
   Play play;
   play.hear("put it there");
