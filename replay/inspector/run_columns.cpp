@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "continua/core/located_json.h"
+#include "continua/replay/log/act_outcome.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_stops.h"
@@ -170,7 +171,10 @@ class ColumnBuilder {
       lane.to[open->second] = std::max(t, lane.from[open->second]);
       open_gestures_.erase(open);
     }
-    if (phase == "stop") return;
+    if (phase == "stop") {
+      ends_of_gestures_.insert(n);
+      return;
+    }
     if (phase == "start") open_gestures_[of] = lane.n.size();
     lane.add(n, t, to);
   }
@@ -194,6 +198,7 @@ class ColumnBuilder {
     lane.to[place] = std::max(t, lane.from[place]);
     const auto is = text_in(status);
     statuses_[place] = name_number(is);
+    if (log::has_failed(is)) gone_wrong_.insert(n);
     if (is == "asked" || is == "started")
       open_acts_.insert(place);
     else
@@ -206,7 +211,7 @@ class ColumnBuilder {
   }
 
   void read_expect(std::size_t n, std::string_view line) {
-    if (member_in(line, "met") == "false") unmet_.insert(n);
+    if (member_in(line, "met") == "false") gone_wrong_.insert(n);
   }
 
   void read_branches(std::size_t n, std::string_view line) {
@@ -224,7 +229,8 @@ class ColumnBuilder {
     const std::map<std::string_view, const char*> instants{
         {log::Utterance::kind.name, "utterance"}, {log::AvatarGesture::kind.name, "move"},
         {log::Observed::kind.name, "observed"},   {log::Problem::kind.name, "flag"},
-        {log::Expect::kind.name, "flag"},         {log::Refusal::kind.name, "flag"}};
+        {log::Expect::kind.name, "flag"},         {log::Refusal::kind.name, "flag"},
+        {log::Act::kind.name, "flag"}};
     std::vector<Lane*> lane_of;
     for (const auto& kind : run_.kinds()) {
       const auto lane = instants.find(kind);
@@ -242,8 +248,9 @@ class ColumnBuilder {
       auto* lane = lane_of[entry.kind];
       if (!lane) continue;
       const auto& kind = run_.kind(n);
-      if ((log::is<log::Refusal>(kind) && entry.by_sample) || (log::is<log::Expect>(kind) && !unmet_.count(n)))
-        continue;
+      if (log::is<log::Refusal>(kind) && ends_of_gestures_.count(static_cast<std::size_t>(cause_.back()))) continue;
+      const bool told_by_content = log::is<log::Expect>(kind) || log::is<log::Act>(kind);
+      if ((log::is<log::Refusal>(kind) && entry.by_sample) || (told_by_content && !gone_wrong_.count(n))) continue;
       lane->add(n, t, t);
     }
   }
@@ -320,7 +327,8 @@ class ColumnBuilder {
   std::map<std::string, std::size_t> open_gestures_;         // places in their lane
   std::unordered_map<std::string, std::size_t> known_acts_;  // by number as written: places in their lane
   std::set<std::size_t> open_acts_;                          // places in their lane
-  std::unordered_set<std::size_t> unmet_;
+  std::unordered_set<std::size_t> ends_of_gestures_;
+  std::unordered_set<std::size_t> gone_wrong_;  // unmet expectations, failed acts
   bool many_branches_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "continua/replay/log/act_outcome.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_brief.h"
@@ -37,6 +38,10 @@ std::optional<std::size_t> first_of(const RunIndex& run, std::string_view kind) 
 }
 
 bool is_unmet(std::string_view expect) { return member_in(expect, "met") == "false"; }
+bool is_failure(std::string_view act) {
+  return !member_in(act, "status").empty() && member_in(act, "step").empty() &&
+         log::has_failed(text_in(member_in(act, "status")));
+}
 bool is_question(std::string_view utterance) { return text_in(member_in(utterance, "text")).ends_with('?'); }
 
 std::size_t count_unmet(const RunIndex& run) {
@@ -44,6 +49,27 @@ std::size_t count_unmet(const RunIndex& run) {
   run.read_lines([&](std::size_t n) { return log::is<log::Expect>(run.kind(n)); },
                  [&](std::size_t, std::string_view line) { return count += is_unmet(line), true; });
   return count;
+}
+
+// How the acts ended; of the first that failed its record and the reason.
+struct ActTotals {
+  std::size_t done = 0, failed = 0;
+  Json first_failed;
+};
+
+ActTotals act_totals(const RunIndex& run) {
+  ActTotals totals;
+  run.read_lines([&](std::size_t n) { return log::is<log::Act>(run.kind(n)); },
+                 [&](std::size_t n, std::string_view act) {
+                   if (!member_in(act, "step").empty()) return true;
+                   if (text_in(member_in(act, "status")) == "done") ++totals.done;
+                   if (is_failure(act) && totals.failed++ == 0)
+                     totals.first_failed = {{"n", n},
+                                            {"status", text_in(member_in(act, "status"))},
+                                            {"reason", text_in(member_in(member_in(act, "result"), "reason"))}};
+                   return true;
+                 });
+  return totals;
 }
 
 std::size_t count_refused_samples(const RunIndex& run) {
@@ -58,6 +84,8 @@ std::size_t count_refused_samples(const RunIndex& run) {
 
 std::size_t record_of_interest(const RunIndex& run) {
   if (const auto n = first_line(run, log::Expect::kind.name, is_unmet)) return *n;
+  if (const auto n = first_line(run, log::Act::kind.name, is_failure)) return *n;
+  if (const auto n = first_of(run, log::Problem::kind.name)) return *n;
   if (const auto n = first_line(run, log::Utterance::kind.name, is_question)) return *n;
   const auto& acts = run.act_marks();
   const auto asked = std::find_if(acts.rbegin(), acts.rend(), [](const ActMark& act) { return act.asked; });
@@ -78,6 +106,7 @@ Result<Json> run_listing(const RunIndex& run) {
   const auto count = [&](std::string_view kind) { return counts.value(std::string(kind), std::size_t{0}); };
   std::set<std::int64_t> acts;  // an act has a record for each of its states
   for (const auto& act : run.act_marks()) acts.insert(act.act);
+  const auto totals = act_totals(run);
   const auto first = record_of_interest(run);
   const auto& scene = member_of(*header, "scene");
   const bool drawable = member_of(scene, "mjcf").is_string() && member_of(scene, "bodies").is_object();
@@ -86,6 +115,9 @@ Result<Json> run_listing(const RunIndex& run) {
               {"records", run.size()},
               {"utterances", count(log::Utterance::kind.name)},
               {"acts", acts.size()},
+              {"acts_done", totals.done},
+              {"acts_failed", totals.failed},
+              {"first_failed", totals.first_failed},
               {"refusals", count(log::Refusal::kind.name)},
               {"refused_samples", count_refused_samples(run)},
               {"problems", count(log::Problem::kind.name)},

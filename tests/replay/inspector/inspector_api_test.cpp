@@ -212,6 +212,35 @@ TEST_CASE("refusals of pointing samples are counted apart and are no stops") {
   CHECK(columns.numbers("flag.n") == std::vector<double>{4});
 }
 
+TEST_CASE("a run is judged by its acts, opens at the one that failed, and a gesture's end that nobody awaited is no flag") {
+  const ScratchFolder folder;
+  LogBuilder log;
+  log.add("run", 0, {{"version", 1}});
+  log.add("utterance", 1, {{"text", "Which block?"}});
+  log.add("input", 2, {{"event", {{"kind", "gesture"}, {"name", "yes"}, {"phase", "stop"}}}, {"symbol", "y"}});
+  log.add("refusal", 2, {{"state", "A"}, {"input", "y"}, {"reason", "no"}}, 2);
+  const auto act = [&](int number, const char* status, const Json& more = Json::object(), int cause = -1) {
+    Json fields{{"act", number}, {"program", "put(b, on(c))"}, {"status", status}};
+    fields.update(more);
+    return static_cast<int>(log.add("act", 3, fields, cause));
+  };
+  act(1, "done", Json::object(), act(1, "asked"));
+  act(2, "stopped", Json::object(), act(2, "asked"));
+  const auto third = act(3, "asked");
+  act(3, "blocked", {{"step", 1}}, third);
+  const auto failed = act(3, "blocked", {{"result", {{"reason", "it would fall"}}}}, third);
+  act(4, "asked");
+  InspectorApi api({folder.write("acts.run.jsonl", log.text())});
+  const auto summary = Json::parse(api.get("/api/runs/acts").body);
+  CHECK(summary["acts"] == 4);
+  CHECK(summary["acts_done"] == 1);
+  CHECK(summary["acts_failed"] == 1);
+  CHECK(summary["first_failed"] == Json{{"n", failed}, {"status", "blocked"}, {"reason", "it would fall"}});
+  CHECK(summary["first"] == failed);
+  const Columns columns(api.get("/api/runs/acts/columns").body);
+  CHECK(columns.numbers("flag.n") == std::vector<double>{static_cast<double>(failed)});
+}
+
 TEST_CASE("the stack at a record tells what its last change did") {
   Served served;
   const auto pushed = served.get("/api/runs/small/stack?n=6");

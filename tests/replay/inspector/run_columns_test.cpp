@@ -58,8 +58,12 @@ struct Naive {
     if (kind == "gesture") lanes["move"].push_back(n);
     if (kind == "act" && !record.contains("step") && acts.insert(compact(member_of(record, "act"))).second)
       lanes["act"].push_back(n);
-    if (kind == "problem" || (kind == "refusal" && !sampled.count(n)) ||
-        (kind == "expect" && member_of(record, "met") == false))
+    if (input && text_of(event, "kind") == "gesture" && text_of(event, "phase") == "stop") ends.insert(n);
+    const bool of_end = is_integer(cause) && ends.count(cause.get<std::size_t>());
+    if (kind == "problem" || (kind == "refusal" && !sampled.count(n) && !of_end) ||
+        (kind == "expect" && member_of(record, "met") == false) ||
+        (kind == "act" && !record.contains("step") &&
+         !std::set<std::string>{"asked", "started", "done", "stopped"}.count(text_of(record, "status"))))
       lanes["flag"].push_back(n);
     if (kind == "branches" && member_of(record, "branches").size() > 1) {
       lanes["branches"].push_back(n);
@@ -98,7 +102,7 @@ struct Naive {
   }
 
   std::vector<Json> records;
-  std::set<std::size_t> sampled;
+  std::set<std::size_t> sampled, ends;
   std::set<std::string> acts;
   std::map<std::string, std::vector<std::size_t>> lanes;
   std::map<std::string, std::vector<std::string>> steps;
