@@ -155,9 +155,10 @@ std::string effect(const RunIndex& a, const RunIndex& b, const RunDiff& diff) {
   std::string text =
       more == 0 ? "Nothing else differs." : fmt::format("{} more difference{}.", more, more == 1 ? "" : "s");
   if (!diff.meet) return text + " They do not meet again.";
-  return fmt::format("{} They meet again at {} s (A #{}, B #{}).", text,
-                     seconds_text(std::max(a.entry(diff.meet->first).t, b.entry(diff.meet->second).t).seconds()),
-                     diff.meet->first, diff.meet->second);
+  const auto [in_a, in_b] = *diff.meet;
+  const auto t_a = seconds_text(a.entry(in_a).t.seconds()), t_b = seconds_text(b.entry(in_b).t.seconds());
+  if (t_a == t_b) return fmt::format("{} They meet again at {} s (A #{}, B #{}).", text, t_a, in_a, in_b);
+  return fmt::format("{} They meet again at {} s in A (#{}), at {} s in B (#{}).", text, t_a, in_a, t_b, in_b);
 }
 
 std::string numbers(const RunDifference& first) {

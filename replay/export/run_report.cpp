@@ -19,6 +19,11 @@ namespace {
 constexpr std::size_t most_rows = 400, longest_record = 4000;
 
 std::string seconds(SimTime t) { return fmt::format("{:.2f} s", t.seconds()); }
+// Both times where they differ as told.
+std::string seconds(SimTime a, SimTime b) {
+  const auto in_a = seconds(a), in_b = seconds(b);
+  return in_a == in_b ? in_a : fmt::format("A {}<br/>B {}", in_a, in_b);
+}
 
 const char* described(RunDifference::Kind kind) {
   switch (kind) {
@@ -95,7 +100,7 @@ std::string both_dialogues(const RunIndex& approved, const RunIndex& now) {
   };
   for (const auto& [same_a, same_b] : align(in_a, in_b).pairs) {
     tell_until(same_a, same_b);
-    html += same_row(seconds(b[j].t), of_line(b[j]));
+    html += same_row(seconds(a[i].t, b[j].t), of_line(b[j]));
     i = same_a + 1;
     j = same_b + 1;
   }
@@ -126,9 +131,10 @@ std::string differing_records(const RunIndex& approved, const RunIndex& now, con
     html += fmt::format("<tr class=\"part\"><td colspan=\"3\">{}. {}</td></tr>\n", ++shown, described(one.kind));
     const auto size = std::max(one.a.size(), one.b.size());
     for (std::size_t i = 0; i < size && rows < most_rows; ++i, ++rows) {
-      const auto t = i < one.b.size() ? now.entry(one.b[i]).t : approved.entry(one.a[i]).t;
-      html += differing_row(seconds(t), i < one.a.size() ? of_record(approved, one.a[i]) : "",
-                            i < one.b.size() ? of_record(now, one.b[i]) : "");
+      const auto* in_a = i < one.a.size() ? &approved.entry(one.a[i]) : nullptr;
+      const auto* in_b = i < one.b.size() ? &now.entry(one.b[i]) : nullptr;
+      html += differing_row(seconds((in_a ? in_a : in_b)->t, (in_b ? in_b : in_a)->t),
+                            in_a ? of_record(approved, one.a[i]) : "", in_b ? of_record(now, one.b[i]) : "");
     }
   }
   html += end_of_table;

@@ -122,6 +122,19 @@ TEST_CASE("a page shows both runs and what differs") {
   CHECK_THAT(page, Contains("<pre>continua replay a\n"));
 }
 
+TEST_CASE("the same at another time has both times") {
+  const auto log_of = [](double t) {
+    LogBuilder log;
+    log.add("run", 0, {{"version", 1}});
+    log.add("input", t, {{"event", {{"kind", "speech"}, {"text", "Hello."}}}});
+    return log.text();
+  };
+  const auto page = page_of(log_of(3.3), log_of(4.1));
+  check_page(page);
+  CHECK_THAT(page, Contains("<td>A 4.10 s<br/>B 3.30 s</td><td class=\"both\">"));
+  CHECK_THAT(page, Contains("<main>"));
+}
+
 TEST_CASE("a page can be made of one run alone") {
   const auto run = index_of(small_log());
   const auto page = report_page({"a & b", "broken", "an \"expectation\" is not met", &run, nullptr, nullptr, {}});
