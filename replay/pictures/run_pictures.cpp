@@ -30,9 +30,9 @@ bool same(const std::vector<RenderMark>& a, const std::vector<RenderMark>& b) {
   });
 }
 
-// On the light scene rather than on the dark ground of text.
+// The page's --human and --avatar, on the light scene rather than on the dark ground of text.
 std::array<float, 3> mark_colour(Speaker speaker) {
-  return speaker == Speaker::human ? std::array{0.93F, 0.45F, 0.05F} : std::array{0.10F, 0.42F, 0.90F};
+  return speaker == Speaker::human ? std::array{0.04F, 0.39F, 0.66F} : std::array{0.80F, 0.50F, 0.02F};
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ std::string clock_text(SimTime t) {
 }
 
 Colour colour_of(Speaker speaker) {
-  return speaker == Speaker::human ? Colour{1.0, 0.75, 0.35} : Colour{0.55, 0.80, 1.0};
+  return speaker == Speaker::human ? Colour{0.42, 0.71, 0.94} : Colour{0.90, 0.70, 0.29};
 }
 
 Result<RunPictures> RunPictures::open(const RunIndex& run, const PictureOptions& options) {
