@@ -105,6 +105,12 @@ ApiResponse LiveApi::post(std::string_view target, std::string_view body) {
   const auto asked = asked_in(body);
   if (!asked) return api_error(400, asked.error().text());
   if (what == "save") return save(*listed, *asked);
+  if (what == "away") {
+    const auto gone = asked->find("gone");
+    if (gone == asked->end() || !gone->is_boolean()) return api_error(400, "expected {\"gone\": true or false}");
+    session.away(*gone);
+    return answer(session_json(*listed, *sessions_));
+  }
   if (what != "pause") return api_error(404, fmt::format("there is nothing at {}", path));
   const auto paused = asked->find("paused");
   if (paused == asked->end() || !paused->is_boolean()) return api_error(400, "expected {\"paused\": true or false}");

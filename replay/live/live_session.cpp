@@ -87,7 +87,7 @@ void LiveSession::work() {
     }
     const auto wall = std::chrono::steady_clock::now();
     if (audience_.is_present()) last_heard_ = wall;
-    const auto given_up = last_heard_ + patience;
+    const auto given_up = std::min(last_heard_ + patience, ends_.value_or(WallTime::max()));
     if (wall >= given_up) {
       close(now());
       return;
@@ -116,6 +116,7 @@ Result<LiveReply> LiveSession::receive(const std::vector<Json>& events, const st
   const auto timed = timed_events(events, timing, earliest, next_line_);
   if (!timed) return timed.error();
   last_heard_ = std::chrono::steady_clock::now();
+  ends_.reset();
   if (!timing_ && timing == LiveTiming::wall) clock_.run(last_heard_);
   timing_ = timing;
   take(*timed);
@@ -186,6 +187,12 @@ Outcome LiveSession::pause(bool paused) {
   tell();
   heard_.notify_all();
   return std::nullopt;
+}
+
+void LiveSession::away(bool gone) {
+  const auto lock = lock_soon();
+  ends_ = gone ? std::optional(std::chrono::steady_clock::now() + setting_.options.grace) : std::nullopt;
+  heard_.notify_all();
 }
 
 void LiveSession::end() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <fstream>
 #include <memory>
@@ -30,6 +31,7 @@ struct LiveOptions {
   std::optional<WallTime> began;                          ///< its time 0 by the wall's clock; none: when it is loaded
   double speed = 1;                                       ///< of the wall's clock
   std::uint64_t most_log_bytes = std::uint64_t{1} << 30;  ///< a day of talk with physics has less
+  std::chrono::milliseconds grace{30'000};                ///< for a recorder who has gone away to come back
   std::string recorder;                                   ///< whoever sends events has to name it; empty: nobody has to
 };
 
@@ -65,6 +67,10 @@ class LiveSession {
 
   /// Engine time stands still, or goes on. Error: the session has ended, or its time goes by events.
   Outcome pause(bool paused);
+
+  /// Whoever records has gone away, or is back: unless it sends something or is told to be back, the session ends after
+  /// `grace`. After the end it does nothing.
+  void away(bool gone);
 
   /// Nothing more happens: acts under way are finished, trace and log get their last lines. Ending again does nothing.
   void end();
@@ -105,6 +111,7 @@ class LiveSession {
   std::size_t next_line_ = 2;
   std::optional<SimTime> taken_;  // the instant of the latest event
   WallTime last_heard_;
+  std::optional<WallTime> ends_;  // unless whoever records comes back
   std::string last_batch_;
   LiveReply last_reply_;
   std::optional<Error> broke_;

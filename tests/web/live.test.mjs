@@ -187,15 +187,52 @@ test('who comes later watches, and cannot send', async () => {
   await guest.close();
 });
 
-test('what was typed while the connection was lost is sent when it is back', async () => {
+test('while the server is gone the page says so at once, its clock stands, and words wait to be sent', async () => {
   await begin(flat);
   await visitor.context.setOffline(true);
   await type('The plate.');
   await visitor.page.waitForFunction(() =>
     /Connection lost/.test(document.querySelector('[data-testid=live-notice]').textContent),
   );
+  assert.match(await at('live-mode').innerText(), /not connected since 0:/);
+  assert.match(await at('live-unsent').innerText(), /“The plate\.” waits/);
+  const t = await at('live-time').innerText();
+  await visitor.page.waitForTimeout(1500);
+  assert.equal(await at('live-time').innerText(), t);
   await answered(() => visitor.context.setOffline(false), 'Okay, go on.');
   await visitor.page.waitForFunction(() => document.querySelector('[data-testid=live-notice]').textContent === '');
+  assert.match(await at('live-mode').innerText(), /recording/);
+  assert.ok(await at('live-unsent').isHidden());
+  await visitor.page.waitForFunction((was) => document.querySelector('[data-testid=live-time]').textContent !== was, t);
+});
+
+test('a page that is loaded again goes on with its session, after asking', async () => {
+  await begin(flat);
+  const id = await idOf();
+  await answered(() => type('The plate.'), 'Okay, go on.');
+  const asked = [];
+  visitor.page.once('dialog', (dialog) => {
+    asked.push(dialog.type());
+    dialog.accept();
+  });
+  await visitor.page.reload();
+  await ready();
+  assert.deepEqual(asked, ['beforeunload']);
+  assert.ok((await api(`/${id}`)).live);
+  await visitor.page.waitForTimeout(500); // until all earlier lines are there
+  await answered(() => type('Put it there.'), 'Where should I put it?').catch(() => {});
+  assert.match(await at('conversation').innerText(), /The plate[\s\S]*Put it there/);
+  await at('live-end').click();
+  await at('live-summary').waitFor();
+});
+
+test('a name that cannot be is refused with the reason and one that can', async () => {
+  await begin(flat);
+  await answered(() => type('The plate.'), 'Okay, go on.');
+  await at('live-save').click();
+  await at('save-name').fill('my first test!');
+  await at('save-do').click();
+  assert.match(await at('saved').innerText(), /found a space !; expected letters.* How about my_first_test\?/);
 });
 
 test('the browser’s recogniser talks to the avatar', async () => {
@@ -241,13 +278,15 @@ test('the browser’s recogniser talks to the avatar', async () => {
   assert.match(await at('live-notice').innerText(), /microphone may not be used/);
 });
 
-test('closing the page ends the session; what was recorded is whole', async () => {
+test('closing the page ends the session after a while; what was recorded is whole', async () => {
   await begin(flat);
   const id = await idOf();
   await answered(() => type('The plate.'), 'Okay, go on.');
   await visitor.page.goto('about:blank');
   let state;
-  await until(async () => !(state = await api(`/${id}`)).live, 'the session ends');
+  await visitor.page.waitForTimeout(1000);
+  assert.ok((await api(`/${id}`)).live, 'the page may come back');
+  await until(async () => !(state = await api(`/${id}`)).live, 'the session ends', 60000);
   const lastOf = (path) => eventsOf(path).at(-1);
   assert.equal(lastOf(state.trace).kind, 'end');
   assert.equal(lastOf(state.trace.replace(/\.trace\.jsonl$/, '.run.jsonl')).kind, 'end');

@@ -36,8 +36,8 @@ export const eventsOf = (path) =>
     .split('\n')
     .map((line) => JSON.parse(line));
 /** Waits until it holds. */
-export async function until(holds, what) {
-  for (const end = performance.now() + 30000; !(await holds()); ) assert.ok(performance.now() < end, what);
+export async function until(holds, what, patience_ms = 30000) {
+  for (const end = performance.now() + patience_ms; !(await holds()); ) assert.ok(performance.now() < end, what);
 }
 export const idOf = (page = visitor.page) => page.evaluate(() => window.continua.model.selection.live);
 export const ready = () =>

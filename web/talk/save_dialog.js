@@ -1,14 +1,28 @@
 // Keeps a session as a test: asks for a name, and says how the test is run.
 import {h} from '../dom.js';
 
+const most_letters = 64;
+/** Why a test cannot have this name, in a sentence with a name that it could have; '' if it can. */
+export function faultOf(name) {
+  if (/^[A-Za-z0-9_-]{1,64}$/.test(name)) return '';
+  if (!name) return 'A test needs a name.';
+  const better = name
+    .replace(/[^A-Za-z0-9_-]+/g, '_')
+    .replace(/^_+|_+$/g, '')
+    .slice(0, most_letters);
+  const found = [...new Set(name.match(/[^A-Za-z0-9_-]/gu) ?? [])].map((one) => (one === ' ' ? 'a space' : one));
+  const sentence = found.length
+    ? `The name becomes a file's: found ${found.join(' ')}; expected letters, digits, _ and - alone.`
+    : `The name has ${name.length} letters; expected at most ${most_letters}.`;
+  return better ? `${sentence} How about ${better}?` : sentence;
+}
+
 /** `save(name)`: gives the server's answer; `copy(text)`. */
 export function saveDialog(save, copy) {
   const name = h('input', {
     type: 'text',
     'aria-label': 'Name of the test',
     placeholder: 'a name, e.g. plate_to_the_left',
-    pattern: '[A-Za-z0-9_\\-]+',
-    required: true,
     autocomplete: 'off',
     'data-testid': 'save-name',
   });
@@ -27,7 +41,14 @@ export function saveDialog(save, copy) {
 
   async function keep(event) {
     event.preventDefault();
+    const fault = faultOf(name.value.trim());
+    if (fault) {
+      result.replaceChildren(h('p', {class: 'trouble'}, fault));
+      name.focus();
+      return;
+    }
     button.disabled = true;
+    result.replaceChildren(h('p', {class: 'muted'}, 'The conversation is replayed, to see whether it holds as a test …'));
     try {
       const {check, trace} = await save(name.value.trim());
       copied.textContent = 'Copy';

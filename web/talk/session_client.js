@@ -56,6 +56,7 @@ export async function startSession(options) {
 export class SessionClient {
   #waiting = []; // requests to be sent: {batch, make}: make() gives the events when they go
   #batch = 0;
+  #names = Math.random().toString(36).slice(2); // of this page's batches: a page that was loaded again begins at 0 again
   #sending = null; // a sample on its way
   #flushing = false;
   #timer = 0;
@@ -96,9 +97,13 @@ export class SessionClient {
   save(name) {
     return ask(this.#path('/save'), {name});
   }
-  /** For a page that is going away: nobody waits for the answer. */
+  /** For a page that is going away: nobody waits for the answer. The session waits a while for the page to come back. */
   leave() {
-    navigator.sendBeacon(this.#own('/end'));
+    navigator.sendBeacon(this.#own('/away'), JSON.stringify({gone: true}));
+  }
+  /** The page is back, if it had left. */
+  comeBack() {
+    return ask(this.#own('/away'), {gone: false});
   }
   /** The records after number `after`. */
   stream(after) {
@@ -114,6 +119,10 @@ export class SessionClient {
   send(make) {
     this.#waiting.push({batch: ++this.#batch, make});
     this.flush();
+  }
+  /** The events that have yet to reach the server, as they would be sent now. */
+  get unsent() {
+    return this.#waiting.flatMap(({make}) => make());
   }
   /** One sample: worth sending only now. */
   sample(event) {
@@ -133,7 +142,7 @@ export class SessionClient {
     while (this.#waiting.length) {
       try {
         const {batch, make} = this.#waiting[0];
-        await this.#post(make(), `&batch=${batch}`);
+        await this.#post(make(), `&batch=${this.#names}-${batch}`);
       } catch (problem) {
         // The server would refuse the same request again.
         if (problem.status === undefined) {

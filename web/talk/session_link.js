@@ -1,7 +1,6 @@
 // The page's link to a live session: the records and the clock as the server streams them, and whether it is reached.
 
 const again_ms = 1000; // before a refused stream is asked for again
-const lost_sentence = 'Connection lost; trying again…';
 
 export class SessionLink {
   #client;
@@ -12,8 +11,9 @@ export class SessionLink {
   #closed = false;
 
   /**
-   * `heard`: {record(record), clock(word), ended(answer), answered(answer), say(sentence)}: what comes in; `say` gets
-   * sentences for the reader, '' when the trouble is over.
+   * `heard`: {record(record), clock(word), ended(answer), answered(answer), connected(is), say(sentence)}: what comes in;
+   * `connected` is called whenever something could not reach the server, and when everything can again; `say` gets
+   * sentences for the reader.
    */
   constructor(client, heard) {
     this.#client = client;
@@ -36,10 +36,10 @@ export class SessionLink {
   }
   #broken(way) {
     this.#lost.add(way);
-    this.#heard.say(lost_sentence);
+    this.#heard.connected(false);
   }
   #mended(way) {
-    if (this.#lost.delete(way) && this.works) this.#heard.say('');
+    if (this.#lost.delete(way) && this.works) this.#heard.connected(true);
   }
 
   /** Opens the stream, from the last record on that was heard. */

@@ -47,6 +47,7 @@ class SessionPage {
   #talk = null;
   #begun = null; // resolves open()
   #notice = h('p', {class: 'notice', role: 'status', 'data-testid': 'live-notice'});
+  #unsent = h('ul', {class: 'unsent', role: 'status', 'data-testid': 'live-unsent', hidden: true});
   #below = h('div', {class: 'human-side'});
   #scene = h('section', {class: 'live-scene', 'aria-label': 'Scene'}, h('p', {class: 'loading'}, 'Loading…'));
   /** The scene to point at, as mountPlace() gives it; null before the first record has come. */
@@ -57,7 +58,7 @@ class SessionPage {
     this.#client = client;
     this.#opened_t = t;
     this.#clock.told({t, running: live && !paused, speed});
-    this.#now = {live, running: this.#clock.running, viewers, state: state.state, mapped: false};
+    this.#now = {live, running: this.#clock.running, viewers, state: state.state, mapped: false, lost: null};
     this.#conversation = mountConversation(run);
     this.#palette = mountPalette(state, (event) => this.#send(() => [event]));
     this.#filming = new Filming({
@@ -77,10 +78,11 @@ class SessionPage {
     // Time that goes faster or slower than the clock's would not fit a recording.
     this.#status = this.#mountStatus(run, client.recording && speed === 1 && canFilm());
     this.#link = this.#mountLink();
-    const talking = h('div', {class: 'talking'}, this.#conversation.element, this.#notice, this.#below);
+    const talking = h('div', {class: 'talking'}, this.#conversation.element, this.#notice, this.#unsent, this.#below);
     const main = h('main', {class: 'live'}, this.#scene, talking);
     this.elements = [this.#status.element, main, ...Object.values(this.#dialogs).map((one) => one.element)];
     addEventListener('pagehide', this.#leaving);
+    addEventListener('beforeunload', this.#asking);
   }
 
   #mountStatus(run, films) {
@@ -107,8 +109,25 @@ class SessionPage {
       answered: ({t}) => {
         if (Number.isFinite(t)) this.#clock.told({t});
       },
+      connected: (is) => this.#connected(is),
       say: (sentence) => this.#say(sentence),
     });
+  }
+
+  // Without the server no time goes by here; words wait.
+  #connected(is) {
+    if (is) this.#say('');
+    else if (this.#now.lost === null) {
+      this.#clock.told({t: this.#clock.now, running: false});
+      this.#say('Connection lost; trying again…');
+    }
+    this.#show({lost: is ? null : (this.#now.lost ?? this.#clock.now)});
+    this.#showUnsent();
+  }
+  #showUnsent() {
+    const words = this.#client.unsent.map(({text, name}) => (text === undefined ? (name ?? '') : `“${text}”`));
+    this.#unsent.hidden = this.#now.lost === null || !words.length;
+    this.#unsent.replaceChildren(...words.map((one) => h('li', {}, `${one} waits to be sent`)));
   }
 
   #say(sentence) {
@@ -129,6 +148,7 @@ class SessionPage {
     if (!this.#working) return;
     if (this.#link.works) this.#say('');
     this.#client.send(() => make(this.#clock.now));
+    this.#showUnsent();
   }
 
   #take(record) {
@@ -232,6 +252,10 @@ class SessionPage {
   #leaving = ({persisted}) => {
     if (!persisted && this.#working) this.#client.leave();
   };
+  // The browser asks whether to leave while a session is recorded.
+  #asking = (event) => {
+    if (this.#working) event.preventDefault();
+  };
 
   /** The colours may have changed. */
   render() {
@@ -243,6 +267,7 @@ class SessionPage {
       this.#begun = done;
     });
     this.#show();
+    if (this.#working) this.#client.comeBack().catch(() => {});
     this.#link.connect();
     return there;
   }
@@ -257,7 +282,9 @@ class SessionPage {
     return true;
   }
   close() {
+    if (this.#working) this.#client.leave();
     removeEventListener('pagehide', this.#leaving);
+    removeEventListener('beforeunload', this.#asking);
     this.#link.close();
     for (const one of [this.#filming, this.#client, this.#world, this.#status, this.place, this.#talk]) one?.close();
     this.#voice.stop();

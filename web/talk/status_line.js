@@ -69,10 +69,12 @@ export function mountStatus({run, recording, films, time, act, speaks}) {
   const timer = setInterval(() => put(seconds, clock(time())), tick_ms);
   return {
     element,
-    /** Shows {live, running, viewers, state, mapped, filmed}. */
-    render({live, running, viewers, state: now, mapped, filmed}) {
-      mode.className = `badge ${live && running ? 'live' : ''}`;
-      put(mode, live ? (running ? '● recording' : '⏸ paused') : 'ended');
+    /** Shows {live, running, viewers, state, mapped, filmed, lost}; `lost`: the time since when the server is gone, or null. */
+    render({live, running, viewers, state: now, mapped, filmed, lost = null}) {
+      const is_lost = live && lost !== null;
+      mode.className = `badge ${is_lost ? 'lost' : live && running ? 'live' : ''}`;
+      const going = running ? '● recording' : '❚❚ paused';
+      put(mode, is_lost ? `not connected since ${clock(lost)}` : live ? going : 'ended');
       put(watching, viewers > 0 ? `${viewers} watching` : '');
       put(state, now ?? '');
       put(pause, running ? 'Pause' : 'Go on');

@@ -193,6 +193,21 @@ TEST_CASE("a pause lets time stand still, and what is said in it counts then") {
   CHECK(by_events->pause(true));
 }
 
+TEST_CASE("a recorder who goes away and does not come back ends the session after a while") {
+  const auto lives_on = [](bool comes_back) {
+    const TemporaryFolder folder;
+    auto options = options_in(folder, LiveTiming::wall);
+    options.grace = 200ms;
+    const auto live = started(options);
+    live->away(true);
+    if (comes_back) live->away(false);
+    std::this_thread::sleep_for(1500ms);
+    return live->audience().state().live;
+  };
+  CHECK(lives_on(true));
+  CHECK_FALSE(lives_on(false));
+}
+
 TEST_CASE("an event that cannot be used changes nothing, nor do those with it") {
   const TemporaryFolder folder;
   const auto options = options_in(folder, LiveTiming::events);
