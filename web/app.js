@@ -8,8 +8,22 @@ import {RunPage} from './run_page.js';
 import {StartPage} from './panels/start.js';
 import {LivePage} from './talk/live_page.js';
 
+/** What is shown at an address that no page has. */
+class NoPage {
+  refusal = 'There is no such page';
+  constructor(path) {
+    this.path = path;
+  }
+  load() {
+    throw new Error(`There is nothing at ${this.path}.`);
+  }
+  render() {}
+  onKey = () => false;
+  close() {}
+}
+
 /** Whether two selections belong to different pages. */
-const elsewhere = (a, b) => a.run !== b.run || a.other !== b.other || a.live !== b.live;
+const elsewhere = (a, b) => a.run !== b.run || a.other !== b.other || a.live !== b.live || a.nowhere !== b.nowhere;
 
 /**
  * A page has `load()`, which throws a sentence if it cannot be shown, and `refusal`, the heading of that sentence;
@@ -45,7 +59,8 @@ export class App {
     document.body.dataset.ready = '';
   }
 
-  #pageOf({run, live}) {
+  #pageOf({run, live, nowhere}) {
+    if (nowhere) return new NoPage(nowhere);
     if (live !== undefined) return new LivePage(this.host, this.model);
     if (run === null) return new StartPage(this.host, this.model);
     return new RunPage(this.host, this.model, this.cursor);

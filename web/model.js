@@ -2,10 +2,10 @@
 // time, the filter, the panel. The address is the selection, written out; a link restores everything.
 
 /**
- * @typedef {{run: string|null, other: string|null, live?: string, n: number|null, branch: number|null, cell: string, term: string,
+ * @typedef {{run: string|null, other: string|null, live?: string, nowhere?: string, n: number|null, branch: number|null, cell: string, term: string,
  *            zoom: [number, number]|null, gaps: boolean, filter: string, kind: string, panel: string, tab: string, hunk: number|null,
  *            search: string}} Selection
- * `run` null: the start page; `other`: the run B of a comparison; `live`: on the live page alone, its session, '' before there is one; `gaps`: idle time is drawn at its full length;
+ * `run` null: the start page; `other`: the run B of a comparison; `live`: on the live page alone, its session, '' before there is one; `nowhere`: the path of an address that no page has; `gaps`: idle time is drawn at its full length;
  * `panel`: the one that fills the page; `tab`: the one in front where several share a place; `hunk`: the difference that is shown; `search`: of the start page.
  */
 
@@ -23,6 +23,7 @@ export function parseAddress(address) {
     run: part(1) ?? part(2),
     other: part(3),
     ...(live && {live: decoded(live[1] ?? '')}),
+    ...(!path && !live && !/^\/(index\.html)?$/.test(url.pathname) && {nowhere: decoded(url.pathname)}),
     n: whole(query.get('n')),
     branch: whole(query.get('b')),
     cell: query.get('cell') ?? '',

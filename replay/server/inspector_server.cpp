@@ -153,10 +153,15 @@ class InspectorServer::Impl {
       // The page shows every run; which one is its own affair.
       const bool page = request.path == "/" || request.path == "/live" || request.path.starts_with("/live/") ||
                         request.path.starts_with("/r/") || request.path.starts_with("/diff/");
-      if (const auto* asset = find_asset(page ? "/index.html" : request.path))
-        send_asset(request, response, *asset);
-      else
+      if (const auto* asset = find_asset(page ? "/index.html" : request.path)) return send_asset(request, response, *asset);
+      // A reader gets a page that says so.
+      const auto* index = find_asset("/index.html");
+      if (index && request.get_header_value("Accept").find("text/html") != std::string::npos) {
+        send_asset(request, response, *index);
+        response.status = 404;
+      } else {
         send_answer(request, response, api_error(404, fmt::format("there is nothing at {}", request.path)));
+      }
     });
     const auto content_type = [](const httplib::Request& request) { return request.get_header_value("Content-Type"); };
     server_.Post("/api/what-if", [this, content_type](const httplib::Request& request, httplib::Response& response) {
