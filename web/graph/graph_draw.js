@@ -1,8 +1,9 @@
 // The parts of the state graph as elements: arrows, states, and the arrows of refused transitions.
-import {pressable, s, shown, brief, counted} from '../dom.js';
-import {along, arrowHead, bent, loopPath, path} from './graph_paths.js';
+import {pressable, s, shown, counted} from '../dom.js';
+import {arrowHead, bent, loopPath, path} from './graph_paths.js';
+import {freePlace} from './graph_labels.js';
 
-const most_letters = 26; // of a value next to an arrow
+const badge_px = 8; // radius of the number on a refused transition
 
 /** A transition in words. */
 export const rowText = (row) =>
@@ -15,21 +16,23 @@ function whose({visits, visits_b}, compared) {
   if (!compared || Boolean(visits) === Boolean(visits_b)) return '';
   return visits ? ' only-a' : ' only-b';
 }
-const visitsText = ({visits, visits_b}, compared) =>
+/** The count of an arrow's uses as it is shown. */
+export const visitsText = ({visits, visits_b}, compared) =>
   !compared || visits === visits_b ? `${visits}` : `A ${visits} B ${visits_b}`;
 
 const word = (props, ...text) => s('text', {'text-anchor': 'middle', ...props}, ...text);
 
-/** An arrow with all transitions between two states. `compared`: two runs are shown; `tell()`: it was pressed. */
-export function drawEdge(edge, {compared, tell}) {
+/**
+ * An arrow with all transitions between two states. `compared`: two runs are shown; `tell()`: it was pressed; `over(is)`:
+ * the pointer has come over it, or left it.
+ */
+export function drawEdge(edge, {compared, tell, over}) {
   const {from, to, points, rows} = edge;
   const loop = from === to;
   const d = loop ? loopPath(points) : path(points);
-  const middle = loop ? {x: points[2].x + 4, y: points[1].y + 6} : along(points, 0.4);
   const used = edge.visits + edge.visits_b;
-  const width = used ? 1.2 + Math.min(3, Math.log10(used) * 1.1) : 0.8;
+  const width = used ? 1.1 + Math.min(5, Math.log10(used) * 1.5) : 0.8;
   const visits = visitsText(edge, compared);
-  const count = {class: 'count', x: middle.x, y: middle.y + 3, 'text-anchor': loop ? 'start' : 'middle'};
   const diverted = rows.every((row) => row.diverted) ? ' diverted' : '';
   const group = s(
     'g',
@@ -39,17 +42,24 @@ export function drawEdge(edge, {compared, tell}) {
       tabindex: used ? 0 : -1,
       'aria-label': `${from} to ${to}, taken ${visits} times; its transitions`,
     },
-    s('title', {}, `${from} → ${to}\n${rows.map(rowText).join('\n')}`),
     s('path', {class: 'hit', d}),
     s('path', {class: 'stroke', d, 'stroke-width': width}),
     s('path', {class: 'head', d: arrowHead(points)}),
-    used > 0 && s('text', count, visits),
   );
+  hoverable(group, over);
   return pressable(group, tell);
 }
+function hoverable(group, over) {
+  group.addEventListener('pointerenter', () => over(true));
+  group.addEventListener('pointerleave', () => over(false));
+}
+
+/** The count of an arrow's uses, where there is room for it. */
+export const drawCount = (edge, compared) =>
+  edge.label && word({class: 'count', x: edge.label.x, y: edge.label.y + 4}, visitsText(edge, compared));
 
 /** A state. `begins`: the automaton starts in it; `jump()`: it was pressed. */
-export function drawNode(node, {compared, begins, jump}) {
+export function drawNode(node, {compared, begins, jump, over}) {
   const {id, x, y, w, h, lines, visits} = node;
   const left = x - w / 2;
   const top = y - h / 2;
@@ -64,13 +74,13 @@ export function drawNode(node, {compared, begins, jump}) {
       'data-state': id,
       'aria-label': `State ${id}, ${entered}${visits ? '; go to the next' : ''}`,
     },
-    s('title', {}, `${id}: ${entered}`),
     node.accepting && s('rect', {class: 'outer', x: left - 3, y: top - 3, width: w + 6, height: h + 6, rx: 10}),
     s('rect', {class: 'box', x: left, y: top, width: w, height: h, rx: 8}),
     lines.map((line, i) => word({x, y: first_line + i * 13}, line)),
     node.anywhere && fromAnywhere(node.anywhere, x, top),
     begins && s('path', {class: 'begin', d: `M${left - 9} ${y - 5}l8 5l-8 5z`}),
   );
+  hoverable(group, over);
   return pressable(group, jump);
 }
 
@@ -85,31 +95,39 @@ const fromAnywhere = (row, x, top) =>
     word({class: 'count', x, y: top - 23}, 'from any state'),
   );
 
-/** The value in "|options| > 1: |options| is 1"; all of a reason that has none. */
-function valueOf(reason) {
-  const text = brief(String(reason ?? ''));
-  const at = text.lastIndexOf(': ');
-  const value = at < 0 ? text : text.slice(at + 2);
-  return value.length > most_letters ? `${value.slice(0, most_letters - 1)}…` : value;
-}
-
-/** The arrow from node `a` to node `b` of the transitions `refused` there; `i`: how many such arrows there are already. */
-export function drawRefused(a, b, refused, i) {
+/**
+ * The arrow from node `a` to node `b` of the transitions `refused` there, each with its `number` in the list; `i`: how many
+ * such arrows there are already. The badge with the numbers keeps clear of the boxes `taken`, to which it is added; where there is no
+ * room there is none.
+ */
+export function drawRefused(a, b, refused, i, taken) {
   const loop = a === b;
   const points = loop ? loopBelow(a) : bent(a, b, 0.22 + 0.05 * i);
-  const middle = loop ? {x: points[1].x + 12, y: points[1].y + 9} : middleOf(points);
-  const [first] = refused;
-  const more = refused.length > 1 ? `, and ${refused.length - 1} more` : '';
+  const numbers = refused.map((one) => one.number).join(', ');
+  const size = {w: Math.max(2 * badge_px, numbers.length * 6 + 8), h: 2 * badge_px};
+  const at = freePlace(loop ? [points[1], points[2]] : onCurve(points), size, taken);
   const reasons = refused.map((one) => `${one.id}, ${shown(one.reason)}`);
   return s(
     'g',
     {class: 'edge refused', role: 'img', 'aria-label': `refused: ${a.id} to ${b.id}, ${reasons.join('; ')}`},
-    s('title', {}, refused.map((one) => `${one.id} refused: ${shown(one.reason)}`).join('\n')),
+    s('title', {}, refused.map((one) => `${one.number}. ${one.id} refused: ${shown(one.reason)}`).join('\n')),
     s('path', {class: 'stroke', d: loop ? loopPath(points) : path(points)}),
     s('path', {class: 'head', d: arrowHead(points)}),
-    word({class: 'count', x: middle.x, y: middle.y + 3}, `${first.id}: ${valueOf(first.reason)}${more}`),
+    at && badge(at, size, numbers),
   );
 }
+const badge = ({x, y}, {w, h}, text) => [
+  s('rect', {class: 'badge-back', x: x - w / 2, y: y - h / 2, width: w, height: h, rx: badge_px}),
+  word({class: 'count', x, y: y + 4}, text),
+];
+const curve_parts = 20;
+// Points of the curve of bent(), as drawn.
+const onCurve = ([from, control, to]) =>
+  Array.from({length: curve_parts + 1}, (_, k) => {
+    const u = k / curve_parts;
+    const part = (name) => (1 - u) ** 2 * from[name] + 2 * u * (1 - u) * control[name] + u ** 2 * to[name];
+    return {x: part('x'), y: part('y')};
+  });
 
 function loopBelow({x, y, w, h}) {
   const left = x - w / 2;
@@ -121,7 +139,3 @@ function loopBelow({x, y, w, h}) {
     {x: left + 22, y: bottom},
   ];
 }
-const middleOf = ([from, control, to]) => ({
-  x: (from.x + 2 * control.x + to.x) / 4,
-  y: (from.y + 2 * control.y + to.y) / 4,
-});

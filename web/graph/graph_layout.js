@@ -3,6 +3,7 @@ import {dagre} from '../vendor.js';
 
 const letter_px = 6.5;
 const line_px = 13;
+const anywhere_px = 30; // above a state that every state leads to
 
 /** "ComposeObjectAndAction" in lines of at most about ten letters. */
 export function labelLines(id) {
@@ -117,9 +118,11 @@ function place({nodes, edges}, direction) {
 
 function placeByDagre(nodes, edges, direction) {
   const graph = new dagre.graphlib.Graph();
-  graph.setGraph({rankdir: direction, nodesep: 14, ranksep: direction === 'LR' ? 24 : 20, edgesep: 8});
+  // Greedy: as few arrows as can be go back, which keeps the picture small.
+  const ranksep = direction === 'LR' ? 26 : 22;
+  graph.setGraph({rankdir: direction, nodesep: 14, ranksep, edgesep: 8, acyclicer: 'greedy'});
   graph.setDefaultEdgeLabel(() => ({}));
-  for (const node of nodes) graph.setNode(node.id, {width: node.w, height: node.h});
+  for (const {id, w, h, anywhere} of nodes) graph.setNode(id, {width: w, height: h + (anywhere ? 2 * anywhere_px : 0)});
   for (const edge of edges) graph.setEdge(edge.from, edge.to, {});
   dagre.layout(graph);
   for (const node of nodes) ({x: node.x, y: node.y} = graph.node(node.id));
@@ -206,7 +209,7 @@ function framed(nodes, edges) {
     bottom = Math.max(bottom, y);
   };
   for (const {x, y, w, h, anywhere} of nodes) {
-    reach(x - w / 2, y - h / 2 - (anywhere ? 30 : 12));
+    reach(x - w / 2, y - h / 2 - (anywhere ? anywhere_px : 12));
     reach(x + w / 2, y + h / 2);
   }
   for (const {points} of edges) for (const {x, y} of points) reach(x, y);

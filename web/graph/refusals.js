@@ -1,7 +1,8 @@
-// The transitions that were refused where the automaton stood, as dashed arrows in the graph and as a list.
+// The transitions that were refused where the automaton stood: a list, and on demand dashed arrows in the graph, numbered.
 import {h, s, shown, counted} from '../dom.js';
 import {calmly} from '../calmly.js';
-import {drawRefused} from './graph_draw.js';
+import {drawRefused, visitsText} from './graph_draw.js';
+import {boxesOf} from './graph_labels.js';
 
 const most_arrows = 6;
 const calm_ms = 150; // between questions to the server
@@ -13,10 +14,12 @@ export class Refusals {
   #client;
   #placed = null; // the graph as layOut() gives it
   #at = -1; // the record that is shown
+  #told = {from: null, refused: []};
 
   constructor(data, client) {
     this.#data = data;
     this.#client = client;
+    this.list.addEventListener('toggle', () => this.#draw());
   }
 
   /** Shows what was refused at the step, or the refusal, that leads to record n. `quiet`: only takes away the last. */
@@ -27,10 +30,7 @@ export class Refusals {
     if (at === this.#at && placed === this.#placed) return;
     this.#at = at;
     this.#placed = placed;
-    if (!this.list.hidden) {
-      this.layer.replaceChildren();
-      this.list.hidden = true;
-    }
+    this.#tell(null, []);
     if (at >= 0 && !quiet) this.#ask(at);
   }
 
@@ -38,12 +38,21 @@ export class Refusals {
     if (at !== this.#at) return;
     const record = await this.#client.record(at).catch(() => null);
     if (!record || at !== this.#at) return;
-    const refused = (record.refused ?? []).filter((one) => one?.id);
-    this.layer.replaceChildren(...this.#arrows(record.from ?? record.state, refused));
+    const refused = (record.refused ?? []).filter((one) => one?.id).map((one, i) => ({...one, number: i + 1}));
+    this.#tell(record.from ?? record.state, refused);
+  }, calm_ms);
+
+  #tell(from, refused) {
+    this.#told = {from, refused};
     this.list.hidden = !refused.length;
     const items = refused.map((one) => h('li', {}, h('b', {}, one.id), ` ${shown(one.reason)}`));
-    this.list.replaceChildren(h('summary', {}, `${counted(refused.length, 'candidate')} refused`), h('ul', {}, items));
-  }, calm_ms);
+    this.list.replaceChildren(h('summary', {}, `${counted(refused.length, 'candidate')} refused`), h('ol', {}, items));
+    this.#draw();
+  }
+  #draw() {
+    const {from, refused} = this.#told;
+    this.layer.replaceChildren(...(this.list.open && refused.length ? this.#arrows(from, refused) : []));
+  }
 
   // An arrow to each state that a refused transition leads to.
   #arrows(from, refused) {
@@ -52,9 +61,12 @@ export class Refusals {
       for (const {id, from: source, to, diverted} of this.#data.graph.edges)
         if (id === one.id && source === from && !diverted) targets.set(to, [...(targets.get(to) ?? []), one]);
     const nodeOf = (id) => this.#placed.nodes.find((one) => one.id === id);
+    const taken = boxesOf(this.#placed, (edge) => visitsText(edge, false));
     return [...targets]
       .slice(0, most_arrows)
-      .map(([to, ones], i) => (nodeOf(from) && nodeOf(to) ? drawRefused(nodeOf(from), nodeOf(to), ones, i) : null))
+      .map(([to, ones], i) =>
+        nodeOf(from) && nodeOf(to) ? drawRefused(nodeOf(from), nodeOf(to), ones, i, taken) : null,
+      )
       .filter(Boolean);
   }
 }

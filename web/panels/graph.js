@@ -1,8 +1,12 @@
 // The automaton: its states and transitions, how often each was used, and where it stands.
 import {h, s, panel, counted} from '../dom.js';
-import {drawEdge, drawNode, rowText} from '../graph/graph_draw.js';
+import {GraphCard} from '../graph/graph_card.js';
+import {drawCount, drawEdge, drawNode, visitsText} from '../graph/graph_draw.js';
+import {graphFile} from '../graph/graph_file.js';
+import {placeLabels} from '../graph/graph_labels.js';
 import {mergedGraph, layOut} from '../graph/graph_layout.js';
 import {PanZoom} from '../graph/pan_zoom.js';
+import {Trail} from '../graph/graph_trail.js';
 import {Refusals} from '../graph/refusals.js';
 
 const keyOf = (from, to) => JSON.stringify([from, to]);
@@ -17,14 +21,16 @@ class Graph {
   #canvas;
   #sight;
   #refusals;
-  #card = h('div', {class: 'edge-card', role: 'status', hidden: true, 'data-testid': 'edge-card'});
+  #card;
+  #trail;
   #count = h('span', {class: 'muted', 'data-testid': 'graph-count'});
   #only_taken = h('input', {type: 'checkbox', checked: true, 'data-testid': 'taken-only'});
   #placed = null; // by layOut()
   #nodes = new Map(); // state -> element
   #edges = new Map(); // keyOf() -> element
   #lit = []; // elements that tell where the automaton stands
-  #told = null; // the edge on the card
+  #counts = new Map(); // keyOf() -> the count of its uses
+  #shown = -1; // the step that the picture follows
   #n = 0;
   #size = '';
 
@@ -36,12 +42,23 @@ class Graph {
     this.#cursor = cursor;
     this.#comparison = comparison;
     this.#refusals = new Refusals(data, client);
+    this.#card = new GraphCard(data);
+    this.#trail = new Trail(data);
     const svg = s('svg', {role: 'group', 'aria-label': 'State graph', 'data-testid': 'graph'}, this.#view);
-    this.#canvas = h('div', {class: 'canvas'}, svg, this.#refusals.list, this.#card);
+    svg.addEventListener('click', (event) => {
+      if (!event.target.closest('.edge')) this.#card.pin(null);
+    });
+    this.#canvas = h('div', {class: 'canvas'}, svg, this.#refusals.list, this.#card.element);
+    this.#canvas.addEventListener('keydown', (event) => this.#putAway(event));
     this.#sight = new PanZoom(svg, this.#view);
     this.#only_taken.addEventListener('change', () => this.#build());
-    const fit = h('button', {type: 'button', title: 'Fit into the panel (F)', onclick: () => this.fit()}, 'Fit');
-    const controls = [this.#count, h('label', {}, this.#only_taken, 'taken only'), fit];
+    const button = (title, text, onclick) => h('button', {type: 'button', title, onclick}, text);
+    const controls = [
+      this.#count,
+      h('label', {}, this.#only_taken, 'taken only'),
+      button('Fit into the panel, or follow the state (F)', 'Fit', () => this.fit()),
+      button('Save the graph as an SVG file', 'SVG', () => this.#save()),
+    ];
     this.element = panel('graph', 'State graph', controls, this.#canvas);
     new ResizeObserver(() => this.#resized()).observe(this.#canvas);
   }
@@ -60,26 +77,73 @@ class Graph {
     const compared = Boolean(this.#comparison);
     const merged = mergedGraph(graph, this.#only_taken.checked, this.#comparison?.side.data.graph);
     const placed = (this.#placed = layOut(merged, Math.max(0.2, clientWidth / Math.max(1, clientHeight))));
-    const edge = (one) => drawEdge(one, {compared, tell: () => this.#tell(one)});
+    placeLabels(placed, (one) => visitsText(one, compared));
+    const edge = (one) =>
+      drawEdge(one, {
+        compared,
+        tell: () => this.#card.pin(one),
+        over: (is) => this.#card.hover(is && {edge: one}),
+      });
     const node = (one) =>
-      drawNode(one, {compared, begins: one.id === graph.start, jump: () => this.#jumpToVisit(one.id)});
+      drawNode(one, {
+        compared,
+        begins: one.id === graph.start,
+        jump: () => this.#jumpToVisit(one.id),
+        over: (is) => this.#card.hover(is && {node: one, edges: placed.edges}),
+      });
     this.#edges = new Map(placed.edges.map((one) => [keyOf(one.from, one.to), edge(one)]));
     this.#nodes = new Map(placed.nodes.map((one) => [one.id, node(one)]));
     const by_use = placed.edges.toSorted((a, b) => a.visits - b.visits);
     const arrows = by_use.map(({from, to}) => this.#edges.get(keyOf(from, to)));
-    this.#view.replaceChildren(...arrows, ...this.#nodes.values(), this.#refusals.layer);
-    const own = graph.edges.filter((one) => !one.diverted);
-    const taken = own.filter((one) => one.visits).length;
+    const counts = placed.edges.map((one) => [keyOf(one.from, one.to), drawCount(one, compared)]);
+    this.#counts = new Map(counts.filter(([, count]) => count));
+    this.#view.replaceChildren(
+      ...arrows,
+      s('g', {class: 'counts'}, ...this.#counts.values()),
+      ...this.#nodes.values(),
+      this.#refusals.layer,
+      this.#trail.token,
+    );
+    this.#card.pin(null);
+    // A transition that leaves several states is one.
+    const own = new Set(graph.edges.filter((one) => !one.diverted).map(({id}) => id));
+    const taken = new Set(graph.edges.filter((one) => !one.diverted && one.visits).map(({id}) => id)).size;
     const states = `${placed.nodes.length} of ${counted(graph.states.length, 'state')}`;
-    this.#count.textContent = `${states}, ${taken} of ${counted(own.length, 'transition')} taken`;
+    this.#count.textContent = `${states}, ${taken} of ${counted(own.size, 'transition')} taken`;
     this.#lit = [];
     this.fit();
     this.#light();
   }
 
-  /** Shows the whole graph. */
+  /** Shows the whole graph or, where its letters would be too small then, the state with its neighbours. */
   fit() {
-    if (this.#placed) this.#sight.fit(this.#placed);
+    if (!this.#placed) return;
+    this.#sight.fit(this.#placed);
+    this.#follow(false);
+  }
+  // The state comes first, then those that it came from and can go on to, those used most first.
+  #follow(calmly) {
+    const {nodes, edges} = this.#placed;
+    const state = this.#data.state(this.#n);
+    const last = this.#data.step(this.#n);
+    const from = last < 0 ? state : this.#data.stepAt(last).from;
+    const near = edges
+      .filter((edge) => edge.from === state || edge.to === state)
+      .toSorted((a, b) => b.visits - a.visits)
+      .map((edge) => (edge.from === state ? edge.to : edge.from));
+    const boxes = [...new Set([state, from, ...near])].map((id) => nodes.find((one) => one.id === id)).filter(Boolean);
+    this.#sight.follow(boxes, this.#placed, calmly);
+  }
+  #putAway(event) {
+    if (event.key !== 'Escape' || this.#card.element.hidden) return;
+    event.stopPropagation();
+    this.#card.pin(null);
+  }
+  #save() {
+    const file = new Blob([graphFile(this.#view, this.#placed)], {type: 'image/svg+xml'});
+    const link = h('a', {href: URL.createObjectURL(file), download: 'state_graph.svg'});
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href));
   }
 
   // Goes to the next time after the cursor that the automaton entered this state; after the last, to the first.
@@ -94,15 +158,6 @@ class Graph {
     }
   }
 
-  // The transitions of an arrow, in words, until it is pressed again.
-  #tell(edge) {
-    this.#told = this.#told === edge ? null : edge;
-    this.#card.hidden = !this.#told;
-    if (!this.#told) return;
-    const rows = edge.rows.map((row) => h('li', {}, rowText(row)));
-    this.#card.replaceChildren(h('b', {}, `${edge.from} → ${edge.to}`), h('ul', {}, rows));
-  }
-
   // Marks where the automaton stands at record #n.
   #light() {
     const n = this.#n;
@@ -112,14 +167,19 @@ class Graph {
     const state = this.#data.state(n);
     const node = this.#nodes.get(state);
     this.#mark(node, 'current');
-    this.#lightStep(this.#data.step(n));
+    const step = this.#data.step(n);
+    this.#lightStep(step);
+    this.#trail.show(step, ({from, to}) => this.#edges.get(keyOf(from, to)), true);
     if (this.#comparison) {
       const {side} = this.#comparison;
       const other = this.#nodes.get(side.data.state(this.#comparison.otherOf(this.#model.selection)));
       if (other !== node) this.#mark(other, 'current-b');
     }
     this.#lightBranch(n);
+    if (step !== this.#shown) this.#card.pin(null);
     if (!this.#sight.fitted) this.#reveal(state);
+    else if (step !== this.#shown) this.#follow(true);
+    this.#shown = step;
     this.#refusals.show(n, this.#placed, this.#cursor.playing);
   }
   #mark(element, name) {
@@ -133,7 +193,8 @@ class Graph {
     const edge = this.#edges.get(keyOf(from, to));
     if (!edge) return;
     this.#mark(edge, 'last');
-    edge.parentNode.insertBefore(edge, this.#nodes.values().next().value);
+    this.#mark(this.#counts.get(keyOf(from, to)), 'last');
+    edge.parentNode.insertBefore(edge, this.#view.querySelector('.counts'));
   }
   // Where the selected one of several configurations is.
   async #lightBranch(n) {
@@ -151,6 +212,9 @@ class Graph {
   render({n}) {
     this.#n = n;
     if (this.#placed) this.#light();
+  }
+  close() {
+    this.#trail.close();
   }
 }
 
