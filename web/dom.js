@@ -34,14 +34,16 @@ export const brief = (term) => shown(term).replace(/-?\d+\.\d{3,}/g, (number) =>
 export const text = (value) =>
   shown(typeof value === 'string' ? value : value === null ? 'null' : JSON.stringify(value));
 
-/** Seconds as "12.480 s". */
-export const seconds = (t) => `${t.toFixed(3)} s`;
-
-/** Seconds as "8:23". */
-export function clock(t) {
-  const whole = Math.floor(t);
-  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, '0')}`;
+/** Seconds as "8:23", or with digits "8:23.480". Rounded to milliseconds before any are left out, so that all forms agree. */
+export function clock(t, digits = 0) {
+  const ms = Math.round(t * 1000);
+  const [whole, rest] = [Math.floor(ms / 1000), ms - 1000 * Math.floor(ms / 1000)];
+  const part = digits ? `.${String(rest).padStart(3, '0').slice(0, digits)}` : '';
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, '0')}${part}`;
 }
+
+/** An instant of a run to the millisecond. */
+export const instant = (t) => clock(t, 3);
 
 /** 27607 as "27,607". */
 export const grouped = (number) => number.toLocaleString('en');

@@ -56,7 +56,7 @@ class Log {
 }
 
 // One round from t on; `id`: of the last symbol made before.
-function addRound(log, round, t, id) {
+function addRound(log, round, t, id, outcome) {
   const speech = {kind: 'speech', text: `Put it there, ${round}.`, until: t + 1.5};
   const said = log.add('input', t, {line: 2, event: speech, symbol: 'P'});
   log.add('application', t, {...application, because: [said]}, said);
@@ -69,16 +69,20 @@ function addRound(log, round, t, id) {
   log.add('symbol', t + 5, {id: id + 2, below: 1, slots: {action: program}}, yes);
   const agreed = log.step(t + 5, yes, 'agree', ['AskWhichObject', 'Act'], {input: 'y', stack: id + 2, depth: 2});
   const act = log.add('act', t + 5, {act: round + 1, program, status: 'asked'}, agreed);
-  log.add('act', t + 9, {act: round + 1, program, status: 'done', result: {position_error_m: 0.001}}, act);
+  log.add('act', t + 9, {act: round + 1, program, ...outcome}, act);
   log.step(t + 9, agreed, 'done', ['Act', 'Wait'], {input: null, stack: 1, depth: 1});
 }
 
-/** A run of three rounds of asking and agreeing, with more records than a table can hold. */
-export function roundsLog() {
+const done = {status: 'done', result: {position_error_m: 0.001}};
+const blocked = {status: 'blocked', result: {reason: 'block1 is in the way'}};
+
+/** A run of three rounds of asking and agreeing, with more records than a table can hold. `fails`: its last act does. */
+export function roundsLog({fails = false} = {}) {
   const log = new Log();
   log.add('run', 0, header);
   log.add('symbol', 0, {id: 1, below: null, slots: {}}, 0);
-  for (let round = 0; round < 3; ++round) addRound(log, round, 5 + round * 20, 1 + 2 * round);
+  for (let round = 0; round < 3; ++round) 
+    addRound(log, round, 5 + round * 20, 1 + 2 * round, fails && round === 2 ? blocked : done);
   const refused = [{id: 'ask', reason: 'the input is not P'}];
   log.add('refusal', 60, {state: 'Wait', input: 'z', reason: 'no transition takes z', refused});
   log.add('end', 61, {counts: {}, decisions: '', physics: '', digest: ''});

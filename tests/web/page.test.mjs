@@ -39,7 +39,7 @@ test('all panels are there, filled, without scrolling the page', async () => {
   await visit('/r/rounds');
   for (const panel of ['dialogue', 'graph', 'scene', 'stack', 'derivation', 'lanes', 'why'])
     assert.ok(await at(`panel-${panel}`).isVisible(), panel);
-  assert.match(await at('verdict').innerText(), /3 utterances, 3 acts, 1 refusal, 61 s/);
+  assert.match(await at('verdict').innerText(), /3 utterances, 3 of 3 acts done, 1 input refused/);
   assert.ok(await visitor.page.evaluate(() => document.documentElement.scrollHeight <= innerHeight));
   // It opens where the avatar first had to ask.
   assert.match(await at('panel-why').innerText(), /Which block\?/);

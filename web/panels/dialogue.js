@@ -1,5 +1,5 @@
 // The dialogue of human and avatar; words and gestures that belong together are one move.
-import {h, panel, brief, clock} from '../dom.js';
+import {h, panel, brief, clock, counted, instant} from '../dom.js';
 import {calmly} from '../calmly.js';
 import {lastAtMost} from '../search.js';
 
@@ -25,6 +25,17 @@ function ensembles(percepts) {
   return of;
 }
 
+/** Places of the moves in runs: refusals that follow one another are one run, every other move is one of its own. */
+function runsOf(moves, first, last, refused) {
+  const runs = [];
+  for (let i = first; i < last; ++i) {
+    const folded = refused(moves[i]);
+    if (folded && runs.at(-1)?.folded) runs.at(-1).places.push(i);
+    else runs.push({folded, places: [i]});
+  }
+  return runs;
+}
+
 const more = (count, when, onclick) =>
   h('li', {class: 'more'}, h('button', {type: 'button', class: 'link', onclick}, `${count} ${when}`));
 
@@ -41,6 +52,7 @@ class Dialogue {
   #rows = new Map();
   #current = null;
   #selected = -1;
+  #opened = new Set(); // the first records of the folded refusals that the reader has opened
   #together = new Map(); // by ensembles()
   #asked_at = -1;
 
@@ -51,6 +63,8 @@ class Dialogue {
     this.#moves = movesOf(data);
     this.#numbers = Uint32Array.from(this.#moves, (move) => move.n);
     this.#list.addEventListener('scroll', () => this.#scrolled());
+    // A list of another height, such as behind a panel that fills the page, has lost its place.
+    new ResizeObserver(() => this.#light()).observe(this.#list);
     const nothing = h('p', {class: 'empty'}, 'Nobody said or showed anything in this run.');
     const legend = [h('i', {class: 'human'}), 'human', h('i', {class: 'avatar'}), 'avatar'];
     this.element = panel(
@@ -69,7 +83,7 @@ class Dialogue {
   #bubble(move) {
     const {lanes, names, t} = this.#data;
     const status = names[lanes.act.status?.[move.i]];
-    const title = `#${move.n}, ${t[move.n].toFixed(3)} s`;
+    const title = `#${move.n}, ${instant(t[move.n])}`;
     return h(
       'button',
       {type: 'button', class: how[move.how], onclick: () => this.#jump(move.n), 'data-n': move.n, title},
@@ -84,10 +98,13 @@ class Dialogue {
     this.#rows = new Map();
     this.#data.labels.want(this.#numbers.slice(this.#first, this.#last));
     const items = [];
-    for (let i = this.#first; i < this.#last; ++i) {
+    const refused = ({how: lane, n}) => lane === 'flag' && this.#data.kind(n) === 'refusal';
+    for (const {folded, places} of runsOf(this.#moves, this.#first, this.#last, refused)) {
+      const [i] = places;
       const group = this.#together.get(this.#moves[i].n);
       const previous = items.at(-1);
-      if (group && previous?.members.some((n) => group.includes(n))) this.#join(previous, i);
+      if (folded && places.length > 1) items.push(this.#fold(places));
+      else if (group && previous?.members.some((n) => group.includes(n))) this.#join(previous, i);
       else items.push(this.#item(i));
     }
     const earlier = this.#first;
@@ -105,6 +122,17 @@ class Dialogue {
     const row = h('li', {class: `${who[move.how]} ${how[move.how]}`}, h('div', {class: 'parts'}, button), time);
     this.#rows.set(i, {row, button});
     return {row, members: [move.n]};
+  }
+  // Inputs that were refused one after the other, in one line that opens; `places` in the moves.
+  #fold(places) {
+    const buttons = places.map((i) => this.#bubble(this.#moves[i]));
+    const summary = h('summary', {}, `${counted(places.length, 'input')} refused`);
+    const open = this.#opened.has(this.#moves[places[0]].n);
+    const details = h('details', {open, class: 'folded'}, summary, h('div', {class: 'parts'}, buttons));
+    details.addEventListener('toggle', () => this.#opened[details.open ? 'add' : 'delete'](this.#moves[places[0]].n));
+    const row = h('li', {class: 'log flag'}, details);
+    places.forEach((i, k) => this.#rows.set(i, {row, button: buttons[k]}));
+    return {row, members: places.map((i) => this.#moves[i].n)};
   }
   // Words and gestures that were taken together are one move, with all its parts.
   #join(item, i) {

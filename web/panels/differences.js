@@ -1,5 +1,5 @@
 // Where two runs differ: why, then one difference after the other.
-import {h, panel, brief, counted, seconds} from '../dom.js';
+import {h, panel, brief, counted, instant} from '../dom.js';
 
 const described = {
   input: 'another input',
@@ -36,7 +36,7 @@ const hunkItem = (hunk, show) =>
       'button',
       {type: 'button', onclick: show},
       h('span', {class: 'sign'}, sign(hunk)),
-      ` ${telling(hunk)}, ${seconds(hunk.t)}`,
+      ` ${telling(hunk)}, ${instant(hunk.t)}`,
     ),
     h('ul', {}, lines('−', 'a', hunk.a), lines('+', 'b', hunk.b)),
   );

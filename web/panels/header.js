@@ -1,8 +1,9 @@
 // The top line: the run and how it went, where the cursor stands, and the buttons.
-import {h, s, brief, icon, counted, grouped, seconds} from '../dom.js';
+import {h, s, brief, clock, icon, grouped, instant} from '../dom.js';
 import {copyLink} from '../announce.js';
 import {linkTo} from '../model.js';
 import {listed, served} from '../run/run_client.js';
+import {failuresOf, verdictLine} from '../run/verdict.js';
 import {toggleTheme} from '../theme.js';
 
 const icons = {
@@ -24,27 +25,19 @@ const sign = (name) =>
 const speeds = [0.5, 1, 2, 5, 20];
 const copied_ms = 1200; // how long the button says so
 
-/** "99 utterances, 13 acts, 0 refusals, 503 s" */
-export function verdict(summary) {
-  const parts = [
-    counted(summary.utterances, 'utterance'),
-    counted(summary.acts, 'act'),
-    counted(summary.refusals - summary.refused_samples, 'refusal'),
-    `${Math.round(summary.duration)} s`,
-  ];
-  if (summary.problems) parts.push(counted(summary.problems, 'problem'));
-  if (summary.expected) parts.push(`${summary.met} of ${counted(summary.expected, 'expectation')} met`);
-  if (summary.refused_samples) parts.push(`${counted(summary.refused_samples, 'pointing sample')} not awaited`);
-  return parts.join(', ');
-}
-
 const button = (label, shown, action, props) =>
   h('button', {type: 'button', title: label, 'aria-label': label, onclick: action, ...props}, shown);
 
 /** Fills `host` with the line of `page`, a RunPage, which knows whether its run still grows. */
 export function mountHeader(host, page, dialogs) {
   const {data, cursor, model, comparison} = page;
-  const position = h('output', {class: 'position', 'data-testid': 'position'});
+  const position = h('button', {
+    type: 'button',
+    class: 'position',
+    title: 'Go to an instant, a record or a state (#)',
+    'data-testid': 'position',
+    onclick: () => dialogs.go_to.open(),
+  });
   const play = button('Play (Space)', sign('play'), () => cursor.play(), {
     'data-testid': 'play',
     'aria-pressed': 'false',
@@ -69,8 +62,8 @@ export function mountHeader(host, page, dialogs) {
     render({n}) {
       showGrowth(host, page.live);
       position.replaceChildren(
-        h('b', {}, seconds(cursor.time)),
-        ` #${grouped(n)} of ${grouped(data.size - 1)}`,
+        h('b', {}, instant(cursor.time)),
+        ` of ${clock(data.duration)} · #${grouped(n)} of ${grouped(data.size)}`,
         h('span', {class: 'state'}, data.state(n) ?? ''),
       );
       play.replaceChildren(sign(cursor.playing ? 'pause' : 'play'));
@@ -130,15 +123,16 @@ function tools(dialogs, comparison) {
 }
 
 function runLine({id, title, data: {summary}}) {
-  const bad = summary.met < summary.expected;
+  const bad = failuresOf(summary).length > 0;
+  const line = verdictLine(summary);
   return h(
     'div',
     {class: 'what'},
     h('h1', {title: id}, title, h('span', {class: 'with'}, `${summary.machine} · ${summary.scene}`)),
     h(
       'p',
-      {class: bad ? 'verdict bad' : 'verdict', 'data-testid': 'verdict'},
-      `${bad ? '✘' : '✔'} ${verdict(summary)}`,
+      {class: bad ? 'verdict bad' : 'verdict', 'data-testid': 'verdict', title: line},
+      `${bad ? '✘' : '✔'} ${line}`,
       h('span', {class: 'badge live', 'data-testid': 'live', hidden: true}, '● live'),
       summary.trouble &&
         h(

@@ -3,16 +3,27 @@ import {h, clock, icon, counted, grouped} from '../dom.js';
 import {formatAddress, fresh, linkTo} from '../model.js';
 import {pairOf} from '../run/pairs.js';
 import {fetchRuns, fetchWords, pictureOf, served} from '../run/run_client.js';
+import {failuresOf, verdictOf} from '../run/verdict.js';
 import {fetchSessions} from '../talk/session_client.js';
+import {helpDialog} from '../keys.js';
 import {toggleTheme} from '../theme.js';
+import {Arrangement} from './start_arrangement.js';
+import {compareMany} from './start_many.js';
+import {Pictures} from './start_pictures.js';
 import {comparisonsOf, linesFound, linesWith} from './start_site.js';
 
 const again_ms = 1500; // while runs are being read, or written
 const at_most = 200; // lines in the page; the rest is found by searching
 
-const columns = ['Choose', 'Scene', 'Run', 'Verdict', 'Length', 'Said', 'Acts', 'Refused', 'Machine, scene', 'Changed'];
-const unseen_columns = ['Choose', 'Scene'];
-const number_columns = ['Length', 'Said', 'Acts', 'Refused'];
+const letters = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ';
+const own_keys = [
+  [[], '/', 'search'],
+  [[], 'Enter', 'in the search: open the first run'],
+  [[], '↓ ↑', 'from run to run'],
+  [[], 'T', 'light or dark'],
+  [[], '?', 'this help'],
+];
+const own_help = 'A heading of the table sorts by it, and again the other way round.';
 
 export class StartPage {
   refusal = 'The runs cannot be listed';
@@ -21,7 +32,7 @@ export class StartPage {
   #runs = null; // null before they are known
   #words = null; // of a site: what was said, shown and done in each run
   #sessions = new Map(); // run -> the live session that writes it
-  #chosen = []; // ids of at most two runs
+  #chosen = []; // ids of runs, in the order in which they were chosen
   #pictures = new Pictures();
   #timer = 0;
   #closed = false;
@@ -34,6 +45,13 @@ export class StartPage {
     spellcheck: 'false',
     autocomplete: 'off',
     oninput: () => this.#model.go({search: this.#search.value}, 'slide'),
+    onkeydown: (event) => {
+      const first = this.#rows.querySelector('a.name');
+      if (event.key === 'Enter') first?.click();
+      else if (event.key === 'ArrowDown') first?.focus();
+      else return;
+      event.preventDefault();
+    },
   });
   #compare = h(
     'button',
@@ -42,7 +60,7 @@ export class StartPage {
       class: 'primary',
       disabled: true,
       'data-testid': 'compare-chosen',
-      onclick: () => this.#model.open(...this.#pair()),
+      onclick: () => this.#compareChosen(),
     },
     'Compare',
   );
@@ -58,8 +76,16 @@ export class StartPage {
     'Record a session',
   );
   #hint = h('span', {class: 'muted', role: 'status'});
-  #rows = h('tbody', {});
+  #rows = h('tbody', {onkeydown: (event) => this.#walk(event)});
+  #arrangement = new Arrangement(() => this.render());
+  #help = helpDialog(own_keys, own_help);
   #comparisons = h('div', {});
+  #nothing = h(
+    'p',
+    {class: 'empty', hidden: true, 'data-testid': 'nothing-found'},
+    'No run fits. ',
+    h('button', {type: 'button', class: 'link', onclick: () => this.#showAll()}, 'Show all'),
+  );
   #table = h('div', {
     class: served ? 'table' : 'table exported',
     role: 'region',
@@ -75,15 +101,23 @@ export class StartPage {
 
   #build() {
     document.title = 'Continua';
-    const heads = columns.map((title) => {
-      const shown = unseen_columns.includes(title) ? h('span', {class: 'unseen'}, title) : title;
-      return h('th', {scope: 'col', class: number_columns.includes(title) ? 'number' : null}, shown);
-    });
-    this.#table.append(h('table', {'data-testid': 'runs'}, h('thead', {}, h('tr', {}, heads)), this.#rows));
+    const heads = h('thead', {}, h('tr', {}, this.#arrangement.heads));
+    this.#table.append(h('table', {'data-testid': 'runs'}, heads, this.#rows));
     const logo = h('img', {src: icon(), alt: '', width: 28, height: 28});
-    const tools = h('div', {class: 'tools'}, this.#search, this.#compare, this.#hint);
-    const title = h('h1', {}, logo, 'Continua', this.#record);
-    this.#host.replaceChildren(h('main', {class: 'start'}, title, this.#lead, tools, this.#table, this.#comparisons));
+    const button = (label, shown, act) =>
+      h('button', {type: 'button', title: label, 'aria-label': label, onclick: act}, shown);
+    const own = h(
+      'span',
+      {class: 'own-tools'},
+      button('Light or dark (T)', '◐', toggleTheme),
+      button('Keys (?)', '?', this.#help.open),
+    );
+    const tools = h('div', {class: 'tools'}, this.#search, this.#arrangement.filters, this.#compare, this.#hint);
+    const title = h('h1', {}, logo, 'Continua', this.#record, own);
+    this.#host.replaceChildren(
+      h('main', {class: 'start'}, title, this.#lead, tools, this.#table, this.#nothing, this.#comparisons),
+      this.#help.element,
+    );
   }
 
   async load() {
@@ -111,8 +145,19 @@ export class StartPage {
   onKey(key) {
     if (key === '/') this.#search.focus();
     else if (key === 't') toggleTheme();
+    else if (key === '?') this.#help.open();
+    else if (key === 'ArrowDown') this.#rows.querySelector('a.name')?.focus();
     else return false;
     return true;
+  }
+
+  // The arrows go from run to run, and up from the first to the search.
+  #walk(event) {
+    const by = {ArrowDown: 1, ArrowUp: -1}[event.key];
+    if (!by || !event.target.matches('a.name')) return;
+    event.preventDefault();
+    const links = [...this.#rows.querySelectorAll('a.name')];
+    (links[links.indexOf(event.target) + by] ?? (by < 0 ? this.#search : event.target)).focus();
   }
 
   render() {
@@ -120,17 +165,25 @@ export class StartPage {
     const {search} = this.#model.selection;
     const words = search.toLowerCase().split(/\s+/).filter(Boolean);
     if (this.#search.value !== search) this.#search.value = search;
-    const found = this.#runs.filter(
-      (run) => words.every((word) => searched(run).includes(word)) || this.#lines(run, words).length,
+    this.#arrangement.learn(this.#runs);
+    const found = this.#arrangement.arranged(
+      this.#runs.filter(
+        (run) => words.every((word) => searched(run).includes(word)) || this.#lines(run, words).length,
+      ),
     );
     const shown = found.slice(0, at_most);
     const all = this.#runs.length;
     this.#lead.replaceChildren(...leadWords(all));
     this.#table.hidden = !found.length;
     this.#search.parentElement.hidden = !all;
-    this.#rows.replaceChildren(...shown.map((run) => this.#row(run, words)));
+    this.#nothing.hidden = found.length > 0 || !all;
+    const focused = this.#rows.contains(document.activeElement) && document.activeElement.getAttribute('href');
+    this.#rows.replaceChildren(
+      ...shown.flatMap((run, i) => [this.#arrangement.heading(run, shown[i - 1]), this.#row(run, words)]).filter(Boolean),
+    );
+    if (focused) this.#rows.querySelector(`a[href="${CSS.escape(focused)}"]`)?.focus();
     const rest = found.length > at_most ? `, the first ${at_most} shown` : '';
-    this.#hint.textContent = words.length || rest ? `${grouped(found.length)} of ${grouped(all)}${rest}` : '';
+    this.#hint.textContent = found.length < all || rest ? `${grouped(found.length)} of ${grouped(all)}${rest}` : '';
     this.#showChosen();
   }
 
@@ -147,7 +200,7 @@ export class StartPage {
       h('td', {class: 'pictured'}, picture),
       h(
         'td',
-        {},
+        {class: 'named'},
         readable ? this.#link(run) : h('span', {class: 'name'}, run.name),
         run.what_if_of && h('span', {class: 'badge'}, `what if of ${run.what_if_of}`),
         linesFound(run, this.#lines(run, words)),
@@ -165,10 +218,10 @@ export class StartPage {
     box.run = run.id;
     box.addEventListener('change', () => {
       const others = this.#chosen.filter((id) => id !== run.id);
-      this.#chosen = (box.checked ? [...others, run.id] : others).slice(-2);
+      this.#chosen = box.checked ? [...others, run.id] : others;
       this.#showChosen();
     });
-    return box;
+    return [box, h('span', {class: 'side', 'aria-hidden': 'true'})];
   }
   #link(run) {
     const link = h('a', {class: 'name', href: linkTo(formatAddress(fresh(run.id)))}, run.name);
@@ -186,14 +239,14 @@ export class StartPage {
       clock(run.duration ?? 0),
       grouped(run.utterances ?? 0),
       grouped(run.acts ?? 0),
-      grouped((run.refusals ?? 0) - (run.refused_samples ?? 0)),
+      grouped(run.refusals ?? 0),
     ];
     const follow = session && [' ', h('a', {href: `/live/${encodeURIComponent(session)}`}, 'Follow')];
     const changed = run.changed
       ? h('time', {datetime: new Date(run.changed * 1000).toISOString()}, when(run.changed))
       : '';
     return [
-      h('td', {}, h('span', {class: `badge ${verdict.kind}`, title: run.trouble || null}, verdict.text), follow),
+      h('td', {}, h('span', {class: `badge ${verdict.kind}`, title: [...failuresOf(run), run.trouble].filter(Boolean).join('; ') || null}, verdict.text), follow),
       numbers.map((value) => h('td', {class: 'number'}, run.pending ? '' : value)),
       h('td', {}, run.machine ?? '', h('span', {class: 'scene-name'}, run.scene ?? '')),
       h('td', {class: 'when'}, changed),
@@ -201,11 +254,31 @@ export class StartPage {
   }
 
   #showChosen() {
-    for (const box of this.#rows.querySelectorAll('input[type=checkbox]')) box.checked = this.#chosen.includes(box.run);
-    const pair = this.#pair();
-    this.#compare.disabled = !pair;
-    this.#compare.textContent =
-      this.#chosen.length === 1 ? 'Choose one more' : pair || !this.#chosen.length ? 'Compare' : 'Not compared here';
+    for (const box of this.#rows.querySelectorAll('input[type=checkbox]')) {
+      const place = this.#chosen.indexOf(box.run);
+      box.checked = place >= 0;
+      box.nextSibling.textContent = place < 0 ? '' : (letters[place] ?? `${place + 1}`);
+    }
+    const many = served && this.#chosen.length > 2;
+    const pair = this.#chosen.length === 2 && this.#pair();
+    this.#compare.disabled = !pair && !many;
+    this.#compare.textContent = many
+      ? `Compare ${this.#chosen.length} with A`
+      : this.#chosen.length === 1
+        ? 'Choose one more'
+        : pair || !this.#chosen.length
+          ? 'Compare'
+          : 'Not compared here';
+  }
+  #compareChosen() {
+    if (this.#chosen.length === 2) this.#model.open(...this.#pair());
+    else compareMany(this.#chosen.map((id) => this.#runs.find((run) => run.id === id)).filter(Boolean));
+  }
+  #showAll() {
+    this.#arrangement.reset();
+    this.#model.go({search: ''}, 'slide');
+    this.render();
+    this.#search.focus();
   }
   /** The ids of the chosen two, if they can be compared. */
   #pair() {
@@ -233,63 +306,8 @@ const leadWords = (runs) =>
         ' in the served folders appear here.',
       ];
 
-// Pictures are drawn by the server, which takes a while: one after the other, those in sight, so that nothing else waits.
-class Pictures {
-  #waiting = [];
-  #busy = false;
-  #seen = new IntersectionObserver((entries) => {
-    for (const {target, isIntersecting} of entries) {
-      if (!isIntersecting) continue;
-      this.#seen.unobserve(target);
-      this.#waiting.push(target);
-    }
-    this.#next();
-  });
-  #known = new Map();
-
-  picture(address) {
-    if (!this.#known.has(address)) {
-      const image = h('img', {class: 'thumbnail', alt: '', width: 96, height: 54});
-      image.wanted = address;
-      this.#known.set(address, image);
-      this.#seen.observe(image);
-    }
-    return this.#known.get(address);
-  }
-  close() {
-    this.#seen.disconnect();
-    this.#waiting = [];
-  }
-  #next() {
-    if (this.#busy) return;
-    const image = this.#waiting.shift();
-    if (!image) return;
-    const done = (drawn) => {
-      this.#busy = false;
-      if (!drawn) image.remove();
-      this.#next();
-    };
-    this.#busy = true;
-    image.onload = () => done(true);
-    image.onerror = () => done(false);
-    image.src = image.wanted;
-  }
-}
-
 // The instant shown in small: where the page would open, else the middle.
 const pictureTime = (run) => (run.first_t ?? (run.duration ?? 0) / 2).toFixed(3);
-
-function verdictOf(run) {
-  if (run.error) return {kind: 'bad', text: 'unreadable'};
-  if (run.pending) return {kind: '', text: 'being read'};
-  if (run.live) return {kind: 'live', text: '● live'};
-  if (run.met < run.expected)
-    return {kind: 'bad', text: `✘ ${run.expected - run.met} of ${run.expected} not as expected`};
-  if (run.trouble || !run.complete) return {kind: 'warn', text: '! cut short'};
-  if (run.problems) return {kind: 'warn', text: `! ${counted(run.problems, 'problem')}`};
-  if (run.expected) return {kind: 'good', text: '✔ as expected'};
-  return {kind: '', text: 'complete'};
-}
 
 /** "today 14:03", "yesterday 9:15", "3 Oct 2025" */
 function when(seconds) {

@@ -1,5 +1,5 @@
 // The record at the cursor and its reasons, from one sentence to the record field by field, and its consequences.
-import {h, panel, shown, seconds} from '../dom.js';
+import {h, panel, shown, instant} from '../dom.js';
 import {Latest} from '../terms/latest.js';
 import {allFields, recordView} from '../terms/record_views.js';
 import {
@@ -56,7 +56,7 @@ export function mountWhy({data, client, jump}) {
   return {
     element: panel('why', 'Why', title, body),
     render({n}) {
-      title.textContent = `#${n} at ${seconds(data.t[n])}`;
+      title.textContent = `#${n} at ${instant(data.t[n])}`;
       latest.want(n);
     },
   };

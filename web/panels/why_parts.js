@@ -35,10 +35,13 @@ export function causes({chain: links}, to) {
   return section('Why', others.length ? chain(others, 'why', to) : none);
 }
 
+// What was told begins with its kind for some kinds, which stands before it anyway.
+const withoutKind = ({told, kind}) => (told.startsWith(`${kind} `) ? told.slice(kind.length + 1) : told);
+
 export function contributors({inputs}, to) {
   const told = listOf(inputs).map((one) => ({
     ...one,
-    brief: `${one.told}${one.count > 1 ? `, ${one.count} samples` : ''}`,
+    brief: `${withoutKind(one)}${one.count > 1 ? `, ${one.count} samples` : ''}`,
   }));
   return told.length > 0 && section('Who contributed', chain(told, 'inputs', to));
 }

@@ -1,0 +1,270 @@
+// The page tells how a run went, when, and how often, in one way everywhere; and nothing is cut, hidden or lost on the way.
+import assert from 'node:assert/strict';
+import {mkdirSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {roundsLog} from './logs.mjs';
+import {logOf, numberOf, recordsOf, serve, temporaryFolder, Visitor} from './support.mjs';
+
+const folder = temporaryFolder();
+const long_name = 'a_run_with_a_long_name_that_nobody_broke_into_words_and_that_goes_on';
+let server, visitor;
+before(async () => {
+  mkdirSync(join(folder, 'older'));
+  writeFileSync(join(folder, 'rounds.run.jsonl'), roundsLog());
+  writeFileSync(join(folder, 'failing.run.jsonl'), roundsLog({fails: true}));
+  writeFileSync(join(folder, `older/${long_name}.run.jsonl`), roundsLog());
+  for (const name of ['correction', 'dialogue_gesture', 'special_dpda'])
+    writeFileSync(join(folder, `${name}.run.jsonl`), logOf(`paper/${name}`));
+  server = await serve(folder);
+  visitor = await Visitor.start(server.address);
+});
+after(async () => {
+  await visitor?.close();
+  server?.stop();
+});
+const at = (id) => visitor.at(id);
+const evaluate = (...given) => visitor.page.evaluate(...given);
+const listed = () =>
+  visitor.page.waitForFunction(
+    () => document.querySelectorAll('[data-testid=run]').length && !/being read/.test(document.body.innerText),
+  );
+
+test('a failed act is told in red on both pages, opened at, and stopped at', async () => {
+  await visitor.visit('/');
+  await listed();
+  const row = visitor.page.locator('[data-testid=run]', {has: visitor.page.locator('text="failing"')});
+  assert.match(await row.innerText(), /✘ 2 of 3 acts done/);
+  assert.equal(await row.locator('.badge.bad').count(), 1);
+  await visitor.visit('/r/failing');
+  assert.match(await at('verdict').innerText(), /^✘ 2 of 3 acts done: block1 is in the way, 3 utterances/);
+  assert.ok(await at('verdict').evaluate((one) => one.classList.contains('bad')));
+  const failed = await visitor.n();
+  assert.match(await at('panel-why').innerText(), /blocked/);
+  await visitor.page.keyboard.press('Home');
+  await visitor.page.keyboard.press('n');
+  assert.equal(await visitor.n(), failed);
+});
+
+test('counts are those of the command line', async () => {
+  await visitor.visit('/r/rounds');
+  assert.match(await at('verdict').innerText(), /^✔ 3 utterances, 3 of 3 acts done, 1 input refused/);
+  const {size} = await evaluate(() => ({size: window.continua.page.data.size}));
+  assert.ok((await at('position').innerText()).includes(`of ${size.toLocaleString('en')}`));
+  // A transition that leaves several states is one, as `validate` counts.
+  await visitor.visit('/r/dialogue_gesture');
+  const ids = new Set(recordsOf('paper/dialogue_gesture')[0].graph.edges.filter((one) => !one.diverted).map(({id}) => id));
+  assert.match(await at('graph-count').innerText(), new RegExp(`of ${ids.size} transitions`));
+});
+
+test('a time is told in one form, rounded before it is cut', async () => {
+  await visitor.visit('/r/rounds');
+  const times = await evaluate(async () => {
+    const {clock, instant} = await import('/dom.js');
+    return [clock(32.99969), instant(32.99969), instant(185.0214), clock(59.9996), clock(61.25, 2)];
+  });
+  assert.deepEqual(times, ['0:33', '0:33.000', '3:05.021', '1:00', '1:01.25']);
+});
+
+test('an instant leads to the nearest record worth stopping at', async () => {
+  await visitor.visit('/r/rounds');
+  await at('position').click();
+  await at('go-to').fill('0:07'); // in the middle of the poses
+  await at('go-to').press('Enter');
+  assert.ok(await evaluate(() => window.continua.page.data.stops.includes(window.continua.model.selection.n)));
+  assert.match(await at('panel-why').innerText(), /Which block\?/);
+});
+
+test('the dialogue keeps its place while another panel fills the page', async () => {
+  await visitor.visit('/r/dialogue_gesture', {viewport: {width: 1280, height: 640}});
+  await visitor.page.keyboard.press('End');
+  await visitor.page.keyboard.press('ArrowLeft');
+  const inSight = () =>
+    evaluate(() => {
+      const list = document.querySelector('.moves').getBoundingClientRect();
+      const row = document.querySelector('.moves li.current').getBoundingClientRect();
+      return list.height > 0 && row.top >= list.top - 1 && row.bottom <= list.bottom + 1;
+    });
+  assert.ok(await inSight());
+  for (const key of ['3', '3', 'Escape']) await visitor.page.keyboard.press(key);
+  await visitor.page.waitForTimeout(100);
+  assert.ok(await inSight());
+});
+
+test('refusals that follow one another are one line that opens', async () => {
+  const moves = recordsOf('paper/dialogue_gesture').filter(({kind}) => kind === 'refusal');
+  await visitor.visit(`/r/dialogue_gesture?n=${moves[0]?.n ?? 0}`);
+  for (const line of await visitor.page.locator('.moves details.folded').all())
+    assert.match(await line.innerText(), /^\d+ inputs refused/);
+});
+
+const overlaps = () =>
+  evaluate(() => {
+    const boxes = (selector) => [...document.querySelectorAll(selector)].map((one) => one.getBoundingClientRect());
+    const meet = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1;
+    const counts = boxes('.graph .count');
+    const nodes = boxes('.graph .node .box');
+    return (
+      counts.filter((one) => nodes.some((node) => meet(one, node))).length +
+      counts.filter((one, i) => counts.some((other, k) => k < i && meet(one, other))).length
+    );
+  });
+const smallestLetter = () =>
+  evaluate(() =>
+    Math.min(
+      ...[...document.querySelectorAll('.graph text')].map(
+        (one) => parseFloat(getComputedStyle(one).fontSize) * one.getScreenCTM().a,
+      ),
+    ),
+  );
+
+test('the graph can be read: letters of 11 px, counts that cover nothing, the current state in sight', async () => {
+  for (const viewport of [{width: 1440, height: 900}, {width: 1280, height: 720}]) {
+    await visitor.visit('/r/correction', {viewport});
+    for (let i = 0; i < 8; ++i) {
+      await visitor.page.keyboard.press('.');
+      await visitor.page.waitForTimeout(300);
+      const seen = await evaluate(() => {
+        const canvas = document.querySelector('.graph .canvas').getBoundingClientRect();
+        const node = document.querySelector('.node.current .box').getBoundingClientRect();
+        return node.left >= canvas.left && node.right <= canvas.right && node.top >= canvas.top && node.bottom <= canvas.bottom;
+      });
+      assert.ok(seen, 'the current state is in sight');
+    }
+    assert.ok((await smallestLetter()) >= 10.9, `${await smallestLetter()} px`);
+    assert.equal(await overlaps(), 0);
+  }
+});
+
+test('all states of a large machine can be read at once when the graph fills the page', async () => {
+  await visitor.visit('/r/correction?panel=graph', {viewport: {width: 1440, height: 900}});
+  await at('taken-only').uncheck();
+  assert.ok((await smallestLetter()) >= 10.9);
+  assert.equal(await overlaps(), 0);
+});
+
+test('what was refused is drawn on demand, by numbers that cover nothing', async () => {
+  const n = numberOf('paper/correction', ({kind, refused}) => kind === 'transition' && refused.length > 1);
+  await visitor.visit(`/r/correction?n=${n}&panel=graph`, {viewport: {width: 1440, height: 900}});
+  await at('graph-refused').waitFor();
+  assert.equal(await visitor.page.locator('.edge.refused').count(), 0);
+  await at('graph-refused').locator('summary').click();
+  await visitor.page.waitForSelector('.edge.refused', {state: 'attached'});
+  assert.match(await visitor.page.locator('.edge.refused .count').first().textContent(), /^\d+(, \d+)*$/);
+  assert.equal(await overlaps(), 0);
+});
+
+test('the card of an arrow is put away by Escape, a press beside it, and a step', async () => {
+  const ways = {
+    escape: () => visitor.page.keyboard.press('Escape'),
+    beside: () => visitor.page.locator('.graph svg').click({position: {x: 3, y: 3}}),
+    step: () => visitor.page.keyboard.press('.'),
+  };
+  for (const [name, way] of Object.entries(ways)) {
+    await visitor.visit('/r/rounds');
+    await at('graph').locator('.edge.taken').first().focus();
+    await visitor.page.keyboard.press('Enter');
+    assert.ok(await at('edge-card').isVisible());
+    await way();
+    assert.ok(await at('edge-card').isHidden(), name);
+  }
+});
+
+test('a pointer over a state tells about it', async () => {
+  await visitor.visit('/r/rounds');
+  await at('graph').locator('[data-state=Act] .box').hover();
+  assert.match(await at('edge-card').innerText(), /Act[\s\S]*entered 3 times, 0:12 in all[\s\S]*Wait, 3 times/);
+});
+
+test('the way taken lately is marked, the last step most', async () => {
+  await visitor.visit('/r/rounds');
+  await visitor.page.keyboard.press('.');
+  assert.ok((await visitor.page.locator('.edge.trail').count()) > 0);
+  assert.equal(await visitor.page.locator('.edge.last').count(), 1);
+});
+
+test('the graph is saved as a picture that stands alone, its labels whole', async () => {
+  await visitor.visit('/r/rounds');
+  const [saved] = await Promise.all([
+    visitor.page.waitForEvent('download'),
+    visitor.page.locator('.graph button', {hasText: 'SVG'}).click(),
+  ]);
+  const text = (await (await saved.createReadStream()).toArray()).join('');
+  assert.match(text, /^<svg [^>]*viewBox/);
+  assert.match(text, /ask: P, size\(options\) &gt; 1 \/ push, 3 times/);
+  assert.doesNotMatch(text, /var\(--|class=/);
+});
+
+test('nothing of the start page or the header is cut at 1280', async () => {
+  for (const width of [1280, 1440]) {
+    await visitor.visit('/', {viewport: {width, height: 720}});
+    await listed();
+    const beyond = await evaluate(() => {
+      const table = document.querySelector('.start .table');
+      return table.scrollWidth - table.clientWidth;
+    });
+    assert.ok(beyond <= 0, `${beyond} px beyond at ${width}`);
+  }
+  await visitor.visit('/r/rounds', {viewport: {width: 1280, height: 720}});
+  const spilt = await evaluate(() =>
+    [...document.querySelectorAll('header.top button')]
+      .filter((one) => one.scrollHeight > one.clientHeight + 1 || one.scrollWidth > one.clientWidth + 1)
+      .map((one) => one.textContent),
+  );
+  assert.deepEqual(spilt, []);
+});
+
+test('runs are sorted, filtered, grouped, and walked by keys', async () => {
+  await visitor.visit('/');
+  await listed();
+  const names = () => visitor.page.locator('.start a.name').allInnerTexts();
+  await visitor.page.locator('th button', {hasText: 'Run'}).click();
+  const by_name = await names();
+  assert.deepEqual(by_name, by_name.toSorted((a, b) => a.localeCompare(b, 'en', {numeric: true})));
+  await visitor.page.locator('th button', {hasText: 'Run'}).click();
+  assert.deepEqual(await names(), by_name.toReversed());
+  await at('filter-verdict').selectOption('failed');
+  assert.deepEqual(await names(), ['failing']);
+  await at('search').fill('nothing like it');
+  assert.match(await at('nothing-found').innerText(), /No run fits/);
+  await at('nothing-found').locator('button').click();
+  assert.equal((await names()).length, by_name.length);
+  await at('by-folder').check();
+  assert.deepEqual(await visitor.page.locator('tr.folder').allInnerTexts(), ['here', 'older']);
+  await visitor.page.keyboard.press('Escape');
+  await at('search').fill('rounds');
+  await at('search').press('ArrowDown');
+  assert.equal(await evaluate(() => document.activeElement.textContent), 'rounds');
+  await at('search').press('Enter');
+  await at('panel-graph').waitFor();
+});
+
+test('a third choice takes none of the others away: each is compared with the first', async () => {
+  await visitor.visit('/');
+  await listed();
+  for (const name of ['rounds', 'failing', 'correction'])
+    await visitor.page.getByLabel(`Choose ${name} to compare`, {exact: true}).check();
+  assert.equal(await visitor.page.locator('[data-testid=choose]:checked').count(), 3);
+  await at('compare-chosen').click();
+  await visitor.page.waitForFunction(() => !/being compared/.test(document.querySelector('[data-testid=many]').innerText));
+  const rows = await at('many-row').allInnerTexts();
+  assert.equal(rows.length, 3);
+  assert.match(rows[1], /failing[\s\S]*1 difference|failing[\s\S]*differences/);
+  assert.match(rows[1], /2 of 3 acts done/);
+});
+
+test('who contributed is told once', async () => {
+  const n = numberOf('paper/dialogue_gesture', ({kind, status}) => kind === 'act' && status === 'asked');
+  await visitor.visit(`/r/dialogue_gesture?n=${n}`);
+  await at('inputs').waitFor();
+  assert.doesNotMatch(await at('inputs').innerText(), /(\b\w+\b) \1/);
+});
+
+test('an address with nothing at it says so, to a reader and to a program', async () => {
+  const answer = await fetch(`${server.address}/nothere`, {headers: {Accept: 'text/html'}});
+  assert.equal(answer.status, 404);
+  assert.match(await answer.text(), /<!doctype html>/);
+  assert.equal((await (await fetch(`${server.address}/nothere`)).json()).error.message, 'there is nothing at /nothere');
+  await visitor.visit('/nothere', {ready: '[data-testid=problem]'});
+  assert.match(await at('problem').innerText(), /nothing at \/nothere/);
+});
