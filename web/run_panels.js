@@ -7,6 +7,7 @@ import {goToDialog} from './panels/go_to.js';
 import {whatIfDialog} from './panels/what_if.js';
 import {mountHeader} from './panels/header.js';
 import {mountDialogue} from './panels/dialogue.js';
+import {mountDialoguePair} from './panels/dialogue_pair.js';
 import {mountGraph} from './panels/graph.js';
 import {mountScene} from './panels/scene.js';
 import {mountStack} from './panels/stack.js';
@@ -16,6 +17,7 @@ import {mountRecords} from './panels/records.js';
 import {mountWhy} from './panels/why.js';
 import {hasBranches, mountBranches} from './panels/branches.js';
 import {mountMedia} from './panels/media.js';
+import {mountAccount} from './panels/account.js';
 import {mountNotes} from './panels/notes.js';
 import {mountDifferences} from './panels/differences.js';
 import {keepMarked, otherSide} from './panels/side_by_side.js';
@@ -46,13 +48,14 @@ function mountAll(page, before) {
   const {data, client, model, cursor, comparison} = page;
   const {jump} = cursor;
   const parts = {
-    dialogue: mountDialogue({data, client, jump}),
+    dialogue: comparison ? mountDialoguePair({comparison, jump}) : mountDialogue({data, client, jump}),
     graph: mountGraph({data, client, model, cursor, comparison}),
     scene: before?.parts.scene ?? mountScene({client, cursor, other: comparison && otherRun(comparison, model)}),
     lanes: mountLanes({data, model, cursor, comparison}),
     stack: mountStack({data, client, model, jump}),
     derivation: mountDerivation({client, model, jump}),
     why: mountWhy({data, client, jump}),
+    account: mountAccount({client, jump}),
     records: mountRecords({data, client, model, cursor}),
     notes: before?.parts.notes ?? mountNotes({client, cursor, marked: (spans) => page.parts?.lanes.showNotes(spans)}),
     ...(data.media.length && {
@@ -88,7 +91,7 @@ const mountDialogs = ({id, client, cursor, model}) => ({
 const inTabs = ({comparison}, parts) =>
   [
     ...(comparison ? ['differences', 'derivation', 'derivation_b'] : []),
-    ...['why', 'records', 'notes'],
+    ...['why', 'account', 'records', 'notes'],
     ...['media', 'branches'].filter((name) => parts[name]),
   ].map((name) => parts[name].element);
 

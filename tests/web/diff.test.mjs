@@ -69,7 +69,47 @@ test('lanes are doubled, and the graph tells whose way was whose', async () => {
   assert.equal(rows.filter((name) => name.startsWith('b')).length, rows.length / 2);
   assert.ok((await visitor.page.locator('.edge.only-a').count()) > 0);
   assert.ok((await visitor.page.locator('.edge.only-b').count()) > 0);
-  assert.match(await visitor.page.locator('.edge.only-b .count').first().textContent(), /A 0 B 1/);
+  assert.ok((await visitor.page.locator('.graph .count').allTextContents()).includes('A 0 B 1'));
+});
+
+test('the dialogues of both stand side by side, each with its times, and what one alone has is told', async () => {
+  await visitor.visit(both);
+  const rows = at('pair');
+  await visitor.page.waitForFunction(() => /“No\./.test(document.querySelector('.pairs').textContent));
+  const same = await rows.filter({hasNot: visitor.page.locator('.differs-here')}).first().innerText();
+  assert.match(same, /\d:\d\d\.\d[\s\S]*\d:\d\d\.\d/);
+  const only_b = rows.filter({has: visitor.page.locator('.cell-a.none')}).first();
+  assert.match(await only_b.innerText(), /“No\.”/);
+  await only_b.locator('button').click();
+  assert.equal(await visitor.page.locator('.pairs li.current').count(), 1);
+});
+
+test('changed words are marked inside the sentence', async () => {
+  await visitor.visit('/r/disambiguation');
+  const said = await visitor.page.evaluate(() => window.continua.page.data.lanes.speech.n[0]);
+  await visitor.visit(`/r/disambiguation?n=${said}`);
+  await at('what-if-open').click();
+  const text = await at('what-if-event').inputValue();
+  const words = JSON.parse(text).text;
+  await at('what-if-event').fill(text.replace(words, words.replace(/\w+(\W*)$/, 'plate$1')));
+  await at('what-if-run').click();
+  await visitor.page.waitForURL(/\/diff\//);
+  await at('cause').waitFor();
+  await visitor.page.waitForFunction(() => document.querySelectorAll('.pairs mark').length > 1);
+  assert.match(await visitor.page.locator('.pairs .cell-b mark').first().innerText(), /plate/);
+});
+
+test('the whole cause is on top of the differences, and the end of both runs below it', async () => {
+  for (const viewport of [{width: 1280, height: 720}, {width: 1440, height: 900}]) {
+    await visitor.visit(both, {viewport});
+    const {cut, top, scrolled} = await at('cause').evaluate((one) => ({
+      cut: one.scrollHeight > one.clientHeight + 1 || one.scrollWidth > one.clientWidth + 1,
+      top: one.getBoundingClientRect().top - one.parentElement.getBoundingClientRect().top,
+      scrolled: one.parentElement.scrollTop,
+    }));
+    assert.deepEqual({cut, scrolled, near: top < 20}, {cut: false, scrolled: 0, near: true});
+    assert.match(await at('ending').innerText(), /^In the end/);
+  }
 });
 
 test('the stacks of both stand side by side, and what differs is marked', async () => {

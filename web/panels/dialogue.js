@@ -7,12 +7,12 @@ const at_once = 60; // moves that are in the page
 const calm_ms = 200; // between drawings of moves that are far from those before
 const top_px = 4; // scrolled this close to the top, earlier moves are drawn
 
-const who = {speech: 'human', gesture: 'human', utterance: 'avatar', move: 'avatar', act: 'avatar', flag: 'log'};
-const how = {speech: 'says', gesture: 'shows', utterance: 'says', move: 'shows', act: 'does', flag: 'flag'};
-const hint = {gesture: 'gesture', move: 'gesture', act: 'act'};
+export const who = {speech: 'human', gesture: 'human', utterance: 'avatar', move: 'avatar', act: 'avatar', flag: 'log'};
+export const how = {speech: 'says', gesture: 'shows', utterance: 'says', move: 'shows', act: 'does', flag: 'flag'};
+export const hint = {gesture: 'gesture', move: 'gesture', act: 'act'};
 
 /** All moves in order: {n, how, i}: the record, its lane, and the place there. */
-function movesOf({lanes, size}) {
+export function movesOf({lanes, size}) {
   const all = Object.keys(who).flatMap((lane) => Array.from(lanes[lane].n, (n, i) => ({n, how: lane, i})));
   return all.filter(({n}) => n < size).sort((a, b) => a.n - b.n);
 }

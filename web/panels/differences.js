@@ -1,5 +1,7 @@
 // Where two runs differ: why, then one difference after the other.
-import {h, panel, brief, counted, instant} from '../dom.js';
+import {h, panel, brief, clock, counted, instant, put, text} from '../dom.js';
+import {changedWords} from '../run/changed_words.js';
+import {failuresOf} from '../run/verdict.js';
 
 const described = {
   input: 'another input',
@@ -52,6 +54,27 @@ const section = (title, name, sentences) =>
     ),
   ];
 
+// The changed thing in both runs, with the changed words marked; nothing where the runs share no words of it.
+function changeOf(cause) {
+  if (!cause || cause.a === null || cause.b === null || cause.a === undefined || cause.b === undefined) return null;
+  const {before, a, b, after} = changedWords(text(cause.a), text(cause.b));
+  if (!(before + after).trim()) return null;
+  const side = (name, own) =>
+    h('p', {class: 'change'}, h('span', {class: 'side'}, name), ' ', before, own && h('mark', {}, own), after);
+  return h('div', {class: 'changes', 'data-testid': 'change'}, side('A', a), side('B', b));
+}
+
+// "puts the blue cup there, done", with what went wrong.
+function endOf(data) {
+  const {act, utterance} = data.lanes;
+  const last = act.n.at(-1);
+  const status = data.names[act.status?.at(-1)] ?? '';
+  const done =
+    last === undefined ? (utterance.n.length ? `says “${data.text(utterance.n.at(-1))}”` : 'does nothing') : `${brief(data.text(last))} (${status})`;
+  const bad = failuresOf(data.summary).map((part) => part.split(':')[0]);
+  return [done, ...bad].join(', ');
+}
+
 class Differences {
   #comparison;
   #model;
@@ -59,6 +82,8 @@ class Differences {
   #body = h('div', {class: 'body', tabindex: 0, role: 'region', 'aria-label': 'Cause and differences'});
   #rows;
   #current = null;
+  #shown = false; // whether a difference has been shown
+  #ending = h('p', {class: 'ending', 'data-testid': 'ending'});
 
   constructor({comparison, model, jump, copy}) {
     this.#comparison = comparison;
@@ -81,9 +106,12 @@ class Differences {
     );
   }
 
-  #fill({evidence, count, meet, givens}) {
+  #fill({evidence, count, meet, givens, sentence, cause, same}) {
     const list = [h('h3', {}, counted(count, 'difference')), h('ol', {class: 'hunks'}, this.#rows)];
     const parts = [
+      h('p', {class: `cause-box${same ? '' : ' bad'}`, 'data-testid': 'cause'}, brief(sentence)),
+      changeOf(cause),
+      this.#ending,
       section('What speaks for the cause', 'evidence', evidence.map(brief)),
       this.#rows.length ? list : h('p', {class: 'empty'}, 'Nothing that happened differs.'),
       meet && this.#meeting(meet),
@@ -97,7 +125,21 @@ class Differences {
   }
   #meeting({a, b}) {
     const there = h('button', {type: 'button', class: 'link', onclick: () => this.#jump(a)}, `A #${a}, B #${b}`);
-    return h('p', {class: 'meet'}, 'They meet again: ', there);
+    const {own, side} = this.#comparison;
+    const times = `, at ${clock(own.t[a], 2)} in A and ${clock(side.data.t[b], 2)} in B`;
+    return h('p', {class: 'meet'}, 'They meet again: ', there, times);
+  }
+
+  // The last deed of each run, or its last words, and its unmet expectations.
+  #end() {
+    const {own, side, told} = this.#comparison;
+    if (told.same) return;
+    const [a, b] = [own, side.data].map(endOf);
+    const sentence = a === b ? `In the end both: ${a}.` : `In the end: A ${a}; B ${b}.`;
+    put(this.#ending, sentence);
+  }
+  labelsArrived() {
+    this.#end();
   }
 
   #show(i) {
@@ -113,6 +155,7 @@ class Differences {
   }
 
   render({hunk}) {
+    this.#end();
     const row = this.#rows[hunk] ?? null;
     if (row === this.#current) return;
     this.#current?.classList.remove('current');
@@ -121,7 +164,11 @@ class Differences {
     if (!row) return;
     row.classList.add('current');
     row.firstChild.setAttribute('aria-current', 'true');
-    // Scrolls the panel alone: the page stays where it is.
+    // Scrolls the panel alone: the page stays where it is. The first difference is below the cause, which comes first.
+    if (this.#rows.indexOf(row) === this.#comparison.first && !this.#shown) {
+      this.#shown = true;
+      return;
+    }
     const body = this.#body;
     const top = row.offsetTop - body.offsetTop;
     if (top < body.scrollTop || top + row.offsetHeight > body.scrollTop + body.clientHeight) body.scrollTop = top - 8;

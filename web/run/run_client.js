@@ -109,6 +109,10 @@ export class RecordClient {
       (answer) => new Uint32Array(answer),
     );
   }
+  /** The run in words: {sentences, acts, minutes}. */
+  account() {
+    return this.#keep('account');
+  }
   scene() {
     return this.#keep('scene');
   }
