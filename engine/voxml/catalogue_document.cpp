@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <pugixml.hpp>
@@ -72,7 +73,7 @@ class DocumentReader {
       return error(entity_at_,
                    fmt::format("found the entity {}, expected Object, Program, Attribute, Relation or Function",
                                in_quotes(entity_)));
-    if (voxeme().predicate.empty()) return error(root.offset_debug(), "there is no predicate, expected <Lex><Pred>…");
+    if (voxeme().predicate.empty()) name_by_file(root);
     return std::move(read_);
   }
 
@@ -89,6 +90,13 @@ class DocumentReader {
   Error error(std::ptrdiff_t offset, std::string sentence) const { return {place(offset), std::move(sentence)}; }
   void note(const pugi::xml_node& at, std::string sentence) {
     read_.notes.push_back({place(at.offset_debug()), std::move(sentence)});
+  }
+
+  // Some documents are published with an empty <Pred>, under the name of their voxeme.
+  void name_by_file(const pugi::xml_node& root) {
+    voxeme().predicate = std::filesystem::path(path_).stem().string();
+    note(root, fmt::format("there is no predicate in <Lex><Pred>; the file's name is taken: {}",
+                           in_quotes(voxeme().predicate)));
   }
 
   void keep(const std::string& path, const std::string& value) {

@@ -167,13 +167,22 @@ TEST_CASE("What is no voxeme is refused with its line") {
         "d.xml:1: there is no Entity, expected <Entity Type=\"Object\" /> or another type\n");
   CHECK(told("<VoxML>\n\n<Entity Type='Thing'/></VoxML>") ==
         "d.xml:3: found the entity 'Thing', expected Object, Program, Attribute, Relation or Function\n");
-  CHECK(told("<VoxML><Entity Type='Object'/><Lex><Pred> </Pred></Lex></VoxML>") ==
-        "d.xml:1: there is no predicate, expected <Lex><Pred>…\n");
   CHECK(told("<VoxML>\n\xE4</VoxML>") == "d.xml:2: found the byte 0xe4, expected XML in UTF-8\n");
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<a>";
   for (int i = 0; i < 100000; ++i) deep += "</a>";
   CHECK(told(with(deep)) == "d.xml:1: elements more than 100 deep\n");
+}
+
+TEST_CASE("A voxeme whose predicate is empty or missing has the name of its file") {
+  for (const char* lex : {"<Lex><Pred/></Lex>", "<Lex>\n<Pred> </Pred></Lex>", ""}) {
+    const auto read = read_voxeme(fmt::format("<VoxML><Entity Type='Object'/>{}</VoxML>", lex), "objects/jug.xml");
+    REQUIRE(read.ok());
+    CHECK(read->voxeme.predicate == "jug");
+    REQUIRE(read->notes.size() == 1);
+    CHECK(read->notes[0].text() ==
+          "objects/jug.xml:1: there is no predicate in <Lex><Pred>; the file's name is taken: 'jug'");
+  }
 }
 
 TEST_CASE("Documents are read in the encodings that they are published in") {
