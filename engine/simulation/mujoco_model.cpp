@@ -5,6 +5,7 @@
 #include <cstring>
 #include <new>
 #include <optional>
+#include <regex>
 
 #include <fmt/format.h>
 
@@ -45,16 +46,13 @@ std::string with_asset_directory(const std::string& text, const std::string& dir
   return text.substr(0, end + 1) + setting + text.substr(end + 1);
 }
 
-/// MuJoCo writes places as "line 12", "line = 12" or "Line number=12"; its sentence may take several lines.
+/// MuJoCo writes places as ", line 12", ", line = 12, column = -1" or " Line number=12"; its sentence may take several
+/// lines. The places are taken out: they are of the text with all inclusions, which nobody has before them.
 CompileError read_message(std::string message) {
+  static const std::regex place(R"(,? *[Ll]ine *(number)? *=? *([0-9]+)(, *column *= *-?[0-9]+)?)");
   CompileError error;
-  for (const char* word : {"line ", "Line number", "line="}) {
-    std::size_t at = message.rfind(word);
-    if (at == std::string::npos) continue;
-    at = message.find_first_of("0123456789", at);
-    if (at != std::string::npos) error.line = std::atoi(message.c_str() + at);
-    if (error.line > 0) break;
-  }
+  for (std::smatch found; std::regex_search(message, found, place); message = found.prefix().str() + found.suffix().str())
+    error.line = std::atoi(found[2].str().c_str());
   for (char& letter : message) letter = letter == '\n' || letter == '\r' ? ' ' : letter;
   while (!message.empty() && message.back() == ' ') message.pop_back();
   error.sentence = "MuJoCo does not take this scene: " + message;
