@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "continua/simulation/world_pace.h"
+
 namespace continua {
 
 namespace {
@@ -22,6 +24,7 @@ bool differs(const Pose& a, const Pose& b) {
 }  // namespace
 
 Result<std::unique_ptr<PhysicsBody>> PhysicsBody::create(const Scene& scene) {
+  if (auto slow = check_pace(scene)) return *std::move(slow);
   auto physics = Physics::create(scene);
   if (!physics) return physics.error();
   return std::unique_ptr<PhysicsBody>(new PhysicsBody(std::move(*physics)));

@@ -20,7 +20,7 @@ namespace continua {
 /// returns to its last rest. The same commands at the same times give the same poses, bit for bit.
 class PhysicsBody : public Body {
  public:
-  /// Errors: the scene's avatar is incomplete.
+  /// Errors: the scene's avatar is incomplete; its physics is too slow (world_pace.h).
   static Result<std::unique_ptr<PhysicsBody>> create(const Scene& scene);
 
   void command(const AvatarCommand& command) override;

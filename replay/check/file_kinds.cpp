@@ -27,6 +27,7 @@
 #include "continua/replay/trace/session_import.h"
 #include "continua/replay/trace/trace_file.h"
 #include "continua/simulation/arm_check.h"
+#include "continua/simulation/world_pace.h"
 #include "continua/simulation/physics.h"
 #include "continua/simulation/scene.h"
 #include "continua/term/raising_file.h"
@@ -236,7 +237,9 @@ FileCheck check_scene(std::string_view, const std::string& path) {
   const Vec3 table_m = scene->table().max - scene->table().min;
   check.summary = fmt::format("scene, {}{}{}, a table of {:.2f} m x {:.2f} m", counted(names.size(), "object"),
                               names.empty() ? "" : ": ", fmt::join(names, ", "), table_m.x(), table_m.y());
-  if (const auto physics = Physics::create(*scene)) {
+  if (const auto slow = check_pace(*scene)) {
+    check.notes.push_back(slow->text() + "; only the kinematic world can be used");
+  } else if (const auto physics = Physics::create(*scene)) {
     check.summary += fmt::format(", an arm of {}", counted((*physics)->arm().joints.size(), "hinge"));
     for (const auto& note : arm_notes(*scene)) check.notes.push_back(path + ": " + note);
   } else {
