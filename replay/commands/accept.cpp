@@ -75,12 +75,12 @@ int run_accept(const AcceptOptions& options) {
   const auto machine = load_named_machine(options.machine);
   if (!machine) return report(machine.error()), exit_impossible;
   Acceptance acceptance(*machine, options.empty_stack ? AcceptBy::empty_stack : AcceptBy::final_state);
-  std::string verdicts;
   int status = exit_done;
   const auto judge = [&](const std::vector<std::string>& word, const std::string& remark) -> Outcome {
     const auto verdict = acceptance.accepts(word);
     if (!verdict) return Error{options.machine, verdict.error().text()};
-    verdicts += (*verdict ? "accept" : "reject") + remark + "\n";
+    // At once: the next word may take a while.
+    if (const auto problem = write_file("-", (*verdict ? "accept" : "reject") + remark + "\n")) return *problem;
     if (!*verdict) status = exit_no;
     return std::nullopt;
   };
@@ -92,7 +92,6 @@ int run_accept(const AcceptOptions& options) {
     if (const auto problem = judge(between_spaces(*moves), fmt::format(" {}: {}", run, *moves)))
       return report(*problem), exit_impossible;
   }
-  if (const auto problem = write_file("-", verdicts)) return report(*problem), exit_impossible;
   return status;
 }
 
