@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "continua/core/digest.h"
+#include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/log_file.h"
 #include "continua/replay/log/records.h"
 #include "continua/replay/log/run_index_file.h"
@@ -20,6 +21,20 @@ bool goes_on_in(const LogSource& source, const ScannedLog& log) {
   std::string line(last.length + std::size_t{1}, '\0');
   if (source.read(last.offset, line.data(), line.size()) != static_cast<ssize_t>(line.size())) return false;
   return line.back() == '\n' && hash_of(std::string_view(line).substr(0, last.length)) == log.last_line;
+}
+
+// Whether the line is that of record n, as it is unless a kept index lies about the log.
+bool is_line_of(std::size_t n, std::string_view line) {
+  // The number comes second in our logs, and longer than this only behind a long kind.
+  constexpr std::size_t usual_begin = 100;
+  const auto number = fmt::format("\"{}\":{}", name_of(&log::Stamp::n), n);
+  const auto at = line.substr(0, usual_begin).find(number);
+  if (at != line.npos && at + number.size() < line.size() && line[at + number.size()] == ',') return true;
+  return number_in<std::size_t>(member_in(line, name_of(&log::Stamp::n))) == n;
+}
+
+Error lying_index(const RunIndex& run, std::size_t n) {
+  return {run.where(n), fmt::format("is not where {}.index has it; remove that file, and it is made anew", run.path())};
 }
 
 }  // namespace
@@ -77,6 +92,7 @@ Result<std::string> RunIndex::line(std::size_t n) const {
   std::string text(entry.length, '\0');
   const auto got = source_->read(entry.offset, text.data(), text.size());
   if (got != static_cast<ssize_t>(text.size())) return Error{where(n), reading_problem(got)};
+  if (!is_line_of(n, text)) return lying_index(*this, n);
   return text;
 }
 
@@ -94,7 +110,9 @@ Outcome RunIndex::read_lines(const std::function<bool(std::size_t)>& wanted,
       block.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
       if (block.size() < entry.length) return Error{where(n), reading_problem(got)};
     }
-    if (!use(n, std::string_view(block).substr(entry.offset - block_at, entry.length))) break;
+    const auto line = std::string_view(block).substr(entry.offset - block_at, entry.length);
+    if (!is_line_of(n, line)) return lying_index(*this, n);
+    if (!use(n, line)) break;
   }
   return std::nullopt;
 }

@@ -110,6 +110,33 @@ TEST_CASE("an index that sends its readers out of the log, or in a circle, does 
   CHECK(forged([](ScannedLog& log) { std::swap(log.entries[10].offset, log.entries[12].offset); }));
 }
 
+TEST_CASE("a record that is not where the index has it is an error, and no other record is given for it") {
+  const TemporaryFolder folder;
+  const auto path = folder.file("long.run.jsonl", long_log("first"));
+  REQUIRE(RunIndex::open(path).ok());
+  const auto print = print_of(path);
+  REQUIRE(print);
+  auto log = kept_scan(path, *print).value();
+  // One record less, and everything else in order.
+  for (std::size_t n = 10; n + 1 < log.entries.size(); ++n)
+    log.entries[n].offset = log.entries[n + 1].offset, log.entries[n].length = log.entries[n + 1].length;
+  log.entries.pop_back();
+  log.marks.pop_back();
+  log.steps.pop_back();
+  for (auto symbol = log.symbols.begin(); symbol != log.symbols.end();)
+    symbol = symbol->second.n >= log.entries.size() ? log.symbols.erase(symbol) : std::next(symbol);
+  keep_scan(log, *print);
+  const auto forged = RunIndex::open(path);
+  REQUIRE(forged.ok());
+  REQUIRE(forged->size() == log.entries.size());
+  CHECK(forged->record(9).ok());
+  REQUIRE_FALSE(forged->record(10).ok());
+  CHECK(forged->record(10).error().text().find("long.run.jsonl:11: is not where ") != std::string::npos);
+  std::size_t used = 0;
+  CHECK(forged->read_lines([](std::size_t) { return true; }, [&](std::size_t, std::string_view) { return ++used; }));
+  CHECK(used == 10);
+}
+
 TEST_CASE("of a short log, and of a log in memory, no index is kept") {
   const TemporaryFolder folder;
   const auto path = folder.file("short.run.jsonl", "{\"kind\":\"run\",\"n\":0,\"t\":0,\"version\":1}\n");
