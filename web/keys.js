@@ -64,7 +64,7 @@ export const keys = [
       page.parts.records.focusFilter();
     },
   ],
-  [['#'], '#', 'go to a record, an instant or a state', (page) => page.dialogs.go_to.open()],
+  [['#'], '# Ctrl+K', 'go to a record, an instant, a state, a panel or a run; or do something by its name', (page) => page.dialogs.go_to.open()],
   [['c'], 'C', 'compare with another run', (page) => page.dialogs.compare.open()],
   [['x'], 'X', 'what if?', (page) => page.dialogs.what_if.open()],
   [
@@ -82,12 +82,17 @@ export const keys = [
   [['?'], '?', 'this help', (page) => page.dialogs.help.open()],
 ];
 const inspecting =
-  'On the timeline: wheel zooms, drag moves, click goes there; drag along the top to scrub. ' +
+  'On the timeline: wheel zooms, drag moves, with Shift it selects a stretch, click goes there; drag along the top to scrub. ' +
   'In the graph: wheel zooms, drag moves, a click on a state goes to its next visit. ' +
   'In the scene: drag or the arrow keys turn (with Shift: move), wheel, + and − approach.';
 
 /** Hands the key to the page; keys typed into a field, or with Ctrl, Alt or Meta, are left alone. */
 export function onKey(page, event) {
+  if ((event.ctrlKey || event.metaKey) && event.key === 'k' && page.dialogs && !document.querySelector('dialog[open]')) {
+    event.preventDefault();
+    page.dialogs.go_to.open();
+    return;
+  }
   if (event.ctrlKey || event.altKey || event.metaKey || event.defaultPrevented) return;
   const target = event.target;
   if (target.closest?.('input:not([type=checkbox]), select, textarea, dialog')) return;

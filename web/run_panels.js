@@ -3,7 +3,6 @@ import {h, tabs} from './dom.js';
 import {copy} from './announce.js';
 import {helpDialog} from './keys.js';
 import {compareDialog} from './panels/compare.js';
-import {goToDialog} from './panels/go_to.js';
 import {whatIfDialog} from './panels/what_if.js';
 import {mountHeader} from './panels/header.js';
 import {mountDialogue} from './panels/dialogue.js';
@@ -16,6 +15,7 @@ import {mountLanes} from './panels/lanes.js';
 import {mountRecords} from './panels/records.js';
 import {mountWhy} from './panels/why.js';
 import {hasBranches, mountBranches} from './panels/branches.js';
+import {paletteDialog} from './panels/palette.js';
 import {mountMedia} from './panels/media.js';
 import {mountAccount} from './panels/account.js';
 import {mountNotes} from './panels/notes.js';
@@ -51,7 +51,7 @@ function mountAll(page, before) {
     dialogue: comparison ? mountDialoguePair({comparison, jump}) : mountDialogue({data, client, jump}),
     graph: mountGraph({data, client, model, cursor, comparison}),
     scene: before?.parts.scene ?? mountScene({client, cursor, other: comparison && otherRun(comparison, model)}),
-    lanes: mountLanes({data, model, cursor, comparison}),
+    lanes: mountLanes({data, model, cursor, comparison, note: (records) => noteOn(page, records)}),
     stack: mountStack({data, client, model, jump}),
     derivation: mountDerivation({client, model, jump}),
     why: mountWhy({data, client, jump}),
@@ -67,6 +67,15 @@ function mountAll(page, before) {
   return comparison ? withOtherSide(parts, page) : parts;
 }
 
+// Begins a note on the stretch between two records.
+function noteOn(page, [from, to]) {
+  page.showTab('notes');
+  page.cursor.jump(from);
+  page.parts.notes.mark(from);
+  page.cursor.jump(to);
+  page.parts.notes.write();
+}
+
 // The panels of B next to those of A, each with its differences from the other marked.
 function withOtherSide(parts, {comparison, model, cursor}) {
   const both = {...parts, ...otherSide({comparison, model, jump: cursor.jump})};
@@ -80,11 +89,11 @@ function withOtherSide(parts, {comparison, model, cursor}) {
   return both;
 }
 
-const mountDialogs = ({id, client, cursor, model}) => ({
+const mountDialogs = (page) => ({
   help: helpDialog(),
-  compare: compareDialog({id, cursor, model}),
-  go_to: goToDialog({cursor}),
-  what_if: whatIfDialog({id, client, cursor, model}),
+  compare: compareDialog(page),
+  go_to: paletteDialog(() => page),
+  what_if: whatIfDialog(page),
 });
 
 // The panels that share a place.

@@ -268,3 +268,55 @@ test('an address with nothing at it says so, to a reader and to a program', asyn
   await visitor.visit('/nothere', {ready: '[data-testid=problem]'});
   assert.match(await at('problem').innerText(), /nothing at \/nothere/);
 });
+
+test('anything is gone to by its name: a state, a panel, a run, a command', async () => {
+  await visitor.visit('/r/rounds');
+  const go = async (text) => {
+    await visitor.page.keyboard.press('Control+k');
+    await at('go-to').waitFor();
+    await visitor.page.waitForTimeout(200); // until the runs are known
+    await visitor.page.keyboard.type(text);
+    await visitor.page.keyboard.press('Enter');
+  };
+  await go('act');
+  assert.equal(await evaluate(() => window.continua.page.data.state(window.continua.page.cursor.n)), 'Act');
+  await go('summary');
+  assert.ok(await at('panel-account').isVisible());
+  await go('#5');
+  assert.equal(await visitor.n(), 5);
+  await go('the whole run');
+  assert.match(await at('span').innerText(), /^0:00\.0 – 1:01\.0 of 1:01\.0/);
+  await go('failing');
+  await visitor.page.waitForURL(/\/r\/failing/);
+  assert.deepEqual(visitor.complaints, []);
+});
+
+test('the pointer over the timeline tells the instant, and a stretch is selected with Shift', async () => {
+  await visitor.visit('/r/rounds');
+  await visitor.page.keyboard.press('0');
+  const box = await at('timeline').boundingBox();
+  await visitor.page.mouse.move(box.x + 300, box.y + 6);
+  assert.match(await visitor.page.locator('.tip').innerText(), /^0:\d\d\.\d\d, /);
+  await visitor.page.keyboard.down('Shift');
+  await visitor.page.mouse.move(box.x + 120, box.y + 40);
+  await visitor.page.mouse.down();
+  await visitor.page.mouse.move(box.x + box.width - 40, box.y + 40, {steps: 4});
+  await visitor.page.mouse.up();
+  await visitor.page.keyboard.up('Shift');
+  assert.match(await at('stretch').innerText(), /0:\d\d.* s: [23] sentences of the human.*act/);
+  const before_zoom = await at('span').innerText();
+  await at('stretch').locator('button', {hasText: 'Zoom'}).click();
+  assert.notEqual(await at('span').innerText(), before_zoom);
+  assert.ok(await at('stretch').isHidden());
+});
+
+test('a run is told in a few sentences, act by act and minute by minute', async () => {
+  await visitor.visit('/r/failing?tab=account');
+  await at('account').waitFor();
+  assert.match(await at('account').innerText(), /3 sentences[\s\S]*3 acts: 2 done, 1 failed[\s\S]*block1 is in the way/);
+  const told = await at('panel-account').innerText();
+  assert.match(told, /Act by act[\s\S]*puts block2 on block1[\s\S]*✘ failed/);
+  assert.match(told, /Minute by minute[\s\S]*0:00 – 1:00[\s\S]*“Put it there, 0\.”, yes[\s\S]*“Which block\?”/);
+  await at('panel-account').locator('li button').nth(2).click();
+  assert.equal(await evaluate(() => window.continua.page.data.kind(window.continua.page.cursor.n)), 'act');
+});

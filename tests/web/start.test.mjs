@@ -53,7 +53,7 @@ test('search narrows the list and is part of the address', async () => {
   await visitor.visit('/?q=cut');
   await listed();
   assert.deepEqual(await names(), ['cut']);
-  await visitor.page.click('text=cut');
+  await visitor.page.click('a.name >> text=cut');
   await at('trouble').waitFor();
   await visitor.page.goBack();
   await at('runs').waitFor();

@@ -1,5 +1,4 @@
-// Goes to a record, an instant or a state that is typed in: 137 or #137, 12.48s or 1:02, the name of a state.
-import {dialog, h} from '../dom.js';
+// The record, instant or state that is typed in: 137 or #137, 12.48s or 1:02, the name of a state.
 import {lastAtMost} from '../search.js';
 
 // The last record up to time t that is worth stopping at; before the first of them the first.
@@ -28,54 +27,4 @@ export function placeOf(data, text, n) {
     if (to[place] === wanted) return numbers[place];
   }
   return null;
-}
-
-export function goToDialog({cursor}) {
-  const field = h('input', {
-    type: 'text',
-    'aria-label': 'Record, instant or state',
-    placeholder: '#137, 12.48 s or a state',
-    'data-testid': 'go-to',
-    spellcheck: 'false',
-    autocomplete: 'off',
-    onkeydown: (event) => {
-      if (event.key === 'Enter') {
-        event.preventDefault();
-        go();
-      }
-    },
-  });
-  const trouble = h(
-    'p',
-    {class: 'trouble', role: 'alert', hidden: true},
-    'There is no such record, instant or state in this run.',
-  );
-  const element = dialog(
-    {class: 'dialog', 'aria-label': 'Go to'},
-    h('h2', {}, 'Go to'),
-    field,
-    trouble,
-    h(
-      'div',
-      {class: 'dialog-buttons'},
-      h('button', {type: 'button', onclick: () => element.close()}, 'Close'),
-      h('button', {type: 'button', class: 'primary', onclick: () => go()}, 'Go'),
-    ),
-  );
-  const go = () => {
-    const n = placeOf(cursor.data, field.value.trim(), cursor.n);
-    trouble.hidden = n !== null;
-    if (n === null) return;
-    element.close();
-    cursor.jump(n);
-  };
-  return {
-    element,
-    open() {
-      field.value = '';
-      trouble.hidden = true;
-      element.showModal();
-      field.focus();
-    },
-  };
 }

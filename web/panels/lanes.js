@@ -1,9 +1,12 @@
 // The run over time: the deeds of both, the automaton's states, the stack's depth. On canvases, because there are many.
-import {h, panel, counted} from '../dom.js';
+import {h, panel, clock, counted} from '../dom.js';
+import {copyLink} from '../announce.js';
 import {calmly} from '../calmly.js';
 import {laneRows} from '../timeline/lane_rows.js';
 import {listenToMouse} from '../timeline/lanes_mouse.js';
 import {LanesPicture} from '../timeline/lanes_picture.js';
+import {gutter_px} from '../timeline/lanes_draw.js';
+import {Stretch} from '../timeline/stretch.js';
 import {TimeAxis, idleGaps} from '../timeline/time_axis.js';
 import {TimeWindow} from '../timeline/time_window.js';
 
@@ -25,13 +28,14 @@ class Lanes {
   #picture;
   #tip = h('div', {class: 'tip', hidden: true, 'aria-hidden': 'true'});
   #slider;
+  #stretch;
   #span = h('span', {class: 'muted', 'data-testid': 'span'});
   #gaps = h('input', {type: 'checkbox', 'data-testid': 'gaps'});
 
   /**
    * `comparison`: with the run that this one is compared with, or null. Each lane is then drawn twice, this run's above.
    */
-  constructor({data, model, cursor, comparison}) {
+  constructor({data, model, cursor, comparison, note}) {
     this.#data = data;
     this.#cursor = cursor;
     this.#comparison = comparison;
@@ -40,13 +44,23 @@ class Lanes {
     const axes = axesOf(data);
     this.#window = new TimeWindow(data.duration, axes, model);
     this.#picture = new LanesPicture(data, this.rows, this.#window, comparison?.marked);
+    this.#stretch = new Stretch(data.lanes, {
+      zoom: (zoom) => model.go({zoom}, 'slide'),
+      note: (span) => note(span.map((t) => data.at(t))),
+      link: (zoom) => {
+        model.settle({zoom});
+        this.#paint();
+        copyLink();
+      },
+    });
     this.#slider = this.#mountSlider();
     this.#gaps.addEventListener('change', () => model.go({gaps: !this.#gaps.checked}));
-    const canvases = h('div', {class: 'canvases'}, this.#slider);
+    const canvases = h('div', {class: 'canvases'}, this.#slider, this.#stretch.card);
     this.element = panel('lanes', 'Timeline', this.#controls(axes.short.gaps.length), canvases);
     listenToMouse(this.#slider, {
       picture: this.#picture,
       shown: this.#window,
+      stretch: this.#stretch,
       seek: (t, how) => cursor.select(data.at(Math.max(0, Math.min(data.duration, t))), how),
       open: (item) => this.#open(item),
       tell: (item, place) => this.#tell(item, place),
@@ -68,6 +82,7 @@ class Lanes {
         'data-testid': 'timeline',
       },
       this.#picture.canvases,
+      this.#stretch.band,
       this.#tip,
     );
     slider.style.setProperty('height', `${this.#picture.height}px`);
@@ -93,8 +108,9 @@ class Lanes {
   }
   #paint(again = false) {
     if (!this.#picture.width || !this.#picture.paint(this.#cursor.time, again)) return;
-    const [from, to] = this.#window.span.map((t) => t.toFixed(1));
-    this.#span.textContent = `${from} – ${to} s of ${this.#data.duration.toFixed(1)} s`;
+    const [from, to] = this.#window.span.map((t) => clock(t, 1));
+    this.#span.textContent = `${from} – ${to} of ${clock(this.#data.duration, 1)}`;
+    this.#stretch.place((t) => this.#picture.sight.x(t));
   }
 
   #open({row, n}) {
@@ -102,14 +118,19 @@ class Lanes {
   }
   // Words about an item next to the pointer.
   #tell(item, place) {
-    this.#tip.hidden = !item;
-    if (!item) return;
-    const {row, i, from, to} = item;
-    const span = `${from.toFixed(2)}${to > from ? ` – ${to.toFixed(2)}` : ''}`;
-    this.#tip.textContent = `${row.name}: ${row.text(i)}, ${span} s`;
+    this.#tip.hidden = !place || place.x < gutter_px;
+    if (this.#tip.hidden) return;
+    this.#tip.textContent = item ? itemText(item) : this.#instantText(place);
     const left = Math.min(place.x + 12, this.#picture.width - this.#tip.offsetWidth - 4);
     this.#tip.style.setProperty('left', `${left}px`);
     this.#tip.style.setProperty('top', `${place.y > this.#picture.lanes_px / 2 ? place.y - 28 : place.y + 16}px`);
+  }
+
+  // The instant under the pointer, and the automaton's state then.
+  #instantText({x, y}) {
+    const along = y >= this.#picture.lanes_px ? this.#picture.overview : this.#picture.sight;
+    const t = Math.max(0, Math.min(this.#data.duration, along.t(x)));
+    return [clock(t, 2), this.#data.state(this.#data.at(t))].filter(Boolean).join(', ');
   }
 
   zoomBy(factor) {
@@ -137,9 +158,14 @@ class Lanes {
     const data = this.#data;
     this.#gaps.checked = !gaps;
     this.#slider.setAttribute('aria-valuenow', data.t[n].toFixed(3));
-    this.#slider.setAttribute('aria-valuetext', `${data.t[n].toFixed(2)} seconds, ${data.state(n) ?? ''}`);
+    this.#slider.setAttribute('aria-valuetext', `${clock(data.t[n], 2)}, ${data.state(n) ?? ''}`);
     this.#paint();
   }
+}
+
+function itemText({row, i, from, to}) {
+  const span = `${clock(from, 2)}${to > from ? ` – ${clock(to, 2)}` : ''}`;
+  return `${row.name}: ${row.text(i)}, ${span}`;
 }
 
 const none = {n: new Uint32Array(), from: new Float64Array(), to: new Float64Array()};

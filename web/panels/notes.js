@@ -131,8 +131,9 @@ class Notes {
   }
 
   /** The next note is on the stretch from here to the cursor; called again, on the cursor alone. */
-  mark() {
-    this.#from = this.#from === null ? this.#at : null;
+  /** A stretch begins at this record; without one, where the cursor is, or no longer. */
+  mark(from = null) {
+    this.#from = from ?? (this.#from === null ? this.#at : null);
     this.#showPlace();
   }
   write() {

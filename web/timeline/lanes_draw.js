@@ -1,4 +1,5 @@
 // Drawing of the timeline: lanes, overview and cursor, on canvases. Times in seconds, places in pixels.
+import {clock} from '../dom.js';
 import {lastAtMost} from '../search.js';
 import {firstReaching} from './lane_rows.js';
 
@@ -134,7 +135,7 @@ function drawTicks(pen, sight, bottom, colour) {
       pen.fillRect(Math.round(at), 0, 1, bottom);
       if (at - last < 60) continue;
       pen.fillStyle = colour('muted');
-      pen.fillText(`${(k * step).toFixed(digits)} s`, at + 4, axis_px / 2);
+      pen.fillText(clock(k * step, digits), at + 4, axis_px / 2);
       last = at;
     }
     if (b > a) drawGap(pen, sight.x(Math.max(a, from)), sight.x(Math.min(b, to)), bottom, colour);

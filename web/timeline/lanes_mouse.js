@@ -1,13 +1,13 @@
-// The mouse on the timeline: the wheel zooms and moves; a drag moves, along the top it scrubs, along the overview it moves
-// the window; a click goes to an item or an instant; the item under the pointer is told.
+// The mouse on the timeline: the wheel zooms and moves; a drag moves, with Shift it selects a stretch, along the top it scrubs, along the overview
+// it moves the window; a click goes to an item or an instant; the item under the pointer is told.
 import {axis_px, gutter_px} from './lanes_draw.js';
 
 const drag_px = 3; // moved less, a press is a click
 const wheel_rate = 0.002; // of the logarithm of the zoom, for each unit that the wheel turns
 
 /**
- * `picture`: a LanesPicture, `shown`: a TimeWindow. `seek(t, how)`: goes to an instant, in seconds; `open(item)`: goes to
- * an item; `tell(item, place)`: the item under the pointer, or null.
+ * `picture`: a LanesPicture, `shown`: a TimeWindow, `stretch`: a Stretch. `seek(t, how)`: goes to an instant, in seconds; `open(item)`: goes to
+ * an item; `tell(item, place)`: the item under the pointer, or null, and where that is; null: nowhere.
  */
 export function listenToMouse(element, needs) {
   const {picture, shown, tell} = needs;
@@ -24,7 +24,8 @@ export function listenToMouse(element, needs) {
   const onPress = (event) => {
     if (event.button !== 0) return;
     const {x, y} = place(event);
-    const kind = y >= picture.lanes_px ? alongOverview : y < axis_px ? scrub : pan;
+    const above = event.shiftKey && x >= gutter_px ? select : y < axis_px ? scrub : pan;
+    const kind = y >= picture.lanes_px ? alongOverview : above;
     const drag = kind(needs, x);
     let moved = false;
     const move = (next) => {
@@ -34,7 +35,8 @@ export function listenToMouse(element, needs) {
     };
     const done = (last) => {
       removeEventListener('pointermove', move);
-      if (!moved) drag.click?.(place(last));
+      if (moved) drag.done?.();
+      else drag.click?.(place(last));
     };
     addEventListener('pointermove', move);
     addEventListener('pointerup', done, {once: true});
@@ -43,12 +45,20 @@ export function listenToMouse(element, needs) {
   element.addEventListener('pointerdown', onPress);
   element.addEventListener('pointermove', (event) => {
     const at = place(event);
-    tell(event.buttons ? null : picture.itemAt(at), at);
+    tell(event.buttons ? null : picture.itemAt(at), event.buttons ? null : at);
   });
   element.addEventListener('pointerleave', () => tell(null));
 }
 
-// The kinds of drag, each begun at `x`: {move(x), click({x, y})}, where click is for a press that did not move.
+// The kinds of drag, each begun at `x`: {move(x), done(), click({x, y})}, where click is for a press that did not move.
+
+function select({picture, stretch}, x) {
+  const from = picture.sight.t(x);
+  return {
+    move: (to) => stretch.draw([from, picture.sight.t(Math.max(gutter_px, to))], (t) => picture.sight.x(t)),
+    done: () => stretch.done(),
+  };
+}
 
 function scrub({picture, seek}, x) {
   seek(picture.sight.t(x), 'jump');
