@@ -64,7 +64,12 @@ export const keys = [
       page.parts.records.focusFilter();
     },
   ],
-  [['#'], '# Ctrl+K', 'go to a record, an instant, a state, a panel or a run; or do something by its name', (page) => page.dialogs.go_to.open()],
+  [
+    ['#'],
+    '# Ctrl+K',
+    'go to a record, an instant, a state, a panel or a run; or do something by its name',
+    (page) => page.dialogs.go_to.open(),
+  ],
   [['c'], 'C', 'compare with another run', (page) => page.dialogs.compare.open()],
   [['x'], 'X', 'what if?', (page) => page.dialogs.what_if.open()],
   [
@@ -88,7 +93,12 @@ const inspecting =
 
 /** Hands the key to the page; keys typed into a field, or with Ctrl, Alt or Meta, are left alone. */
 export function onKey(page, event) {
-  if ((event.ctrlKey || event.metaKey) && event.key === 'k' && page.dialogs && !document.querySelector('dialog[open]')) {
+  if (
+    (event.ctrlKey || event.metaKey) &&
+    event.key === 'k' &&
+    page.dialogs &&
+    !document.querySelector('dialog[open]')
+  ) {
     event.preventDefault();
     page.dialogs.go_to.open();
     return;

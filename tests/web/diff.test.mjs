@@ -76,7 +76,10 @@ test('the dialogues of both stand side by side, each with its times, and what on
   await visitor.visit(both);
   const rows = at('pair');
   await visitor.page.waitForFunction(() => /“No\./.test(document.querySelector('.pairs').textContent));
-  const same = await rows.filter({hasNot: visitor.page.locator('.differs-here')}).first().innerText();
+  const same = await rows
+    .filter({hasNot: visitor.page.locator('.differs-here')})
+    .first()
+    .innerText();
   assert.match(same, /\d:\d\d\.\d[\s\S]*\d:\d\d\.\d/);
   const only_b = rows.filter({has: visitor.page.locator('.cell-a.none')}).first();
   assert.match(await only_b.innerText(), /“No\.”/);
@@ -100,7 +103,10 @@ test('changed words are marked inside the sentence', async () => {
 });
 
 test('the whole cause is on top of the differences, and the end of both runs below it', async () => {
-  for (const viewport of [{width: 1280, height: 720}, {width: 1440, height: 900}]) {
+  for (const viewport of [
+    {width: 1280, height: 720},
+    {width: 1440, height: 900},
+  ]) {
     await visitor.visit(both, {viewport});
     const {cut, top, scrolled} = await at('cause').evaluate((one) => ({
       cut: one.scrollHeight > one.clientHeight + 1 || one.scrollWidth > one.clientWidth + 1,

@@ -53,7 +53,11 @@ test('counts are those of the command line', async () => {
   assert.ok((await at('position').innerText()).includes(`of ${size.toLocaleString('en')}`));
   // A transition that leaves several states is one, as `validate` counts.
   await visitor.visit('/r/dialogue_gesture');
-  const ids = new Set(recordsOf('paper/dialogue_gesture')[0].graph.edges.filter((one) => !one.diverted).map(({id}) => id));
+  const ids = new Set(
+    recordsOf('paper/dialogue_gesture')[0]
+      .graph.edges.filter((one) => !one.diverted)
+      .map(({id}) => id),
+  );
   assert.match(await at('graph-count').innerText(), new RegExp(`of ${ids.size} transitions`));
 });
 
@@ -119,7 +123,10 @@ const smallestLetter = () =>
   );
 
 test('the graph can be read: letters of 11 px, counts that cover nothing, the current state in sight', async () => {
-  for (const viewport of [{width: 1440, height: 900}, {width: 1280, height: 720}]) {
+  for (const viewport of [
+    {width: 1440, height: 900},
+    {width: 1280, height: 720},
+  ]) {
     await visitor.visit('/r/correction', {viewport});
     for (let i = 0; i < 8; ++i) {
       await visitor.page.keyboard.press('.');
@@ -127,7 +134,12 @@ test('the graph can be read: letters of 11 px, counts that cover nothing, the cu
       const seen = await evaluate(() => {
         const canvas = document.querySelector('.graph .canvas').getBoundingClientRect();
         const node = document.querySelector('.node.current .box').getBoundingClientRect();
-        return node.left >= canvas.left && node.right <= canvas.right && node.top >= canvas.top && node.bottom <= canvas.bottom;
+        return (
+          node.left >= canvas.left &&
+          node.right <= canvas.right &&
+          node.top >= canvas.top &&
+          node.bottom <= canvas.bottom
+        );
       });
       assert.ok(seen, 'the current state is in sight');
     }
@@ -220,7 +232,10 @@ test('runs are sorted, filtered, grouped, and walked by keys', async () => {
   const names = () => visitor.page.locator('.start a.name').allInnerTexts();
   await visitor.page.locator('th button', {hasText: 'Run'}).click();
   const by_name = await names();
-  assert.deepEqual(by_name, by_name.toSorted((a, b) => a.localeCompare(b, 'en', {numeric: true})));
+  assert.deepEqual(
+    by_name,
+    by_name.toSorted((a, b) => a.localeCompare(b, 'en', {numeric: true})),
+  );
   await visitor.page.locator('th button', {hasText: 'Run'}).click();
   assert.deepEqual(await names(), by_name.toReversed());
   await at('filter-verdict').selectOption('failed');
@@ -246,7 +261,9 @@ test('a third choice takes none of the others away: each is compared with the fi
     await visitor.page.getByLabel(`Choose ${name} to compare`, {exact: true}).check();
   assert.equal(await visitor.page.locator('[data-testid=choose]:checked').count(), 3);
   await at('compare-chosen').click();
-  await visitor.page.waitForFunction(() => !/being compared/.test(document.querySelector('[data-testid=many]').innerText));
+  await visitor.page.waitForFunction(
+    () => !/being compared/.test(document.querySelector('[data-testid=many]').innerText),
+  );
   const rows = await at('many-row').allInnerTexts();
   assert.equal(rows.length, 3);
   assert.match(rows[1], /failing[\s\S]*1 difference|failing[\s\S]*differences/);
@@ -313,7 +330,10 @@ test('the pointer over the timeline tells the instant, and a stretch is selected
 test('a run is told in a few sentences, act by act and minute by minute', async () => {
   await visitor.visit('/r/failing?tab=account');
   await at('account').waitFor();
-  assert.match(await at('account').innerText(), /3 sentences[\s\S]*3 acts: 2 done, 1 failed[\s\S]*block1 is in the way/);
+  assert.match(
+    await at('account').innerText(),
+    /3 sentences[\s\S]*3 acts: 2 done, 1 failed[\s\S]*block1 is in the way/,
+  );
   const told = await at('panel-account').innerText();
   assert.match(told, /Act by act[\s\S]*puts block2 on block1[\s\S]*✘ failed/);
   assert.match(told, /Minute by minute[\s\S]*0:00 – 1:00[\s\S]*“Put it there, 0\.”, yes[\s\S]*“Which block\?”/);

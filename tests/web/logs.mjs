@@ -81,7 +81,7 @@ export function roundsLog({fails = false} = {}) {
   const log = new Log();
   log.add('run', 0, header);
   log.add('symbol', 0, {id: 1, below: null, slots: {}}, 0);
-  for (let round = 0; round < 3; ++round) 
+  for (let round = 0; round < 3; ++round)
     addRound(log, round, 5 + round * 20, 1 + 2 * round, fails && round === 2 ? blocked : done);
   const refused = [{id: 'ask', reason: 'the input is not P'}];
   log.add('refusal', 60, {state: 'Wait', input: 'z', reason: 'no transition takes z', refused});

@@ -5,7 +5,14 @@ import {rowText} from './graph_draw.js';
 const most_ways = 6;
 
 const list = (title, items) =>
-  items.length > 0 && [h('p', {class: 'muted'}, title), h('ul', {}, items.map((item) => h('li', {}, item)))];
+  items.length > 0 && [
+    h('p', {class: 'muted'}, title),
+    h(
+      'ul',
+      {},
+      items.map((item) => h('li', {}, item)),
+    ),
+  ];
 const byUse = (edges) => edges.toSorted((a, b) => b.visits - a.visits);
 const ways = (edges, name) => [
   ...byUse(edges)
@@ -47,14 +54,33 @@ export class GraphCard {
     if (content) this.element.replaceChildren(...content.flat(Infinity).filter(Boolean));
   }
   #ofEdge({from, to, rows}) {
-    return [h('b', {}, `${from} → ${to}`), h('ul', {}, rows.map((row) => h('li', {}, rowText(row))))];
+    return [
+      h('b', {}, `${from} → ${to}`),
+      h(
+        'ul',
+        {},
+        rows.map((row) => h('li', {}, rowText(row))),
+      ),
+    ];
   }
   #ofNode({node: {id, visits}, edges}) {
     return [
       h('b', {}, id),
       h('p', {}, `entered ${counted(visits, 'time')}, ${clock(timeIn(this.#data, id))} in all`),
-      list('on to', ways(edges.filter(({from}) => from === id), 'to')),
-      list('from', ways(edges.filter(({to}) => to === id), 'from')),
+      list(
+        'on to',
+        ways(
+          edges.filter(({from}) => from === id),
+          'to',
+        ),
+      ),
+      list(
+        'from',
+        ways(
+          edges.filter(({to}) => to === id),
+          'from',
+        ),
+      ),
     ];
   }
 }

@@ -2,7 +2,16 @@
 import {s} from '../dom.js';
 import {rowText} from './graph_draw.js';
 
-const copied = ['fill', 'stroke', 'stroke-width', 'stroke-dasharray', 'opacity', 'font-size', 'font-weight', 'paint-order'];
+const copied = [
+  'fill',
+  'stroke',
+  'stroke-width',
+  'stroke-dasharray',
+  'opacity',
+  'font-size',
+  'font-weight',
+  'paint-order',
+];
 const line_px = 15;
 const letters_px = 6; // of the legend, the width of a letter at most
 

@@ -5,19 +5,33 @@ export function mountAccount({client, jump}) {
   const body = h('div', {class: 'body account', tabindex: 0, role: 'region', 'aria-label': 'The run in words'});
   const button = ({text, n}) => h('button', {type: 'button', class: 'link', onclick: () => jump(n)}, text);
   const list = (title, lines, shown) =>
-    lines.length > 0 && [h('h3', {}, title), h('ol', {}, lines.map((line) => h('li', {'data-n': line.n}, shown(line))))];
+    lines.length > 0 && [
+      h('h3', {}, title),
+      h(
+        'ol',
+        {},
+        lines.map((line) => h('li', {'data-n': line.n}, shown(line))),
+      ),
+    ];
   const clock = (t) => `${Math.floor(t / 60)}:${String(Math.floor(t) % 60).padStart(2, '0')}`;
   let asked = false;
 
   function show({sentences, acts, minutes}) {
     const parts = [
-      h('p', {'data-testid': 'account'}, sentences.map((one) => [button(one), ' '])),
+      h(
+        'p',
+        {'data-testid': 'account'},
+        sentences.map((one) => [button(one), ' ']),
+      ),
       list('Act by act', acts, (line) => [
         line.failed && h('span', {class: 'badge bad'}, '✘ failed'),
         line.failed && ' ',
         button(line),
       ]),
-      list('Minute by minute', minutes, (line) => [h('b', {}, `${clock(line.from)} – ${clock(line.to)} `), button(line)]),
+      list('Minute by minute', minutes, (line) => [
+        h('b', {}, `${clock(line.from)} – ${clock(line.to)} `),
+        button(line),
+      ]),
     ];
     body.replaceChildren(...parts.flat(Infinity).filter(Boolean));
   }

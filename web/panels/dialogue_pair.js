@@ -57,7 +57,8 @@ class DialoguePair {
     return how[move.how] === 'says' ? `“${data.said(move.n)}”` : brief(data.text(move.n));
   }
   #cell(name, data, move, text, differs, jump) {
-    if (!move) return h('div', {class: `cell-${name} none`}, h('span', {class: 'unseen'}, `nothing in ${name.toUpperCase()}`));
+    if (!move)
+      return h('div', {class: `cell-${name} none`}, h('span', {class: 'unseen'}, `nothing in ${name.toUpperCase()}`));
     const {before, own, after} = text;
     return h(
       'div',
@@ -65,7 +66,12 @@ class DialoguePair {
       h('time', {}, clock(data.t[move.n], 1)),
       h(
         'button',
-        {type: 'button', class: how[move.how], title: `${name.toUpperCase()} #${move.n}, ${instant(data.t[move.n])}: ${data.label(move.n)}`, onclick: jump},
+        {
+          type: 'button',
+          class: how[move.how],
+          title: `${name.toUpperCase()} #${move.n}, ${instant(data.t[move.n])}: ${data.label(move.n)}`,
+          onclick: jump,
+        },
         h('span', {class: 'unseen'}, `${name.toUpperCase()}: ${who[move.how]} ${how[move.how]} `),
         hint[move.how] && h('span', {class: 'hint', 'aria-hidden': 'true'}, hint[move.how]),
         before,
@@ -104,7 +110,11 @@ class DialoguePair {
     const later = this.#rows.length - this.#first - rows.length;
     const more = (count, when, place) =>
       count > 0 &&
-      h('li', {class: 'more'}, h('button', {type: 'button', class: 'link', onclick: () => this.#reach(place)}, `${count} ${when}`));
+      h(
+        'li',
+        {class: 'more'},
+        h('button', {type: 'button', class: 'link', onclick: () => this.#reach(place)}, `${count} ${when}`),
+      );
     this.#list.replaceChildren(
       ...[
         more(this.#first, 'earlier', this.#first),
@@ -120,7 +130,8 @@ class DialoguePair {
     row.classList.add('current');
     const list = this.#list;
     const above = row.offsetTop - list.scrollTop;
-    if (above < 8 || above + row.offsetHeight > list.clientHeight - 8) list.scrollTop = row.offsetTop - list.clientHeight * 0.4;
+    if (above < 8 || above + row.offsetHeight > list.clientHeight - 8)
+      list.scrollTop = row.offsetTop - list.clientHeight * 0.4;
   }
 
   labelsArrived = calmly(() => {

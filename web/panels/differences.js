@@ -70,7 +70,11 @@ function endOf(data) {
   const last = act.n.at(-1);
   const status = data.names[act.status?.at(-1)] ?? '';
   const done =
-    last === undefined ? (utterance.n.length ? `says “${data.text(utterance.n.at(-1))}”` : 'does nothing') : `${brief(data.text(last))} (${status})`;
+    last === undefined
+      ? utterance.n.length
+        ? `says “${data.text(utterance.n.at(-1))}”`
+        : 'does nothing'
+      : `${brief(data.text(last))} (${status})`;
   const bad = failuresOf(data.summary).map((part) => part.split(':')[0]);
   return [done, ...bad].join(', ');
 }

@@ -80,7 +80,8 @@ export function paletteDialog(page) {
     const text = field.value.trim();
     const {data, cursor} = page();
     const place = /^[#\d]/.test(text) ? placeOf(data, text, cursor.n) : null;
-    const direct = place === null ? [] : [{name: `#${place}: ${data.kind(place)}`, kind: 'record', act: () => cursor.jump(place)}];
+    const direct =
+      place === null ? [] : [{name: `#${place}: ${data.kind(place)}`, kind: 'record', act: () => cursor.jump(place)}];
     shown = [...direct, ...(text ? fitting(choices(), text) : [])].slice(0, most_shown);
     chosen = 0;
     trouble.hidden = true;

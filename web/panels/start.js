@@ -167,9 +167,7 @@ export class StartPage {
     if (this.#search.value !== search) this.#search.value = search;
     this.#arrangement.learn(this.#runs);
     const found = this.#arrangement.arranged(
-      this.#runs.filter(
-        (run) => words.every((word) => searched(run).includes(word)) || this.#lines(run, words).length,
-      ),
+      this.#runs.filter((run) => words.every((word) => searched(run).includes(word)) || this.#lines(run, words).length),
     );
     const shown = found.slice(0, at_most);
     const all = this.#runs.length;
@@ -179,7 +177,9 @@ export class StartPage {
     this.#nothing.hidden = found.length > 0 || !all;
     const focused = this.#rows.contains(document.activeElement) && document.activeElement.getAttribute('href');
     this.#rows.replaceChildren(
-      ...shown.flatMap((run, i) => [this.#arrangement.heading(run, shown[i - 1]), this.#row(run, words)]).filter(Boolean),
+      ...shown
+        .flatMap((run, i) => [this.#arrangement.heading(run, shown[i - 1]), this.#row(run, words)])
+        .filter(Boolean),
     );
     if (focused) this.#rows.querySelector(`a[href="${CSS.escape(focused)}"]`)?.focus();
     const rest = found.length > at_most ? `, the first ${at_most} shown` : '';
@@ -246,7 +246,16 @@ export class StartPage {
       ? h('time', {datetime: new Date(run.changed * 1000).toISOString()}, when(run.changed))
       : '';
     return [
-      h('td', {}, h('span', {class: `badge ${verdict.kind}`, title: [...failuresOf(run), run.trouble].filter(Boolean).join('; ') || null}, verdict.text), follow),
+      h(
+        'td',
+        {},
+        h(
+          'span',
+          {class: `badge ${verdict.kind}`, title: [...failuresOf(run), run.trouble].filter(Boolean).join('; ') || null},
+          verdict.text,
+        ),
+        follow,
+      ),
       numbers.map((value) => h('td', {class: 'number'}, run.pending ? '' : value)),
       h('td', {}, run.machine ?? '', h('span', {class: 'scene-name'}, run.scene ?? '')),
       h('td', {class: 'when'}, changed),

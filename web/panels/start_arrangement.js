@@ -83,14 +83,14 @@ export class Arrangement {
 
   /** The runs that fit the filters, in the order that is wanted. */
   arranged(runs) {
-    const fits = (run) => Object.entries(this.#selects).every(([name, {value}]) => !value || filtered[name](run) === value);
+    const fits = (run) =>
+      Object.entries(this.#selects).every(([name, {value}]) => !value || filtered[name](run) === value);
     const {of} = this.#column ?? {};
     const folders = this.#folders.checked;
     return runs
       .filter(fits)
       .toSorted(
-        (a, b) =>
-          (folders ? compare(folderOf(a), folderOf(b)) : 0) || (of ? this.#sense * compare(of(a), of(b)) : 0),
+        (a, b) => (folders ? compare(folderOf(a), folderOf(b)) : 0) || (of ? this.#sense * compare(of(a), of(b)) : 0),
       );
   }
   /** A row that names the folder of `run`, where that is another than of the run above; else null. */

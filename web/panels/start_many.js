@@ -6,8 +6,7 @@ import {verdictOf} from '../run/verdict.js';
 
 const rowOf = (run, ...cells) =>
   h('tr', {'data-testid': 'many-row'}, h('th', {scope: 'row'}, run.name), ...cells.map((cell) => h('td', {}, cell)));
-const openable = (a, run) =>
-  h('a', {href: linkTo(formatAddress(fresh(a.id, run.id)))}, 'Compare these two');
+const openable = (a, run) => h('a', {href: linkTo(formatAddress(fresh(a.id, run.id)))}, 'Compare these two');
 
 /** A dialog that fills as the answers come: `runs`, the first of which is A. */
 export function compareMany([a, ...others]) {
@@ -17,8 +16,11 @@ export function compareMany([a, ...others]) {
   const element = dialog(
     {class: 'dialog many', 'aria-label': 'Runs compared with A', 'data-testid': 'many'},
     h('h2', {}, `A: ${a.name}, and ${counted(others.length, 'other run')}`),
-    h('div', {class: 'table', tabindex: 0, role: 'region', 'aria-label': 'Comparisons'},
-      h('table', {}, h('thead', {}, h('tr', {}, head)), body)),
+    h(
+      'div',
+      {class: 'table', tabindex: 0, role: 'region', 'aria-label': 'Comparisons'},
+      h('table', {}, h('thead', {}, h('tr', {}, head)), body),
+    ),
     h('form', {method: 'dialog'}, h('button', {autofocus: true}, 'Close')),
   );
   element.addEventListener('close', () => element.remove());

@@ -48,7 +48,9 @@ export function saveDialog(save, copy) {
       return;
     }
     button.disabled = true;
-    result.replaceChildren(h('p', {class: 'muted'}, 'The conversation is replayed, to see whether it holds as a test …'));
+    result.replaceChildren(
+      h('p', {class: 'muted'}, 'The conversation is replayed, to see whether it holds as a test …'),
+    );
     try {
       const {check, trace} = await save(name.value.trim());
       copied.textContent = 'Copy';
