@@ -226,11 +226,13 @@ class ColumnBuilder {
   }
 
   void add_records() {
-    const std::map<std::string_view, const char*> instants{
-        {log::Utterance::kind.name, "utterance"}, {log::AvatarGesture::kind.name, "move"},
-        {log::Observed::kind.name, "observed"},   {log::Problem::kind.name, "flag"},
-        {log::Expect::kind.name, "flag"},         {log::Refusal::kind.name, "flag"},
-        {log::Act::kind.name, "flag"}};
+    const std::map<std::string_view, const char*> instants{{log::Utterance::kind.name, "utterance"},
+                                                           {log::AvatarGesture::kind.name, "move"},
+                                                           {log::Observed::kind.name, "observed"},
+                                                           {log::Problem::kind.name, "flag"},
+                                                           {log::Expect::kind.name, "flag"},
+                                                           {log::Refusal::kind.name, "flag"},
+                                                           {log::Act::kind.name, "flag"}};
     std::vector<Lane*> lane_of;
     for (const auto& kind : run_.kinds()) {
       const auto lane = instants.find(kind);

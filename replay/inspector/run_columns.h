@@ -23,8 +23,8 @@ namespace continua {
 ///   utterance, move         the avatar's speech and gestures; observed: another's, for comparison
 ///   act                     from when it was asked for to its last state; act.status (place in names)
 ///   rest                    when nothing moved
-///   flag                    refusals (not of pointing samples, nor of a gesture's end), problems, unmet expectations, the ends of failed acts
-///   branches                of explored runs, while there is more than one; branches.count
+///   flag                    refusals (not of pointing samples, nor of a gesture's end), problems, unmet expectations,
+///   the ends of failed acts branches                of explored runs, while there is more than one; branches.count
 ///   confidence              of inputs that have one; confidence.value
 ///   depth                   of the stack, where it is known; depth.value
 /// `step.n`, `step.id`, `step.from`, `step.to` (places in names), `step.depth`: of transitions.

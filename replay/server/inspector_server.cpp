@@ -153,7 +153,8 @@ class InspectorServer::Impl {
       // The page shows every run; which one is its own affair.
       const bool page = request.path == "/" || request.path == "/live" || request.path.starts_with("/live/") ||
                         request.path.starts_with("/r/") || request.path.starts_with("/diff/");
-      if (const auto* asset = find_asset(page ? "/index.html" : request.path)) return send_asset(request, response, *asset);
+      if (const auto* asset = find_asset(page ? "/index.html" : request.path))
+        return send_asset(request, response, *asset);
       // A reader gets a page that says so.
       const auto* index = find_asset("/index.html");
       if (index && request.get_header_value("Accept").find("text/html") != std::string::npos) {

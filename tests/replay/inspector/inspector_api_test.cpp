@@ -212,7 +212,8 @@ TEST_CASE("refusals of pointing samples are counted apart and are no stops") {
   CHECK(columns.numbers("flag.n") == std::vector<double>{4});
 }
 
-TEST_CASE("a run is judged by its acts, opens at the one that failed, and a gesture's end that nobody awaited is no flag") {
+TEST_CASE(
+    "a run is judged by its acts, opens at the one that failed, and a gesture's end that nobody awaited is no flag") {
   const ScratchFolder folder;
   LogBuilder log;
   log.add("run", 0, {{"version", 1}});
