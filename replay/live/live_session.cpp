@@ -195,6 +195,11 @@ void LiveSession::away(bool gone) {
   heard_.notify_all();
 }
 
+bool LiveSession::is_left() const {
+  const std::lock_guard lock(mutex_);
+  return loop_ && ends_;
+}
+
 void LiveSession::end() {
   {
     const auto lock = lock_soon();

@@ -71,6 +71,8 @@ class LiveSession {
   /// Whoever records has gone away, or is back: unless it sends something or is told to be back, the session ends after
   /// `grace`. After the end it does nothing.
   void away(bool gone);
+  /// Whether it only waits for whoever records to come back.
+  bool is_left() const;
 
   /// Nothing more happens: acts under way are finished, trace and log get their last lines. Ending again does nothing.
   void end();

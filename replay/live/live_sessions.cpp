@@ -108,6 +108,20 @@ std::variant<LiveOptions, LiveRefusal> LiveSessions::options_of(const Json& aske
   return options;
 }
 
+// Where so many are live as may be, those that wait for a recorder who has gone away end now.
+void LiveSessions::make_room() {
+  std::vector<std::shared_ptr<LiveSession>> left;
+  {
+    const std::lock_guard lock(mutex_);
+    std::size_t live = 0;
+    for (const auto& one : sessions_) live += one.session->audience().state().live ? 1 : 0;
+    if (live < most_live) return;
+    for (const auto& one : sessions_)
+      if (one.session->is_left()) left.push_back(one.session);
+  }
+  for (const auto& session : left) session->end();
+}
+
 // Of scene and machine, which may be paths, as the trace is to name them. Gives the session's id.
 std::optional<std::string> LiveSessions::take_place(LiveOptions& options, const std::string& name) {
   for (auto* path : {&options.header.scene, &options.header.machine})
@@ -144,6 +158,7 @@ std::variant<ListedSession, LiveRefusal> LiveSessions::start(const Json& asked, 
     return bad("name", name, fmt::format("1 to {} letters, digits, _ or -", longest_name));
   std::error_code problem;
   fs::create_directories(defaults_.folder, problem);
+  make_room();
   const auto id = take_place(options, name);
   if (!id)
     return LiveRefusal{503, fmt::format("there are {} live sessions, or {} were begun; end one first, or the program",

@@ -78,6 +78,7 @@ class LiveSessions {
  private:
   LiveSessions(LiveDefaults defaults, Json setup);
   std::variant<LiveOptions, LiveRefusal> options_of(const Json& asked, bool any_file) const;
+  void make_room();
   std::optional<std::string> take_place(LiveOptions& options, const std::string& name);
 
   const LiveDefaults defaults_;

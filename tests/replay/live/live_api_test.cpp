@@ -176,6 +176,11 @@ TEST_CASE("so many sessions may be live, each with files of its own") {
   CHECK_THAT(asked.refused(503, "/api/sessions"), Contains("end one first"));
   asked.post("/api/sessions/session-3/end");
   asked.post("/api/sessions", "", 201);
+  // One that its recorder has left makes room.
+  asked.post("/api/sessions/session-4/away", R"({"gone":true})");
+  asked.post("/api/sessions", "", 201);
+  CHECK(asked.get("/api/sessions/session-4")["live"] == false);
+  asked.refused(400, "/api/sessions/session-5/away", R"({"gone":1})");
 }
 
 TEST_CASE("a server begins so many sessions, however soon each ends") {
