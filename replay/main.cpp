@@ -39,6 +39,7 @@
 #include "continua/replay/commands/table.h"
 #include "continua/replay/commands/trace.h"
 #include "continua/replay/commands/validate.h"
+#include "continua/replay/commands/vary.h"
 #include "continua/replay/session/version.h"
 
 namespace continua {
@@ -88,6 +89,7 @@ std::vector<Subcommand> add_all(CLI::App& program) {
       add(program, "learn", "Estimate a machine's weights from traces with observed answers", describe_learn,
           run_learn),
       add(program, "shrink", "Find the smallest trace that still does something", describe_shrink, run_shrink),
+      add(program, "vary", "Make traces as noisier recognisers would have told them", describe_vary, run_vary),
       add(program, "accept", "Tell which words a machine accepts", describe_accept, run_accept),
       add(program, "validate",
           "Check traces, machines, phrases, lexicons, voxemes, scenes, run logs, notes and session logs",

@@ -22,6 +22,7 @@
 #include "continua/replay/log/run_integrity.h"
 #include "continua/replay/media/media_file.h"
 #include "continua/replay/media/media_peaks.h"
+#include "continua/replay/noise/noise.h"
 #include "continua/replay/session/live_setup.h"
 #include "continua/replay/session/scene_voxemes.h"
 #include "continua/replay/trace/session_import.h"
@@ -274,6 +275,20 @@ FileCheck check_tier_names(std::string_view text, const std::string& path) {
   return {tier_names_problems(text, path), {}, "words in the names of tiers"};
 }
 
+// Names of tables are those of the knowledge folder that the file is in.
+FileCheck check_noise(std::string_view, const std::string& path) {
+  const auto file = std::filesystem::absolute(path).lexically_normal();
+  const auto noise = read_noise(path, file.parent_path().parent_path());
+  if (!noise) return {{noise.error()}, {}, ""};
+  return {{}, {}, "noise of recognisers"};
+}
+
+FileCheck check_confusions(std::string_view, const std::string& path) {
+  const auto confusions = read_confusions(path);
+  if (!confusions) return {{confusions.error()}, {}, ""};
+  return {{}, {}, "confusions of " + counted(confusions->rows.size(), "word")};
+}
+
 FileCheck check_peaks(std::string_view text, const std::string& path) {
   return {peaks_problems(text, path), {}, "peaks of a recording"};
 }
@@ -303,6 +318,8 @@ constexpr std::array file_kinds = {
     FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "buttons"); }, check_live_file},
     FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "raising"); }, check_raising},
     FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "tiers"); }, check_tier_map},
+    FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "noise"); }, check_noise},
+    FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "confusions"); }, check_confusions},
     FileKind{[](std::string_view text, const std::string& path) {
                return path.ends_with(".json") || (begins_with(text, "{") && text.find("\"machine\"") != text.npos &&
                                                   text.find("\"transitions\"") != text.npos);
