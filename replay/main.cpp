@@ -33,6 +33,7 @@
 #include "continua/replay/commands/record.h"
 #include "continua/replay/commands/render.h"
 #include "continua/replay/commands/replay.h"
+#include "continua/replay/commands/robust.h"
 #include "continua/replay/commands/score.h"
 #include "continua/replay/commands/serve.h"
 #include "continua/replay/commands/shrink.h"
@@ -90,6 +91,7 @@ std::vector<Subcommand> add_all(CLI::App& program) {
           run_learn),
       add(program, "shrink", "Find the smallest trace that still does something", describe_shrink, run_shrink),
       add(program, "vary", "Make traces as noisier recognisers would have told them", describe_vary, run_vary),
+      add(program, "robust", "Tell how much noise conversations bear", describe_robust, run_robust),
       add(program, "accept", "Tell which words a machine accepts", describe_accept, run_accept),
       add(program, "validate",
           "Check traces, machines, phrases, lexicons, voxemes, scenes, run logs, notes and session logs",

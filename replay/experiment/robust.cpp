@@ -1,0 +1,192 @@
+#include "continua/replay/experiment/robust.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "continua/replay/experiment/ddmin.h"
+#include "continua/replay/experiment/log_lines.h"
+#include "continua/replay/trace/trace_event.h"
+
+namespace continua {
+namespace {
+
+std::optional<Happened> happened_in(std::string_view record) {
+  const auto kind = text_in(record, "kind");
+  if (kind == "utterance") return Happened{Happened::Kind::utterance, text_in(record, "text")};
+  if (kind == "act" && text_in(record, "status") == "asked" && member_in(record, "step").empty())
+    return Happened{Happened::Kind::act, text_in(record, "program")};
+  if (kind != "input" || member_in(record, "line") == "null") return std::nullopt;
+  const auto event = text_in(member_in(record, "event"), "kind");
+  if (event == "speech" || event == "gesture") return Happened{Happened::Kind::human, ""};
+  return std::nullopt;
+}
+
+std::vector<std::string> texts_of(const std::vector<Happened>& all, Happened::Kind kind) {
+  std::vector<std::string> texts;
+  for (const auto& one : all)
+    if (one.kind == kind) texts.push_back(one.text);
+  return texts;
+}
+
+// The first acts of `some` that are not among those of `all`, in this order; empty if it leaves some out at most.
+std::vector<std::string> besides(const std::vector<std::string>& some, const std::vector<std::string>& all) {
+  std::vector<std::string> others;
+  auto from = all.begin();
+  for (const auto& one : some) {
+    const auto found = std::find(from, all.end(), one);
+    if (found == all.end())
+      others.push_back(one);
+    else
+      from = found + 1;
+  }
+  return others;
+}
+
+// The number of happenings until the human goes on after the first utterance that is none of the other run; all of
+// them where there is none. The first of two values: whether there is one.
+std::pair<bool, std::size_t> first_other_answer(const std::vector<Happened>& whole,
+                                                const std::vector<Happened>& noisy) {
+  const auto said = texts_of(whole, Happened::Kind::utterance);
+  auto from = said.begin();
+  for (std::size_t i = 0; i < noisy.size(); ++i) {
+    if (noisy[i].kind != Happened::Kind::utterance) continue;
+    const auto found = std::find(from, said.end(), noisy[i].text);
+    if (found != said.end()) {
+      from = found + 1;
+      continue;
+    }
+    while (i < noisy.size() && noisy[i].kind != Happened::Kind::human) ++i;
+    return {true, i};
+  }
+  return {false, noisy.size()};
+}
+
+std::vector<Happened> until_other_answer(const std::vector<Happened>& whole, const std::vector<Happened>& noisy) {
+  const auto size = static_cast<std::ptrdiff_t>(first_other_answer(whole, noisy).second);
+  return {noisy.begin(), noisy.begin() + size};
+}
+
+class Trials {
+ public:
+  Trials(Session& session, const RobustOptions& options, Trace trace)
+      : session_(session), options_(options), trace_(std::move(trace)) {}
+
+  Result<Robustness> run() {
+    auto whole = run_of(edited_trace(trace_, {}));
+    if (!whole) return whole.error();
+    whole_ = *std::move(whole);
+    Robustness found;
+    for (const auto& kind : noise_kinds()) {
+      if (!has_kind(options_.noise, kind) || !applies(kind)) continue;
+      bool broken = false;
+      for (const double strength : options_.strengths) {
+        RobustPoint point{kind, strength};
+        for (int i = 0; i < options_.count; ++i) {
+          const auto edits =
+              edits_of(trace_, only(options_.noise, kind, strength), options_.seed + static_cast<std::uint64_t>(i));
+          const auto end = edits.empty() ? RunEnd::same : end_of(edited_trace(trace_, edits));
+          ++point.ends[static_cast<std::size_t>(end)];
+          if (end != RunEnd::otherwise || broken) continue;
+          broken = true;
+          found.breaks.push_back(smallest(edits, kind, strength));
+        }
+        found.points.push_back(point);
+      }
+    }
+    return found;
+  }
+
+ private:
+  // Whether the trace has anything that this kind of noise changes.
+  bool applies(const std::string& kind) const {
+    const auto strongest = std::max_element(options_.strengths.begin(), options_.strengths.end());
+    const auto noise = only(options_.noise, kind, *strongest);
+    for (int i = 0; i < options_.count; ++i)
+      if (!edits_of(trace_, noise, options_.seed + static_cast<std::uint64_t>(i)).empty()) return true;
+    return false;
+  }
+
+  Result<std::vector<Happened>> run_of(const Trace& trace) {
+    std::ostringstream log;
+    const auto run = session_.run(trace, {}, log);
+    if (!run) return run.error();
+    return happenings_of(log.view());
+  }
+
+  RunEnd end_of(const Trace& trace) {
+    const auto run = run_of(trace);
+    require(run.ok(), "a trace with other events can be replayed");
+    return run_end(whole_, *run);
+  }
+
+  Break smallest(const std::vector<Edit>& edits, const std::string& kind, double strength) {
+    const auto some = [&](const Indices& part) {
+      std::vector<Edit> kept;
+      for (const auto index : part) kept.push_back(edits[index]);
+      return kept;
+    };
+    const auto breaks = [&](const Trace& trace) { return end_of(trace) == RunEnd::otherwise; };
+    const auto least =
+        some(ddmin(edits.size(), [&](const Indices& part) { return breaks(edited_trace(trace_, some(part))); }));
+    Break found{session_.trace().head().name, kind, strength, {}, {}, edited_trace(trace_, least)};
+    for (const auto& edit : least) found.sentences.push_back(edit.sentence);
+    const auto run = run_of(found.with);
+    found.acts =
+        besides(texts_of(until_other_answer(whole_, *run), Happened::Kind::act), texts_of(whole_, Happened::Kind::act));
+    return found;
+  }
+
+  Session& session_;
+  const RobustOptions& options_;
+  const Trace trace_;
+  std::vector<Happened> whole_;
+};
+
+}  // namespace
+
+std::vector<Happened> happenings_of(std::string_view log) {
+  std::vector<Happened> all;
+  each_line(log, [&](std::string_view record) {
+    if (auto one = happened_in(record)) all.push_back(*std::move(one));
+  });
+  return all;
+}
+
+RunEnd run_end(const std::vector<Happened>& whole, const std::vector<Happened>& noisy) {
+  const auto acts = texts_of(whole, Happened::Kind::act);
+  if (texts_of(noisy, Happened::Kind::act) == acts) return RunEnd::same;
+  const auto then = texts_of(until_other_answer(whole, noisy), Happened::Kind::act);
+  if (!besides(then, acts).empty()) return RunEnd::otherwise;
+  return first_other_answer(whole, noisy).first ? RunEnd::asks : RunEnd::less;
+}
+
+int RobustPoint::runs() const {
+  int sum = 0;
+  for (const int one : ends) sum += one;
+  return sum;
+}
+
+double RobustPoint::share(RunEnd end) const {
+  return runs() ? static_cast<double>(ends[static_cast<std::size_t>(end)]) / runs() : 0;
+}
+
+Result<Robustness> robustness_of(Session& session, const RobustOptions& options) {
+  auto events = session.trace().events();
+  if (!events) return events.error();
+  return Trials(session, options, Trace{{session.trace().head()}, *std::move(events)}).run();
+}
+
+void add(Robustness& sum, Robustness more) {
+  for (auto& point : more.points) {
+    const auto known = std::find_if(sum.points.begin(), sum.points.end(), [&](const RobustPoint& one) {
+      return one.kind == point.kind && one.strength == point.strength;
+    });
+    if (known == sum.points.end())
+      sum.points.push_back(std::move(point));
+    else
+      for (std::size_t i = 0; i < run_ends; ++i) known->ends[i] += point.ends[i];
+  }
+  std::move(more.breaks.begin(), more.breaks.end(), std::back_inserter(sum.breaks));
+}
+
+}  // namespace continua
