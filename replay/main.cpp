@@ -37,6 +37,7 @@
 #include "continua/replay/commands/score.h"
 #include "continua/replay/commands/serve.h"
 #include "continua/replay/commands/shrink.h"
+#include "continua/replay/commands/sweep.h"
 #include "continua/replay/commands/table.h"
 #include "continua/replay/commands/trace.h"
 #include "continua/replay/commands/validate.h"
@@ -87,6 +88,8 @@ std::vector<Subcommand> add_all(CLI::App& program) {
           describe_coverage, run_coverage),
       add(program, "score", "Replay traces and compare the avatar's moves with those that were observed",
           describe_score, run_score),
+      add(program, "sweep", "Replay traces under many settings of their machine, and draw how they do", describe_sweep,
+          run_sweep),
       add(program, "learn", "Estimate a machine's weights from traces with observed answers", describe_learn,
           run_learn),
       add(program, "shrink", "Find the smallest trace that still does something", describe_shrink, run_shrink),

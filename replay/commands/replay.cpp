@@ -3,7 +3,6 @@
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
 #include "continua/replay/commands/set_option.h"
-#include "continua/replay/commands/shard_option.h"
 #include "continua/replay/log/run_log_file.h"
 #include "continua/replay/session/outside_choice.h"
 #include "continua/replay/session/shelf.h"
@@ -106,28 +105,27 @@ class Batch {
         lines_(options.traces.size()),
         progress_(options.traces.size()) {}
 
-  int run() {
+  void run() {
     std::vector<std::thread> threads;
     const auto count = std::min<std::size_t>(
         static_cast<std::size_t>(jobs_at_a_time(options_.jobs, options_.replay.learned)), options_.traces.size());
     for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
     work();
     for (auto& thread : threads) thread.join();
-    return status_;
   }
 
   /// After the run.
   ShardReport report() const {
-    ShardReport all{"replay", options_.shard, options_.traces.size(), status_, {}};
+    ShardReport all{"replay", options_.shards.shard, options_.traces.size(), status_, {}};
     for (std::size_t i = 0; i < lines_.size(); ++i)
-      if (options_.shard.has(i)) all.told.push_back(told(i));
+      if (options_.shards.shard.has(i)) all.told.push_back(told(i));
     return all;
   }
 
  private:
   void work() {
     for (std::size_t i = next_++; i < options_.traces.size(); i = next_++)
-      if (options_.shard.has(i)) one(i);
+      if (options_.shards.shard.has(i)) one(i);
   }
 
   // The line of a trace that was replayed.
@@ -196,7 +194,7 @@ class Batch {
       }
       if (summary->expectations_met < summary->expectations && status_ == exit_done) status_ = exit_no;
     }
-    for (; printed_ < lines_.size() && (lines_[printed_] || !options_.shard.has(printed_)); ++printed_)
+    for (; printed_ < lines_.size() && (lines_[printed_] || !options_.shards.shard.has(printed_)); ++printed_)
       if (lines_[printed_]) put(output == "-" ? stderr : stdout, told(printed_));
     std::fflush(stdout);
   }
@@ -242,14 +240,6 @@ std::shared_ptr<std::string> add_choice(CLI::App& command) {
   return choice;
 }
 
-// Options for several processes that share the traces.
-void add_shards(CLI::App& command, ReplayCommandOptions& options) {
-  add_shard_option(command, options.shard);
-  command.add_option("--report", options.report, "write what came out to this file, as JSON that --merge reads");
-  command.add_option("--merge", options.merge, "tell the reports of all shards as one, instead of replaying")
-      ->excludes("TRACE");
-}
-
 constexpr const char* examples =
     "Examples: continua replay traces/pilot/*.jsonl -o runs -j 2\n"
     "          continua replay session.trace.jsonl --set surer_by=0.1 -o other.run.jsonl\n"
@@ -262,16 +252,19 @@ constexpr const char* examples =
 }  // namespace
 
 int run_replay(const ReplayCommandOptions& options) {
-  if (!options.merge.empty()) return tell_merged("replay", options.merge);
+  if (!options.shards.merge.empty()) {
+    const auto merged = merge_shards("replay", options.shards.merge);
+    if (!merged) return report(merged.error()), exit_impossible;
+    for (const auto& line : merged->told) put(stdout, line);
+    return merged->status;
+  }
   auto outputs = runs_of(options);
   if (!outputs) return report(outputs.error()), exit_impossible;
-  if (const auto problem = not_an_input(options.report, options.traces)) return report(*problem), exit_impossible;
-  Batch batch(options, std::move(*outputs));
-  const int status = batch.run();
-  if (options.report.empty()) return status;
-  if (const auto problem = write_file(options.report, text_of(batch.report())))
+  if (const auto problem = not_an_input(options.shards.report, options.traces))
     return report(*problem), exit_impossible;
-  return status;
+  Batch batch(options, std::move(*outputs));
+  batch.run();
+  return keep_report(options.shards, batch.report());
 }
 
 void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
@@ -323,10 +316,10 @@ void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
                   "where the dialogue goes on from after a difference (teacher); otherwise not (free)")
       ->check(CLI::IsMember({"free", "world", "teacher"}));
   command.add_option("-j,--jobs", options.jobs, "how many traces at a time")->check(CLI::Range(1, 256));
-  add_shards(command, options);
+  add_shard_options(command, options.shards, "TRACE", "replaying");
   command.footer(examples);
   command.callback([&options, choice, forced, variant] {
-    if (options.traces.empty() && options.merge.empty()) throw CLI::RequiredError("TRACE");
+    expect_items(options.traces, options.shards, "TRACE");
     options.replay.variant = parse_variant(*variant).value_or(Variant::free);
     options.replay.choice = parse_choice(*choice);
     if (is_outside_choice(*choice)) options.replay.outside = *choice;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "continua/replay/commands/command.h"
+#include "continua/replay/commands/shard_option.h"
 #include "continua/replay/session/session.h"
-#include "continua/replay/terminal/shard.h"
 
 namespace continua {
 
@@ -16,9 +16,7 @@ struct ReplayCommandOptions {
   bool whole = false;  ///< logs in a folder have everything; otherwise documents are kept once beside them
   bool gzip = false;   ///< logs in a folder, or of no given name, are packed
   int jobs = 1;
-  Shard shard;
-  std::string report;              ///< a file for what came out, for --merge; empty: none
-  std::vector<std::string> merge;  ///< reports to be told as one; empty: replay
+  ShardOptions shards;
   ReplayOptions replay;
 };
 

@@ -6,14 +6,15 @@
 #include <fmt/ranges.h>
 
 #include "continua/replay/terminal/shell_word.h"
+#include "continua/replay/terminal/text_table.h"
 
 namespace continua {
 namespace {
 
 constexpr std::size_t first_few = 5;
 
-using Row = std::vector<std::string>;
-using Table = std::vector<Row>;  // the first row is the head
+using Row = TextRow;
+using Table = TextTable;
 
 std::string part(int count, int of) {
   return of == 0 ? fmt::format("{}       –", count) : fmt::format("{} {:5.1f} %", count, 100.0 * count / of);
@@ -52,26 +53,6 @@ Table table_of_kinds(const ScoreReport& report) {
   for (const auto& [kind, score] : in_order(report.kinds()))
     table.push_back({kind, fmt::to_string(score.speaking), part(score.lax, score.speaking)});
   return table;
-}
-
-// As wide as it looks, as far as every character of UTF-8 is one column.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string aligned(const Table& table) {
-  std::vector<std::size_t> widths(table.front().size());
-  for (const auto& row : table)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
-  std::string text;
-  for (const auto& row : table) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string space(widths[i] - width(row[i]), ' ');
-      text += i == 0 ? row[i] + space : "  " + space + row[i];
-    }
-    text += "\n";
-  }
-  return text;
 }
 
 std::string markdown(const Table& table) {
@@ -116,20 +97,6 @@ std::string told_misses(const TraceScore& of, bool all) {
   return text;
 }
 
-Json json_of(const Score& score) {
-  return {{"inputs", score.inputs},
-          {"speaking", score.speaking},
-          {"exact", score.exact},
-          {"lax", score.lax},
-          {"template", score.same_template},
-          {"answered", score.answered},
-          {"spurious", score.spurious},
-          {"right", score.right},
-          {"f1", score.f1()},
-          {"samples", score.samples},
-          {"silent_samples", score.silent_samples}};
-}
-
 Json json_of(const ScoreOfKinds& kinds) {
   Json list = Json::array();
   for (const auto& [kind, score] : in_order(kinds))
@@ -157,6 +124,22 @@ Json json_of(const Episode& miss) {
           {"level", name_of(miss.level)}};
 }
 
+}  // namespace
+
+Json json_of(const Score& score) {
+  return {{"inputs", score.inputs},
+          {"speaking", score.speaking},
+          {"exact", score.exact},
+          {"lax", score.lax},
+          {"template", score.same_template},
+          {"answered", score.answered},
+          {"spurious", score.spurious},
+          {"right", score.right},
+          {"f1", score.f1()},
+          {"samples", score.samples},
+          {"silent_samples", score.silent_samples}};
+}
+
 Json json_of(const TraceScore& trace) {
   Json json{{"trace", trace.name}, {"run", trace.run.empty() ? Json() : Json(trace.run)}};
   json.update(json_of(trace.score));
@@ -165,8 +148,6 @@ Json json_of(const TraceScore& trace) {
   for (const auto& miss : trace.misses) json["misses"].push_back(json_of(miss));
   return json;
 }
-
-}  // namespace
 
 Score ScoreReport::total() const {
   Score total;

@@ -17,6 +17,12 @@ struct ScoreReport {
   ScoreOfKinds kinds() const;  ///< of all traces
 };
 
+/// The counts by their names, as in score_json().
+Json json_of(const Score& score);
+
+/// One of the "traces" of score_json().
+Json json_of(const TraceScore& trace);
+
 /// Tables of the traces and of the kinds of moves, and the misses: of each trace the first few, or all.
 std::string score_text(const ScoreReport& report, bool all_misses);
 

@@ -141,29 +141,28 @@ Result<ShardReport> read_shard_report(std::string_view text, const std::string& 
   return report;
 }
 
-int tell_merged(const std::string& command, const std::vector<std::string>& paths) {
+Result<MergedShards> merge_shards(const std::string& command, const std::vector<std::string>& paths) {
   std::vector<ShardReport> reports;
   std::vector<ShardOf> shards;
   for (const auto& path : paths) {
     const auto text = read_file(path);
-    if (!text) return report(text.error()), exit_impossible;
+    if (!text) return text.error();
     auto one = read_shard_report(*text, path);
-    if (!one) return report(one.error()), exit_impossible;
+    if (!one) return one.error();
     if (one->command != command)
-      return report({path, fmt::format("is of continua {}; expected a report of continua {}", one->command, command)}),
-             exit_impossible;
+      return Error{path, fmt::format("is of continua {}; expected a report of continua {}", one->command, command)};
     shards.push_back({path, one->shard, one->items});
     reports.push_back(*std::move(one));
   }
   const auto [report_of, problems] = places_of(shards, "item");
-  int status = exit_done;
+  MergedShards all;
   for (std::size_t item = 0; item < shards.front().items; ++item)
     if (const auto place = report_of[item % report_of.size()])
-      put(stdout, reports[*place].told[item / report_of.size()]);
-  for (const auto& one : reports) status = std::max(status, one.status);
-  std::fflush(stdout);
+      all.told.push_back(std::move(reports[*place].told[item / report_of.size()]));
+  for (const auto& one : reports) all.status = std::max(all.status, one.status);
   for (const auto& problem : problems) report(problem);
-  return problems.empty() ? status : exit_impossible;
+  if (!problems.empty()) all.status = exit_impossible;
+  return all;
 }
 
 }  // namespace continua

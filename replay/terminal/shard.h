@@ -62,8 +62,14 @@ std::string text_of(const ShardReport& report);
 /// Reads the output of text_of(). `name` stands for the file in errors.
 Result<ShardReport> read_shard_report(std::string_view text, const std::string& name);
 
-/// Writes what one process would write to standard output, from the files of its shards' reports. Gives the worst
-/// status; exit_impossible if a shard is missing, doubled, or of another run or command.
-int tell_merged(const std::string& command, const std::vector<std::string>& paths);
+/// The parts that all shards wrote, as one process has them.
+struct MergedShards {
+  std::vector<std::string> told;  ///< in the order of the items; the items of missing shards are left out
+  int status = 0;                 ///< the worst; exit_impossible if a shard is missing, doubled or of another run
+};
+
+/// From the files of the shards' reports; `paths` has at least one. Reports shards that are missing, doubled or of
+/// another run. Error: a file is no report of that command.
+Result<MergedShards> merge_shards(const std::string& command, const std::vector<std::string>& paths);
 
 }  // namespace continua
