@@ -18,6 +18,7 @@
 #include "continua/knowledge_files/language_loading.h"
 #include "continua/language/reduction.h"
 #include "continua/language/vocabulary.h"
+#include "continua/replay/coverage/coverage_part.h"
 #include "continua/replay/coverage/coverage_text.h"
 #include "continua/replay/log/log_file.h"
 #include "continua/replay/session/session.h"
@@ -80,22 +81,23 @@ class Counting {
     progress_.clear();
   }
 
-  /// The coverage of the files that can be used; reports the others.
-  std::vector<MachineCoverage> usable(bool& all) const {
-    std::vector<MachineCoverage> coverages;
+  /// The shard's files; reports those that cannot be used.
+  ShardReport report() const {
+    ShardReport all{"coverage", options_.shards.shard, found_.size(), exit_done, {}};
     for (const auto& one : found_) {
-      if (one->ok())
-        coverages.push_back(**one);
-      else
-        report(one->error());
-      all = all && one->ok();
+      if (!one) continue;
+      all.told.push_back(text_of_part(one->ok() ? std::optional(**one) : std::nullopt));
+      if (one->ok()) continue;
+      continua::report(one->error());
+      all.status = exit_impossible;
     }
-    return coverages;
+    return all;
   }
 
  private:
   void work() {
     for (std::size_t i = next_++; i < files_.size(); i = next_++) {
+      if (!options_.shards.shard.has(i)) continue;
       auto coverage = is_run_log(files_[i]) ? of_log(RunIndex::open(files_[i])) : of_trace(files_[i]);
       const std::lock_guard lock(mutex_);
       found_[i] = std::move(coverage);
@@ -174,11 +176,36 @@ void add_knowledge(MachineCoverage& machine, const DataPaths& data) {
   add_reachable(machine.kind(lexicon_entries), entries_of(*lexicon));
 }
 
+// What is told of the parts. `whole`: they are all that there are.
+int tell(const std::vector<std::string>& parts, const CoverageOptions& options, bool whole, int status) {
+  const auto data = find_data_paths(options.knowledge);
+  if (!data) return report(data.error()), exit_impossible;
+  std::vector<MachineCoverage> runs;
+  for (const auto& part : parts)
+    if (const auto problem = add_part(runs, part)) return report(*problem), exit_impossible;
+  auto machines = by_machine(runs);
+  for (auto& machine : machines) add_knowledge(machine, *data);
+  const auto text = options.json ? coverage_json(machines).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                                 : coverage_text(machines, options.never);
+  if (const auto problem = write_file("-", text)) return report(*problem), exit_impossible;
+  if (status == exit_impossible || !whole) return status;
+  for (const auto& machine : machines) {
+    const auto reached = percent(machine.reached(), machine.reachable());
+    if (reached >= static_cast<std::size_t>(options.at_least)) continue;
+    report({machine.name, fmt::format("{} % reached; expected at least {} %", reached, options.at_least)});
+    status = exit_no;
+  }
+  return status;
+}
+
 }  // namespace
 
 int run_coverage(const CoverageOptions& options) {
-  const auto data = find_data_paths(options.knowledge);
-  if (!data) return report(data.error()), exit_impossible;
+  if (!options.shards.merge.empty()) {
+    const auto merged = merge_shards("coverage", options.shards.merge);
+    if (!merged) return report(merged.error()), exit_impossible;
+    return tell(merged->told, options, true, merged->status);
+  }
   bool usable = true;
   std::vector<std::string> files;
   for (const auto& path : options.paths) {
@@ -191,28 +218,16 @@ int run_coverage(const CoverageOptions& options) {
   }
   Counting counting(options, std::move(files));
   counting.run();
-  auto machines = by_machine(counting.usable(usable));
-  for (auto& machine : machines) add_knowledge(machine, *data);
-  const auto text = options.json ? coverage_json(machines).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                                 : coverage_text(machines, options.never);
-  if (const auto problem = write_file("-", text)) return report(*problem), exit_impossible;
-  if (!usable) return exit_impossible;
-  int status = exit_done;
-  for (const auto& machine : machines) {
-    const auto reached = percent(machine.reached(), machine.reachable());
-    if (reached >= static_cast<std::size_t>(options.at_least)) continue;
-    report({machine.name, fmt::format("{} % reached; expected at least {} %", reached, options.at_least)});
-    status = exit_no;
-  }
-  return status;
+  auto made = counting.report();
+  if (!usable) made.status = exit_impossible;
+  made.status = tell(made.told, options, made.shard.count == 1, made.status);
+  return keep_report(options.shards, made);
 }
 
 void describe_coverage(CLI::App& command, CoverageOptions& options) {
-  command
-      .add_option("PATH", options.paths,
-                  "run logs, traces, or folders of them; traces are replayed in the kinematic world, instead of\n"
-                  "the logs beside them in a folder")
-      ->required();
+  command.add_option("PATH", options.paths,
+                     "run logs, traces, or folders of them; traces are replayed in the kinematic world, instead of\n"
+                     "the logs beside them in a folder");
   command.add_flag("--json", options.json, "all that can be reached, with counts, as JSON");
   command.add_flag("--never", options.never, "tell all that was never reached, not the first few of each kind");
   command
@@ -221,11 +236,15 @@ void describe_coverage(CLI::App& command, CoverageOptions& options) {
       ->check(CLI::Range(0, 100));
   command.add_option("--knowledge", options.knowledge, "folder to use instead of engine/knowledge");
   command.add_option("-j,--jobs", options.jobs, "how many files at a time")->check(CLI::Range(1, 256));
+  add_shard_options(command, options.shards, "PATH", "counting");
   command.footer(
       "Of a condition both outcomes count: that it held (its transition could have fired) and that it did not.\n"
       "Exit status: 0 done, 1 less than --at-least, 2 a file cannot be used.\n"
       "Examples: continua coverage traces -j 4\n"
-      "          continua coverage runs/*.run.jsonl --never");
+      "          continua coverage runs/*.run.jsonl --never\n"
+      "          continua coverage traces --shard 1/2 --report 1.json\n"
+      "          continua coverage --merge 1.json 2.json");
+  command.callback([&options] { expect_items(options.paths, options.shards, "PATH"); });
 }
 
 }  // namespace continua

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "continua/replay/commands/command.h"
+#include "continua/replay/commands/shard_option.h"
 
 namespace continua {
 
@@ -14,7 +15,8 @@ struct CoverageOptions {
   int jobs = 1;
   bool json = false;
   bool never = false;  ///< tell all that was never reached, not the first few
-  int at_least = 0;    ///< per cent of a machine's own parts that must be reached
+  int at_least = 0;    ///< per cent of a machine's own parts that must be reached; a shard alone is not asked
+  ShardOptions shards;
 };
 
 /// Writes the coverage to standard output. Traces are replayed in the kinematic world, in memory. In a folder, a log

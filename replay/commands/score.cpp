@@ -17,6 +17,7 @@
 #include "continua/core/replaced_file.h"
 #include "continua/replay/commands/set_option.h"
 #include "continua/replay/log/run_log_file.h"
+#include "continua/replay/score/score_part.h"
 #include "continua/replay/score/score_report.h"
 #include "continua/replay/session/shelf.h"
 #include "continua/replay/terminal/progress.h"
@@ -62,22 +63,24 @@ class Scoring {
     progress_.clear();
   }
 
-  /// Of the traces that can be used; reports the others.
-  std::vector<TraceScore> usable(bool& all) {
-    std::vector<TraceScore> scores;
-    for (auto& one : scores_) {
-      if (one->ok())
-        scores.push_back(std::move(**one));
-      else
-        report(one->error());
-      all = all && one->ok();
+  /// The shard's traces; reports those that cannot be used.
+  ShardReport report() const {
+    ShardReport all{"score", options_.shards.shard, scores_.size(), exit_done, {}};
+    for (const auto& one : scores_) {
+      if (!one) continue;
+      all.told.push_back(
+          text_of_part(name_of(options_.replay.variant), one->ok() ? std::optional(**one) : std::nullopt));
+      if (one->ok()) continue;
+      continua::report(one->error());
+      all.status = exit_impossible;
     }
-    return scores;
+    return all;
   }
 
  private:
   void work() {
     for (std::size_t i = next_++; i < runs_.size(); i = next_++) {
+      if (!options_.shards.shard.has(i)) continue;
       auto score = score_of(i);
       const std::lock_guard lock(mutex_);
       scores_[i] = std::move(score);
@@ -140,26 +143,39 @@ class Scoring {
   std::atomic<std::size_t> next_ = 0;
 };
 
-}  // namespace
-
-int run_score(const ScoreOptions& options) {
-  auto runs = runs_of(options);
-  if (!runs) return report(runs.error()), exit_impossible;
-  Scoring scoring(options, std::move(*runs));
-  scoring.run();
-  bool usable = true;
-  const ScoreReport score{name_of(options.replay.variant), scoring.usable(usable)};
-  if (score.traces.empty() && !options.json) return exit_impossible;
+// What is told of the parts.
+int tell(const std::vector<std::string>& parts, const ScoreOptions& options, int status) {
+  ScoreReport score;
+  for (const auto& part : parts)
+    if (const auto problem = add_part(score, part)) return report(*problem), exit_impossible;
+  if (score.traces.empty() && !options.json) return status;
   const auto text = options.json       ? score_json(score).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                     : options.markdown ? score_markdown(score)
                                        : score_text(score, options.all_misses);
   if (const auto problem = write_file("-", text)) return report(*problem), exit_impossible;
-  return usable ? exit_done : exit_impossible;
+  return status;
+}
+
+}  // namespace
+
+int run_score(const ScoreOptions& options) {
+  if (!options.shards.merge.empty()) {
+    const auto merged = merge_shards("score", options.shards.merge);
+    if (!merged) return report(merged.error()), exit_impossible;
+    return tell(merged->told, options, merged->status);
+  }
+  auto runs = runs_of(options);
+  if (!runs) return report(runs.error()), exit_impossible;
+  Scoring scoring(options, std::move(*runs));
+  scoring.run();
+  auto made = scoring.report();
+  made.status = tell(made.told, options, made.status);
+  return keep_report(options.shards, made);
 }
 
 void describe_score(CLI::App& command, ScoreOptions& options) {
   options.replay.physics = false;
-  command.add_option("TRACE", options.traces, "traces (.jsonl, .jsonl.gz) with `observed` events")->required();
+  command.add_option("TRACE", options.traces, "traces (.jsonl, .jsonl.gz) with `observed` events");
   auto variant = std::make_shared<std::string>();
   command
       .add_option("--variant", *variant,
@@ -187,13 +203,19 @@ void describe_score(CLI::App& command, ScoreOptions& options) {
   command.add_option("--knowledge", options.replay.knowledge,
                      "folder of machines, lexicon, voxemes; otherwise the program's");
   command.add_option("-j,--jobs", options.jobs, "how many traces at a time")->check(CLI::Range(1, 256));
+  add_shard_options(command, options.shards, "TRACE", "scoring");
   command.footer(
       "Traces are replayed in the kinematic world. replay/score/SCORE.md says what is counted.\n"
       "Exit status: 0 done, 2 a trace cannot be used (the others are scored all the same).\n"
       "Examples: continua score traces/pilot/*.jsonl -j 2\n"
       "          continua score session.trace.jsonl -o runs --misses\n"
-      "          continua score traces/pilot/*.jsonl --variant teacher --json");
-  command.callback([&options, variant] { options.replay.variant = parse_variant(*variant).value_or(Variant::free); });
+      "          continua score traces/pilot/*.jsonl --variant teacher --json\n"
+      "          continua score traces/pilot/*.jsonl --shard 1/2 --report 1.json\n"
+      "          continua score --merge 1.json 2.json");
+  command.callback([&options, variant] {
+    expect_items(options.traces, options.shards, "TRACE");
+    options.replay.variant = parse_variant(*variant).value_or(Variant::free);
+  });
 }
 
 }  // namespace continua

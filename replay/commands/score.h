@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "continua/replay/commands/command.h"
+#include "continua/replay/commands/shard_option.h"
 #include "continua/replay/session/session.h"
 
 namespace continua {
@@ -17,7 +18,8 @@ struct ScoreOptions {
   int jobs = 1;
   bool json = false, markdown = false;
   bool all_misses = false;  ///< tell all, not the first few of each trace
-  ReplayOptions replay;     ///< REQUIRES physics == false
+  ShardOptions shards;
+  ReplayOptions replay;  ///< REQUIRES physics == false
 };
 
 /// Writes the score to standard output. exit_impossible if a trace cannot be used; the others are scored all the same.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "continua/replay/commands/command.h"
+#include "continua/replay/commands/shard_option.h"
 
 namespace continua {
 
@@ -12,6 +13,7 @@ struct TableOptions {
   std::vector<std::string> runs;  ///< run logs, and folders of them
   std::string output;             ///< a folder
   std::vector<std::string> kinds;
+  ShardOptions shards;  ///< a shard writes into a folder of its own below `output`, which --merge reads
 };
 
 int run_table(const TableOptions& options);

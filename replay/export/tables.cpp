@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 
 #include <fmt/format.h>
@@ -62,7 +63,7 @@ struct TableWriter::Table {
   std::string kind;
   std::vector<TableColumn> columns;
   std::unique_ptr<ReplacedFile> csv, lines;
-  std::size_t rows = 0;
+  std::size_t rows = 0, bytes = 0, bytes_before = 0;  // before: the latest run
 
   Table(const std::string& of, const std::string& folder) : kind(of), columns(table_columns(of)) {
     csv = std::make_unique<ReplacedFile>(folder + "/" + kind + ".csv");
@@ -74,14 +75,17 @@ struct TableWriter::Table {
 
   void add(const std::string& run, const Json& record) {
     Json row = {{"run", run}};
-    write_cell(run, csv->stream());
-    for (const auto& column : columns) {
-      const auto& value = value_at(record, column.path);
-      row[column.name] = value;
-      write_value(value, csv->stream() << ',');
-    }
+    for (const auto& column : columns) row[column.name] = value_at(record, column.path);
+    add(row);
+  }
+
+  void add(const Json& row) {
+    write_value(row["run"], csv->stream());
+    for (const auto& column : columns) write_value(member_of(row, column.name.c_str()), csv->stream() << ',');
     csv->stream() << '\n';
-    lines->stream() << compact(row) << '\n';
+    const auto line = compact(row);
+    lines->stream() << line << '\n';
+    bytes += line.size() + 1;
     ++rows;
   }
 
@@ -106,6 +110,7 @@ TableWriter::TableWriter(const std::string& folder, const std::vector<std::strin
 TableWriter::~TableWriter() = default;
 
 Outcome TableWriter::add(const RunIndex& run, const std::string& name) {
+  for (auto& table : tables_) table.bytes_before = table.bytes;
   const auto add = [&](const Json& record) {
     const auto kind = text_of(record, "kind");
     const auto table =
@@ -116,6 +121,35 @@ Outcome TableWriter::add(const RunIndex& run, const std::string& name) {
   if (!header) return header.error();
   add(*header);
   return each_record(run, add);
+}
+
+Json TableWriter::latest_part() const {
+  Json rows = Json::object();
+  for (const auto& table : tables_)
+    if (table.bytes > table.bytes_before) rows[table.kind] = {table.bytes_before, table.bytes - table.bytes_before};
+  return {{"folder", folder_}, {"rows", std::move(rows)}};
+}
+
+Outcome TableWriter::add_part(const Json& part) {
+  for (auto& table : tables_) {
+    const auto& place = member_of(member_of(part, "rows"), table.kind.c_str());
+    if (place.is_null()) continue;
+    const auto path = fmt::format("{}/{}.jsonl", text_of(part, "folder"), table.kind);
+    std::ifstream file(path, std::ios::binary);
+    std::string text(place.at(1).get<std::size_t>(), '\0');
+    file.seekg(place.at(0).get<std::streamoff>());
+    if (!file.read(text.data(), static_cast<std::streamsize>(text.size())) || !text.ends_with('\n'))
+      return Error{path, "has not the rows that its report tells"};
+    for (std::size_t begin = 0; begin < text.size();) {
+      const auto end = text.find('\n', begin);
+      const auto row = parse_json_line(std::string_view(text).substr(begin, end - begin), path, table.rows + 1);
+      if (!row) return row.error();
+      if (!row->is_object() || !row->contains("run")) return Error{path, "has not the rows that its report tells"};
+      table.add(*row);
+      begin = end + 1;
+    }
+  }
+  return std::nullopt;
 }
 
 Outcome TableWriter::commit() {

@@ -34,6 +34,13 @@ class TableWriter {
   /// Adds the records of a run. `name`: the key of its rows. Error: a record cannot be read.
   Outcome add(const RunIndex& run, const std::string& name);
 
+  /// Adds the rows of a run that another writer wrote. `part` is that one's latest_part(). Errors: its tables cannot be
+  /// read, or are others.
+  Outcome add_part(const Json& part);
+
+  /// The place of the latest run's rows: {"folder", "rows": {KIND: [first byte, bytes]}} in the tables of JSON Lines.
+  Json latest_part() const;
+
   /// Puts all tables in their places. Error: one could not be written.
   Outcome commit();
 
