@@ -23,6 +23,7 @@
 #include "continua/replay/commands/diff.h"
 #include "continua/replay/commands/doctor.h"
 #include "continua/replay/commands/explain.h"
+#include "continua/replay/commands/explore_traces.h"
 #include "continua/replay/commands/export.h"
 #include "continua/replay/commands/import.h"
 #include "continua/replay/commands/learn.h"
@@ -95,6 +96,8 @@ std::vector<Subcommand> add_all(CLI::App& program) {
       add(program, "shrink", "Find the smallest trace that still does something", describe_shrink, run_shrink),
       add(program, "vary", "Make traces as noisier recognisers would have told them", describe_vary, run_vary),
       add(program, "robust", "Tell how much noise conversations bear", describe_robust, run_robust),
+      add(program, "explore-traces", "Look for conversations that go wrong", describe_explore_traces,
+          run_explore_traces),
       add(program, "accept", "Tell which words a machine accepts", describe_accept, run_accept),
       add(program, "validate",
           "Check traces, machines, phrases, lexicons, voxemes, scenes, run logs, notes and session logs",
