@@ -226,6 +226,35 @@ test('a page that is loaded again goes on with its session, after asking', async
   await at('live-summary').waitFor();
 });
 
+test('examples are said at one press, gestures made while typing, and the way of an act is shown', async () => {
+  await begin(drawing);
+  await answered(() => at('examples').locator('button').first().click(), 'Okay, go on.');
+  assert.ok(await at('examples').isHidden());
+  await at('talk').fill('half a sent');
+  await at('talk').press('Alt+1');
+  await lines('human', 'shows').first().waitFor();
+  assert.equal(await at('talk').inputValue(), 'half a sent');
+  const heading = await visitor.page.evaluate(async () => {
+    const {LiveWorld} = await import('/talk/live_world.js');
+    const world = new LiveWorld(() => {});
+    world.poses.set('cup', [0.1, 0, 0, 1, 0, 0, 0]).set('plate', [0.3, 0, 0, 1, 0, 0, 0]);
+    const way = (program) => {
+      world.act({program, status: 'started'});
+      return world.heading;
+    };
+    const ways = [way('put(cup, on(plate))'), way('put(cup, <-0.1, 0.2, 0>)'), way('lift(cup)')];
+    way('put(cup, on(plate))');
+    world.act({program: 'put(cup, on(plate))', status: 'done'});
+    return [...ways, world.heading];
+  });
+  assert.deepEqual(heading, [
+    {target: [0.3, 0, 0], from: [0.1, 0, 0]},
+    {target: [-0.1, 0.2, 0], from: [0.1, 0, 0]},
+    null,
+    null,
+  ]);
+});
+
 test('a name that cannot be is refused with the reason and one that can', async () => {
   await begin(flat);
   await answered(() => type('The plate.'), 'Okay, go on.');

@@ -12,7 +12,8 @@ import {showTags} from '../scene3d/tags.js';
 
 const words_every_ms = 250; // a pace at which they can be read, or heard
 const cameras = {
-  default: {text: 'All', title: 'the whole scene, or in a low picture the table, from the human’s side'},
+  default: {text: 'All', title: 'the whole scene, from the human’s side'},
+  table: {text: 'Table', title: 'what stands on the table, from the human’s side'},
   human: {text: 'Human', title: 'as the human sees it'},
   avatar: {text: 'Avatar', title: 'as the avatar sees it'},
   above: {text: 'Above', title: 'from above'},

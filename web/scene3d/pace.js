@@ -1,7 +1,7 @@
 // The pace of drawing where WebGL runs without a graphics card: a moving picture is drawn coarsely and not with every
 // frame, and sharp at rest.
 
-const slow_every_ms = 40;
+const slow_every_ms = 100; // a page that is scrubbed has the time between for itself
 const sharp_after_ms = 250;
 
 export class Pace {

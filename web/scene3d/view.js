@@ -7,8 +7,7 @@ import {Overlays} from './overlays.js';
 
 const degree = Math.PI / 180;
 const most_pixels_ratio = 2;
-const low_picture = 1.8; // width to height
-const room_above_m = 0.12; // the objects, in a low picture
+const room_above_m = 0.12; // the objects on the table
 // As MuJoCo lights a scene: three divides diffuse light by π.
 const ambient = 0.45 * Math.PI;
 const headlight = 0.35 * Math.PI;
@@ -153,11 +152,10 @@ export class SceneView {
         ]
       : [0, 0.4, top];
     const stood_on = there.length ? [...there, ...this.#table(there)] : all;
-    // In a low picture the avatar's height would make all the rest small.
-    const low =
-      there.length && aspect > low_picture ? [...stood_on, ...there.map(([x, y, z]) => [x, y, z + room_above_m])] : all;
+    const table = there.length ? [...stood_on, ...there.map(([x, y, z]) => [x, y, z + room_above_m])] : all;
     return {
-      default: fit(sides.front, low, aspect),
+      default: fit(sides.front, all, aspect),
+      table: fit(sides.front, table, aspect),
       human: viewFrom([0, -0.95, 0.62], [0, 0.1, 0.15], 52 * degree),
       avatar: viewFrom(eye, [0, -0.1, 0], 75 * degree),
       above: fit(sides.above, stood_on, aspect),

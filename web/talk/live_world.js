@@ -13,6 +13,7 @@ export class LiveWorld {
   clicks = []; // {target}: clicks for the words being typed
   cross = null; // [x, y]: of the keyboard
   understood = []; // [x, y]
+  heading = null; // {target, from}: where the avatar takes a thing, [x, y, z], and where the thing was when it began
   #times = []; // of the trail
   #changed;
   #timers = new Set();
@@ -35,6 +36,22 @@ export class LiveWorld {
   moved(bodies) {
     for (const [name, pose] of Object.entries(bodies ?? {})) if (isPose(pose)) this.poses.set(name, pose);
     this.set({});
+  }
+
+  /** An act has the status: while it goes on, its way is shown. */
+  act({program, status, step}) {
+    if (step !== undefined) return;
+    if (status === 'started') this.set({heading: this.#way(program)});
+    else if (status !== 'asked') this.set({heading: null});
+  }
+  // From the thing to a point, or onto another thing; null for programs that take nothing anywhere.
+  #way(program) {
+    const [, thing, place] = /^\w+\((\w+), (.+)\)$/.exec(program ?? '') ?? [];
+    const from = this.poses.get(thing)?.slice(0, 3);
+    const point = /^<([^<>]+)>$/.exec(place ?? '')?.[1].split(',').map(Number);
+    const other = this.poses.get(/^\w+\((\w+)\)$/.exec(place ?? '')?.[1]);
+    const target = point?.length === 3 && point.every(Number.isFinite) ? point : other?.slice(0, 3);
+    return from && target ? {target, from} : null;
   }
 
   /** Where the human points now, or null. */

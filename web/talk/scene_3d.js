@@ -7,7 +7,7 @@ import {Stage} from '../scene3d/stage.js';
 import {showTags} from '../scene3d/tags.js';
 import {targetOf} from './table.js';
 
-const cameras = {table: {text: 'Table'}, default: {text: 'All'}, above: {text: 'Above'}};
+const cameras = {default: {text: 'All'}, table: {text: 'Table'}, above: {text: 'Above'}};
 const room_above_m = 0.22; // above the table, for a carried object
 const tag_above_m = 0.02;
 
@@ -64,7 +64,7 @@ class Scene3d {
   }
 
   #before(view) {
-    const {version, poses, pointer, trail, cross, clicks, understood} = this.#world;
+    const {version, poses, pointer, trail, cross, clicks, understood, heading} = this.#world;
     if (!view || this.#drawn === version) return false;
     this.#drawn = version;
     view.pose(poses);
@@ -75,7 +75,7 @@ class Scene3d {
       ...clicks.map(({target}) => disc(target)),
     ];
     const places = understood.map(([x, y]) => ({target: [x, y, this.#heightAt(x, y)], from: null}));
-    view.overlay(pointing, places, this.#heightAt);
+    view.overlay(pointing, heading ? [...places, heading] : places, this.#heightAt);
     return true;
   }
   // The clicks' numbers.

@@ -19,6 +19,7 @@ import {Voice} from './voice.js';
 const page_keys = [
   [[], 'Enter /', 'talk'],
   [[], 'Esc', 'leave the text'],
+  [[], 'Alt+1 Alt+9', 'in the text: the gestures with these digits'],
   [[], '↑ ↓', 'in the text: what was said earlier'],
   [[], 'Space', 'pause, go on'],
   [[], '← → ↑ ↓', 'on the scene: move the cross by 1 cm (Shift: 5 cm)'],
@@ -157,6 +158,7 @@ class SessionPage {
     if (kind === 'run') this.#begin(record.scene);
     else if (kind === 'pose') this.#world.moved(record.bodies);
     else if (kind === 'transition') this.#show({state: record.to});
+    else if (kind === 'act') this.#world.act(record);
     else if (kind === 'percept')
       for (const {deixis} of record.bound ?? []) if (deixis?.place) this.#world.flash(deixis.place);
     if (kind === 'input' && event?.target && !this.#client.recording) this.#world.watch(event.target);
@@ -183,7 +185,7 @@ class SessionPage {
       },
     });
     this.#scene.replaceChildren(this.place.element);
-    if (this.#working) this.#beginTalk(known.example);
+    if (this.#working) this.#beginTalk(known.examples);
     else if (this.#now.live) {
       const sentence = 'You are watching; somebody else records.';
       this.#below.replaceChildren(h('p', {class: 'watch', 'data-testid': 'live-watching'}, sentence));
@@ -191,9 +193,10 @@ class SessionPage {
     this.#show();
     this.#begun(await this.place.open());
   }
-  #beginTalk(example) {
+  #beginTalk(examples) {
     this.#talk = mountTalkBox({
-      example,
+      examples,
+      gesture: (key) => this.#palette.onKey(key),
       send: (make) => this.#send(make),
       said: (sentence) => this.#say(sentence),
       clicked: (clicks) => this.#world.set({clicks}),

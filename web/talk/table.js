@@ -1,11 +1,11 @@
-// The live page's knowledge of a scene besides its poses: the table's edges, the objects on it with their sizes, and an
-// example of a sentence about them. Metres, frame W. Pure.
+// The live page's knowledge of a scene besides its poses: the table's edges, the objects on it with their sizes, and
+// examples of sentences about them. Metres, frame W. Pure.
 import {readMjcf} from '../scene3d/scene_text.js';
 
 const usual_table = {left: -0.5, right: 0.5, near: -0.3, far: 0.3};
 const round_types = ['cylinder', 'sphere', 'ellipsoid', 'capsule'];
 
-/** {table, objects: [name], titles: Map of name to what it is called, outlines: Map of name to that of outlineOf(), hand: body or null, example} */
+/** {table, objects: [name], titles: Map of name to what it is called, outlines: Map of name to that of outlineOf(), hand: body or null, examples} */
 export function readTable(scene) {
   const geoms = Array.isArray(scene?.geoms) ? scene.geoms : [];
   const {objects, grip} = readMjcf(
@@ -20,8 +20,15 @@ export function readTable(scene) {
     hand: grip?.body ?? null,
     table: tableOf(ofBody('table'), scene?.bodies?.table),
     outlines: new Map(objects.map((name) => [name, outlineOf(ofBody(name))])),
-    example: titles.size ? `The ${[...titles.values()][0]}.` : '',
+    examples: examplesOf([...titles.values()]),
   };
+}
+
+// Sentences about the first things of the scene.
+function examplesOf([one, other]) {
+  if (!one) return [];
+  const about_two = other ? [`Put the ${one} next to the ${other}.`] : [];
+  return [`The ${one}.`, `Lift the ${one}.`, ...about_two, `Where is the ${one}?`];
 }
 
 function tableOf(geoms, pose = [0, 0, 0]) {

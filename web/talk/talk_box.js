@@ -11,9 +11,10 @@ class TalkBox {
   #clicked;
   #input;
   #microphone;
+  #examples = h('div', {class: 'examples', role: 'group', 'aria-label': 'Things to say', 'data-testid': 'examples'});
   #chips = h('ul', {class: 'click-chips', 'aria-label': 'Clicks that go with the words', hidden: true});
 
-  constructor({example, send, clicked, said}) {
+  constructor({examples, send, clicked, said, gesture}) {
     this.#send = send;
     this.#clicked = clicked;
     this.#input = h('input', {
@@ -23,14 +24,18 @@ class TalkBox {
       autocomplete: 'off',
       enterkeyhint: 'send',
       'data-testid': 'talk',
-      placeholder: example ? `Say something, e.g. “${example}”` : 'Say something',
+      placeholder: examples.length ? `Say something, e.g. “${examples[0]}”` : 'Say something',
       oninput: () => this.#typed(),
-      onkeydown: (event) => this.#onKey(event),
+      onkeydown: (event) => {
+        if (event.altKey && gesture(event.key)) event.preventDefault();
+        else this.#onKey(event);
+      },
     });
+    this.#examples.append(...examples.map((text) => this.#example(text)));
     this.#microphone = mountMicrophone({heard: (event) => send(() => [event]), said});
     const say = h('button', {class: 'primary', 'data-testid': 'say'}, 'Say');
     const line = h('div', {class: 'talk-line'}, this.#input, this.#microphone?.element ?? null, say);
-    this.element = h('form', {class: 'talk-box'}, line, this.#chips);
+    this.element = h('form', {class: 'talk-box'}, this.#examples, line, this.#chips);
     this.element.addEventListener('submit', (event) => {
       event.preventDefault();
       this.#speak();
@@ -47,6 +52,16 @@ class TalkBox {
     this.#chips.hidden = !clicks.length;
     this.#chips.replaceChildren(...clicks.map((click, i) => this.#chip(click, i + 1)));
   }
+  // Says it at one press. The examples go with the first words that are said.
+  #example(text) {
+    const say = () => {
+      this.#input.value = text;
+      this.#typed();
+      this.#speak();
+      this.focus();
+    };
+    return h('button', {type: 'button', onclick: say}, text);
+  }
   #chip(click, number) {
     const remove = h('button', {type: 'button', 'aria-label': `Take click ${number} away`}, '×');
     remove.addEventListener('click', () => {
@@ -61,6 +76,7 @@ class TalkBox {
     const text = this.#input.value.trim();
     const make = this.#draft.take();
     if (!make) return;
+    this.#examples.hidden = true;
     this.#earlier.push(text);
     this.#place = this.#earlier.length;
     this.#input.value = '';
@@ -94,5 +110,8 @@ class TalkBox {
   }
 }
 
-/** `send(make)`: as of SessionClient; `clicked(clicks)`: the clicks that are kept; `said(sentence)`: for the reader. */
+/**
+ * `examples`: sentences to begin with; `send(make)`: as of SessionClient; `clicked(clicks)`: the clicks that are kept; `said(sentence)`: for the
+ * reader; `gesture(key)`: shows the gesture of a key that is pressed with Alt, and whether there is one.
+ */
 export const mountTalkBox = (needs) => new TalkBox(needs);
