@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "continua/replay/explain/explain_text.h"
+#include "continua/replay/explain/run_account.h"
 
 namespace continua {
 namespace {
@@ -38,6 +39,12 @@ int run_explain(const ExplainOptions& options) {
   auto text = options.json   ? explained->dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
               : options.tree ? printable(explain_tree(*explained, text_options(options.all)))
                              : printable(explain_text(*explained, text_options(options.all)));
+  const auto& [at_s, step, act, record] = options.question;
+  if (!options.json && !options.tree && !at_s && !step && !act && !record) {
+    const auto account = run_account(*run);
+    if (!account) return report(account.error()), exit_impossible;
+    text = printable(account_text(*account, text_options(options.all).width)) + "\n" + text;
+  }
   if (options.tree && text.empty()) return report({run->where(*n), "no term is behind this record"}), exit_no;
   if (const auto problem = write_file("-", text)) return report(*problem), exit_impossible;
   return exit_done;
@@ -45,8 +52,9 @@ int run_explain(const ExplainOptions& options) {
 
 void describe_explain(CLI::App& command, ExplainOptions& options) {
   command.add_option("RUN", options.run, "a run log (.run.jsonl, .run.jsonl.gz)")->required();
-  auto* asked = command.add_option_group("what is asked about",
-                                         "without any: an unmet expectation, the first question or the last act");
+  auto* asked = command.add_option_group(
+      "what is asked about",
+      "without any: the run in a few sentences, then an unmet expectation, the first question or the last act");
   asked->add_option("--at", options.question.at_s, "the last that the avatar did or refused until then, in seconds");
   asked->add_option("--step", options.question.step, "the transition of this number, and what it brought about");
   asked->add_option("--act", options.question.act, "the act of this number");

@@ -7,6 +7,7 @@
 #include "continua/replay/diff/run_diff.h"
 #include "continua/replay/diff/run_diff_text.h"
 #include "continua/replay/explain/explain.h"
+#include "continua/replay/explain/run_account.h"
 #include "continua/replay/inspector/run_columns.h"
 #include "continua/replay/inspector/run_find.h"
 #include "continua/replay/inspector/run_labels.h"
@@ -216,6 +217,10 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
     if (cell == query.end()) return answer(explain(log, *n));
     const auto told = explain_cell(log, *n, cell->second);
     return told ? answer(*told) : api_error(404, told.error().sentence);
+  }
+  if (view == "account") {
+    const auto account = run_account(log);
+    return account ? answer(*account) : api_error(422, account.error().text());
   }
   if (view == "labels") return labels(log, query);
   if (view == "find") return find(log, query);

@@ -26,7 +26,7 @@ class Answers {
       return Error{run_.path(), "cannot be shown: its header or its columns cannot be worked out"};
     add("run", summary.body);
     add("schema", compact(log::schema_json()));
-    for (const char* name : {"graph", "scene", "notes"}) view(name, name);
+    for (const char* name : {"graph", "scene", "notes", "account"}) view(name, name);
     add("columns", compact(Json(base64(columns.body))));
     add_poses();
     add_labels();

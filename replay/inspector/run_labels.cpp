@@ -6,25 +6,26 @@
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_text.h"
+#include "continua/replay/log/run_words.h"
 #include "continua/replay/log/schema.h"
 
 namespace continua {
 namespace {
 
-std::string event_text(std::string_view event) {
+std::string event_text(const RunWords& words, std::string_view event) {
   const auto kind = text_in(member_in(event, "kind"));
   if (kind == "speech") return text_in(member_in(event, "text"));
   if (kind != "gesture") return {};
-  const auto name = text_in(member_in(event, "name")), direction = text_in(member_in(event, "direction"));
-  return direction.empty() ? name : name + " " + direction;
+  return words.gesture(text_in(member_in(event, "name")), text_in(member_in(event, "direction")));
 }
 
-std::string shown_text(const std::string& kind, std::string_view line) {
-  if (log::is<log::Input>(kind)) return event_text(member_in(line, log::name_of(&log::Input::event)));
+// Something said, shown, done or observed, as people say it.
+std::string shown_text(const RunWords& words, const std::string& kind, std::string_view line) {
+  if (log::is<log::Input>(kind)) return event_text(words, member_in(line, log::name_of(&log::Input::event)));
   const auto text_of_member = [&](auto member) { return text_in(member_in(line, log::name_of(member))); };
   if (log::is<log::Utterance>(kind)) return text_of_member(&log::Utterance::text);
-  if (log::is<log::AvatarGesture>(kind)) return text_of_member(&log::AvatarGesture::gesture);
-  if (log::is<log::Act>(kind)) return text_of_member(&log::Act::program);
+  if (log::is<log::AvatarGesture>(kind)) return words.term(text_of_member(&log::AvatarGesture::gesture));
+  if (log::is<log::Act>(kind)) return words.term(text_of_member(&log::Act::program));
   if (log::is<log::Observed>(kind)) return text_of_member(&log::Observed::content);
   return {};
 }
@@ -51,6 +52,7 @@ std::string label_of(const std::string& kind, std::string_view line) {
 }
 
 Result<Json> run_labels(const RunIndex& run, const std::vector<std::size_t>& numbers) {
+  const RunWords words(run);
   Json labels = Json::object();
   auto next = numbers.begin();
   const auto problem = run.read_lines(
@@ -59,7 +61,7 @@ Result<Json> run_labels(const RunIndex& run, const std::vector<std::size_t>& num
         return next != numbers.end() && *next == n;
       },
       [&](std::size_t n, std::string_view line) {
-        labels[std::to_string(n)] = Json{label_of(run.kind(n), line), shown_text(run.kind(n), line)};
+        labels[std::to_string(n)] = Json{label_of(run.kind(n), line), shown_text(words, run.kind(n), line)};
         return true;
       });
   if (problem) return *problem;

@@ -16,7 +16,7 @@ namespace continua {
 std::string label_of(const std::string& kind, std::string_view line);
 
 /// {"labels": {"N": [LABEL, TEXT], …}} of these records: the label, and the text for a lane or a bubble of the
-/// dialogue: the words, the gesture's name and direction, the act's program, the observed content; else "".
+/// dialogue: the words; the gesture, the act's program in words (run_words.h); the observed content; else "".
 /// REQUIRES that the numbers are in order and below run.size().
 Result<Json> run_labels(const RunIndex& run, const std::vector<std::size_t>& numbers);
 

@@ -8,22 +8,11 @@
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_sources.h"
+#include "continua/replay/log/run_words.h"
 #include "continua/replay/scene/run_pointing.h"
 
 namespace continua {
 namespace {
-
-/// The term without the numbers of its places, which are drawn.
-std::string without_places(const std::string& term) {
-  std::string text;
-  for (std::size_t from = 0; from < term.size();) {
-    const auto open = std::min(term.find('<', from), term.size()), close = term.find('>', open);
-    text += term.substr(from, open - from);
-    if (open < term.size()) text += "…";
-    from = close == std::string::npos ? term.size() : close + 1;
-  }
-  return text;
-}
 
 Vec3 vec_of(const Point& point) { return {point[0], point[1], point[2]}; }
 
@@ -39,7 +28,7 @@ StoryPointing story_of(const RunPointing& read) {
 class StoryReader {
  public:
   StoryReader(const RunIndex& run, std::set<std::string> bodies)
-      : run_(run), sources_(run), pointings_(std::move(bodies)) {}
+      : run_(run), words_(run), sources_(run), pointings_(std::move(bodies)) {}
 
   Outcome read() {
     for (std::size_t n = 0; n < run_.size(); ++n) {
@@ -94,19 +83,17 @@ class StoryReader {
     } else if (kind == "gesture" && text_of(event, "phase") != "stop") {
       auto name = text_of(event, "name");
       if (name.empty()) name = text_of(first, "name");
-      const auto direction = text_of(event, "direction");
-      std::replace(name.begin(), name.end(), '_', ' ');
-      line(n, {Speaker::human, fmt::format("[{}{}{}]", name, direction.empty() ? "" : " ", direction), t, until, true});
+      line(n, {Speaker::human, "[" + words_.gesture(name, text_of(event, "direction")) + "]", t, until, true});
     }
   }
 
   void avatar_gesture(std::size_t n, SimTime t, const std::string& term) {
-    story_.lines.push_back({Speaker::avatar, "[" + without_places(term) + "]", t, t, true});
+    story_.lines.push_back({Speaker::avatar, "[" + words_.term(term) + "]", t, t, true});
     pointings_.avatar_gesture(n, t, term);
   }
 
   void act(SimTime t, const Json& record) {
-    const auto status = text_of(record, "status"), program = text_of(record, "program");
+    const auto status = text_of(record, "status"), program = words_.term(text_of(record, "program"));
     const bool step = record.contains("step");
     const bool begins = status == "started", ends = !begins && status != "asked";
     const auto& result = member_of(record, "result");
@@ -122,6 +109,7 @@ class StoryReader {
   }
 
   const RunIndex& run_;
+  const RunWords words_;
   RunSources sources_;
   RunStory story_;
   PointingReader pointings_;

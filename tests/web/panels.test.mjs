@@ -126,7 +126,7 @@ test('what the eyes dwell on has a lane, and is why that thing is asked about fi
 test('words that are not final are shown as such, and led to a look alone', async () => {
   const look = numberOf('mechanisms/interim_speech', ({kind}) => kind === 'gesture');
   await visitor.visit(`/r/interim_speech?n=${look}`);
-  await says('dialogue', /“lift the plate …”[\s\S]*look_at\(plate\)[\s\S]*“Lift the knife\.”/);
+  await says('dialogue', /“lift the plate …”[\s\S]*looks at the white plate[\s\S]*“Lift the knife\.”/);
   assert.deepEqual((await laneNamed('human says')).slice(-2), ['lift the plate …', 'Lift the knife.']);
   await says('why', /not final/);
 });

@@ -250,8 +250,8 @@ TEST_CASE("labels are what brief() says and what a lane shows") {
   const auto labels = (*run_labels(index_of(small_log().text()), {2, 6, 10, 14}))["labels"];
   CHECK(labels["2"][1] == "Put it there.");
   CHECK(labels["6"][1] == "Which block?");
-  CHECK(labels["10"][1] == "point");
-  CHECK(labels["14"][1] == "put(block2, on(block1))");
+  CHECK(labels["10"][1] == "points");
+  CHECK(labels["14"][1] == "puts block2 on block1");
 }
 
 TEST_CASE("words are found wherever the labels tell of them") {

@@ -99,11 +99,11 @@ TEST_CASE("key moments are what something came of, answers, and the ends of acts
       {"an act that ends, and how; its beginning is none",
        act(1, "put(cup, on(plate))", "asked") + act(1, "put(cup, on(plate))", "started") +
            act(4, "put(cup, on(plate))", "missed", R"(,"result":{"reason":"it slid off"})"),
-       "4.0 Act: put(cup, on(plate)): missed, it slid off\n"},
+       "4.0 Act: puts cup on plate: missed, it slid off\n"},
       {"the end of a step is one where it stands alone",
        act(2, "grasp(cup)", "done", R"(,"step":1,"result":{})") + act(4, "ungrasp(cup)", "done", R"(,"step":3)") +
            act(4, "put(cup, x)", "done"),
-       "2.0 Act: grasp(cup): done\n4.0 Act: put(cup, x): done\n"},
+       "2.0 Act: takes cup: done\n4.0 Act: puts cup x: done\n"},
       {"a step that needed no doing is none",
        act(2, "grasp(cup)", "done", R"(,"step":1,"result":{"reason":"held already"})"), "9.0\n"},
       {"nothing happened: the end", "", "9.0\n"},
@@ -118,9 +118,9 @@ TEST_CASE("of too many moments the weightier stay, and of equal ones those that 
   const auto story = story_of(act(1, "grasp(cup)", "done", ",\"step\":1") + answer(10, "a", "") + answer(11, "b", "") +
                               answer(15, "c", "") + act(20, "put(cup, x)", "blocked") + answer(21, "d", "") + end(60));
   CHECK(text_of(key_moments(story, 5)) ==
-        "10.0 Avatar: a\n11.0 Avatar: b\n15.0 Avatar: c\n20.0 Act: put(cup, x): blocked\n21.0 Avatar: d\n");
-  CHECK(text_of(key_moments(story, 3)) == "11.0 Avatar: b\n15.0 Avatar: c\n20.0 Act: put(cup, x): blocked\n");
-  CHECK(text_of(key_moments(story, 1)) == "20.0 Act: put(cup, x): blocked\n");
+        "10.0 Avatar: a\n11.0 Avatar: b\n15.0 Avatar: c\n20.0 Act: puts cup x: blocked\n21.0 Avatar: d\n");
+  CHECK(text_of(key_moments(story, 3)) == "11.0 Avatar: b\n15.0 Avatar: c\n20.0 Act: puts cup x: blocked\n");
+  CHECK(text_of(key_moments(story, 1)) == "20.0 Act: puts cup x: blocked\n");
   CHECK(key_moments(story, 0).size() == 1);
 }
 

@@ -1,0 +1,151 @@
+#include "continua/replay/log/run_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "continua/replay/log/line_scan.h"
+#include "continua/replay/log/run_text.h"
+
+namespace continua {
+namespace {
+
+// The value of `key="…"` or `key=…` in a tag.
+std::string attribute(std::string_view tag, std::string_view key) {
+  for (auto at = tag.find(key); at != tag.npos; at = tag.find(key, at + 1)) {
+    const auto end = at + key.size();
+    if (end + 1 >= tag.size() || tag[end] != '=' || (at > 0 && tag[at - 1] != ' ' && tag[at - 1] != '"')) continue;
+    const bool quoted = tag[end + 1] == '"';
+    const auto from = end + (quoted ? 2 : 1);
+    return std::string(tag.substr(from, tag.find_first_of(quoted ? "\"" : " \"/", from) - from));
+  }
+  return {};
+}
+
+struct Applied {
+  std::string_view name;
+  std::vector<std::string_view> arguments;
+};
+
+std::string_view trimmed(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return text;
+}
+
+// A name with its arguments, or alone; nothing for other terms.
+std::optional<Applied> applied(std::string_view term) {
+  const auto is_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  const auto end = static_cast<std::size_t>(std::find_if_not(term.begin(), term.end(), is_name) - term.begin());
+  if (end == 0) return std::nullopt;
+  Applied found{term.substr(0, end), {}};
+  if (end == term.size()) return found;
+  if (term[end] != '(' || term.back() != ')') return std::nullopt;
+  int depth = 0;
+  auto from = end + 1;
+  for (auto at = from; at + 1 < term.size(); ++at) {
+    if (term[at] == '(' || term[at] == '<') ++depth;
+    if (term[at] == ')' || term[at] == '>') --depth;
+    if (depth < 0) return std::nullopt;
+    if (term[at] != ',' || depth != 0) continue;
+    found.arguments.push_back(trimmed(term.substr(from, at - from)));
+    from = at + 1;
+  }
+  found.arguments.push_back(trimmed(term.substr(from, term.size() - 1 - from)));
+  return found;
+}
+
+std::string mjcf_of(const RunIndex& run) {
+  const auto header = run.line(0);
+  return header ? text_in(member_in(member_in(*header, "scene"), "mjcf")) : std::string();
+}
+
+}  // namespace
+
+RunWords::RunWords(const RunIndex& run) : RunWords(std::string_view(mjcf_of(run))) {}
+
+RunWords::RunWords(std::string_view mjcf) : table_(Json::parse(words_table())) {
+  std::map<std::string, int> times;
+  for (auto at = mjcf.find("<text "); at != mjcf.npos; at = mjcf.find("<text ", at + 1)) {
+    const auto tag = mjcf.substr(at, mjcf.find('>', at) - at);
+    const auto name = attribute(tag, "name"), type = attribute(tag, "type"), color = attribute(tag, "color");
+    if (name.empty() || type.empty()) continue;
+    const auto told = color.empty() ? "the " + type : fmt::format("the {} {}", color, type);
+    things_[name] = told;
+    ++times[told];
+  }
+  for (auto& [name, told] : things_)
+    if (times[told] > 1) told += fmt::format(" ({})", name);
+}
+
+const std::string* RunWords::word(const char* list, std::string_view name) const {
+  const auto& words = table_.at(list);
+  const auto found = words.find(std::string(name));
+  return found == words.end() ? nullptr : found->get_ptr<const std::string*>();
+}
+
+std::string RunWords::thing(std::string_view name) const {
+  const auto found = things_.find(name);
+  return found == things_.end() ? std::string(name) : found->second;
+}
+
+// "<-0.26, 0.05, 0>" is 26 cm left and 5 cm behind: x is to the human's right, y away from the human.
+std::string RunWords::place(std::string_view point) const {
+  double at[2] = {};
+  auto rest = point.substr(1, point.size() - 2);
+  for (auto& value : at) {
+    const auto end = std::min(rest.find(','), rest.size());
+    const auto read = number_in<double>(trimmed(rest.substr(0, end)));
+    if (!read) return std::string(point);
+    value = *read;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  const auto part = [&](double value, const char* less, const char* more) {
+    const auto cm = std::lround(100 * std::abs(value));
+    return cm == 0 ? std::string() : fmt::format(fmt::runtime(*word("table", value < 0 ? less : more)), cm);
+  };
+  const auto across = part(at[0], "left", "right"), along = part(at[1], "near", "far");
+  if (across.empty() && along.empty()) return *word("table", "middle");
+  return across + (across.empty() || along.empty() ? "" : *word("table", "and")) + along + *word("table", "of");
+}
+
+// `about`: the thing that the program around the term is about, or empty.
+std::string RunWords::told(std::string_view term, std::string_view about) const {
+  term = trimmed(term);
+  if (term.starts_with('<') && term.ends_with('>')) return place(term);
+  const auto found = applied(term);
+  if (!found) return std::string(term);
+  if (found->arguments.empty()) {
+    for (const char* list : {"names", "programs"})
+      if (const auto* name = word(list, found->name)) return *name;
+    return thing(found->name);
+  }
+  const auto* itself = found->arguments.front() == about && !about.empty() ? word("itself", found->name) : nullptr;
+  if (itself) return *itself;
+  const auto* form = word("programs", found->name);
+  if (!form) return std::string(term);
+  auto text = *form;
+  for (std::size_t i = 0; i < found->arguments.size(); ++i) {
+    const auto mark = fmt::format("{{{}}}", i);
+    if (const auto at = text.find(mark); at != text.npos)
+      text.replace(at, mark.size(), told(found->arguments[i], i == 0 ? "" : found->arguments.front()));
+  }
+  // A part that the program lacks.
+  for (auto at = text.find(" {"); at != text.npos; at = text.find(" {")) text.erase(at, text.find('}', at) + 1 - at);
+  return text;
+}
+
+std::string RunWords::term(std::string_view term) const { return told(term, {}); }
+
+std::string RunWords::gesture(std::string_view name, std::string_view direction) const {
+  const auto* known = word("gestures", name);
+  auto text = known ? *known : std::string(name);
+  if (!direction.empty()) text += " " + std::string(direction);
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+}  // namespace continua

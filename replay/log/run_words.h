@@ -1,0 +1,41 @@
+// The ids, places, gestures and programs of a run in words that people use: "puts the red block on the orange block".
+// Every reader of logs that speaks to people takes them from here; words.json has the words.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "continua/core/located_json.h"
+#include "continua/replay/log/run_index.h"
+
+namespace continua {
+
+/// The text of words.json.
+std::string_view words_table();
+
+class RunWords {
+ public:
+  /// Of a run whose objects have the attributes that its scene's XML gives them.
+  explicit RunWords(const RunIndex& run);
+  explicit RunWords(std::string_view mjcf);
+
+  /// "the red block" for an object's name; of several that look the same with the name behind it. A name that the scene
+  /// does not have is shown as it is.
+  std::string thing(std::string_view name) const;
+  /// A program, a place or an avatar's gesture: "puts the red block on the orange block". A term that it does not know
+  /// is shown as it is.
+  std::string term(std::string_view term) const;
+  /// The human's gesture of this name: "yes"; `direction` as logged, or empty.
+  std::string gesture(std::string_view name, std::string_view direction) const;
+
+ private:
+  const std::string* word(const char* list, std::string_view name) const;
+  std::string place(std::string_view point) const;
+  std::string told(std::string_view term, std::string_view about) const;
+
+  Json table_;
+  std::map<std::string, std::string, std::less<>> things_;
+};
+
+}  // namespace continua
