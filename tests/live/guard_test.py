@@ -120,6 +120,56 @@ def check_other_sites(server):
             yield f"{headers!r}: no X-Frame-Options"
 
 
+def check_rebinding(server):
+    """A name that an attacker lets point to this machine is no name of it, though its page says so in every header."""
+    for host in ("evil.example", f"evil.example:{server.port}", f"localhost.evil.example:{server.port}",
+                 f"127.0.0.1.evil.example:{server.port}", f"192.168.0.1:{server.port}", "0.0.0.0", "localhost@evil.example"):
+        for request in ("GET /api/runs", "POST /api/sessions", "PUT /api/runs/x/notes", "GET /"):
+            said = said_to(server, f"{request} HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\nSec-Fetch-Site: "
+                                   "same-origin\r\nContent-Length: 0\r\nConnection: close\r\n\r\n".encode())
+            if not said.startswith(b"HTTP/1.1 403"):
+                yield f"{request} for {host}: {said[:40]!r}"
+
+
+def check_cross_site(server):
+    """A page elsewhere can send simple requests without asking: none of them counts."""
+    here = f"Host: {server.host}:{server.port}\r\n"
+    before = sessions(server)
+    for origin in ("http://evil.example", "null", f"https://{server.host}:{server.port}", f"http://{server.host}",
+                   f"http://{server.host}:{server.port}.evil.example", "file://", ""):
+        for kind in ("text/plain", "application/x-www-form-urlencoded", "application/json"):
+            said = said_to(server, f"POST /api/sessions HTTP/1.1\r\n{here}Origin: {origin}\r\nContent-Type: {kind}\r\n"
+                                   "Content-Length: 2\r\nConnection: close\r\n\r\n{}".encode())
+            if not said.startswith(b"HTTP/1.1 403") or b"Access-Control-Allow" in said:
+                yield f"a post of {origin!r} as {kind}: {said[:40]!r}"
+    if sessions(server) != before:
+        yield "a page elsewhere began a session"
+
+
+def check_traversal(server):
+    """No way of writing '..' leads out of the folder that is served."""
+    ups = ("..", "%2e%2e", "%2E.", ".%2e", "%252e%252e", "..%00", "%c0%ae%c0%ae", "%uff0e%uff0e", "....", "..;")
+    slashes = ("/", "%2f", "%5c", "\\", "%252f", "//", "%c0%af")
+    for up in ups:
+        for slash in slashes:
+            way = slash.join([up] * 12 + ["etc", "passwd"])
+            for path in (f"/{way}", f"/api/runs/{way}", f"/api/media/{way}", f"/api/runs/..{slash}{way}/notes",
+                         f"/api/sessions/{way}"):
+                said = said_to_end(server, path)
+                if b"root:" in said or not said.startswith(b"HTTP/1.1 4"):
+                    yield f"{path}: {said[:60]!r}"
+
+
+def said_to_end(server, path):
+    with connected(server) as connection:
+        connection.sendall(f"GET {path} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n".encode())
+        said = b""
+        with contextlib.suppress(OSError):
+            while part := connection.recv(65536):
+                said += part
+        return said
+
+
 def endless(head, part, mib):
     yield head
     for _ in range(mib * MIB // len(part)):
@@ -296,6 +346,7 @@ def check_two_servers(program):
 
 
 BESIDE = (check_smuggled, check_other_hosts, check_other_sites, check_memory, check_pipelined, check_ranges,
+          check_rebinding, check_cross_site, check_traversal,
           check_burst, check_slow)
 
 

@@ -249,7 +249,27 @@ def check_names_of_objects(commands):
             yield f"{command[0]}: an unknown object is told with {said[:200]!r}"
 
 
-CHECKS = (check_time_steps, check_what_if_of_strangers, check_machines, check_reports, check_empty_folders,
+def check_markup(commands):
+    """Words, gestures and names of files that are markup stay text in every exported page and picture."""
+    words, gesture, name = ("</script><img src=x onerror=alert(1)>\u2028<!--<script>&amp;]]>",
+                            "</title><svg/onload=alert(2)>", "<img src=x onerror=alert(3)>")
+    trace = commands.write(f"{name}.trace.jsonl", HEADER, SPEECH | {"text": words},
+                           {"t": 2, "kind": "gesture", "name": gesture, "phase": "stroke"})
+    run = commands.folder / f"{name}.run.jsonl"
+    yield from commands.told(0, "2 inputs", "replay", trace, "--no-physics", "-o", run)
+    for to in ("html", "svg", "eaf", "vtt", "site"):
+        commands.run("export", run, "--to", to, "-o", f"out.{to}")
+        out = commands.folder / f"out.{to}"
+        files = [path for path in out.rglob("*") if path.is_file()] if out.is_dir() else [out]
+        for path in files:
+            text = path.read_text(errors="replace")
+            if any(part in text for part in ("<img src=x", "<svg/onload", "</script><img", "<!--<script>")):
+                yield f"{path.name} has the words as markup"
+        if to in ("svg", "eaf"):
+            xml.etree.ElementTree.parse(out)
+
+
+CHECKS = (check_markup, check_time_steps, check_what_if_of_strangers, check_machines, check_reports, check_empty_folders,
           check_keys_twice, check_terminals, check_names_without_letters, check_future, check_hang_up,
           check_names_of_objects)
 
