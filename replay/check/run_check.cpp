@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 
 #include "continua/core/located_json.h"
+#include "continua/core/growing_file.h"
 #include "continua/core/replaced_file.h"
 #include "continua/replay/check/check_approval.h"
 #include "continua/replay/check/check_summary.h"
@@ -28,11 +28,9 @@ std::vector<JunitCase> junit_cases(const CheckReport& report) {
 }
 
 Outcome append(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary | std::ios::app);
-  file << text;
-  file.close();
-  if (!file) return Error{path, "cannot be written; expected a file that can be added to"};
-  return std::nullopt;
+  GrowingFile file(path, GrowingFile::Begin::after);
+  if (auto unwritten = file.add(text)) return *unwritten;
+  return file.close();
 }
 
 Outcome write_reports(const CheckOptions& options, const CheckReport& report) {

@@ -27,6 +27,9 @@ struct ListeningPlace {
 /// `port`: 0 takes a free one. Warns on standard error where other machines can reach it.
 Result<ListeningPlace> listen(InspectorServer& server, const ListenOptions& options, int port);
 
+inline constexpr auto describe_durable =
+    "an event is taken when it is on the disk, safe from the end of the machine; otherwise it is there within a second";
+
 void describe_listening(CLI::App& command, ListenOptions& options);
 
 }  // namespace continua

@@ -118,6 +118,7 @@ void describe_record(CLI::App& command, RecordOptions& options) {
   command.add_option("--speed", live.speed, "seconds of the session in one of the wall's clock")
       ->check(CLI::Range(0.01, 100.0))
       ->capture_default_str();
+  command.add_flag("--durable", live.durable, describe_durable);
   command.add_option("--tests", live.tests, "the folder in which sessions are saved as tests")->capture_default_str();
   command.add_option("--port", options.port, "of the page; 8080, 0 takes a free one")->check(CLI::Range(0, 65535));
   describe_listening(command, options.listen);

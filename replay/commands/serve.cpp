@@ -20,6 +20,7 @@ int run_serve(const ServeOptions& options) {
   live.folder = std::filesystem::is_directory(paths.front())
                     ? paths.front()
                     : std::filesystem::path(paths.front()).parent_path().string();
+  live.durable = options.durable;
   live.tests = (std::filesystem::path(live.folder) / live.tests).string();
   live.say = [](const std::string& sentence) { put(stdout, sentence + "\n"), std::fflush(stdout); };
   const auto sessions = LiveSessions::create(live);
@@ -38,6 +39,7 @@ int run_serve(const ServeOptions& options) {
 void describe_serve(CLI::App& command, ServeOptions& options) {
   command.add_option("PATH", options.paths, "run logs and folders of them; otherwise this folder");
   command.add_option("--port", options.port, "0 takes a free one")->check(CLI::Range(0, 65535))->capture_default_str();
+  command.add_flag("--durable", options.durable, describe_durable);
   describe_listening(command, options.listen);
   command.footer("Example: continua serve runs --port 8080");
 }

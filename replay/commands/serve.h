@@ -13,6 +13,7 @@ struct ServeOptions {
   std::vector<std::string> paths;
   ListenOptions listen;
   int port = 8080;
+  bool durable = false;
 };
 
 /// Prints the page's address and answers until it is interrupted.

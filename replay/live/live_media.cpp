@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 
+#include "continua/core/growing_file.h"
+#include "continua/core/put_in_place.h"
 #include "continua/core/replaced_file.h"
 #include "continua/replay/media/ffmpeg.h"
 #include "continua/replay/trace/trace_name.h"
@@ -22,10 +23,9 @@ constexpr double most_copying_s = 60;
 void make_seekable(const std::string& path) {
   const auto copy = path + ".part.webm";
   std::error_code ignored;
-  if (run_ffmpeg(path, {"-c", "copy", "-f", "webm", "file:" + copy}, most_copying_s, [](std::string_view) {}))
+  if (run_ffmpeg(path, {"-c", "copy", "-f", "webm", "file:" + copy}, most_copying_s, [](std::string_view) {}) ||
+      put_in_place(copy, path))
     fs::remove(copy, ignored);
-  else
-    fs::rename(copy, path, ignored);
 }
 
 }  // namespace
@@ -63,13 +63,7 @@ Outcome LiveMedia::add(const MediaPart& part) {
     return Error{"", fmt::format("the recordings of a session may have {} MiB", most_live_media >> 20)};
   auto fresh = known == known_.end() ? begun(part) : Result<Growing>(files_[known->second]);
   if (!fresh) return fresh.error();
-  std::ofstream out(fresh->path, std::ios::binary | std::ios::app);
-  out.write(part.bytes.data(), static_cast<std::streamsize>(part.bytes.size()));
-  if (!out.flush()) {
-    std::error_code ignored;
-    std::filesystem::resize_file(fresh->path, fresh->bytes, ignored);
-    return Error{fresh->path, "cannot be written"};
-  }
+  if (auto unwritten = GrowingFile(fresh->path, GrowingFile::Begin::after).add(part.bytes)) return *unwritten;
   bytes_ += part.bytes.size();
   fresh->bytes += part.bytes.size();
   ++fresh->parts;

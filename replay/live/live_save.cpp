@@ -1,7 +1,6 @@
 #include "continua/replay/live/live_save.h"
 
 #include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 

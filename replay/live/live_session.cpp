@@ -15,6 +15,7 @@ using namespace std::chrono_literals;
 
 constexpr auto look_every = 8ms;                     // at a world that moves
 constexpr SimTime longest_at_once{50'000};           // of engine time, while whoever sends events waits
+constexpr auto sync_within = 1s;                     // of an event, to the disk
 constexpr auto patience = std::chrono::minutes(10);  // with a session that nobody sends to or looks at
 
 const Watch nobody;
@@ -29,9 +30,9 @@ Result<std::shared_ptr<LiveSession>> LiveSession::start(LiveOptions options) {
     return why;
   };
   {
-    std::ofstream trace(options.trace_path, std::ios::binary | std::ios::trunc);
-    trace << write_header(options.header) << '\n' << std::flush;
-    if (!trace) return given_up({options.trace_path, "cannot be written; expected a writable file"});
+    GrowingFile trace(options.trace_path, GrowingFile::Begin::first);
+    if (!trace.sound()) return trace.fault();
+    if (auto unwritten = trace.add(write_header(options.header) + "\n")) return given_up(*unwritten);
   }
   auto session = Session::load(options.trace_path, options.replay);
   if (!session) return given_up(session.error());
@@ -50,10 +51,10 @@ LiveSession::LiveSession(LiveOptions options, Session session)
       last_heard_(std::chrono::steady_clock::now()) {}
 
 Outcome LiveSession::open() {
-  trace_.open(setting_.options.trace_path, std::ios::binary | std::ios::app);
+  trace_ = std::make_shared<GrowingFile>(setting_.options.trace_path, GrowingFile::Begin::after);
   log_ = std::make_unique<LiveLog>(setting_.options.log_path);
-  if (!trace_ || !log_->sound())
-    return Error{trace_ ? setting_.options.log_path : setting_.options.trace_path,
+  if (!trace_->sound() || !log_->sound())
+    return Error{trace_->sound() ? setting_.options.log_path : setting_.options.trace_path,
                  "cannot be written; expected a writable file"};
   auto loop = session_->begin(nobody, log_->stream());
   if (!loop) return loop.error();
@@ -86,17 +87,31 @@ void LiveSession::work() {
       }
     }
     const auto wall = std::chrono::steady_clock::now();
+    if (unsynced_ && wall >= *unsynced_ + sync_within) {
+      sync(lock);
+      continue;
+    }
     if (audience_.is_present()) last_heard_ = wall;
     const auto given_up = std::min(last_heard_ + patience, ends_.value_or(WallTime::max()));
     if (wall >= given_up) {
       close(now());
       return;
     }
-    auto next = given_up;
+    auto next = unsynced_ ? std::min(given_up, *unsynced_ + sync_within) : given_up;
     if (clock_.runs() && !loop_->is_at_rest()) next = std::min(next, wall + look_every);
     if (const auto due = loop_->due(); clock_.runs() && due) next = std::min(next, clock_.when(*due));
     heard_.wait_until(lock, next);
   }
+}
+
+// Nobody waits for the disk meanwhile.
+void LiveSession::sync(std::unique_lock<std::mutex>& lock) {
+  const auto trace = trace_;
+  unsynced_.reset();
+  lock.unlock();
+  (void)trace->sync();
+  lock.lock();
+  if (loop_) (void)can_go_on();
 }
 
 std::unique_lock<std::mutex> LiveSession::lock_soon() {
@@ -120,6 +135,11 @@ Result<LiveReply> LiveSession::receive(const std::vector<Json>& events, const st
   if (!timing_ && timing == LiveTiming::wall) clock_.run(last_heard_);
   timing_ = timing;
   take(*timed);
+  if (loop_ && setting_.options.durable) {
+    unsynced_.reset();
+    (void)trace_->sync();
+    (void)can_go_on();
+  }
   if (broke_) return *broke_;
   last_batch_ = batch;
   last_reply_ = {events.size(), loop_ ? loop_->now() : audience_.state().t, log_->take_moves()};
@@ -146,7 +166,8 @@ bool LiveSession::take_instant(std::span<const LiveEvent> events) {
   for (const auto& [t, event, line] : events) {
     if (!event) continue;
     // First, so that the trace has all inputs of the engine in any case.
-    trace_ << line << '\n' << std::flush;
+    (void)trace_->add(line + "\n");
+    if (!unsynced_) unsynced_ = std::chrono::steady_clock::now();
     ++next_line_;
     known.push_back(*event);
     if (std::holds_alternative<InputEvent>(event->what)) taken_ = t;
@@ -163,10 +184,11 @@ bool LiveSession::take_instant(std::span<const LiveEvent> events) {
 
 // Without a place to write to the session ends.
 bool LiveSession::can_go_on() {
-  const bool too_long = trace_ && log_->sound() && log_->bytes() > setting_.options.most_log_bytes;
-  if (trace_ && log_->sound() && !too_long) return true;
+  const bool sound = trace_->sound() && log_->sound();
+  const bool too_long = sound && log_->bytes() > setting_.options.most_log_bytes;
+  if (sound && !too_long) return true;
   broke_ =
-      Error{trace_ ? setting_.options.log_path : setting_.options.trace_path,
+      Error{trace_->sound() ? setting_.options.log_path : setting_.options.trace_path,
             too_long ? fmt::format("has {} bytes, the most of a live session; the session has ended", log_->bytes())
                      : "cannot be written any further; the session has ended"};
   close(too_long ? std::optional(now()) : std::nullopt);
@@ -212,7 +234,7 @@ void LiveSession::end() {
 // `end`: when; none: nothing more can be written.
 void LiveSession::close(std::optional<SimTime> end) {
   if (end) {
-    trace_ << write_event({next_line_, *end, {}, End{}, {}}) << '\n' << std::flush;
+    (void)trace_->add(write_event({next_line_, *end, {}, End{}, {}}) + "\n");
     loop_->wait_until(*end);
   }
   summary_ = session_->end(*loop_);
@@ -222,8 +244,9 @@ void LiveSession::close(std::optional<SimTime> end) {
   tell();
   loop_.reset();
   session_.reset();
-  trace_.close();
+  const bool kept = !trace_->close();
   log_->close();
+  if (!kept && !broke_) broke_ = trace_->fault();
   if (auto problem = name_media(setting_.options.trace_path, media_.finish())) broke_ = *std::move(problem);
   tell();
   heard_.notify_all();

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <fstream>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -32,6 +31,7 @@ struct LiveOptions {
   double speed = 1;                                       ///< of the wall's clock
   std::uint64_t most_log_bytes = std::uint64_t{1} << 30;  ///< a day of talk with physics has less
   std::chrono::milliseconds grace{30'000};                ///< for a recorder who has gone away to come back
+  bool durable = false;                                   ///< each acknowledged event is on the disk (see receive)
   std::string recorder;                                   ///< whoever sends events has to name it; empty: nobody has to
 };
 
@@ -63,6 +63,9 @@ class LiveSession {
   /// Takes all of the events or, if one cannot be used, none. Errors: the reason, or that the session has ended.
   /// `batch` names the events, or is empty: events that come again under the name of the last batch, since its answer
   /// was lost, are answered again and not taken again.
+  ///
+  /// Events that were taken are in the trace, whole, before the answer: the end of the program, however it ends, loses
+  /// none. The end of the machine loses those of the last second; none with the option `durable`.
   Result<LiveReply> receive(const std::vector<Json>& events, const std::string& batch = "");
 
   /// Engine time stands still, or goes on. Error: the session has ended, or its time goes by events.
@@ -91,6 +94,7 @@ class LiveSession {
   std::unique_lock<std::mutex> lock_soon();
   void work();
   SimTime now() const;
+  void sync(std::unique_lock<std::mutex>& lock);
   void take(const std::vector<LiveEvent>& events);
   bool take_instant(std::span<const LiveEvent> events);
   bool can_go_on();
@@ -105,7 +109,8 @@ class LiveSession {
   mutable std::mutex mutex_;      // guards the members below
   std::condition_variable heard_;
   std::optional<Session> session_;
-  std::ofstream trace_;
+  std::shared_ptr<GrowingFile> trace_;  // shared with a sync that is under way
+  std::optional<WallTime> unsynced_;    // since when the trace has something that may not be on the disk
   std::unique_ptr<LiveLog> log_;
   std::unique_ptr<SessionLoop> loop_;  // none: it has ended, and so have the three above
   std::optional<LiveTiming> timing_;

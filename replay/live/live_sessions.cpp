@@ -66,6 +66,7 @@ std::variant<LiveOptions, LiveRefusal> LiveSessions::options_of(const Json& aske
   options.replay = defaults_.replay;
   options.timing = defaults_.timing;
   options.speed = defaults_.speed;
+  options.durable = defaults_.durable;
 
   Json header{{"kind", "trace"}, {"version", is_header && asked.contains("version") ? asked["version"] : Json(1)}};
   if (defaults_.replay.seed) header["seed"] = *defaults_.replay.seed;

@@ -23,6 +23,7 @@ struct LiveDefaults {
   ReplayOptions replay;                 ///< seed, knowledge, physics
   std::optional<LiveTiming> timing;
   double speed = 1;
+  bool durable = false;                                  ///< LiveOptions::durable
   std::string tests = "tests";                           ///< folder in which sessions are saved as tests
   std::size_t most_begun = 1000;                         ///< each leaves two files, and a row of the list
   std::function<void(const std::string& sentence)> say;  ///< to whoever started the program; may be empty

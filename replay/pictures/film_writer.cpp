@@ -14,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include "continua/core/put_in_place.h"
+
 extern char** environ;
 
 namespace continua {
@@ -113,9 +115,7 @@ Outcome FilmWriter::finish() {
   while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
   process_ = -1;
   if (status != 0) return complaint();
-  std::error_code problem;
-  std::filesystem::rename(part_, path_, problem);
-  if (problem) return Error{path_, fmt::format("cannot be written: {}", problem.message())};
+  if (auto problem = put_in_place(part_, path_)) return *std::move(problem);
   part_.clear();
   return std::nullopt;
 }

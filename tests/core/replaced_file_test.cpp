@@ -8,6 +8,8 @@
 #include <csignal>
 #include <fstream>
 
+#include "continua/core/put_in_place.h"
+
 #include "support/catch.h"
 #include "support/temporary_folder.h"
 
@@ -78,6 +80,18 @@ TEST_CASE("a file stays as it was where there is no room") {
   ::waitpid(child, &status, 0);
   CHECK(status == 0);
   CHECK(text_of(path) == "old");
+  CHECK(entries(folder.path()) == 1);
+}
+
+TEST_CASE("a file that another program wrote is put in place, or stays a part") {
+  const TemporaryFolder folder;
+  const auto part = folder.file("a.part", "new"), path = folder.file("a", "old");
+  CHECK(put_in_place(part + ".not", path));
+  CHECK(text_of(path) == "old");
+  CHECK(put_in_place(part, folder.at("no folder/a"))->where == folder.at("no folder/a"));
+  CHECK(text_of(part) == "new");
+  CHECK_FALSE(put_in_place(part, path));
+  CHECK(text_of(path) == "new");
   CHECK(entries(folder.path()) == 1);
 }
 
