@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""Load for as long as you like, and figures of it: sessions in a row, a long one, many viewers, many requests of each
+kind, slow readers and half-open connections. Memory, files and threads stay flat, and others are answered as before.
+
+soak.py PROGRAM [MINUTES [PART…]]      10 minutes if left out; PART: long, sessions, viewers, requests, slow
+
+Prints a row of a table for each part. Exit status 1 where something grew.
+"""
+import contextlib
+import pathlib
+import socket
+import statistics
+import sys
+import tempfile
+import time
+
+from leak_test import GIVES_BACK, held
+from live_server import Server, Stream
+
+WORDS = ["The plate.", "Put the knife in the white cup.", "Yes.", "Never mind."]
+MOST_MORE_MB, MOST_MORE_FILES, MOST_MORE_THREADS = 20, 8, 4
+VIEWERS, SLOW = 16, 200
+HOURS_OF_SESSION = 12
+SOME_TIME_S = 0.02  # a delay that nobody notices
+
+
+def p99_s(client, path="/api/sessions", count=200):
+    times = []
+    for _ in range(count):
+        begun = time.monotonic()
+        client.get(path)
+        times.append(time.monotonic() - begun)
+    return statistics.quantiles(times, n=100)[98]
+
+
+def run_long(server, client, until):
+    """A session of twelve hours by its own clock, or as much of it as there is time for."""
+    session = client.begin(clock="events", physics=False, scene="place_setting")
+    t = 0
+    while t < HOURS_OF_SESSION * 3600 and time.monotonic() < until:
+        t += 10
+        client.send(session["id"], {"t": t, "kind": "speech", "text": WORDS[t // 10 % len(WORDS)]})
+    client.end(session["id"])
+    return f"a session of {t / 3600:.1f} h by its clock"
+
+
+def run_sessions(server, client, until):
+    count = 0
+    while count < 900 and time.monotonic() < until:  # a server begins 1000
+        session = client.begin(clock="events", physics=False, scene="place_setting")
+        client.send(session["id"], [{"t": 1 + n, "kind": "speech", "text": text} for n, text in enumerate(WORDS)])
+        client.end(session["id"])
+        count += 1
+    return f"{count} sessions in a row"
+
+
+def run_viewers(server, client, until):
+    """Sixteen streams of one session, the most that are served; others are refused."""
+    session = client.begin(clock="events", physics=False, scene="place_setting")
+    streams = [Stream(server, session["id"]) for _ in range(VIEWERS)]
+    refused = 0
+    for _ in range(50 - VIEWERS):
+        with contextlib.suppress(AssertionError):
+            streams.append(Stream(server, session["id"]))
+            continue
+        refused += 1
+    t = 0
+    while t < 600 and time.monotonic() < until:
+        t += 1
+        client.send(session["id"], {"t": t, "kind": "speech", "text": WORDS[t % len(WORDS)]})
+    client.end(session["id"])
+    for stream in streams:
+        stream.over.wait(60)
+    told = {len(stream.records()) for stream in streams}
+    if len(told) != 1:
+        raise AssertionError(f"viewers were told different numbers of records: {sorted(told)}")
+    return f"{len(streams)} viewers of {t} events, {refused} refused"
+
+
+def run_requests(server, client, until):
+    run = (client.get("/api/runs").must()["runs"] or [{"id": "none"}])[0]["id"]
+    paths = ["/", "/api/runs", "/api/sessions", f"/api/runs/{run}", f"/api/runs/{run}/records?from=0&to=50",
+             "/api/nothing", "/no page"]
+    counts = dict.fromkeys(paths, 0)
+    while time.monotonic() < until and min(counts.values()) < 10_000:
+        for path in paths:
+            client.get(path.replace(" ", "%20"))
+            counts[path] += 1
+    return f"{sum(counts.values())} requests of {len(paths)} kinds"
+
+
+def run_slow(server, client, until):
+    """Connections that ask and do not read, and others that say nothing."""
+    quiet, worst = p99_s(client), 0.0
+    while time.monotonic() < until:
+        slow = [socket.create_connection((server.host, server.port)) for _ in range(SLOW)]
+        for one in slow[::2]:
+            one.sendall(b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n")
+        worst = max(worst, p99_s(client))
+        for one in slow:
+            one.close()
+    if worst > max(2 * quiet, SOME_TIME_S):
+        raise AssertionError(f"p99 beside slow connections is {worst * 1000:.1f} ms, {quiet * 1000:.1f} ms without")
+    return f"{SLOW} slow connections at a time, p99 of others {worst * 1000:.1f} ms, quiet {quiet * 1000:.1f} ms"
+
+
+PARTS = {"long": run_long, "sessions": run_sessions, "viewers": run_viewers, "requests": run_requests, "slow": run_slow}
+
+
+def soak(program, part, seconds):
+    """A row, and whether nothing grew."""
+    with tempfile.TemporaryDirectory() as folder, Server(program, folder, environment=GIVES_BACK) as server:
+        client = server.client()
+        run_sessions(server, client, time.monotonic() + min(5.0, seconds / 4))  # what is made once
+        before = held(server.pid)
+        did = PARTS[part](server, client, time.monotonic() + seconds)
+        time.sleep(12)  # connections that are left over are hung up on
+        after = held(server.pid)
+    more = [now - then for now, then in zip(after, before)]
+    flat = all(now <= most for now, most in zip(more, (MOST_MORE_THREADS, MOST_MORE_FILES, MOST_MORE_MB)))
+    return f"| {part} | {did} | {more[0]:+d} | {more[1]:+d} | {more[2]:+.1f} MB |", flat
+
+
+def main(program, minutes="10", *parts):
+    program, failed = pathlib.Path(program).resolve(), False
+    parts = parts or tuple(PARTS)
+    print("| part | load | threads | files | memory |\n| --- | --- | --- | --- | --- |", flush=True)
+    for part in parts:
+        try:
+            row, flat = soak(program, part, 60 * float(minutes) / len(parts))
+        except AssertionError as problem:
+            row, flat = f"| {part} | {problem} | | | |", False
+        print(row, flush=True)
+        failed = failed or not flat
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
