@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Shares checks and replays among processes, by hand and over a Slurm cluster of two nodes on this machine; what is merged
-# must be what one process tells. The program is the first argument. Skipped (77) in part without root or slurm-wlm.
+# Shares the commands that take many files among processes, by hand and over a Slurm cluster of two nodes on this machine;
+# what is merged must be what one process tells. The program is the first argument. Skipped (77) in part without root or slurm-wlm.
 set -euo pipefail
 program=$1
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -23,18 +23,57 @@ timeless() { sed 's/; in [0-9.]* s$//'; }
 traces=("$root"/traces/paper/*.trace.jsonl)
 "$program" replay "${traces[@]}" --no-physics -o runs/ > whole.txt
 "$program" check "$root/traces/paper" --no-physics | timeless > checked.txt
-for count in 1 2 7; do
+cat > grid.json << 'END'
+{ "grid": { "surer_by": [0.1, 0.2, 0.3, 0.4, 0.5], "weights.not now": { "from": 0.1, "to": 1, "count": 4 } }, "seeds": [1, 2, 3] }
+END
+wizard=$root/traces/talk/wizard.trace.jsonl
+sweep=(sweep grid.json "$wizard" --variant world)
+scored=(score "${traces[@]:0:2}" "$wizard" --json)
+"$program" "${scored[@]}" > scored.txt 2> said
+"$program" coverage runs --json > covered.txt
+"$program" table runs -o table | sed s/table/merged/ > told.txt
+
+# share COUNT WHOLE COMMAND… -- OPTIONS…: does the command in so many shards; their merge, with the options, must tell WHOLE.
+share() {
+  local count=$1 whole=$2 index command=()
+  shift 2
+  while [[ $1 != -- ]]; do command+=("$1"); shift; done
+  shift
   for ((index = 1; index <= count; ++index)); do
-    "$program" replay "${traces[@]}" --no-physics -o runs/ --shard "$index/$count" --report "$index.json" > "$index.txt"
+    "$program" "${command[@]}" --shard "$index/$count" --report "$index.json" > "$index.txt" 2> said || complain "${command[0]}, shard $index/$count"
   done
-  "$program" replay --merge $(seq -f '%g.json' "$count") > merged.txt || complain "replay in $count shards: status $?"
-  same whole.txt merged.txt "replay in $count shards"
-  rm ./*.json
+  "$program" "${command[0]}" --merge $(seq -f '%g.json' "$count") "$@" > merged.txt || complain "${command[0]} in $count shards: status $?"
+  same "$whole" merged.txt "${command[0]} in $count shards"
+  rm [0-9]*.json
+}
+for count in 1 2 7 ${CONTINUA_MANY_SHARDS:+64}; do  # 64 take minutes
+  share "$count" whole.txt replay "${traces[@]}" --no-physics -o runs/ --
+  share "$count" scored.txt "${scored[@]}" -- --json
+  share "$count" covered.txt coverage runs -- --json
+  share "$count" told.txt table runs -o merged -- -o merged
+  rm -rf merged/shard-*
+  diff -r table merged >&2 || complain "tables in $count shards"
 done
+
+# A sweep that is killed goes on where it was; all that it writes is as if it had not been.
+"$program" "${sweep[@]}" -o swept > swept.txt
+"$program" "${sweep[@]}" -o killed > killed.txt 2>&1 & killed=$!
+until [[ $(find killed/points -name '*.json' 2> /dev/null | wc -l) -ge 3 ]]; do sleep 0.05; done
+kill -9 "$killed" || complain 'the sweep was over before it could be killed'
+wait "$killed" 2> said || true
+"$program" "${sweep[@]}" -o killed > resumed.txt 2> said
+grep -q 'of 60 points were there already' said || complain 'the killed sweep began anew'
+same swept.txt resumed.txt 'a sweep that was killed'
+same_files() { diff -r --exclude=index.html swept "$1" >&2 || complain "$2: other files"; }
+same_files killed 'a sweep that was killed'
+
 SLURM_ARRAY_TASK_ID=2 SLURM_ARRAY_TASK_COUNT=2 "$program" replay "${traces[@]}" --no-physics -o runs/ --shard auto --report 2.json > 2.txt
 status=0
 "$program" replay --merge 2.json > merged.txt 2> said || status=$?
 [[ $status == 2 ]] && grep -q 'shard 1/2 is missing' said || { cat said >&2; complain "a missing shard: status $status"; }
+status=0
+"$program" replay --merge 2.json 2.json > merged.txt 2> said || status=$?
+[[ $status == 2 ]] && grep -q 'is shard 2/2, and so is 2.json' said || { cat said >&2; complain "a doubled shard: status $status"; }
 [[ $failed == 0 ]] || exit 1
 
 for each in slurmctld slurmd munged; do
@@ -90,16 +129,27 @@ exec "$program" "\$@"
 END
 chmod +x killed.sh
 
-# All three wait for the cluster at the same time.
+# All of them wait for the cluster at the same time.
 slurm replay "${traces[@]}" --no-physics -o runs/ -- 3 > replayed.txt & replaying=$!
 slurm check "$root/traces/paper" --no-physics -- 2 --junit all.xml > merged.txt & checking=$!
 CONTINUA=$(realpath killed.sh) slurm replay "${traces[@]}" --no-physics -o runs/ -- 3 > killed.txt 2>&1 & killing=$!
+slurm "${scored[@]}" -- 2 --json > scored_there.txt & scoring=$!
+CONTINUA=$(realpath killed.sh) slurm "${sweep[@]}" -o there -- 3 -o there > killed_sweep.txt 2>&1 & sweeping=$!
 wait "$replaying" || complain "replay over Slurm: status $?"
 same whole.txt replayed.txt 'replay over Slurm'
 wait "$checking" || complain "check over Slurm: status $?"
 timeless < merged.txt > timeless.txt
 same checked.txt timeless.txt 'check over Slurm'
 grep -q "tests=\"$(($(wc -l < checked.txt) - 1))\"" all.xml || complain 'check over Slurm: its JUnit report'
+wait "$scoring" || complain "score over Slurm: status $?"
+same scored.txt scored_there.txt 'score over Slurm'
+status=0
+wait "$sweeping" || status=$?
+[[ $status == 2 ]] && grep -q 'shard 2/3 is missing' killed_sweep.txt || { cat killed_sweep.txt >&2; complain "a killed task of a sweep: status $status"; }
+slurm "${sweep[@]}" -o there -- 3 -o there > swept_there.txt || complain "the sweep over Slurm, again: status $?"
+same swept.txt swept_there.txt 'a sweep over Slurm'
+same_files there 'a sweep over Slurm'
+[[ $(cat shards.*/3.txt | grep -c 'were there already') == 1 ]] || complain 'a sweep over Slurm: done points were done again'
 status=0
 wait "$killing" || status=$?
 [[ $status == 2 ]] && grep -q 'shard 2/3 is missing' killed.txt || { cat killed.txt >&2; complain "a killed task: status $status"; }

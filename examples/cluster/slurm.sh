@@ -2,7 +2,7 @@
 # Shares a command of continua among the tasks of a Slurm job array, and tells what came out as one process would:
 #
 #   examples/cluster/slurm.sh check traces --no-physics -- 20
-#   examples/cluster/slurm.sh replay traces/*.jsonl -o runs/ -- 20
+#   examples/cluster/slurm.sh sweep grid.json traces/*.jsonl -o sweep -- 20 -o sweep
 #
 # The number after -- is that of the tasks; options after it are for the merge (-- 20 --junit all.xml). SBATCH_… variables
 # set partition, account and time limit. The reports and the output of each task stay in a folder shards.XXXXXX here, which

