@@ -6,7 +6,7 @@ set -euo pipefail
 program=${1:-$(dirname "$0")/../build/continua}
 
 overview=$("$program" --help)
-commands=$(sed -n '/^Subcommands:/,/^$/s/^  \([a-z_]*\) .*/\1/p' <<< "$overview")
+commands=$(sed -n '/^Subcommands:/,/^$/s/^  \([a-z_-]*\) .*/\1/p' <<< "$overview")
 
 # shellcheck disable=SC2016  # the backquotes are Markdown's
 {
@@ -18,7 +18,7 @@ commands=$(sed -n '/^Subcommands:/,/^$/s/^  \([a-z_]*\) .*/\1/p' <<< "$overview"
   for command in $commands; do
     help=$("$program" "$command" --help)
     printf '\n## %s\n\n```text\n%s\n```\n' "$command" "$help"
-    for part in $(sed -n '/^Subcommands:/,/^$/s/^  \([a-z_]*\) .*/\1/p' <<< "$help"); do
+    for part in $(sed -n '/^Subcommands:/,/^$/s/^  \([a-z_-]*\) .*/\1/p' <<< "$help"); do
       printf '\n### %s %s\n\n```text\n%s\n```\n' "$command" "$part" "$("$program" "$command" "$part" --help)"
     done
   done

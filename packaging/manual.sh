@@ -5,7 +5,7 @@ set -euo pipefail
 program=$1 folder=$2
 page_of=$(dirname "$0")/manual_page.awk
 version=$("$program" --version | sed -n 's/^continua //p')
-commands=$("$program" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z_]*\) .*/\1/p')
+commands=$("$program" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z_-]*\) .*/\1/p')
 rm -rf "$folder"
 mkdir -p "$folder"
 
