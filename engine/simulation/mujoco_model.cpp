@@ -51,7 +51,8 @@ std::string with_asset_directory(const std::string& text, const std::string& dir
 CompileError read_message(std::string message) {
   static const std::regex place(R"(,? *[Ll]ine *(number)? *=? *([0-9]+)(, *column *= *-?[0-9]+)?)");
   CompileError error;
-  for (std::smatch found; std::regex_search(message, found, place); message = found.prefix().str() + found.suffix().str())
+  for (std::smatch found; std::regex_search(message, found, place);
+       message = found.prefix().str() + found.suffix().str())
     error.line = std::atoi(found[2].str().c_str());
   for (char& letter : message) letter = letter == '\n' || letter == '\r' ? ' ' : letter;
   while (!message.empty() && message.back() == ' ') message.pop_back();

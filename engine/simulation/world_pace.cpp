@@ -33,10 +33,11 @@ Outcome check_pace(const Scene& scene) {
   if (!fault.empty()) return Error{scene.path(), "MuJoCo cannot step this scene: " + fault};
   // A world that diverges is set back to time zero, again and again.
   if (processor_s() <= latest_s) return std::nullopt;
-  return Error{scene.path(),
-               fmt::format("physics takes over {} times as long as it lasts, at time steps of {} s, with {} geoms and {} "
-                           "contacts; expected longer steps, fewer things, or things that do not overlap",
-                           slowest_pace, model.opt.timestep, model.ngeom, data->ncon)};
+  return Error{
+      scene.path(),
+      fmt::format("physics takes over {} times as long as it lasts, at time steps of {} s, with {} geoms and {} "
+                  "contacts; expected longer steps, fewer things, or things that do not overlap",
+                  slowest_pace, model.opt.timestep, model.ngeom, data->ncon)};
 }
 
 }  // namespace continua

@@ -28,9 +28,9 @@
 #include "continua/replay/trace/session_import.h"
 #include "continua/replay/trace/trace_file.h"
 #include "continua/simulation/arm_check.h"
-#include "continua/simulation/world_pace.h"
 #include "continua/simulation/physics.h"
 #include "continua/simulation/scene.h"
+#include "continua/simulation/world_pace.h"
 #include "continua/term/raising_file.h"
 #include "continua/voxml/catalogue.h"
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "continua/core/located_json.h"
 #include "continua/core/growing_file.h"
+#include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
 #include "continua/replay/check/check_approval.h"
 #include "continua/replay/check/check_summary.h"

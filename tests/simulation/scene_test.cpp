@@ -187,7 +187,9 @@ TEST_CASE("an error in an included file names that file and its line") {
                                     "</mujoco>");
   CHECK(text.find("part.xml:4: ") != std::string::npos);
   CHECK(text.find("line") == std::string::npos);  // MuJoCo's, which counts in the text with all inclusions
-  const auto world = [](const std::string& inside) { return "<mujoco>\n<worldbody>\n" + inside + "</worldbody>\n</mujoco>"; };
+  const auto world = [](const std::string& inside) {
+    return "<mujoco>\n<worldbody>\n" + inside + "</worldbody>\n</mujoco>";
+  };
   for (const std::string& part : {world("<geom size='-1'/>\n"), world("<geom size='1' material='none'/>\n"),
                                   world("<geom type='mesh' mesh='none'/>\n"), world("<geom class='none'/>\n")}) {
     written("part.xml", part);
@@ -203,8 +205,10 @@ TEST_CASE("a world that takes many times its time to work out is refused before 
     std::string inside = a_table;
     for (int i = 0; i < balls; ++i)
       inside += "<body name='b" + std::to_string(i) + "' pos='0 0 0.1'><freejoint/><geom size='0.1'/></body>\n";
-    return written("balls.xml", "<mujoco>\n<option timestep='" + step + "'/>\n<size nconmax='2000' njmax='5000'/>\n"
-                                "<worldbody>\n" + inside + "</worldbody>\n</mujoco>");
+    return written("balls.xml", "<mujoco>\n<option timestep='" + step +
+                                    "'/>\n<size nconmax='2000' njmax='5000'/>\n"
+                                    "<worldbody>\n" +
+                                    inside + "</worldbody>\n</mujoco>");
   };
   CHECK_FALSE(check_pace(load_scene(staircase).value()));
   CHECK_FALSE(check_pace(load_scene(with_balls("0.002", 3)).value()));
