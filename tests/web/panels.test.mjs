@@ -24,7 +24,7 @@ const says = async (id, wanted) => assert.match(await at(`panel-${id}`).innerTex
 const runs = [
   {
     id: 'correction.physics',
-    verdict: /2 utterances, 4 acts/,
+    verdict: /2 utterances, 3 of 4 acts done, 1 broken off, 2 expectations met/,
     dialogue: /Put the white cup there[\s\S]*Okay/,
     states: 4,
     stack: /symbol \d+/,
@@ -34,8 +34,8 @@ const runs = [
   },
   {
     id: 'building_blocks',
-    verdict: /22 utterances, 4 acts, 5 refusals/,
-    dialogue: /engage[\s\S]*Hello/,
+    verdict: /22 utterances, 4 of 4 acts done, 23 expectations met, 5 inputs refused/,
+    dialogue: /steps up[\s\S]*Hello/,
     states: 10,
     stack: /symbol \d+/,
     derivation: /./,
@@ -50,7 +50,7 @@ for (const run of runs)
     await says('dialogue', run.dialogue);
     assert.ok((await at('graph').locator('.node').count()) >= run.states);
     assert.equal(await at('graph').locator('.node.current').count(), 1);
-    assert.match(await at('span').innerText(), /of \d+\.\d s/);
+    assert.match(await at('span').innerText(), /of \d+:\d\d\.\d/);
     assert.ok(
       await visitor.page.evaluate(
         () => window.continua.page.parts.lanes.rows.filter(({lane}) => lane.n.length).length >= 5,

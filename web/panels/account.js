@@ -2,7 +2,7 @@
 import {h, panel} from '../dom.js';
 
 export function mountAccount({client, jump}) {
-  const body = h('div', {class: 'body account', tabindex: 0, role: 'region', 'aria-label': 'The run in words'});
+  const body = h('div', {class: 'body', tabindex: 0, role: 'region', 'aria-label': 'The run in words'});
   const button = ({text, n}) => h('button', {type: 'button', class: 'link', onclick: () => jump(n)}, text);
   const list = (title, lines, shown) =>
     lines.length > 0 && [

@@ -32,7 +32,9 @@ export function verdictLine(run) {
   const refused = counted(run.refusals, 'input');
   const samples = run.refused_samples ? ` (${grouped(run.refused_samples)} of them pointing samples)` : '';
   parts.push(counted(run.utterances, 'utterance'));
+  const broken_off = (run.acts ?? 0) - (run.acts_done ?? 0) - (run.acts_failed ?? 0);
   if (!run.acts_failed && run.acts) parts.push(`${run.acts_done ?? 0} of ${counted(run.acts, 'act')} done`);
+  if (broken_off > 0) parts.push(`${broken_off} broken off`);
   if (run.expected && run.met === run.expected) parts.push(`${counted(run.expected, 'expectation')} met`);
   parts.push(`${refused} refused${samples}`);
   return parts.join(', ');
