@@ -90,10 +90,10 @@ TEST_CASE("key moments are what something came of, answers, and the ends of acts
        "1.4 Human: [pointing]\n3.0 Avatar: This?\n"},
       {"samples within a gesture that points are the gesture's",
        sample(1, 0) + gesture(1.1, "point", ",\"target\":[0,0],\"until\":1.8") + answer(1.8, "This?", "1,2"),
-       "1.8 Human: [point] | Avatar: This?\n"},
+       "1.8 Human: [points] | Avatar: This?\n"},
       {"what is said and shown at a time is told in one line",
        said(1, 2.2, "there") + gesture(1.2, "point", ",\"until\":2.2") + answer(2.2, "Okay.", "1,2"),
-       "2.2 Human: there [point] | Avatar: Okay.\n"},
+       "2.2 Human: there [points] | Avatar: Okay.\n"},
       {"the end of a gesture is none", gesture(1, "wave", ",\"phase\":\"stop\"") + answer(2, "Bye.", "1"),
        "2.0 Avatar: Bye.\n"},
       {"an act that ends, and how; its beginning is none",
@@ -145,7 +145,7 @@ TEST_CASE("where somebody points, and from when on") {
         "H 7.0-9.0 <0.3, 0> \nH 10.0-11.0 <0.5, 0> \n");
   std::string lines;
   for (const auto& one : story.lines) lines += one.text + "\n";
-  CHECK(lines == "[reach(cup)]\n[point(rHand, …)]\n[point]\n[point]\n");
+  CHECK(lines == "[reach(cup)]\n[point(rHand, …)]\n[points]\n[points]\n");
 }
 
 TEST_CASE("subtitles stay long enough to be read, and go when the same speaker goes on") {
