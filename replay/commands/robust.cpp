@@ -119,7 +119,7 @@ void describe_robust(CLI::App& command, RobustCommandOptions& options) {
       ->check(CLI::Range(0.0, 100.0));
   command.add_option("--count", options.count, "runs of each trace for each kind and strength; otherwise 10")
       ->check(CLI::Range(1, 100'000));
-  command.add_option("--seed", options.seed, "of the first run; each further one has the next");
+  command.add_option("--seed", options.seed, "of the draws, together with each trace's text");
   command.add_option("-j,--jobs", options.jobs, "traces at a time")->check(CLI::Range(1, 1024));
   command.add_option("-o,--output", options.output, "a picture of the curves, SVG");
   command.add_option("--breaks", options.breaks,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "continua/core/random.h"
 #include "continua/replay/experiment/ddmin.h"
 #include "continua/replay/experiment/log_lines.h"
 #include "continua/replay/trace/trace_event.h"
@@ -69,7 +70,7 @@ std::vector<Happened> until_other_answer(const std::vector<Happened>& whole, con
 class Trials {
  public:
   Trials(Session& session, const RobustOptions& options, Trace trace)
-      : session_(session), options_(options), trace_(std::move(trace)) {}
+      : session_(session), options_(options), trace_(std::move(trace)), seed_(own_seed(options.seed, trace_)) {}
 
   Result<Robustness> run() {
     auto whole = run_of(edited_trace(trace_, {}));
@@ -83,7 +84,7 @@ class Trials {
         RobustPoint point{kind, strength};
         for (int i = 0; i < options_.count; ++i) {
           const auto edits =
-              edits_of(trace_, only(options_.noise, kind, strength), options_.seed + static_cast<std::uint64_t>(i));
+              edits_of(trace_, only(options_.noise, kind, strength), seed_ + static_cast<std::uint64_t>(i));
           const auto end = edits.empty() ? RunEnd::same : end_of(edited_trace(trace_, edits));
           ++point.ends[static_cast<std::size_t>(end)];
           if (end != RunEnd::otherwise || broken) continue;
@@ -97,12 +98,18 @@ class Trials {
   }
 
  private:
+  // Traces of the same form would err alike by the same seed.
+  static std::uint64_t own_seed(std::uint64_t seed, const Trace& trace) {
+    for (const char c : write_trace(trace)) seed = Random(seed ^ static_cast<unsigned char>(c)).next();
+    return seed;
+  }
+
   // Whether the trace has anything that this kind of noise changes.
   bool applies(const std::string& kind) const {
     const auto strongest = std::max_element(options_.strengths.begin(), options_.strengths.end());
     const auto noise = only(options_.noise, kind, *strongest);
     for (int i = 0; i < options_.count; ++i)
-      if (!edits_of(trace_, noise, options_.seed + static_cast<std::uint64_t>(i)).empty()) return true;
+      if (!edits_of(trace_, noise, seed_ + static_cast<std::uint64_t>(i)).empty()) return true;
     return false;
   }
 
@@ -139,6 +146,7 @@ class Trials {
   Session& session_;
   const RobustOptions& options_;
   const Trace trace_;
+  const std::uint64_t seed_;  // of its first run
   std::vector<Happened> whole_;
 };
 

@@ -41,8 +41,8 @@ RunEnd run_end(const std::vector<Happened>& whole, const std::vector<Happened>& 
 struct RobustOptions {
   Noise noise;  ///< at strength 1
   std::vector<double> strengths{0.25, 0.5, 1, 2};
-  int count = 10;  ///< runs of each trace for each kind and strength
-  std::uint64_t seed = 0;
+  int count = 10;          ///< runs of each trace for each kind and strength
+  std::uint64_t seed = 0;  ///< together with the trace's text
 };
 
 /// The ends of runs under one kind of noise.
