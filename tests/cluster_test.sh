@@ -67,6 +67,19 @@ same swept.txt resumed.txt 'a sweep that was killed'
 same_files() { diff -r --exclude=index.html swept "$1" >&2 || complain "$2: other files"; }
 same_files killed 'a sweep that was killed'
 
+export CONTINUA=$program
+if command -v parallel > /dev/null; then
+  "$root/examples/cluster/parallel.sh" : "${scored[@]}" -- 2 --json > there.txt || complain "score by GNU parallel: status $?"
+  same scored.txt there.txt 'score by GNU parallel'
+fi
+if command -v snakemake > /dev/null; then
+  sweep_there() { snakemake -q -s "$root/examples/cluster/Snakefile" -j 2 --config grid=grid.json traces="$wizard" options='--variant world' shards=2 out=snake program="$program" "$@" > said 2>&1; }
+  sweep_there -n || { cat said >&2; complain "a dry run of Snakemake: status $?"; }
+  [[ ! -e snake ]] || complain 'a dry run of Snakemake swept'
+  sweep_there || { cat said >&2; complain "a sweep by Snakemake: status $?"; }
+  diff -r --exclude=index.html --exclude=reports swept snake >&2 || complain 'a sweep by Snakemake: other files'
+fi
+
 SLURM_ARRAY_TASK_ID=2 SLURM_ARRAY_TASK_COUNT=2 "$program" replay "${traces[@]}" --no-physics -o runs/ --shard auto --report 2.json > 2.txt
 status=0
 "$program" replay --merge 2.json > merged.txt 2> said || status=$?
@@ -119,7 +132,6 @@ for ((i = 0; i < 60; ++i)); do
 done
 [[ $i -lt 60 ]] || { cat slurmctld.log slurmd.*.log >&2; echo 'skipped the cluster: its nodes do not come up here'; exit 77; }
 
-export CONTINUA=$program
 slurm() { "$root"/examples/cluster/slurm.sh "$@"; }
 # A task that is killed cannot pass for one that is done.
 cat > killed.sh << END
