@@ -69,11 +69,11 @@ same_files killed 'a sweep that was killed'
 
 export CONTINUA=$program
 if command -v parallel > /dev/null; then
-  "$root/examples/cluster/parallel.sh" : "${scored[@]}" -- 2 --json > there.txt || complain "score by GNU parallel: status $?"
+  "$root"/examples/cluster/parallel.sh : "${scored[@]}" -- 2 --json > there.txt || complain "score by GNU parallel: status $?"
   same scored.txt there.txt 'score by GNU parallel'
 fi
 if command -v snakemake > /dev/null; then
-  sweep_there() { snakemake -q -s "$root/examples/cluster/Snakefile" -j 2 --config grid=grid.json traces="$wizard" options='--variant world' shards=2 out=snake program="$program" "$@" > said 2>&1; }
+  sweep_there() { snakemake -q -s "$root"/examples/cluster/Snakefile -j 2 --config grid=grid.json traces="$wizard" options='--variant world' shards=2 out=snake program="$program" "$@" > said 2>&1; }
   sweep_there -n || { cat said >&2; complain "a dry run of Snakemake: status $?"; }
   [[ ! -e snake ]] || complain 'a dry run of Snakemake swept'
   sweep_there || { cat said >&2; complain "a sweep by Snakemake: status $?"; }
