@@ -125,7 +125,9 @@ std::string RunWords::told(std::string_view term, std::string_view about) const 
   }
   const auto* itself = found->arguments.front() == about && !about.empty() ? word("itself", found->name) : nullptr;
   if (itself) return *itself;
-  const auto* form = word("programs", found->name);
+  // A program whose arguments mean something else when there are so many has words of its own: "point/2".
+  const auto* form = word("programs", fmt::format("{}/{}", found->name, found->arguments.size()));
+  if (!form) form = word("programs", found->name);
   if (!form) return std::string(term);
   auto text = *form;
   for (std::size_t i = 0; i < found->arguments.size(); ++i) {
