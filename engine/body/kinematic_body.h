@@ -13,12 +13,12 @@
 
 namespace continua {
 
-/// Acts are done in order while time stands still, unless they are held. An `advance` reports that an act has begun, and the next one does
-/// it; an act that is impossible begins and fails in one. A stop cancels all acts commanded before it. Objects stay
-/// where acts leave them and never overlap. Things on or in an object move along with it. An object that fits into a
-/// hollow only on its end is stood up, and the report says so; it lies again at its next place. An act about a missing
-/// thing or beyond the arm's ability is `unreachable`. An act without room, onto the object itself, or with nothing in
-/// the hand is `blocked`. After either the world is as before.
+/// Acts are done in order while time stands still, unless they are held. An `advance` reports that an act has begun,
+/// and the next one does it; an act that is impossible begins and fails in one. A stop cancels all acts commanded
+/// before it. Objects stay where acts leave them and never overlap. Things on or in an object move along with it. An
+/// object that fits into a hollow only on its end is stood up, and the report says so; it lies again at its next place.
+/// An act about a missing thing or beyond the arm's ability is `unreachable`. An act without room, onto the object
+/// itself, or with nothing in the hand is `blocked`. After either the world is as before.
 class KinematicBody : public Body {
  public:
   /// With `cleared` an object comes to the exact place of its goal and pushes other things apart. A point is always

@@ -94,8 +94,9 @@ TEST_CASE("a gesture that contradicts words just after them stops their act befo
     play.advance(later_s);
     play.see("point", Vec3(0, -0.15, 0));
     play.advance(10);
-    CHECK(play.told == "says Okay.\nsays You say the red block and point at the blue block.\nsays Should I take the red block?\n"
-                       "did grasp(b1)\ndid stop\n");
+    CHECK(play.told ==
+          "says Okay.\nsays You say the red block and point at the blue block.\nsays Should I take the red block?\n"
+          "did grasp(b1)\ndid stop\n");
     CHECK(play.body.snapshot().held.empty());
   }
 }

@@ -48,7 +48,10 @@ export class LiveWorld {
   #way(program) {
     const [, thing, place] = /^\w+\((\w+), (.+)\)$/.exec(program ?? '') ?? [];
     const from = this.poses.get(thing)?.slice(0, 3);
-    const point = /^<([^<>]+)>$/.exec(place ?? '')?.[1].split(',').map(Number);
+    const point = /^<([^<>]+)>$/
+      .exec(place ?? '')?.[1]
+      .split(',')
+      .map(Number);
     const other = this.poses.get(/^\w+\((\w+)\)$/.exec(place ?? '')?.[1]);
     const target = point?.length === 3 && point.every(Number.isFinite) ? point : other?.slice(0, 3);
     return from && target ? {target, from} : null;
