@@ -145,7 +145,8 @@ TEST_CASE("where somebody points, and from when on") {
         "H 7.0-9.0 <0.3, 0> \nH 10.0-11.0 <0.5, 0> \n");
   std::string lines;
   for (const auto& one : story.lines) lines += one.text + "\n";
-  CHECK(lines == "[reach(cup)]\n[point(rHand, …)]\n[points]\n[points]\n");
+  CHECK(lines ==
+        "[reaches to cup]\n[points at 10 cm right of and 20 cm beyond the table's middle]\n[points]\n[points]\n");
 }
 
 TEST_CASE("subtitles stay long enough to be read, and go when the same speaker goes on") {
