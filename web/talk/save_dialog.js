@@ -17,6 +17,15 @@ export function faultOf(name) {
   return better ? `${sentence} How about ${better}?` : sentence;
 }
 
+/** `copy()` tells whether it could. */
+function copyButton(copy) {
+  const onclick = async () => {
+    button.textContent = (await copy()) ? 'Copied' : 'Select it, then copy';
+  };
+  const button = h('button', {type: 'button', onclick}, 'Copy');
+  return button;
+}
+
 /** `save(name)`: gives the server's answer; `copy(text)`. */
 export function saveDialog(save, copy) {
   const name = h('input', {
@@ -28,16 +37,7 @@ export function saveDialog(save, copy) {
   });
   const result = h('div', {class: 'saved', role: 'status', 'data-testid': 'saved'});
   const button = h('button', {class: 'primary', 'data-testid': 'save-do'}, 'Save');
-  const copied = h(
-    'button',
-    {
-      type: 'button',
-      onclick: async () => {
-        copied.textContent = (await copy(result.querySelector('code').textContent)) ? 'Copied' : 'Select it, then copy';
-      },
-    },
-    'Copy',
-  );
+  const copied = copyButton(() => copy(result.querySelector('code').textContent));
 
   async function keep(event) {
     event.preventDefault();
