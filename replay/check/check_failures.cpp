@@ -1,7 +1,9 @@
 #include "continua/replay/check/check_failures.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -19,6 +21,17 @@ std::string ending_of(const ApprovedRun& approved) {
   return is_whole_log(approved) ? ".approved.run.jsonl" : ".approved.run.json";
 }
 
+using Files = std::vector<std::pair<std::string, std::string>>;  // path, content
+
+// Those of an earlier failure that this one has not. Last of all: until then each file is the old one or the new one.
+void remove_others(const std::vector<std::string>& paths, const Files& files) {
+  for (const auto& path : paths) {
+    const auto is_it = [&](const auto& file) { return file.first == path; };
+    std::error_code problem;
+    if (std::none_of(files.begin(), files.end(), is_it)) fs::remove(path, problem);
+  }
+}
+
 }  // namespace
 
 std::string details_of(const TraceCheck& check) {
@@ -33,12 +46,9 @@ Result<std::string> write_failure(const FailureReport& report, const TraceCheck&
   fs::create_directories(folder, problem);
   if (problem) return Error{report.folder, fmt::format("cannot be made: {}", problem.message())};
   const auto at = [&](const std::string& name) { return (folder / name).string(); };
-  for (const auto& name : {report.name + ".approved.run.jsonl", report.name + ".approved.run.json",
-                           std::string("diff.json"), std::string("diff.md")})
-    fs::remove(at(name), problem);
 
   const auto run_path = at(report.name + ".run.jsonl");
-  std::vector<std::pair<std::string, std::string>> files = {{run_path, check.run}};
+  Files files = {{run_path, check.run}};
   RunReport page{report.trace, name_of(check.verdict), check.reason, nullptr, nullptr, nullptr, {}};
   page.commands = {
       fmt::format("continua replay {}{} -o {}", shell_word(report.trace), report.replay_options, shell_word(run_path))};
@@ -60,6 +70,9 @@ Result<std::string> write_failure(const FailureReport& report, const TraceCheck&
   files.emplace_back(at("report.html"), report_page(page));
   for (const auto& [path, content] : files)
     if (auto unwritten = write_file(path, content)) return *unwritten;
+  remove_others(
+      {at(report.name + ".approved.run.jsonl"), at(report.name + ".approved.run.json"), at("diff.json"), at("diff.md")},
+      files);
   return at("report.html");
 }
 

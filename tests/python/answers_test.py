@@ -94,7 +94,7 @@ def test_why_is_the_answer_of_explain(program, run):
         why = run.why(n)
         assert why == program.json("explain", run.path, "--record", n, "--json")
         assert str(why) == program("explain", run.path, "--record", n).rstrip("\n")
-    for ours, theirs in [({}, ()), ({"at": 12.5}, ("--at", 12.5)), ({"act": 1}, ("--act", 1)), ({"step": 3}, ("--step", 3))]:
+    for ours, theirs in [({"at": 12.5}, ("--at", 12.5)), ({"act": 1}, ("--act", 1)), ({"step": 3}, ("--step", 3))]:
         assert str(run.why(**ours)) == program("explain", run.path, *theirs).rstrip("\n")
     assert run.why(act=1).tree == program("explain", run.path, "--act", 1, "--tree").rstrip("\n")
     assert run.why(-1)["n"] == len(run) - 1

@@ -105,3 +105,8 @@ export const typeAndClick = async (text, target) => {
   await at('talk').press('Enter');
 };
 export const asked = (program_text) => lines('avatar', 'does').filter({hasText: program_text}).waitFor();
+export const done = (program_text) =>
+  lines('avatar', 'does')
+    .filter({hasText: program_text})
+    .filter({has: visitor.page.locator('.status.done')})
+    .waitFor();

@@ -143,6 +143,8 @@ test('by keyboard alone: panels, tabs, places, pauses', async () => {
   }
   await at('tab-why').focus();
   await keyboard.press('ArrowRight');
+  assert.ok(await at('panel-account').isVisible());
+  await keyboard.press('ArrowRight');
   assert.ok(await at('panel-records').isVisible());
   await keyboard.press('ArrowRight');
   assert.ok(await at('panel-notes').isVisible(), 'the focus goes along');
@@ -162,7 +164,7 @@ test('a rest between two inputs is drawn short, and at full length when that is 
 test('a link restores instant, stretch of time and filter', async () => {
   await visit('/r/rounds?n=317&z=20..30&kind=act&filter=done');
   assert.equal(await n(), 317);
-  assert.match(await at('span').innerText(), /20\.0 – 30\.0 s/);
+  assert.match(await at('span').innerText(), /0:20\.0 – 0:30\.0/);
   assert.equal(await at('filter').inputValue(), 'done');
   assert.equal(await at('kind').inputValue(), 'act');
   assert.match(await at('count').innerText(), /^3 of/);

@@ -104,7 +104,7 @@ TEST_CASE("the headline tells what the avatar did and what it is due to") {
        "pointing right [-0.1,-0.15] (3.8 s), after “The plate.” (1.0 s). It was done at 5.05 s."},
       {"paper/predicate_first", act(1),
        "At 4.0 s the avatar does put(plate, <-0.1, -0.15, 0>), because the human said “The plate.” (4.0 s) after "
-       "“Put it there.” (1.0 s) and pointing right [-0.1,-0.15] (0.9 s). It was done at 4.0 s."},
+       "“Put it there.” (1.0 s) and pointing right [-0.1,-0.15] (0.9 s). It was done at 4.4 s."},
       {"paper/one_shot_learning", act(3),
        "At 30.4 s the avatar does put(cup, on(plate)), because the human made the gesture left two_fingers stroke "
        "(30.0 s) after gesture right two_fingers stroke (1.0 s), “Grasp the cup.” (3.0 s) and “Put on the plate.” "
