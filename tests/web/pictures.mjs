@@ -22,7 +22,7 @@ const visitor = await Visitor.start(server.address, {webgl: true});
 async function picture(name, path, options = {}, prepare = async () => {}) {
   const page = await visitor.visit(path, options);
   await prepare(page);
-  await page.waitForTimeout(4000); // pictures and the scene are drawn without a graphics card
+  await page.waitForTimeout(9000); // pictures and the scene are drawn without a graphics card
   await page.screenshot({path: join(out, `${name}.png`)});
   console.log(join(out, `${name}.png`));
 }
