@@ -122,6 +122,20 @@ bool lacks_pointing(const Ensemble& ensemble) {
   return false;
 }
 
+// A gesture that was shown just before whole words comes after them, as one shown just after them does: "take the
+// knife", and a hand that grabs.
+void put_whole_words_first(std::vector<Ensemble>::iterator begin, std::vector<Ensemble>::iterator end,
+                           const FusionWindow& window) {
+  for (auto speech = begin; speech != end; ++speech) {
+    if (speech->percept.event.modality != Modality::speech || lacks_pointing(*speech)) continue;
+    const auto first = std::stable_partition(begin, speech, [&](const Ensemble& each) {
+      const auto& gesture = each.percept;
+      return gesture.deixis || gesture.before_words || !is_shown_with(gesture, speech->percept, window);
+    });
+    std::rotate(first, speech, std::next(speech));
+  }
+}
+
 // Words that still lack something come after the gestures that were made with them: "take this", and a hand like a cup.
 // So do all words after gestures that say how they are meant: "the blocks", and two fingers.
 void put_shown_first(std::vector<Ensemble>::iterator begin, std::vector<Ensemble>::iterator end) {
@@ -182,6 +196,7 @@ std::vector<Ensemble> Fusion::release(SimTime now, const Joining& joining) {
     const auto earlier = static_cast<std::ptrdiff_t>(released.size());
     while (release_first(released)) {
     }
+    put_whole_words_first(std::next(released.begin(), earlier), released.end(), window_);
     put_shown_first(std::next(released.begin(), earlier), released.end());
   }
   now_ = std::max(now_, until);
@@ -377,6 +392,7 @@ std::vector<Ensemble> Fusion::release_all(const Joining& joining) {
     const auto first = std::find_if(parts.begin(), parts.end(), [](const Plan::Part& part) { return !part.taken; });
     release_up_to(static_cast<std::size_t>(first - parts.begin()), parts, released);
   }
+  put_whole_words_first(released.begin(), released.end(), window_);
   put_shown_first(released.begin(), released.end());
   return released;
 }

@@ -65,8 +65,8 @@ struct Ensemble {
 /// - Words are not complete before their told end. A gesture that begins during words waits for that end too; it comes
 ///   after the words, or before them if they still lack a pointing or the gesture says how they are meant
 ///   (Percept::before_words).
-/// - A gesture waits `together`, or for its told end, for words that begin meanwhile, and is released with them
-///   (perception/shown_with.h).
+/// - A gesture waits `together`, or for its told end, for words that begin meanwhile, and is released with them:
+///   after them, unless they still lack a pointing or the gesture says how they are meant (perception/shown_with.h).
 /// - A pointing that no words take is released with the words that it was made with, if these ask for no pointing.
 /// - Every other percept is complete when it arrives.
 /// - A complete percept also releases the waiting percepts that began before it, in order of time, as they are: the
