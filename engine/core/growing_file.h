@@ -31,7 +31,7 @@ class GrowingFile {
 
   /// Puts the piece behind the others. Error: nothing of it is in the file, and nothing comes after it any more.
   Outcome add(std::string_view piece);
-  /// What was added before is on the disk. May be called while another thread adds. Error: it is not, and as nobody
+  /// Pieces added before are on the disk. May be called while another thread adds. Error: they are not, and as nobody
   /// knows how much of it, nothing comes after it any more.
   Outcome sync();
   /// Syncs, and is done with the file. Closing again does nothing.
@@ -41,7 +41,7 @@ class GrowingFile {
   bool sound() const { return problem_ == 0; }
   /// The fault, if something has failed.
   Error fault() const;
-  /// Of the whole pieces that were added.
+  /// The size of the whole pieces that were added.
   std::uint64_t bytes() const { return bytes_; }
 
  private:

@@ -77,7 +77,7 @@ Tick Pipeline::wake(EngineState before, SimTime now) const {
   Tick tick{released(engine_, std::move(before), now), {}};
   EngineState& state = tick.after;
   if (!state.hold || now < state.hold->until || !state.complete.empty()) return tick;
-  // What came meanwhile may still call an act off, but nothing that comes from now on.
+  // An input that came meanwhile may still call the act off; one that comes from now on may not.
   const int inputs = state.hold->inputs.value_or(state.inputs);
   const auto due = state.fusion.waits(inputs) ? state.fusion.due() : std::nullopt;
   if (due)

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double looked_at_s = 0.02;  // of the world's time
 
-// Of a processor, for this thread alone: other programs do not count.
+// Processor time of this thread alone: other programs do not count.
 double processor_s() {
   timespec now{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -176,7 +176,7 @@ void add_knowledge(MachineCoverage& machine, const DataPaths& data) {
   add_reachable(machine.kind(lexicon_entries), entries_of(*lexicon));
 }
 
-// What is told of the parts. `whole`: they are all that there are.
+// The report that the parts give. `whole`: they are all that there are.
 int tell(const std::vector<std::string>& parts, const CoverageOptions& options, bool whole, int status) {
   const auto data = find_data_paths(options.knowledge);
   if (!data) return report(data.error()), exit_impossible;

@@ -143,7 +143,7 @@ class Scoring {
   std::atomic<std::size_t> next_ = 0;
 };
 
-// What is told of the parts.
+// The report that the parts give.
 int tell(const std::vector<std::string>& parts, const ScoreOptions& options, int status) {
   ScoreReport score;
   for (const auto& part : parts)

@@ -72,7 +72,7 @@ struct Robustness {
 /// The runs of one trace, in the world of the session's options.
 Result<Robustness> robustness_of(Session& session, const RobustOptions& options);
 
-/// Of several traces together; of breaks of the same kind all stay.
+/// Adds the figures of another trace; breaks of the same kind all stay.
 void add(Robustness& sum, Robustness more);
 
 }  // namespace continua

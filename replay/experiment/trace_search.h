@@ -25,7 +25,7 @@ struct Fault {
   auto operator<=>(const Fault&) const = default;
 };
 
-/// Of the first three kinds and "wordless", in the order of the log.
+/// Findings of the first three kinds and "wordless", in the order of the log.
 std::vector<Fault> faults_of(std::string_view log);
 
 /// The transitions of a run, and pairs of them that follow each other.

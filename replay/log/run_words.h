@@ -16,7 +16,7 @@ std::string_view words_table();
 
 class RunWords {
  public:
-  /// Of a run whose objects have the attributes that its scene's XML gives them.
+  /// The words of a run whose objects have the attributes that its scene's XML gives them.
   explicit RunWords(const RunIndex& run);
   explicit RunWords(std::string_view mjcf);
 

@@ -26,7 +26,8 @@ std::string misheard(const std::string& piece, const Confusions& confusions, dou
   return last == std::string::npos ? heard : heard + piece.substr(last + 1);
 }
 
-// Of the measured recogniser, `wrong` of whose words were wrong, as one would say it of whose words `share` are.
+// Carries over how sure a recogniser is, from the measured one, `wrong` of whose words were wrong, to one of whose
+// words `share` are.
 double moved_to(double confidence, double wrong, double share) {
   const double right = confidence * (1 - share) / (1 - wrong), rest = (1 - confidence) * share / wrong;
   return right + rest > 0 ? right / (right + rest) : 0;

@@ -29,7 +29,7 @@ struct SweepMean {
   double low = 0, high = 0;
 };
 
-/// Of the points for which `level` is the axis' level, and of those at both levels of two axes.
+/// The figures of the points for which `level` is the axis' level, and of those at both levels of two axes.
 SweepMean mean_at(const std::vector<SweptPoint>& points, const std::string& figure, const SweepAxis& axis,
                   std::size_t level);
 SweepMean mean_at(const std::vector<SweptPoint>& points, const std::string& figure, const SweepAxis& across,

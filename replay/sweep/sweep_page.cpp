@@ -10,7 +10,7 @@
 namespace continua {
 namespace {
 
-// Of more runs the page tells the points alone: it is read as a whole.
+// With more runs than this the page tells the points alone: it is read as a whole.
 constexpr std::size_t most_runs = 100'000;
 
 constexpr const char* head = R"html(<!doctype html>

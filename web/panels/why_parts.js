@@ -35,7 +35,7 @@ export function causes({chain: links}, to) {
   return section('Why', others.length ? chain(others, 'why', to) : none);
 }
 
-// What was told begins with its kind for some kinds, which stands before it anyway.
+// The words of some records begin with their kind, which stands before them anyway.
 const withoutKind = ({told, kind}) => (told.startsWith(`${kind} `) ? told.slice(kind.length + 1) : told);
 
 export function contributors({inputs}, to) {

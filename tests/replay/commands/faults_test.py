@@ -143,7 +143,7 @@ def main(program, library, source, *more):
     with tempfile.TemporaryDirectory() as folder:
         base = pathlib.Path(folder)
         shutil.copy(pathlib.Path(source, "traces/talk/speech_only.trace.jsonl"), base / "talk.trace.jsonl")
-        # Of another trace, so that an approval changes it.
+        # A run of another trace, so that an approval changes it.
         subprocess.run([program, "replay", pathlib.Path(source, "traces/talk/corrections.trace.jsonl"), "--no-physics", "-o", "talk.run.jsonl"], cwd=base,
                        check=True, stdout=subprocess.DEVNULL)
         for name in names:
