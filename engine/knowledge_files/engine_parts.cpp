@@ -4,14 +4,15 @@
 
 namespace continua {
 
-Result<EngineParts> load_engine_parts(Machine machine, const DataPaths& data, KnowledgeShelf& shelf) {
-  auto language = shelf.language(data, machine);
+Result<EngineParts> load_engine_parts(std::shared_ptr<const Machine> machine, const DataPaths& data,
+                                      KnowledgeShelf& shelf) {
+  auto language = shelf.language(data, *machine);
   if (!language) return language.error();
   EngineParts parts;
-  parts.choice = machine.choice;
-  if (machine.perspective == "avatar") parts.perspective = Perspective::avatar;
-  parts.knowledge = shelf.digests(data, machine, **language);
-  parts.machine = std::make_shared<const Machine>(std::move(machine));
+  parts.choice = machine->choice;
+  if (machine->perspective == "avatar") parts.perspective = Perspective::avatar;
+  parts.knowledge = shelf.digests(data, *machine, **language);
+  parts.machine = std::move(machine);
   parts.language = *std::move(language);
   return parts;
 }

@@ -34,7 +34,8 @@ struct EngineParts {
 
 /// The parts for a loaded machine: its language from `data`, or from the shelf if that has it; its own choice and
 /// perspective. The error is the first problem of a file.
-Result<EngineParts> load_engine_parts(Machine machine, const DataPaths& data, KnowledgeShelf& shelf);
+Result<EngineParts> load_engine_parts(std::shared_ptr<const Machine> machine, const DataPaths& data,
+                                      KnowledgeShelf& shelf);
 
 /// The parts for a machine by its name or path (resolve_machine()), in `language` unless that is empty.
 Result<EngineParts> load_engine_parts(const std::string& machine, const DataPaths& data,

@@ -12,14 +12,14 @@ std::string key_of(const DataPaths& data, const Machine& machine) {
 
 }  // namespace
 
-Result<Machine> KnowledgeShelf::machine(const std::string& path, const DataPaths& data, const std::string& language,
-                                        const std::string& where) {
+Result<std::shared_ptr<const Machine>> KnowledgeShelf::machine(const std::string& path, const DataPaths& data,
+                                                               const std::string& language, const std::string& where) {
   const std::lock_guard lock(mutex_);
   const std::pair key(path, data.knowledge.string() + '\n' + language);
   if (const auto known = machines_.find(key); known != machines_.end()) return known->second;
   auto machine = load_machine(path, data, language, where);
-  if (machine) machines_.emplace(key, *machine);
-  return machine;
+  if (!machine) return machine.error();
+  return machines_.emplace(key, std::make_shared<const Machine>(*std::move(machine))).first->second;
 }
 
 Result<std::shared_ptr<const Language>> KnowledgeShelf::language(const DataPaths& data, const Machine& machine) {

@@ -19,15 +19,16 @@ namespace continua {
 /// so the files must not change meanwhile. Errors are not kept. Any number of threads may ask at once.
 class KnowledgeShelf {
  public:
-  Result<Machine> machine(const std::string& path, const DataPaths& data, const std::string& language,
-                          const std::string& where);
+  Result<std::shared_ptr<const Machine>> machine(const std::string& path, const DataPaths& data,
+                                                 const std::string& language, const std::string& where);
   Result<std::shared_ptr<const Language>> language(const DataPaths& data, const Machine& machine);
   /// The digests of the files of that machine's language.
   Json digests(const DataPaths& data, const Machine& machine, const Language& language);
 
  private:
   std::mutex mutex_;
-  std::map<std::pair<std::string, std::string>, Machine> machines_;  ///< by path and by language with its data
+  /// By path and by language with its data.
+  std::map<std::pair<std::string, std::string>, std::shared_ptr<const Machine>> machines_;
   std::map<std::string, std::shared_ptr<const Language>> languages_;
   std::map<std::string, Json> digests_;
 };

@@ -7,9 +7,9 @@
 #include "continua/machine_file/machine_parameters.h"
 #include "continua/machine_file/machine_settings.h"
 #include "continua/replay/log/records.h"
-#include "continua/replay/recorder/machine_graph.h"
 #include "continua/replay/session/scene_voxemes.h"
 #include "continua/replay/session/session_parts.h"
+#include "continua/replay/session/shelf.h"
 #include "continua/replay/session/version.h"
 #include "continua/replay/trace/trace_name.h"
 #include "continua/voxml/catalogue.h"
@@ -29,19 +29,20 @@ log::SceneDescription description_of(const Scene& scene, const Catalogue& voxeme
   return told;
 }
 
-void add_knowledge(log::Run& header, const EngineParts& parts) {
+void add_knowledge(log::Run& header, const EngineParts& parts, Shelf& shelf) {
   const Machine& machine = *parts.machine;
   const Language& language = *parts.language;
-  header.machine = {machine.name, digest(machine.document), {machine.document}};
+  const auto told = shelf.in_header(parts.machine);
+  header.machine = {machine.name, told->digest, {machine.document}};
   if (!machine.phrases.empty())
-    header.phrases.emplace(log::Document{machine.phrases, digest(machine.phrase_document), {machine.phrase_document}});
+    header.phrases.emplace(log::Document{machine.phrases, told->phrase_digest, {machine.phrase_document}});
   if (language.lexicon)
     header.lexicon.emplace(
         log::NamedFile{std::filesystem::path(machine.lexicon).filename().string(), language.lexicon->digest});
   if (const auto& voxemes = language.voxemes->digest(); !voxemes.empty())
     header.voxemes.emplace(log::VoxemeFiles{voxemes});
   header.knowledge = parts.knowledge;
-  header.graph = graph_of(machine);
+  header.graph = told->graph;
   if (!machine.parameters.empty()) header.parameters = parameter_values(machine);
 }
 
@@ -74,7 +75,7 @@ log::Run header_of(const LoadedSession& loaded, const EngineParts& parts) {
   header.world = loaded.options.physics ? "physics" : "kinematic";
   header.perspective = name_of(parts.perspective);
   header.fingerprint = fingerprint();
-  add_knowledge(header, parts);
+  add_knowledge(header, parts, *loaded.options.shelf);
   add_settings(header, loaded, *parts.machine);
   if (!(loaded.learned == Learned())) header.learned = Json::parse(print_learned(loaded.learned));
   header.scene = description_of(loaded.scene, *parts.language->voxemes);

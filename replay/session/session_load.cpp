@@ -55,8 +55,7 @@ Result<std::map<int, std::size_t>> forced_of(const std::map<int, std::string>& o
   return forced;
 }
 
-// Those of the trace are its own machine's: another one has the values that it knows. Those of the options come after
-// weights from a file.
+// Those of the trace are its own machine's: another one has the values that it knows.
 Outcome apply_settings_of(const TraceHead& trace, const ReplayOptions& options, Machine& machine) {
   Json values = trace.header.parameters;
   if (!options.machine.empty() && !values.empty()) {
@@ -65,6 +64,26 @@ Outcome apply_settings_of(const TraceHead& trace, const ReplayOptions& options, 
       if (std::find(known.begin(), known.end(), name) == known.end()) values.erase(name);
   }
   return apply_settings(machine, values, header_line(trace));
+}
+
+Outcome set_weights_of(const ReplayOptions& options, Machine& machine) {
+  if (options.own_weights) return set_weights(machine, *options.own_weights);
+  if (options.weights.empty()) return std::nullopt;
+  const auto weights = read_weights(options.weights, machine);
+  if (!weights) return weights.error();
+  return set_weights(machine, *weights);
+}
+
+// The machine with the numbers of the trace and of the options; the machine itself where none is told.
+Result<std::shared_ptr<const Machine>> machine_with_settings(const TraceHead& trace, const ReplayOptions& options,
+                                                             std::shared_ptr<const Machine> machine) {
+  if (trace.header.parameters.empty() && options.settings.empty() && !options.own_weights && options.weights.empty())
+    return machine;
+  auto changed = std::make_shared<Machine>(*machine);
+  if (auto problem = apply_settings_of(trace, options, *changed)) return *std::move(problem);
+  if (auto problem = set_weights_of(options, *changed)) return *std::move(problem);
+  if (auto problem = apply_settings(*changed, options.settings, "--set")) return *std::move(problem);
+  return std::shared_ptr<const Machine>(std::move(changed));
 }
 
 Outcome refused_variant(const ReplayOptions& options, Choice choice) {
@@ -119,17 +138,9 @@ Result<EngineParts> load_parts(const TraceHead& trace, const ReplayOptions& opti
   auto& shelf = shared->knowledge();
   auto machine =
       shelf.machine(*path, *data, language_name, options.language.empty() ? header_line(trace) : "--language");
+  if (machine) machine = machine_with_settings(trace, options, *std::move(machine));
   if (!machine) return machine.error();
-  if (const auto problem = apply_settings_of(trace, options, *machine)) return *problem;
-  if (options.own_weights) {
-    if (const auto problem = set_weights(*machine, *options.own_weights)) return *problem;
-  } else if (!options.weights.empty()) {
-    const auto weights = read_weights(options.weights, *machine);
-    if (!weights) return weights.error();
-    if (const auto problem = set_weights(*machine, *weights)) return *problem;
-  }
-  if (const auto problem = apply_settings(*machine, options.settings, "--set")) return *problem;
-  const bool own_perspective = !machine->perspective.empty();
+  const bool own_perspective = !(*machine)->perspective.empty();
   auto parts = load_engine_parts(*std::move(machine), *data, shelf);
   if (!parts) return parts.error();
   parts->choice = options.choice.value_or(parts->choice);
@@ -151,14 +162,14 @@ Result<EngineParts> load_parts(const TraceHead& trace, const ReplayOptions& opti
 Result<LoadedSession> load_session(const std::string& trace_path, ReplayOptions options) {
   auto trace = TraceSource::open(trace_path);
   if (!trace) return trace.error();
+  if (!options.shelf) options.shelf = std::make_shared<Shelf>();
   const auto before = before_change(options);
   const auto data = find_data_paths(before.knowledge);
   if (!data) return data.error();
 
   const auto scene_path = scene_of(trace->head(), before.scene, *data);
   if (!scene_path) return scene_path.error();
-  const auto shelf = options.shelf ? options.shelf : std::make_shared<Shelf>();
-  auto scene = load_placed(*scene_path, trace->head(), *shelf);
+  auto scene = load_placed(*scene_path, trace->head(), *options.shelf);
   if (!scene) return scene.error();
   auto parts = load_parts(trace->head(), before);
   if (!parts) return parts.error();

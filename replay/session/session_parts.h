@@ -25,9 +25,9 @@ struct WhatIf {
 };
 
 struct LoadedSession {
-  ReplayOptions options;
-  TraceSource trace;   ///< with the events of WhatIf from then on
-  std::string placed;  ///< the objects of the header that the scene was set out with, as a trace writes them
+  ReplayOptions options;  ///< with a shelf
+  TraceSource trace;      ///< with the events of WhatIf from then on
+  std::string placed;     ///< the objects of the header that the scene was set out with, as a trace writes them
   EngineParts parts;
   std::optional<WhatIf> what_if;
   Scene scene;
