@@ -44,9 +44,26 @@
 #include "continua/replay/commands/validate.h"
 #include "continua/replay/commands/vary.h"
 #include "continua/replay/session/version.h"
+#include "continua/replay/terminal/standard_input.h"
 
 namespace continua {
 namespace {
+
+// A file by the name "-" is standard input.
+void let_read_standard_input(CLI::App& command, const std::shared_ptr<StandardInput>& input) {
+  for (auto* option : command.get_options())
+    if (option->get_positional())
+      option->transform(CLI::Validator(
+          [input](std::string& name) {
+            if (name != "-") return std::string();
+            auto file = input->file();
+            if (!file) return file.error().text();
+            name = *std::move(file);
+            return std::string();
+          },
+          ""));
+  for (auto* more : command.get_subcommands({})) let_read_standard_input(*more, input);
+}
 
 struct Subcommand {
   CLI::App* described;
@@ -146,8 +163,9 @@ int run_program(int argc, char** argv) {
   program.set_version_flag("--version", version_text());
   program.footer(
       "Exit status: 0 done, 1 the answer is no, 2 it could not be done.\n"
-      "'continua COMMAND --help' describes a command.");
+      "'continua COMMAND --help' describes a command. A file by the name '-' is standard input.");
   const auto subcommands = add_all(program);
+  let_read_standard_input(program, std::make_shared<StandardInput>());
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help, --version

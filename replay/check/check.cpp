@@ -26,20 +26,6 @@ Verdict verdict_of(Sameness sameness) {
   return Verdict::broken;
 }
 
-// The first `expect` record that says so: its sentence, and its line in the trace.
-std::pair<std::string, std::size_t> unmet_expectation(const std::string& run, const std::string& trace_path) {
-  std::istringstream lines(run);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.find("\"met\":false") == std::string::npos) continue;
-    const auto record = parse_json_line(line, trace_path, 1);
-    if (!record || (*record)["kind"] != "expect") continue;
-    return {fmt::format("{}:{}: expected {}, found {}", trace_path, compact((*record)["line"]),
-                        compact((*record)["expected"]), compact((*record)["found"])),
-            (*record)["line"].get<std::size_t>()};
-  }
-  return {trace_path + ": an expectation is not met", 0};
-}
-
 // The line of the trace whose input led to where the runs part; 0: none did.
 std::size_t line_of(const RunDiff& diff, const RunIndex& run) {
   if (diff.first >= diff.differences.size()) return 0;
@@ -104,9 +90,9 @@ TraceCheck check_trace(const std::string& trace_path, const ReplayOptions& optio
   if (approved) check.approved = *std::move(approved);
   if (summary.expectations_met < summary.expectations) {
     compare(check);
-    auto [sentence, line] = unmet_expectation(check.run, trace_path);
-    check.line = line;
-    return broken(std::move(sentence));
+    const auto& unmet = summary.unmet.front();
+    check.line = unmet.line;
+    return broken(unmet.error(trace_path).text());
   }
   if (!approved) return broken(approved.error().text());
   if (!check.approved) {

@@ -186,7 +186,9 @@ void Checking::finish(std::size_t index, Finding finding) {
 
 void tell(const CheckCase& one, bool github) {
   for (const auto& problem : one.problems) put(stderr, printable_line(problem.text()) + "\n");
-  fmt::print("{}\n", printable_line(line_of(one)));
+  const auto line = printable_line(line_of(one));
+  const auto word = std::min(line.find(' '), line.size());
+  fmt::print("{}{}\n", verdict_word(line.substr(0, word), one.status == exit_done), line.substr(word));
   if (!one.page.empty()) fmt::print("     see {}\n", printable_line(one.page));
   if (github) fmt::print("{}", github_annotations(one));
 }

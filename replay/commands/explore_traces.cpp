@@ -1,7 +1,6 @@
 #include "continua/replay/commands/explore_traces.h"
 
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "continua/core/scratch_folder.h"
 #include "continua/replay/commands/moved_paths.h"
 #include "continua/replay/commands/set_option.h"
 #include "continua/replay/experiment/trace_search.h"
@@ -19,39 +19,19 @@ namespace continua {
 namespace fs = std::filesystem;
 namespace {
 
-// A trace of no events, from which a session is loaded; gone with this.
-class EmptyTrace {
- public:
-  explicit EmptyTrace(const ExploreTracesOptions& options) {
-    folder_ = (fs::temp_directory_path() / "continua-explore-XXXXXX").string();
-    if (!mkdtemp(folder_.data())) return;
-    TraceHeader header;
-    // Files are told from here.
-    const auto named = [](const std::string& name) {
-      return fs::exists(name) ? fs::absolute(name).lexically_normal().string() : name;
-    };
-    header.scene = named(options.replay.scene);
-    header.machine = named(options.replay.machine);
-    header.language = options.replay.language;
-    header.seed = options.seed;
-    Trace trace;
-    trace.header = header;
-    written_ = !write_file(path(), write_trace(trace));
-  }
-  ~EmptyTrace() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  EmptyTrace(const EmptyTrace&) = delete;
-  EmptyTrace& operator=(const EmptyTrace&) = delete;
-
-  std::string path() const { return folder_ + "/talk.trace.jsonl"; }
-  bool written() const { return written_; }
-
- private:
-  std::string folder_;
-  bool written_ = false;
-};
+// Writes a trace of no events, from which a session is loaded.
+Outcome write_empty_trace(const ExploreTracesOptions& options, const std::string& path) {
+  // Files are told from here.
+  const auto named = [](const std::string& name) {
+    return fs::exists(name) ? fs::absolute(name).lexically_normal().string() : name;
+  };
+  Trace trace;
+  trace.header.scene = named(options.replay.scene);
+  trace.header.machine = named(options.replay.machine);
+  trace.header.language = options.replay.language;
+  trace.header.seed = options.seed;
+  return write_file(path, write_trace(trace));
+}
 
 // Asked before each run.
 std::function<bool()> enough_after(const ExploreTracesOptions& options) {
@@ -87,8 +67,10 @@ class Keeper {
 };
 
 Result<SearchSummary> explore(const ExploreTracesOptions& options) {
-  const EmptyTrace empty(options);
-  if (!empty.written()) return Error{empty.path(), "cannot be written"};
+  const auto folder = ScratchFolder::make();
+  if (!folder) return folder.error();
+  const auto path = (folder->path() / "talk.trace.jsonl").string();
+  if (auto unwritten = write_empty_trace(options, path)) return *std::move(unwritten);
   std::error_code problem;
   fs::create_directories(options.output, problem);
   if (problem) return Error{options.output, fmt::format("cannot be made a folder: {}", problem.message())};
@@ -97,7 +79,6 @@ Result<SearchSummary> explore(const ExploreTracesOptions& options) {
   replay.machine.clear();
   replay.shelf = std::make_shared<Shelf>();
   replay.physics = false;
-  const auto path = empty.path();
   auto kinematic = Session::load(path, replay);
   if (!kinematic) return kinematic.error();
   std::optional<Session> physics;

@@ -49,6 +49,7 @@ int tell(const PipeSummary& told) {
                           counted(told.events, "event"),
                           counted(static_cast<std::size_t>(summary.utterances), "utterance"), summary.acts_done,
                           summary.acts, session.setting().options.trace_path, session.setting().options.log_path));
+  for (const auto& unmet : summary.unmet) report(unmet.error(session.setting().options.trace_path));
   if (summary.expectations_met < summary.expectations)
     report({session.setting().options.trace_path,
             fmt::format("{} of {} expectations were not met", summary.expectations - summary.expectations_met,

@@ -192,6 +192,7 @@ class Batch {
                           fmt::format("--force {}={}: that transition does not apply at that step", step, transition)});
         status_ = exit_impossible;
       }
+      for (const auto& unmet : summary->unmet) continua::report(unmet.error(trace));
       if (summary->expectations_met < summary->expectations && status_ == exit_done) status_ = exit_no;
     }
     for (; printed_ < lines_.size() && (lines_[printed_] || !options_.shards.shard.has(printed_)); ++printed_)

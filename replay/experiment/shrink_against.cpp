@@ -1,14 +1,12 @@
 #include "continua/replay/experiment/shrink_against.h"
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "continua/core/scratch_folder.h"
 #include "continua/replay/diff/run_diff.h"
 
 namespace continua {
-namespace fs = std::filesystem;
 namespace {
 
 std::optional<Json> cause_of(const RunIndex& then, const RunIndex& now) {
@@ -27,13 +25,11 @@ Result<std::string> log_of_trace(const std::string& path, const ReplayOptions& o
 
 // The trace as this document of a machine has it; nothing if it cannot be loaded with it.
 std::optional<Session> with_machine(const Json& document, const std::string& trace_path, ReplayOptions options) {
-  auto folder = (fs::temp_directory_path() / "continua-machine-XXXXXX").string();
-  if (!mkdtemp(folder.data())) return std::nullopt;
-  options.machine = (fs::path(folder) / "machine.json").string();
+  const auto folder = ScratchFolder::make();
+  if (!folder) return std::nullopt;
+  options.machine = (folder->path() / "machine.json").string();
   std::ofstream(options.machine, std::ios::binary) << compact(document);
   auto session = Session::load(trace_path, options);
-  std::error_code ignored;
-  fs::remove_all(folder, ignored);
   if (!session) return std::nullopt;
   return std::move(*session);
 }

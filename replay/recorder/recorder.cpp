@@ -204,13 +204,10 @@ void Recorder::report(const ActReport& report) {
   write_act(step.act, std::move(record), report.t);
 }
 
-void Recorder::expectation(const TraceEvent& event, bool met, const Json& found) {
-  next_.t = event.t;
-  Json expected = event.json;
-  expected.erase("t");
-  expected.erase("kind");
+void Recorder::expectation(const log::Expect& checked, SimTime t) {
+  next_.t = t;
   next_.cause = std::nullopt;
-  write(log::Expect{static_cast<std::int64_t>(event.line), met, std::move(expected), found});
+  write(checked);
 }
 
 void Recorder::problem(std::size_t line, const std::string& message, SimTime t) {

@@ -38,7 +38,7 @@ class Recorder {
   void world(const WorldReport& report);
   /// Writes the record that is still held back: a rest that lasts.
   void finish();
-  void expectation(const TraceEvent& event, bool met, const Json& found);
+  void expectation(const log::Expect& checked, SimTime t);
   void problem(std::size_t line, const std::string& message, SimTime t);
 
   /// By number, from 1.

@@ -1,5 +1,7 @@
 #include "continua/replay/session/session.h"
 
+#include <fmt/format.h>
+
 #include "continua/body/kinematic_body.h"
 #include "continua/knowledge_files/data_paths.h"
 #include "continua/replay/session/learned_file.h"
@@ -124,6 +126,10 @@ ReplaySummary Session::end(SessionLoop& loop) {
   auto [summary, learned] = loop.finish();
   loaded_->learned_at_end = std::move(learned);
   return summary;
+}
+
+Error UnmetExpectation::error(const std::string& trace) const {
+  return {fmt::format("{}:{}", trace, line), fmt::format("expected {}, found {}", expected, found)};
 }
 
 Outcome Session::keep_learned() const {

@@ -68,11 +68,20 @@ struct ReplayOptions {
   std::function<void(double done)> progress;  ///< called now and then with the part of the trace that is done
 };
 
+/// A line of a trace, the fields of its expectation, and their values then, as compact JSON.
+struct UnmetExpectation {
+  std::size_t line = 0;
+  std::string expected, found;
+
+  Error error(const std::string& trace) const;
+};
+
 /// A run at a glance, for a person.
 struct ReplaySummary {
   SimTime end;
   int inputs = 0, refusals = 0, utterances = 0, acts = 0, acts_done = 0;
   int expectations = 0, expectations_met = 0;
+  std::vector<UnmetExpectation> unmet;  ///< the first few of the others
   int problems = 0;
   int fragile = 0;                        ///< decisions that the smallest step of the world could have changed
   int pruned = 0;                         ///< configurations given up under `explore`

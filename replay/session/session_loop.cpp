@@ -13,6 +13,15 @@ namespace {
 // After the last event the world may go on until it rests, but not longer.
 constexpr double longest_tail_s = 120;
 constexpr SimTime longest_unasked{250'000};  // while the world moves
+constexpr std::size_t most_unmet = 10;       // expectations that a summary tells of
+
+// The fields of an `expect` line, in its order.
+Json expected_of(const TraceEvent& event) {
+  Json expected = event.json;
+  expected.erase("t");
+  expected.erase("kind");
+  return expected;
+}
 
 }  // namespace
 
@@ -170,9 +179,13 @@ void SessionLoop::check_expectations() {
   for (; !expected_.empty() && !conversation_.state().waits(expected_.front().inputs); expected_.pop_front()) {
     const auto& event = expected_.front().event;
     const auto checked = check(std::get<Expectation>(event.what), situation());
-    recorder_.expectation(event, checked.met, checked.found);
+    auto expected = expected_of(event);
     ++summary_.expectations;
     summary_.expectations_met += checked.met;
+    if (!checked.met && summary_.unmet.size() < most_unmet)
+      summary_.unmet.push_back({event.line, compact(expected), compact(checked.found)});
+    recorder_.expectation({static_cast<std::int64_t>(event.line), checked.met, std::move(expected), checked.found},
+                          event.t);
   }
 }
 

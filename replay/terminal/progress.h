@@ -1,6 +1,7 @@
-// A bar on standard error, where that is a terminal, for long work.
+// A bar on standard error, where that is a terminal, for long work, with the time that is probably left.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <vector>
 
@@ -19,6 +20,7 @@ class Progress {
  private:
   const bool on_terminal_;
   std::vector<double> done_;
+  const std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   int shown_percent_ = -1;
 };
 

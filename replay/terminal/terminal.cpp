@@ -1,9 +1,12 @@
 #include "continua/replay/terminal/terminal.h"
 
+#include <unistd.h>
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "continua/core/replaced_file.h"
@@ -61,6 +64,12 @@ std::string printable_line(std::string text) {
 void report(const Error& error) { print_line("", error.text()); }
 
 void report_warning(const Error& warning) { print_line("warning: ", warning.text()); }
+
+std::string verdict_word(const std::string& word, bool good) {
+  const auto* refused = std::getenv("NO_COLOR");
+  if ((refused && *refused) || !isatty(STDOUT_FILENO)) return word;
+  return fmt::format("\033[{}m{}\033[0m", good ? 32 : 31, word);
+}
 
 std::string counted(std::size_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");

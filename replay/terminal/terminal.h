@@ -32,6 +32,10 @@ void report(const Error& error);
 /// "continua: warning: where: sentence" likewise; work goes on.
 void report_warning(const Error& warning);
 
+/// The word of a verdict in green or, a bad one, in red, where standard output is a terminal and NO_COLOR is not set
+/// (no-color.org); otherwise the word.
+std::string verdict_word(const std::string& word, bool good);
+
 /// "1 event", "2 events".
 std::string counted(std::size_t count, const std::string& noun);
 

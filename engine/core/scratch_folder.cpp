@@ -1,0 +1,33 @@
+#include "continua/core/scratch_folder.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace continua {
+namespace fs = std::filesystem;
+
+Result<ScratchFolder> ScratchFolder::make() {
+  std::error_code problem;
+  auto pattern = (fs::temp_directory_path(problem) / "continua-XXXXXX").string();
+  if (problem || !::mkdtemp(pattern.data()))
+    return Error{pattern, std::string("no folder can be made: ") + std::strerror(problem ? problem.value() : errno)};
+  return ScratchFolder(std::move(pattern));
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) fs::remove_all(path_, ignored);
+}
+
+ScratchFolder::ScratchFolder(ScratchFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+
+ScratchFolder& ScratchFolder::operator=(ScratchFolder&& other) noexcept {
+  std::swap(path_, other.path_);
+  return *this;
+}
+
+}  // namespace continua
