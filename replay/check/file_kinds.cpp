@@ -23,6 +23,7 @@
 #include "continua/replay/media/media_file.h"
 #include "continua/replay/media/media_peaks.h"
 #include "continua/replay/noise/noise.h"
+#include "continua/replay/recogniser/hand_forms.h"
 #include "continua/replay/session/live_setup.h"
 #include "continua/replay/session/scene_voxemes.h"
 #include "continua/replay/trace/session_import.h"
@@ -293,6 +294,10 @@ FileCheck check_peaks(std::string_view text, const std::string& path) {
   return {peaks_problems(text, path), {}, "peaks of a recording"};
 }
 
+FileCheck check_hand_forms(std::string_view text, const std::string& path) {
+  return {hand_form_problems(text, path), {}, "forms of a hand"};
+}
+
 bool begins_with(std::string_view text, std::string_view beginning) {
   const auto from = text.find_first_not_of(" \t\r\n");
   return from != std::string_view::npos && text.substr(from).starts_with(beginning);
@@ -319,6 +324,7 @@ constexpr std::array file_kinds = {
     FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "raising"); }, check_raising},
     FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "tiers"); }, check_tier_map},
     FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "noise"); }, check_noise},
+    FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "hand_forms"); }, check_hand_forms},
     FileKind{[](auto text, const auto& path) { return is_json_with(text, path, "confusions"); }, check_confusions},
     FileKind{[](std::string_view text, const std::string& path) {
                return path.ends_with(".json") || (begins_with(text, "{") && text.find("\"machine\"") != text.npos &&

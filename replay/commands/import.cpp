@@ -7,6 +7,7 @@
 #include <map>
 
 #include "continua/core/replaced_file.h"
+#include "continua/knowledge_files/data_paths.h"
 #include "continua/knowledge_files/named_machine.h"
 #include "continua/machine_file/machine_parameters.h"
 #include "continua/replay/commands/import_annotations.h"
@@ -106,7 +107,10 @@ int import_recognisers(const ImportOptions& options) {
   if (const auto problem = not_an_input(options.output, options.logs)) return fail(*problem);
   const auto camera = named_camera(options.camera);
   if (!camera) return fail(camera.error());
-  const auto trace = trace_of_recognisers(options.logs, options.from, *camera);
+  const auto data = find_data_paths();
+  const auto trace = trace_of_recognisers(
+      options.logs, options.from,
+      {.name = {}, .untimed = false, .camera = *camera, .knowledge = data ? data->knowledge.string() : ""});
   if (!trace) return fail(trace.error());
   if (const auto problem = write_file(options.output, write_trace(*trace))) return fail(*problem);
   fmt::print(options.output == "-" ? stderr : stdout, "imported {}: {}\n", counted(options.logs.size(), "file"),

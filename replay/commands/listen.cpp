@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "continua/knowledge_files/data_paths.h"
 #include "continua/replay/recogniser/recogniser_output.h"
 #include "continua/replay/trace/event_shift.h"
 #include "continua/replay/trace/trace_event.h"
@@ -28,7 +29,7 @@ class Listening {
   Listening(const ListenFilterOptions& options, std::shared_ptr<const Camera> camera)
       : format_(*recogniser_format(options.from)),
         now_(options.now),
-        stream_(format_, {input_name, now_, std::move(camera)}) {
+        stream_(format_, {input_name, now_, std::move(camera), knowledge_folder()}) {
     if (!format_.of_calendar) start_clock();
   }
 
@@ -43,6 +44,11 @@ class Listening {
   std::size_t refused() const { return refused_; }
 
  private:
+  static std::string knowledge_folder() {
+    const auto data = find_data_paths();
+    return data ? data->knowledge.string() : "";
+  }
+
   void tell() {
     while (auto gain = stream_.next()) {
       for (const auto& problem : gain->problems) refuse(problem);

@@ -1,7 +1,10 @@
 #include "continua/replay/recogniser/camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "continua/core/document_reader.h"
 #include "continua/core/replaced_file.h"
@@ -10,6 +13,10 @@ namespace continua {
 namespace {
 
 constexpr double most_m = 1000, most_px = 100000, least_angle_rad = 0.01, most_angle_rad = 3.1;
+constexpr double most_pictures = 10;  // a corner may be so far outside of the picture
+constexpr double least_area = 1e-6;   // of a triangle that is none
+
+double rounded(double number) { return std::round(number * 1e4) / 1e4 + 0.0; }
 
 Vec3 read_point(const Item& item) {
   const auto elements = item.elements("a point [x, y, z], in metres");
@@ -20,8 +27,55 @@ Vec3 read_point(const Item& item) {
   return point;
 }
 
+// Numbers of a point with two, and 1: a point of a projective plane.
+Vec3 read_plane_point(const Item& item, double least, double most) {
+  const auto numbers = item.elements("a point, [number, number]");
+  if (item.exists() && numbers.size() != 2) item.problem("expected a point, [number, number]");
+  Vec3 point(0, 0, 1);
+  for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 2); ++i)
+    point[static_cast<Eigen::Index>(i)] = numbers[i].number("a number", 0, least, most);
+  return point;
+}
+
+// The matrix by which the unit vectors and (1, 1, 1) become multiples of the four points. None: three are in a line.
+std::optional<Eigen::Matrix3d> plane_through(const std::array<Vec3, 4>& points) {
+  Eigen::Matrix3d columns;
+  columns << points[0], points[1], points[2];
+  if (std::abs(columns.determinant()) < least_area) return std::nullopt;
+  const Vec3 weights = columns.inverse() * points[3];
+  if (weights.cwiseAbs().minCoeff() < least_area) return std::nullopt;
+  return columns * weights.asDiagonal();
+}
+
+void read_corners(const Item& corners, Camera& camera) {
+  const auto four = corners.elements("four corners");
+  if (four.size() != 4) {
+    corners.problem(fmt::format("found {} corners; expected four", four.size()));
+    return;
+  }
+  std::array<Vec3, 4> seen, table;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!four[i].expect_object("a corner", {"seen", "is"})) return;
+    seen[i] = read_plane_point(four[i].required("seen", "a point of the picture"), -most_pictures, most_pictures);
+    table[i] = read_plane_point(four[i].required("is", "a point of the table"), -most_m, most_m);
+  }
+  const auto of_picture = plane_through(seen), of_table = plane_through(table);
+  if (!of_picture || !of_table) {
+    corners.problem("three of the points are in a line; expected corners of a quadrangle");
+    return;
+  }
+  const Eigen::Matrix3d map = *of_table * of_picture->inverse();
+  camera.table_of_picture = map / (map * seen[0]).z();
+}
+
 Camera camera_of(const Item& root) {
   Camera camera;
+  if (const auto corners = root.member("corners"); corners.exists()) {
+    if (!root.expect_object("a camera that knows corners", {"about", "corners", "mirrored"})) return camera;
+    read_corners(corners, camera);
+    camera.mirrored = root.member("mirrored").truth(false);
+    return camera;
+  }
   if (!root.expect_object("a camera", {"about", "position", "looks_at", "size", "field_of_view", "mirrored", "frame"}))
     return camera;
   camera.X_WC.p_WB = read_point(root.required("position", "where the camera is, [x, y, z]"));
@@ -56,7 +110,11 @@ Camera camera_of(const Item& root) {
 Result<Camera> read_camera(const std::string& path) {
   const auto text = read_file(path);
   if (!text) return text.error();
-  const auto document = LocatedJson::parse(*text, path);
+  return camera_of_text(*text, path);
+}
+
+Result<Camera> camera_of_text(std::string_view text, const std::string& path) {
+  const auto document = LocatedJson::parse(text, path);
   if (!document) return document.error();
   DocumentReader reader;
   auto camera = camera_of(reader.root(*document));
@@ -91,15 +149,20 @@ std::optional<Vec3> origin_of(const std::vector<SeenPoint>& points, const Camera
   return origin.allFinite() && origin.z() > 0 ? std::optional(origin) : std::nullopt;
 }
 
+std::optional<Json> target_of(double across, double down, const Camera& camera) {
+  if (!camera.table_of_picture) return std::nullopt;
+  const Vec3 point = *camera.table_of_picture * Vec3(across, down, 1);
+  if (point.z() < 1e-6) return std::nullopt;
+  return Json{rounded(point.x() / point.z()), rounded(point.y() / point.z())};
+}
+
 std::optional<Json> ray_of(const Vec3& from_C, const Vec3& direction_C, const Camera& camera) {
   if (direction_C.norm() < 1e-6) return std::nullopt;
-  const auto rounded = [](const Vec3& point) {
-    Json numbers = Json::array();
-    for (const double number : point) numbers.push_back(std::round(number * 1e4) / 1e4 + 0.0);
-    return numbers;
+  const auto numbers = [](const Vec3& point) {
+    return Json{rounded(point.x()), rounded(point.y()), rounded(point.z())};
   };
-  return Json{{"from", rounded(camera.X_WC.R_WB * from_C + camera.X_WC.p_WB)},
-              {"direction", rounded(camera.X_WC.R_WB * direction_C.normalized())}};
+  return Json{{"from", numbers(camera.X_WC.R_WB * from_C + camera.X_WC.p_WB)},
+              {"direction", numbers(camera.X_WC.R_WB * direction_C.normalized())}};
 }
 
 }  // namespace continua

@@ -1,20 +1,23 @@
 // MediaPipe: the gestures and the pointing of hands, frame by frame.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "continua/core/characters.h"
 #include "continua/replay/log/run_brief.h"
+#include "continua/replay/recogniser/hand_forms.h"
 #include "continua/replay/recogniser/json_reader.h"
 #include "continua/replay/recogniser/recogniser_output.h"
 
 namespace continua {
 namespace {
 
-// A category seen for less time is noise; one that is lost for less time has not stopped.
-constexpr double shortest_s = 0.1, longest_gap_s = 0.25;
+// A category seen for less time is noise; one that is lost for less time has not stopped. Where frames are further
+// apart than that, one that two frames in a row have was there between them, unless the recogniser stood still.
+constexpr double shortest_s = 0.1, longest_gap_s = 0.25, longest_silence_s = 3;
 
 // The gestures of one hand, frame by frame: a start once a gesture was seen for long enough, a stop once it is gone.
 class HandFrames {
@@ -22,7 +25,6 @@ class HandFrames {
   explicit HandFrames(std::string hand) : hand_(std::move(hand)) {}
 
   void add(double t_s, const std::string& name, double confidence, Json features, std::vector<Json>& events) {
-    pass(t_s, events);
     if (name.empty() || name == "none") return;
     if (lasting_ && lasting_->name == name) {
       lasting_->last_s = t_s;
@@ -91,43 +93,33 @@ const Json& element(const Json& list, std::size_t i) {
   return list.is_array() && i < list.size() ? list[i] : nothing;
 }
 
-Vec3 point_of(const Json& point) {
-  return {number_of(point, "x").value_or(0), number_of(point, "y").value_or(0), number_of(point, "z").value_or(0)};
+// The landmarks of one hand; empty if they are no hand's.
+HandPoints points_of(const Json& landmarks) {
+  HandPoints points;
+  if (landmarks.is_array() && landmarks.size() == points_of_hand)
+    for (const auto& point : landmarks)
+      points.emplace_back(number_of(point, "x").value_or(0), number_of(point, "y").value_or(0),
+                          number_of(point, "z").value_or(0));
+  return points;
 }
 
-// The landmarks of a finger: its second joint and its tip. A finger is stretched if its tip is further from the wrist.
-struct Finger {
-  std::size_t joint, tip;
-};
-constexpr std::size_t wrist_landmark = 0, index_knuckle = 5, landmarks_of_hand = 21;
-constexpr Finger index_finger = {6, 8};
-constexpr Finger other_fingers[] = {{10, 12}, {14, 16}, {18, 20}};
-
-bool is_stretched(const Finger& finger, const std::vector<SeenPoint>& points) {
-  const auto from_wrist = [&](std::size_t i) { return (points[i].p_C - points[wrist_landmark].p_C).norm(); };
-  return from_wrist(finger.tip) > from_wrist(finger.joint);
-}
-
-// The ray of a hand whose index finger alone is stretched: from the finger's tip, as from its knuckle.
-std::optional<Json> pointing_of(const Json& picture, const Json& world, const Camera& camera) {
-  if (!picture.is_array() || !world.is_array() || picture.size() != landmarks_of_hand ||
-      world.size() != landmarks_of_hand)
-    return std::nullopt;
+// {"ray"} of the finger that points, from its tip, as from its knuckle; or {"target"} on the table, where its tip is
+// seen.
+Json pointing_of(const Finger& finger, const HandPoints& picture, const HandPoints& world, const Camera& camera) {
+  if (picture.empty()) return {};
+  const auto across = [&](std::size_t i) { return camera.mirrored ? 1 - picture[i].x() : picture[i].x(); };
+  if (const auto target = target_of(across(finger.tip), picture[finger.tip].y(), camera)) return {{"target", *target}};
+  if (camera.table_of_picture) return {};
   std::vector<SeenPoint> points;
-  for (std::size_t i = 0; i < landmarks_of_hand; ++i) {
-    const Vec3 seen = point_of(picture[i]);
-    SeenPoint point = {seen.x(), seen.y(), point_of(world[i])};
-    if (camera.mirrored) point.across = 1 - point.across, point.p_C.x() *= -1;
-    points.push_back(point);
+  for (std::size_t i = 0; i < points_of_hand; ++i) {
+    points.push_back({across(i), picture[i].y(), world[i]});
+    if (camera.mirrored) points[i].p_C.x() *= -1;
   }
-  if (!is_stretched(index_finger, points) ||
-      std::any_of(std::begin(other_fingers), std::end(other_fingers),
-                  [&](const Finger& finger) { return is_stretched(finger, points); }))
-    return std::nullopt;
   const auto origin = origin_of(points, camera);
-  if (!origin) return std::nullopt;
-  return ray_of(*origin + points[index_finger.tip].p_C, points[index_finger.tip].p_C - points[index_knuckle].p_C,
-                camera);
+  if (!origin) return {};
+  const auto ray =
+      ray_of(*origin + points[finger.tip].p_C, points[finger.tip].p_C - points[finger.knuckle].p_C, camera);
+  return ray ? Json{{"ray", *ray}} : Json();
 }
 
 class MediapipeReader : public JsonReader {
@@ -142,29 +134,60 @@ class MediapipeReader : public JsonReader {
   void read_object(const Json& frame, std::size_t line, Recognised& gain) override {
     const auto t_ms = number_of(frame, "timestamp_ms");
     const auto& gestures = member_of(frame, "gestures");
-    if (!t_ms || !gestures.is_array()) {
-      gain.problems.push_back(lacks(name(), line, "'timestamp_ms' and 'gestures' of a GestureRecognizer's result"));
+    const auto& hands = gestures.is_array() ? gestures : world_of(frame);
+    if (!t_ms || !hands.is_array()) {
+      gain.problems.push_back(lacks(name(), line,
+                                    "'timestamp_ms' and 'gestures' of a GestureRecognizer's result, or "
+                                    "'worldLandmarks' of a HandLandmarker's"));
       return;
     }
+    if (!forms_ && (!gestures.is_array() || camera())) {
+      auto forms = known_forms();
+      if (!forms) return gain.problems.push_back(forms.error());
+      forms_ = *std::move(forms);
+    }
     const double t_s = *t_ms / 1000;
-    for (auto& [name, hand] : hands_) hand.pass(t_s, gain.events);
-    for (std::size_t i = 0; i < gestures.size(); ++i) read_hand(frame, i, t_s, gain);
+    if (t_s - last_s_ > longest_silence_s) pass(t_s, gain.events);
+    last_s_ = t_s;
+    for (std::size_t i = 0; i < hands.size(); ++i) read_hand(frame, i, t_s, gain);
+    pass(t_s, gain.events);
+  }
+
+  void pass(double t_s, std::vector<Json>& events) {
+    for (auto& [name, hand] : hands_) hand.pass(t_s, events);
   }
 
   void read_hand(const Json& frame, std::size_t i, double t_s, Recognised& gain) {
-    const auto& best = element(element(member_of(frame, "gestures"), i), 0);
-    const auto side = category(element(element(member_of(frame, "handedness"), i), 0));
+    const auto& best_side = element(element(member_of(frame, "handedness"), i), 0);
+    const auto side = category(best_side);
     const std::string hand = side == "left" || side == "right" ? side : "";
-    const auto& world = element(either_member(frame, "worldLandmarks", "hand_world_landmarks"), i);
+    const auto& world = element(world_of(frame), i);
+    const auto points = points_of(world);
+    const auto* form = forms_ ? forms_->find(points) : nullptr;
+    const auto& gestures = member_of(frame, "gestures");
+    const auto& best = gestures.is_array() ? element(element(gestures, i), 0) : best_side;
+    const auto gesture = gestures.is_array() ? category(best) : form ? form->name : "";
     hands_.try_emplace(hand, hand)
-        .first->second.add(t_s, category(best), number_of(best, "score").value_or(1), form_of(world), gain.events);
+        .first->second.add(t_s, gesture, number_of(best, "score").value_or(1), form_of(world), gain.events);
+    if (!form || !form->pointer || !camera()) return;
     const auto& picture = element(either_member(frame, "landmarks", "hand_landmarks"), i);
-    if (auto sample = camera() ? pointing_of(picture, world, *camera()) : std::nullopt) {
-      Json event = {{"t", t_s}, {"kind", "pointing"}};
-      if (!hand.empty()) event["hand"] = hand;
-      event["ray"] = *std::move(sample);
-      gain.events.push_back(std::move(event));
-    }
+    const auto sample = pointing_of(*form->pointer, points_of(picture), points, *camera());
+    if (sample.empty()) return;
+    Json event = {{"t", t_s}, {"kind", "pointing"}};
+    if (!hand.empty()) event["hand"] = hand;
+    event.update(sample);
+    gain.events.push_back(std::move(event));
+  }
+
+  Result<HandForms> known_forms() const {
+    const auto path = (std::filesystem::path(knowledge()) / "hand_forms.json").string();
+    const auto text = read_file(path);
+    if (!text) return text.error();
+    return read_hand_forms(*text, path);
+  }
+
+  static const Json& world_of(const Json& frame) {
+    return either_member(frame, "worldLandmarks", "hand_world_landmarks");
   }
 
   static std::string category(const Json& one) {
@@ -173,6 +196,8 @@ class MediapipeReader : public JsonReader {
   }
 
   std::map<std::string, HandFrames> hands_;
+  std::optional<HandForms> forms_;
+  double last_s_ = 0;  // of the frame before
 };
 
 }  // namespace

@@ -5,14 +5,13 @@
 #include <algorithm>
 
 #include "continua/core/digest.h"
-#include "continua/replay/recogniser/recogniser_output.h"
 #include "continua/replay/trace/event_shift.h"
 #include "continua/replay/trace/trace_event.h"
 
 namespace continua {
 
 Result<Trace> trace_of_recognisers(const std::vector<std::string>& files, const std::vector<std::string>& formats,
-                                   std::shared_ptr<const Camera> camera) {
+                                   OutputSource common) {
   if (formats.size() != 1 && formats.size() != files.size())
     return Error{"--from", fmt::format("found {} formats for {} files; expected one, or one for each", formats.size(),
                                        files.size())};
@@ -20,8 +19,8 @@ Result<Trace> trace_of_recognisers(const std::vector<std::string>& files, const 
   for (std::size_t i = 0; i < files.size(); ++i) {
     const auto text = read_file(files[i]);
     if (!text) return text.error();
-    const auto read =
-        read_output(*recogniser_format(formats[formats.size() == 1 ? 0 : i]), *text, {files[i], false, camera});
+    common.name = files[i];
+    const auto read = read_output(*recogniser_format(formats[formats.size() == 1 ? 0 : i]), *text, common);
     if (!read) return read.error();
     events.insert(events.end(), read->begin(), read->end());
   }

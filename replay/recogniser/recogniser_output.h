@@ -27,6 +27,7 @@ struct OutputSource {
   std::string name;      ///< of the file, for problems
   bool untimed = false;  ///< nobody asks for its times: an utterance is not kept until its words' times are known
   std::shared_ptr<const Camera> camera = {};  ///< null: where hands point is not known
+  std::string knowledge = {};                 ///< the folder with hand_forms.json, for recognisers of hands
 };
 
 /// Reads the parts of one recogniser's output in their order.
@@ -43,6 +44,7 @@ class RecogniserReader {
   const std::string& name() const { return source_.name; }
   bool is_untimed() const { return source_.untimed; }
   const Camera* camera() const { return source_.camera.get(); }
+  const std::string& knowledge() const { return source_.knowledge; }
 
  private:
   OutputSource source_;

@@ -3,6 +3,7 @@
 
 #include "continua/core/replaced_file.h"
 #include "continua/replay/recogniser/camera.h"
+#include "continua/replay/recogniser/hand_forms.h"
 #include "continua/replay/recogniser/recogniser_output.h"
 #include "support/catch.h"
 
@@ -45,8 +46,10 @@ std::shared_ptr<const Camera> camera(const std::string& more) {
   return *read;
 }
 
+constexpr const char* knowledge = CONTINUA_SOURCE_DIR "/engine/knowledge";
+
 Json ray(const char* format, const std::string& output, std::shared_ptr<const Camera> seen_by) {
-  const auto events = read_output(*recogniser_format(format), output, {"hands", false, std::move(seen_by)});
+  const auto events = read_output(*recogniser_format(format), output, {"hands", false, std::move(seen_by), knowledge});
   REQUIRE(events);
   return events->empty() ? Json() : (*events)[0]["ray"];
 }
@@ -74,6 +77,94 @@ TEST_CASE("A hand that does not point, or that no camera is told of, is no ray")
   CHECK(ray("mediapipe", frame(pointing_hand(), {0, 0, 0.6}, false), nullptr).is_null());
 }
 
+TEST_CASE("A finger's tip is on the table where the picture shows it, if the table's corners are known") {
+  const auto file = std::string(CONTINUA_BINARY_DIR) + "/hands_test.camera.json";
+  const auto seen = [&](const std::string& text, double across, double down) {
+    REQUIRE_FALSE(replace_file(file, text));
+    const auto read = read_camera(file);
+    INFO((read ? std::string() : read.error().text()));
+    REQUIRE(read);
+    const auto target = target_of(across, down, *read);
+    return target ? compact(*target) : "none";
+  };
+  // The table's far edge, y = 0.3, is seen half as long as the near one.
+  const std::string table =
+      R"({"corners": [{"seen": [0.3, 0.2], "is": [-0.5, 0.3]}, {"seen": [0.7, 0.2], "is": [0.5, 0.3]},
+                                            {"seen": [0.9, 0.8], "is": [0.5, -0.3]}, {"seen": [0.1, 0.8], "is": [-0.5, -0.3]}]})";
+  CHECK(seen(table, 0.3, 0.2) == "[-0.5,0.3]");
+  CHECK(seen(table, 0.9, 0.8) == "[0.5,-0.3]");
+  CHECK(seen(table, 0.5, 0.4) == "[0.0,0.0]");  // where the diagonals meet
+  CHECK(seen(table, 0.5, -0.5) == "none");      // above the horizon
+  // As of a recogniser: the tip of the pointing hand's finger.
+  const auto seen_by = named_camera(file);
+  REQUIRE(seen_by);
+  const auto events = read_output(*recogniser_format("mediapipe"), frame(pointing_hand(), {0, 0.2, 1}, false),
+                                  {"hands", false, *seen_by, knowledge});
+  REQUIRE(events);
+  REQUIRE(events->size() == 1);
+  CHECK_FALSE((*events)[0].contains("ray"));
+  CHECK((*events)[0]["target"] == *target_of(0.5 + 0.01 / 1.05, 0.5 + 0.14 / 1.05, **seen_by));
+}
+
+// A frame of a HandLandmarker, which tells no gestures: one hand in the form of an example, or no hand.
+std::string landmarks(int ms, const Json& hand) {
+  Json world = Json::array();
+  for (const auto& point : hand) world.push_back({{"x", point[0]}, {"y", point[1]}, {"z", point[2]}});
+  Json frame = {{"timestamp_ms", ms}, {"handedness", Json::array()}, {"worldLandmarks", Json::array()}};
+  if (!hand.empty()) {
+    frame["handedness"].push_back(Json::array({{{"categoryName", "Left"}, {"score", 0.75}}}));
+    frame["worldLandmarks"].push_back(world);
+  }
+  return compact(frame);
+}
+
+std::string told_of(const std::string& frames) {
+  const auto events = read_output(*recogniser_format("mediapipe"), frames, {"hands", false, nullptr, knowledge});
+  if (!events) return events.error().text();
+  std::string told;
+  for (const auto& event : *events)
+    told += fmt::format("{} {} {} {}; ", compact(event["t"]), event["name"].get<std::string>(),
+                        event["phase"].get<std::string>(), compact(event["confidence"]));
+  return told;
+}
+
+TEST_CASE("A hand whose gesture nobody tells has that of its form, once for as long as it is held") {
+  const auto path = std::string(knowledge) + "/hand_forms.json";
+  const auto examples = LocatedJson::read(path)->root()["examples"];
+  REQUIRE(examples.size() > 3);
+  for (const auto& example : examples) {
+    std::string frames;
+    for (int ms = 0; ms <= 1000; ms += 50)
+      frames += landmarks(ms, ms < 200 || ms > 800 ? Json::array() : example["hand"]);
+    const auto name = example["form"].is_null() ? "" : example["form"].get<std::string>();
+    CHECK(told_of(frames) == (name.empty() ? "" : fmt::format("0.2 {0} start 0.75; 0.8 {0} stop 0.75; ", name)));
+  }
+}
+
+TEST_CASE("Slow frames show a gesture that two in a row have") {
+  const auto hand = LocatedJson::read(std::string(knowledge) + "/hand_forms.json")->root()["examples"][1]["hand"];
+  const auto none = Json::array();
+  CHECK(told_of(landmarks(0, hand) + landmarks(1500, none) + landmarks(3000, hand) + landmarks(4500, hand) +
+                landmarks(6000, hand) + landmarks(7500, none)) == "3.0 stop start 0.75; 6.0 stop stop 0.75; ");
+  // The recogniser stood still between two.
+  CHECK(told_of(landmarks(0, hand) + landmarks(1000, hand) + landmarks(9000, hand)) ==
+        "0.0 stop start 0.75; 1.0 stop stop 0.75; ");
+}
+
+TEST_CASE("Forms of a hand are checked") {
+  const std::pair<const char*, const char*> faults[] = {
+      {R"({"hand_forms": 1, "forms": {"fist": {"measures": {"index.strech": [0, 1]}}}})", "did you mean"},
+      {R"({"hand_forms": 1, "forms": {"fist": {"measures": {"index.up": [1, 0]}}}})", "not less"},
+      {R"({"hand_forms": 1, "forms": {"fist": {"points_with": "toe", "measures": {}}}})", "toe"},
+      {R"({"hand_forms": 1, "forms": {}, "examples": [{"form": "fist", "hand": [[0, 0, 0]]}]})", "found 1 points"}};
+  for (const auto& [text, sentence] : faults) {
+    const auto problems = hand_form_problems(text, "forms.json");
+    REQUIRE(problems.size() == 1);
+    INFO(problems[0].text());
+    CHECK(problems[0].text().find(sentence) != std::string::npos);
+  }
+}
+
 TEST_CASE("A forearm of ROS4HRI is a ray, through all frames up to the camera's") {
   const auto seen_by = camera(R"("field_of_view": 1, "frame": "optical"})");
   const std::string frames = R"({"transforms":[
@@ -95,7 +186,11 @@ TEST_CASE("A camera's file is checked") {
       {R"({"position": [0, 1], "looks_at": [0, 0, 0], "field_of_view": 1})", "expected a point [x, y, z]"},
       {R"({"position": [0, 1, 0], "looks_at": [0, 1, 0], "field_of_view": 1})", "another point than"},
       {R"({"position": [0, 1, 0], "looks_at": [0, 0, 0]})", "there is no \"field_of_view\""},
-      {R"({"position": [0, 1, 0], "looks_at": [0, 0, 0], "field_of_view": 60})", "found 60"}};
+      {R"({"position": [0, 1, 0], "looks_at": [0, 0, 0], "field_of_view": 60})", "found 60"},
+      {R"({"corners": [{"seen": [0, 0], "is": [0, 0]}]})", "found 1 corners"},
+      {R"({"corners": [{"seen": [0, 0], "is": [0, 0]}, {"seen": [1, 1], "is": [1, 0]}, {"seen": [0.5, 0.5], "is": [1, 1]},
+                       {"seen": [0, 1], "is": [0, 1]}]})",
+       "in a line"}};
   for (const auto& [text, sentence] : faults) {
     REQUIRE_FALSE(replace_file(file, text));
     const auto read = read_camera(file);
