@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "continua/knowledge_files/data_paths.h"
 #include "continua/replay/session/live_setup.h"
 #include "continua/replay/session/session_loop.h"
 
@@ -19,6 +20,11 @@ constexpr auto sync_within = 1s;                     // of an event, to the disk
 constexpr auto patience = std::chrono::minutes(10);  // with a session that nobody sends to or looks at
 
 const Watch nobody;
+
+std::string knowledge_folder(const std::string& asked) {
+  const auto data = find_data_paths(asked);
+  return data ? data->knowledge.string() : "";
+}
 
 }  // namespace
 
@@ -46,6 +52,7 @@ LiveSession::LiveSession(LiveOptions options, Session session)
                gesture_palette(session.machine(), session.gestures()), session.warning()},
       media_(setting_.options.trace_path),
       session_(std::move(session)),
+      recognisers_(knowledge_folder(options.replay.knowledge)),
       timing_(options.timing),
       clock_(options.speed),
       last_heard_(std::chrono::steady_clock::now()) {}
@@ -125,10 +132,13 @@ Result<LiveReply> LiveSession::receive(const std::vector<Json>& events, const st
   const auto lock = lock_soon();
   if (!batch.empty() && batch == last_batch_) return last_reply_;
   if (!loop_) return Error{"", "the session has ended"};
-  const auto timing = timing_.value_or(has_time(events.front()) ? LiveTiming::events : LiveTiming::wall);
+  const auto known = recognisers_.known_by(events);
+  if (!known) return known.error();
+  const bool timed_by_events = !known->empty() && has_time(known->front());
+  const auto timing = timing_.value_or(timed_by_events ? LiveTiming::events : LiveTiming::wall);
   // A replay knows all events of an instant beforehand, so one that was told later has an instant of its own.
   const auto earliest = taken_ ? std::max(now(), *taken_ + SimTime{1}) : now();
-  const auto timed = timed_events(events, timing, earliest, next_line_);
+  const auto timed = timed_events(*known, timing, earliest, next_line_);
   if (!timed) return timed.error();
   last_heard_ = std::chrono::steady_clock::now();
   ends_.reset();

@@ -18,6 +18,7 @@
 #include "continua/replay/live/live_events.h"
 #include "continua/replay/live/live_log.h"
 #include "continua/replay/live/live_media.h"
+#include "continua/replay/live/live_recognisers.h"
 #include "continua/replay/session/session.h"
 
 namespace continua {
@@ -60,7 +61,8 @@ class LiveSession {
   LiveSession(const LiveSession&) = delete;
   LiveSession& operator=(const LiveSession&) = delete;
 
-  /// Takes all of the events or, if one cannot be used, none. Errors: the reason, or that the session has ended.
+  /// Takes all of the events or, if one cannot be used, none; outputs of recognisers among them as the events that are
+  /// known by them (live_recognisers.h). Errors: the reason, or that the session has ended.
   /// `batch` names the events, or is empty: events that come again under the name of the last batch, since its answer
   /// was lost, are answered again and not taken again.
   ///
@@ -113,6 +115,7 @@ class LiveSession {
   std::optional<WallTime> unsynced_;    // since when the trace has something that may not be on the disk
   std::unique_ptr<LiveLog> log_;
   std::unique_ptr<SessionLoop> loop_;  // none: it has ended, and so have the three above
+  LiveRecognisers recognisers_;
   std::optional<LiveTiming> timing_;
   LiveClock clock_;
   std::size_t next_line_ = 2;

@@ -223,6 +223,29 @@ TEST_CASE("an event that cannot be used changes nothing, nor do those with it") 
   CHECK(session->audience().state().t.seconds() == 1);
 }
 
+TEST_CASE("a recogniser's output is taken as the events that are known by it, and replays to the same bytes") {
+  const TemporaryFolder folder;
+  const auto session = started(options_in(folder, LiveTiming::events));
+  const auto frame = [](int ms, const char* gesture) {
+    return fmt::format(
+        R"({{"kind":"recognised","from":"mediapipe","parts":[{{"timestamp_ms":{},"gestures":[[{{"categoryName":"{}"}}]]}}]}})",
+        ms, gesture);
+  };
+  for (int ms = 1000; ms <= 1500; ms += 100) CHECK(sent(*session, frame(ms, "stop")).accepted == 1);
+  const auto refused =
+      session->receive({Json::parse(frame(1600, "stop")), Json::parse(R"({"kind":"recognised","from":"it"})")});
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.error().text() == R"(recognised: 'from' is "it"; expected one of whisper, vosk, mediapipe)");
+  sent(*session, R"({"kind":"recognised","from":"mediapipe","end":true})");
+  session->end();
+  const auto trace = content(folder.at("live.trace.jsonl"));
+  CHECK(trace.find(R"("kind":"gesture","name":"stop","phase":"start")") != std::string::npos);
+  CHECK(trace.find(R"("kind":"gesture","name":"stop","phase":"stop")") != std::string::npos);
+  CHECK(trace.find("recognised") == std::string::npos);
+  CHECK(std::count(trace.begin(), trace.end(), '\n') == 4);  // header, two events, end
+  CHECK(comparable(content(folder.at("live.run.jsonl"))) == comparable(replayed(folder.at("live.trace.jsonl"), false)));
+}
+
 TEST_CASE("the end is clean, whoever brings it about, and nothing comes after it") {
   const TemporaryFolder folder;
   const auto options = options_in(folder, LiveTiming::events);
