@@ -32,7 +32,9 @@ const WebAsset& page_asset(std::string_view path) {
   return *found;
 }
 
-bool is_page_module(const WebAsset& asset) { return asset.path.ends_with(".js") && asset.path != "/exported.js"; }
+bool is_page_module(const WebAsset& asset) {
+  return asset.path.ends_with(".js") && asset.path != "/exported.js" && !asset.path.starts_with("/hands/");
+}
 
 std::string page_style() {
   constexpr std::string_view link = "<link rel=\"stylesheet\" href=\"";

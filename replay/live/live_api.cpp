@@ -55,7 +55,8 @@ Json session_json(const ListedSession& listed, const LiveSessions& sessions) {
             {"state", state.machine_state},
             {"viewers", session.audience().viewers()},
             {"gestures", session.setting().palette},
-            {"buttons", sessions.setup()["buttons"]}};
+            {"buttons", sessions.setup()["buttons"]},
+            {"hands", sessions.setup()["hands"]}};
   if (session.setting().warning) json["warning"] = session.setting().warning->text();
   if (state.broke) json["broke"] = state.broke->text();
   return json;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "continua/replay/live/hand_model.h"
 #include "continua/replay/session/live_setup.h"
 #include "continua/replay/trace/trace_name.h"
 
@@ -42,6 +43,7 @@ Result<std::shared_ptr<LiveSessions>> LiveSessions::create(LiveDefaults defaults
   if (!data) return data.error();
   auto setup = live_setup(*data);
   if (!setup) return setup.error();
+  (*setup)["hands"] = hand_model_folder().has_value();
   for (const auto& [field, own] : {std::pair("scene", &defaults.scene), std::pair("machine", &defaults.machine)}) {
     if (own->empty()) continue;
     (*setup)[field] = *own;

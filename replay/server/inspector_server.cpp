@@ -13,6 +13,7 @@
 #include "continua/core/gzip.h"
 #include "continua/replay/experiment/what_if_session.h"
 #include "continua/replay/inspector/inspector_api.h"
+#include "continua/replay/live/hand_model.h"
 #include "continua/replay/pictures/frame_cache.h"
 #include "continua/replay/server/access.h"
 #include "continua/replay/server/http_answer.h"
@@ -38,6 +39,12 @@ constexpr auto policy =
     "'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
+// Of the worker that finds hands, and of the library that it loads: it may compile WebAssembly, which the page may not.
+constexpr auto hands_policy =
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; base-uri 'none'; form-action "
+    "'none'; "
+    "frame-ancestors 'none'";
+
 // Of every answer.
 const httplib::Headers always = {{"Content-Security-Policy", policy},
                                  {"X-Content-Type-Options", "nosniff"},
@@ -58,6 +65,19 @@ void send_asset(const httplib::Request& request, httplib::Response& response, co
   if (gzip) response.set_header("Content-Encoding", "gzip");
   send(response, std::make_shared<const std::string>(gzip ? std::string(asset.gzip) : gunzipped(asset.gzip)),
        std::string(asset.mime));
+}
+
+// A file of the model that finds hands: the page's own worker, or what is installed.
+void send_hands(const httplib::Request& request, httplib::Response& response, const WebAsset* asset) {
+  response.headers.erase("Content-Security-Policy");
+  response.set_header("Content-Security-Policy", hands_policy);
+  if (asset) return send_asset(request, response, *asset);
+  const auto name = request.path.substr(request.path.rfind('/') + 1);
+  const auto type = hand_model_type(name);
+  const auto folder = hand_model_folder();
+  if (!folder || !type)
+    return send_answer(request, response, api_error(404, fmt::format("there is nothing at {}", request.path)));
+  send_media(request, response, {(*folder / name).string(), *type});
 }
 
 const WebAsset* find_asset(std::string_view path) {
@@ -148,6 +168,9 @@ class InspectorServer::Impl {
     });
     server_.Get("/api/.*", [this](const httplib::Request& request, httplib::Response& response) {
       send_answer(request, response, api_.get(request.target));
+    });
+    server_.Get(R"(/hands/[\w.]+)", [](const httplib::Request& request, httplib::Response& response) {
+      send_hands(request, response, find_asset(request.path));
     });
     server_.Get("/.*", [](const httplib::Request& request, httplib::Response& response) {
       // The page shows every run; which one is its own affair.

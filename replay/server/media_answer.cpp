@@ -75,7 +75,7 @@ std::optional<ByteRange> wanted_range(std::string_view range, std::uint64_t size
 void send_media(const httplib::Request& request, httplib::Response& response, const ServedMedia& media) {
   const auto file = std::make_shared<const OpenFile>(media.path);
   const auto size = file->size();
-  if (!size) return send_answer(request, response, api_error(404, "the recording cannot be read"));
+  if (!size) return send_answer(request, response, api_error(404, "the file cannot be read"));
   response.set_header("Cache-Control", "no-store");
   response.set_header("Accept-Ranges", "bytes");
   ByteRange part{0, *size};
