@@ -6,6 +6,7 @@ import {three} from '../vendor.js';
 import {mountConversation} from './conversation.js';
 import {EngineClock} from './engine_clock.js';
 import {Filming, canFilm} from './filming.js';
+import {HandTracking, whyNoHand} from './hand_tracking.js';
 import {LiveWorld} from './live_world.js';
 import {mountPalette} from './palette.js';
 import {mountPlace} from './place.js';
@@ -40,12 +41,15 @@ class SessionPage {
   #voice = new Voice();
   #world = new LiveWorld(() => this.place?.render());
   #filming;
+  #hand;
+  #without_hand; // why there is none, or empty
   #conversation;
   #palette;
   #dialogs;
   #status;
   #link;
   #talk = null;
+  #table = null; // its edges
   #begun = null; // resolves open()
   #notice = h('p', {class: 'notice', role: 'status', 'data-testid': 'live-notice'});
   #unsent = h('ul', {class: 'unsent', role: 'status', 'data-testid': 'live-unsent', hidden: true});
@@ -68,8 +72,18 @@ class SessionPage {
       say: (sentence) => this.#say(sentence),
       changed: (filmed) => this.#show({filmed}),
     });
+    this.#hand = new HandTracking({
+      time: () => this.#clock.now,
+      table: () => this.#table,
+      sample: (event) => this.#sample(event),
+      send: (event) => this.#send(() => [event]),
+      say: (sentence) => this.#say(sentence),
+      changed: (tracked) => this.#show({tracked}),
+    });
+    this.#without_hand = whyNoHand(state);
     this.#dialogs = {
       film: this.#filming.dialog,
+      hand: this.#hand.dialog,
       help: helpDialog([...this.#palette.keys, ...page_keys], mouse_help),
       save: saveDialog(
         (name) => client.save(name),
@@ -95,9 +109,11 @@ class SessionPage {
       speak: () => this.#voice.toggle(),
       map: () => this.place?.toggle(),
       film: () => this.#filming.toggle(),
+      hand: () => this.#hand.toggle(),
     };
     const {recording} = this.#client;
-    return mountStatus({run, recording, films, time: () => this.#clock.now, speaks: this.#voice.on, act});
+    const tracks = recording && !this.#without_hand;
+    return mountStatus({run, recording, films, tracks, time: () => this.#clock.now, speaks: this.#voice.on, act});
   }
   #mountLink() {
     return new SessionLink(this.#client, {
@@ -126,7 +142,9 @@ class SessionPage {
     this.#showUnsent();
   }
   #showUnsent() {
-    const words = this.#client.unsent.map(({text, name}) => (text === undefined ? (name ?? '') : `“${text}”`));
+    const words = this.#client.unsent
+      .map(({text, name}) => (text === undefined ? (name ?? '') : `“${text}”`))
+      .filter(Boolean);
     this.#unsent.hidden = this.#now.lost === null || !words.length;
     this.#unsent.replaceChildren(...words.map((one) => h('li', {}, `${one} waits to be sent`)));
   }
@@ -138,6 +156,7 @@ class SessionPage {
     this.#now = {...this.#now, ...change};
     this.#status.render(this.#now);
     this.#filming.pause(!this.#now.running);
+    this.#hand.pause(!this.#now.running || this.#now.lost !== null);
     if (this.place) this.place.pointing.enabled = this.#working;
   }
   /** Whether this page records a session that goes on. */
@@ -152,6 +171,11 @@ class SessionPage {
     this.#showUnsent();
   }
 
+  // Sends what is worth sending only now.
+  #sample(event) {
+    if (this.#working && this.#link.works && this.#now.running) this.#client.sample(event);
+  }
+
   #take(record) {
     const {kind, t, event} = record;
     this.#clock.atLeast(t);
@@ -161,7 +185,8 @@ class SessionPage {
     else if (kind === 'act') this.#world.act(record);
     else if (kind === 'percept')
       for (const {deixis} of record.bound ?? []) if (deixis?.place) this.#world.flash(deixis.place);
-    if (kind === 'input' && event?.target && !this.#client.recording) this.#world.watch(event.target);
+    if (kind === 'input' && event?.target && (this.#hand.on || !this.#client.recording))
+      this.#world.watch(event.target);
     const line = this.#conversation.take(record);
     // Sentences said before this page was opened are not said again.
     if (line?.who === 'avatar' && line.how === 'says' && t >= this.#opened_t) this.#voice.say(line.text);
@@ -171,6 +196,7 @@ class SessionPage {
   async #begin(own) {
     const known = readTable(own);
     this.#world.begin(own);
+    this.#table = known.table;
     this.place = mountPlace({
       own,
       known,
@@ -180,11 +206,9 @@ class SessionPage {
       lost: () => this.#status.withoutMap(),
       keeps: (target) => this.#talk?.keeps(target) ?? false,
       send: (event) => this.#send(() => [event]),
-      sample: (event) => {
-        if (this.#working && this.#link.works && this.#now.running) this.#client.sample(event);
-      },
+      sample: (event) => this.#sample(event),
     });
-    this.#scene.replaceChildren(this.place.element);
+    this.#scene.replaceChildren(this.place.element, this.#hand.element);
     if (this.#working) this.#beginTalk(known.examples);
     else if (this.#now.live) {
       const sentence = 'You are watching; somebody else records.';
@@ -201,7 +225,8 @@ class SessionPage {
       said: (sentence) => this.#say(sentence),
       clicked: (clicks) => this.#world.set({clicks}),
     });
-    this.#below.replaceChildren(this.#palette.element, this.#talk.element);
+    const without = this.#without_hand && h('p', {class: 'muted', 'data-testid': 'hand-missing'}, this.#without_hand);
+    this.#below.replaceChildren(this.#palette.element, this.#talk.element, ...(without ? [without] : []));
     this.#talk.focus();
   }
 
@@ -229,11 +254,12 @@ class SessionPage {
     if (!this.#now.live && this.#below.querySelector('.summary')) return;
     this.#link.close();
     this.#filming.close();
+    this.#hand.close();
     this.#talk?.close();
     this.#voice.stop();
     this.#clock.told({t, running: false});
     this.#world.set({pointer: null, cross: null, clicks: []});
-    this.#show({live: false, running: false, viewers: 0, state});
+    this.#show({live: false, running: false, viewers: 0, state, tracked: false});
     this.#say('');
     this.#summarise(trace, run);
   }
@@ -289,7 +315,8 @@ class SessionPage {
     removeEventListener('pagehide', this.#leaving);
     removeEventListener('beforeunload', this.#asking);
     this.#link.close();
-    for (const one of [this.#filming, this.#client, this.#world, this.#status, this.place, this.#talk]) one?.close();
+    for (const one of [this.#filming, this.#hand, this.#client, this.#world, this.#status, this.place, this.#talk])
+      one?.close();
     this.#voice.stop();
   }
 }

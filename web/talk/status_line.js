@@ -19,6 +19,10 @@ function buttonsOf(act, speaks) {
       'aria-pressed': 'false',
       'data-testid': 'live-film',
     }),
+    hand: button('Track my hand', 'Your hand before the camera points and makes gestures, if you agree', act.hand, {
+      'aria-pressed': 'false',
+      'data-testid': 'live-hand',
+    }),
     speak: window.speechSynthesis ? speak : null,
     map: button('Map', 'The table from above', act.map, {'aria-pressed': 'false', 'data-testid': 'live-map'}),
     save: button('Save as test', 'Keeps this conversation as a test', act.save, {'data-testid': 'live-save'}),
@@ -46,15 +50,15 @@ const inspect = (run) =>
   );
 
 /**
- * `act`: {pause, end, save, keys, speak, map, film}; `recording`: this page records, or only watches; `films`: whether it
- * can record the human.
+ * `act`: {pause, end, save, keys, speak, map, film, hand}; `recording`: this page records, or only watches; `films`,
+ * `tracks`: whether it can record the human, and track a hand.
  */
-export function mountStatus({run, recording, films, time, act, speaks}) {
+export function mountStatus({run, recording, films, tracks, time, act, speaks}) {
   const state = h('span', {class: 'state', 'data-testid': 'live-state'});
   const seconds = h('output', {class: 'engine-time', 'data-testid': 'live-time'});
   const mode = h('span', {class: 'badge', role: 'status', 'data-testid': 'live-mode'});
   const watching = h('span', {class: 'muted watching', 'data-testid': 'live-viewers'});
-  const {pause, end, film, speak, map, save, keys} = buttonsOf(act, speaks);
+  const {pause, end, film, hand, speak, map, save, keys} = buttonsOf(act, speaks);
   const element = h(
     'header',
     {class: 'top live-top'},
@@ -64,13 +68,24 @@ export function mountStatus({run, recording, films, time, act, speaks}) {
     seconds,
     state,
     watching,
-    h('div', {class: 'transport'}, recording && [pause, end], films && film, speak, map, save, inspect(run), keys),
+    h(
+      'div',
+      {class: 'transport'},
+      recording && [pause, end],
+      films && film,
+      tracks && hand,
+      speak,
+      map,
+      save,
+      inspect(run),
+      keys,
+    ),
   );
   const timer = setInterval(() => put(seconds, clock(time())), tick_ms);
   return {
     element,
-    /** Shows {live, running, viewers, state, mapped, filmed, lost}; `lost`: the time since when the server is gone, or null. */
-    render({live, running, viewers, state: now, mapped, filmed, lost = null}) {
+    /** Shows {live, running, viewers, state, mapped, filmed, tracked, lost}; `lost`: the time since when the server is gone, or null. */
+    render({live, running, viewers, state: now, mapped, filmed, tracked, lost = null}) {
       const is_lost = live && lost !== null;
       mode.className = `badge ${is_lost ? 'lost' : live && running ? 'live' : ''}`;
       const going = running ? '● recording' : '❚❚ paused';
@@ -78,9 +93,11 @@ export function mountStatus({run, recording, films, time, act, speaks}) {
       put(watching, viewers > 0 ? `${viewers} watching` : '');
       put(state, now ?? '');
       put(pause, running ? 'Pause' : 'Go on');
-      pause.hidden = end.hidden = film.hidden = !live;
+      pause.hidden = end.hidden = film.hidden = hand.hidden = !live;
       put(film, filmed ? '● Stop recording me' : 'Record me');
       film.setAttribute('aria-pressed', String(Boolean(filmed)));
+      put(hand, tracked ? '● Stop tracking my hand' : 'Track my hand');
+      hand.setAttribute('aria-pressed', String(Boolean(tracked)));
       map.setAttribute('aria-pressed', String(mapped));
       put(seconds, clock(time()));
     },

@@ -1,0 +1,41 @@
+// The human's own picture as a mirror shows it, small, with the hand that was found in it and the part of it that is the
+// table. The picture goes nowhere else.
+import {h, s} from '../dom.js';
+
+// The numbers of a hand's points that are joined, as MediaPipe counts them: palm, thumb, fingers.
+const lines = [
+  [0, 5, 9, 13, 17, 0],
+  [0, 1, 2, 3, 4],
+  [5, 6, 7, 8],
+  [9, 10, 11, 12],
+  [13, 14, 15, 16],
+  [17, 18, 19, 20],
+];
+const pathOf = (points) =>
+  lines.map((line) => `M${line.map((i) => `${points[i].x} ${points[i].y}`).join('L')}`).join('');
+
+/** `table`: {left, right, top, bottom}, the part of the picture that is the table, from 0 to 1. */
+export function mountHandView(table) {
+  const video = h('video', {muted: true, playsinline: true, 'aria-hidden': 'true', tabindex: -1});
+  video.muted = true;
+  const bones = s('path', {class: 'bones'});
+  const {left, right, top, bottom} = table;
+  const drawing = s(
+    'svg',
+    {viewBox: '0 0 1 1', preserveAspectRatio: 'none', 'aria-hidden': 'true'},
+    s('rect', {class: 'table-part', x: left, y: top, width: right - left, height: bottom - top}),
+    bones,
+  );
+  const caption = h('figcaption', {'data-testid': 'hand-state'});
+  return {
+    video,
+    element: h('figure', {class: 'hand-view', 'data-testid': 'hand-view'}, video, drawing, caption),
+    /** Of a HandLandmarker's result; null: nothing has been looked at yet. */
+    show(found) {
+      const points = found?.landmarks[0];
+      bones.setAttribute('d', points ? pathOf(points) : '');
+      if (!found) caption.textContent = 'Getting ready to see your hand…';
+      else caption.textContent = points ? 'Your hand is seen. The frame is the table.' : 'No hand is seen.';
+    },
+  };
+}
