@@ -41,7 +41,7 @@ class HandFrames {
     if (begun_->last_s - begun_->from_s < shortest_s) return;
     stop(events);
     lasting_ = std::exchange(begun_, std::nullopt);
-    auto event = event_of(lasting_->from_s, "start");
+    auto event = event_of(std::max(lasting_->from_s, t_s - longest_gap_s), "start");
     if (!lasting_->features.empty()) event["features"] = lasting_->features;
     events.push_back(std::move(event));
   }

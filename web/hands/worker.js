@@ -7,8 +7,6 @@ const settings = {
   selfieMode: true, // pictures are taken as a mirror shows them, so that sides are the human's own
   maxNumHands: 1,
   modelComplexity: 0, // the model that is installed: half the time of the other one
-  minDetectionConfidence: 0.6,
-  minTrackingConfidence: 0.5,
 };
 
 // The library takes itself to be in a page and loads its parts by script elements; this much of a page it gets.

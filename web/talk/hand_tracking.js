@@ -171,7 +171,7 @@ export class HandTracking {
   }
   #tell(t, found) {
     this.#telling = true;
-    const part = {timestamp_ms: 1000 * t, ...found};
+    const part = {timestamp_ms: Math.round(1000 * t), ...found};
     const camera = cameraOf(this.#needs.table());
     this.#needs.sample({kind: 'recognised', from: 'mediapipe', camera, parts: [part]});
   }

@@ -34,8 +34,8 @@ export function mountHandView(table) {
     show(found) {
       const points = found?.landmarks[0];
       bones.setAttribute('d', points ? pathOf(points) : '');
-      if (!found) caption.textContent = 'Getting ready to see your hand…';
-      else caption.textContent = points ? 'Your hand is seen. The frame is the table.' : 'No hand is seen.';
+      if (!found) caption.textContent = 'Getting ready to see…';
+      else caption.textContent = points ? 'Seen. The frame is the table.' : 'No hand is seen.';
     },
   };
 }
