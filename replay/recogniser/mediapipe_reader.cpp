@@ -180,6 +180,7 @@ class MediapipeReader : public JsonReader {
   }
 
   Result<HandForms> known_forms() const {
+    if (knowledge().empty()) return Error{name(), "found no knowledge with hand_forms.json"};
     const auto path = (std::filesystem::path(knowledge()) / "hand_forms.json").string();
     const auto text = read_file(path);
     if (!text) return text.error();

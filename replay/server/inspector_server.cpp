@@ -41,9 +41,8 @@ constexpr auto policy =
 
 // Of the worker that finds hands, and of the library that it loads: it may compile WebAssembly, which the page may not.
 constexpr auto hands_policy =
-    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; base-uri 'none'; form-action "
-    "'none'; "
-    "frame-ancestors 'none'";
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 // Of every answer.
 const httplib::Headers always = {{"Content-Security-Policy", policy},

@@ -84,7 +84,8 @@ void read_annotations(std::string_view bytes) {
 }
 
 void read_recogniser(std::string_view bytes) {
-  for (const auto& format : recogniser_formats()) (void)read_output(format, bytes, {"x"});
+  for (const auto& format : recogniser_formats())
+    (void)read_output(format, bytes, {.name = "x", .knowledge = CONTINUA_SOURCE_DIR "/engine/knowledge"});
 }
 
 void read_mcap(std::string_view bytes) {

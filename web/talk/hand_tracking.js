@@ -137,21 +137,27 @@ export class HandTracking {
     }
     say('');
     changed(true);
-    const {video} = this.#view;
-    video.srcObject = this.#stream;
+    this.#view.video.srcObject = this.#stream;
     this.#view.show(null);
     this.element.replaceChildren(this.#view.element);
-    const stream = this.#stream;
+    this.#finder = new Finder();
+    this.#track(this.#stream);
+  }
+
+  // Looks at one picture after the other until somebody stops it.
+  async #track(stream) {
+    const lost = (why) => {
+      if (this.#stream !== stream) return;
+      this.stop();
+      this.#needs.say(`Your hand is not tracked any longer: ${why}`);
+    };
+    stream.getVideoTracks()[0].addEventListener('ended', () => lost('the camera is gone.'));
     try {
-      await video.play();
-      this.#finder = new Finder();
-      await this.#finder.ready;
+      await this.#view.video.play();
+      await this.#finder?.ready;
       while (this.#stream === stream) await this.#look(stream);
     } catch (problem) {
-      if (this.#stream === stream) {
-        this.stop();
-        say(`Your hand is not tracked any longer: ${problem.message}`);
-      }
+      lost(problem.message);
     }
   }
 
