@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <sstream>
 
+#include "continua/replay/inspector/page_parts.h"
 #include "continua/replay/log/log_file.h"
 #include "continua/replay/log/run_log_file.h"
-#include "continua/web/assets.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
 
@@ -33,7 +33,7 @@ TEST_CASE("a run and the page become one file that names nothing elsewhere") {
   const ScratchFolder folder;
   const auto page = page_of(folder.write("small.run.jsonl", small_log().text()));
   std::size_t modules = 0;
-  for (const auto& asset : web_assets()) modules += asset.path.ends_with(".js") && asset.path != "/exported.js";
+  for (const auto& asset : web_assets()) modules += is_page_module(asset);
   CHECK(count(page, "<script type=\"text/plain\" data-module=") == modules);
   CHECK(count(page, "</script>") == modules + 2);
   CHECK(count(page, "<script") == modules + 2);
