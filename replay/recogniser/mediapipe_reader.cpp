@@ -16,7 +16,8 @@ namespace continua {
 namespace {
 
 // A category seen for less time is noise; one that is lost for less time has not stopped. Where frames are further
-// apart than that, one that two frames in a row have was there between them, unless the recogniser stood still.
+// apart than that, one that two frames in a row have was there between them, unless the recogniser stood still;
+// and it began and ended so much before the frame that shows it at most, lest it be told too late to count.
 constexpr double shortest_s = 0.1, longest_gap_s = 0.25, longest_silence_s = 3;
 
 // The gestures of one hand, frame by frame: a start once a gesture was seen for long enough, a stop once it is gone.
@@ -28,6 +29,7 @@ class HandFrames {
     if (name.empty() || name == "none") return;
     if (lasting_ && lasting_->name == name) {
       lasting_->last_s = t_s;
+      lasting_->lost_s.reset();
       lasting_->confidence = std::max(lasting_->confidence, confidence);
       begun_.reset();
       return;
@@ -36,7 +38,7 @@ class HandFrames {
       begun_->last_s = t_s;
       begun_->confidence = std::max(begun_->confidence, confidence);
     } else {
-      begun_ = Seen{name, t_s, t_s, confidence, std::move(features)};
+      begun_ = Seen{name, t_s, t_s, confidence, std::move(features), {}};
     }
     if (begun_->last_s - begun_->from_s < shortest_s) return;
     stop(events);
@@ -49,13 +51,15 @@ class HandFrames {
   // It is `t_s` now.
   void pass(double t_s, std::vector<Json>& events) {
     if (begun_ && t_s - begun_->last_s > longest_gap_s) begun_.reset();
-    if (lasting_ && t_s - lasting_->last_s > longest_gap_s) stop(events);
+    if (!lasting_ || lasting_->last_s >= t_s) return;
+    if (!lasting_->lost_s) lasting_->lost_s = t_s;
+    if (t_s - lasting_->last_s > longest_gap_s) stop(events);
   }
 
-  // Its time is that of the last frame in which the gesture was seen.
-  void stop(std::vector<Json>& events) {
-    if (lasting_) events.push_back(event_of(lasting_->last_s, "stop"));
-    lasting_.reset();
+  // Nothing that was seen goes on.
+  void end(std::vector<Json>& events) {
+    begun_.reset();
+    stop(events);
   }
 
  private:
@@ -63,7 +67,15 @@ class HandFrames {
     std::string name;
     double from_s = 0, last_s = 0, confidence = 0;
     Json features;
+    std::optional<double> lost_s = {};  // of the first frame without it
   };
+
+  // Its time is that of the last frame in which the gesture was seen, or shortly before that in which it was not.
+  void stop(std::vector<Json>& events) {
+    if (lasting_)
+      events.push_back(event_of(std::max(lasting_->last_s, lasting_->lost_s.value_or(0) - longest_gap_s), "stop"));
+    lasting_.reset();
+  }
 
   Json event_of(double t_s, const char* phase) const {
     Json event = {{"t", t_s}, {"kind", "gesture"}, {"name", lasting_->name}};
@@ -127,7 +139,7 @@ class MediapipeReader : public JsonReader {
   using JsonReader::JsonReader;
 
   void finish(Recognised& gain) override {
-    for (auto& [name, hand] : hands_) hand.stop(gain.events);
+    for (auto& [name, hand] : hands_) hand.end(gain.events);
   }
 
  private:
@@ -147,7 +159,7 @@ class MediapipeReader : public JsonReader {
       forms_ = *std::move(forms);
     }
     const double t_s = *t_ms / 1000;
-    if (t_s - last_s_ > longest_silence_s) pass(t_s, gain.events);
+    if (t_s - last_s_ > longest_silence_s) finish(gain);
     last_s_ = t_s;
     for (std::size_t i = 0; i < hands.size(); ++i) read_hand(frame, i, t_s, gain);
     pass(t_s, gain.events);

@@ -145,7 +145,7 @@ TEST_CASE("Slow frames show a gesture that two in a row have") {
   const auto hand = LocatedJson::read(std::string(knowledge) + "/hand_forms.json")->root()["examples"][2]["hand"];
   const auto none = Json::array();
   CHECK(told_of(landmarks(0, hand) + landmarks(1500, none) + landmarks(3000, hand) + landmarks(4500, hand) +
-                landmarks(6000, hand) + landmarks(7500, none)) == "4.25 stop start 0.75; 6.0 stop stop 0.75; ");
+                landmarks(6000, hand) + landmarks(7500, none)) == "4.25 stop start 0.75; 7.25 stop stop 0.75; ");
   // The recogniser stood still between two.
   CHECK(told_of(landmarks(0, hand) + landmarks(1000, hand) + landmarks(9000, hand)) ==
         "0.75 stop start 0.75; 1.0 stop stop 0.75; ");
