@@ -169,7 +169,7 @@ export class HandTracking {
       const t = this.#needs.time();
       const found = await this.#finder.find(await createImageBitmap(this.#view.video));
       if (this.#stream !== stream) return;
-      this.#view.show(found);
+      this.#view.show(found, performance.now() - began);
       this.#tell(t, found);
     }
     const took = performance.now() - began;

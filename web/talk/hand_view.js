@@ -2,6 +2,8 @@
 // table. The picture goes nowhere else.
 import {h, s} from '../dom.js';
 
+const slow_ms = 700; // a gesture takes two pictures, and counts for at most 2 s
+const seen_text = 'Seen. The frame is the table.';
 // The numbers of a hand's points that are joined, as MediaPipe counts them: palm, thumb, fingers.
 const lines = [
   [0, 5, 9, 13, 17, 0],
@@ -30,12 +32,13 @@ export function mountHandView(table) {
   return {
     video,
     element: h('figure', {class: 'hand-view', 'data-testid': 'hand-view'}, video, drawing, caption),
-    /** Of a HandLandmarker's result; null: nothing has been looked at yet. */
-    show(found) {
+    /** Of a HandLandmarker's result, and how long it took; null: nothing has been looked at yet. */
+    show(found, took_ms = 0) {
       const points = found?.landmarks[0];
       bones.setAttribute('d', points ? pathOf(points) : '');
+      const seen = took_ms > slow_ms ? `Seen slowly, ${(took_ms / 1000).toFixed(1)} s a picture.` : seen_text;
       if (!found) caption.textContent = 'Getting ready to see…';
-      else caption.textContent = points ? 'Seen. The frame is the table.' : 'No hand is seen.';
+      else caption.textContent = points ? seen : 'No hand is seen.';
     },
   };
 }
