@@ -21,7 +21,8 @@ import {
 } from './live_support.mjs';
 import {program, skip, Visitor} from './support.mjs';
 
-if (!existsSync(join(dirname(program), 'hands', 'hands.js'))) skip('@mediapipe/hands is not installed beside the program');
+if (!existsSync(join(dirname(program), 'hands', 'hands.js')))
+  skip('@mediapipe/hands is not installed beside the program');
 
 const frames = 240; // of each picture, at 30 a second: without a graphics card one is looked at in a second or two
 const speed = 0.25; // of the engine's time, for the same reason
