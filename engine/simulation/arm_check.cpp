@@ -13,6 +13,7 @@
 #include "continua/simulation/motion.h"
 #include "continua/simulation/mujoco_model.h"
 #include "continua/simulation/physics.h"
+#include "continua/simulation/scene_compile.h"
 
 namespace continua {
 
@@ -120,6 +121,11 @@ void note_servos(const Scene& scene, const AvatarElements& ids, Notes& notes) {
 }
 
 }  // namespace
+
+std::vector<std::string> guesses_about_avatar(const Scene& scene) {
+  const auto compiled = compile_scene(scene.path());
+  return compiled ? compiled->guesses : Notes();
+}
 
 std::vector<std::string> arm_notes(const Scene& scene) {
   const auto avatar = find_avatar(scene.model(), scene.initial_qpos(), scene.path());

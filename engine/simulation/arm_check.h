@@ -13,4 +13,8 @@ namespace continua {
 /// the scene has no arm by the rules of mjcf/README.md. Moves each hinge in the simulation, which takes a second.
 std::vector<std::string> arm_notes(const Scene& scene);
 
+/// Sentences about elements of the arm that its scene does not tell and that were guessed, each with file and line.
+/// Empty if the scene has them all, or has no file.
+std::vector<std::string> guesses_about_avatar(const Scene& scene);
+
 }  // namespace continua

@@ -22,16 +22,6 @@ struct Driven {
   double at_zero = 0, per_unit = 1;
 };
 
-bool is_below(const mjModel& model, int body, int ancestor) {
-  while (body > ancestor) body = model.body_parentid[body];
-  return body == ancestor;
-}
-
-/// The geom can touch things.
-bool is_solid(const mjModel& model, int geom) {
-  return model.geom_contype[geom] != 0 || model.geom_conaffinity[geom] != 0;
-}
-
 /// Each joint's part in an actuator's length; nothing if the actuator does not act on joints.
 std::optional<std::vector<std::pair<int, double>>> transmission(const mjModel& model, int actuator) {
   const double gear = model.actuator_gear[6 * actuator];
@@ -322,12 +312,25 @@ class Reader {
 }  // namespace
 
 std::vector<int> arm_hinges(const mjModel& model) {
-  std::vector<int> joints;
   const int grip = id_of(model, mjOBJ_SITE, grip_name);
-  for (int body = grip < 0 ? 0 : model.site_bodyid[grip]; body > 0; body = model.body_parentid[body]) {
+  return hinges_to(model, grip < 0 ? 0 : model.site_bodyid[grip]);
+}
+
+std::vector<int> hinges_to(const mjModel& model, int body) {
+  std::vector<int> joints;
+  for (; body > 0; body = model.body_parentid[body]) {
     for (int i = model.body_jntnum[body] - 1; i >= 0; --i) joints.insert(joints.begin(), model.body_jntadr[body] + i);
   }
   return joints;
+}
+
+bool is_below(const mjModel& model, int body, int ancestor) {
+  while (body > ancestor) body = model.body_parentid[body];
+  return body == ancestor;
+}
+
+bool is_solid(const mjModel& model, int geom) {
+  return model.geom_contype[geom] != 0 || model.geom_conaffinity[geom] != 0;
 }
 
 Result<std::pair<AvatarForm, AvatarElements>> find_avatar(const mjModel& model, const std::vector<double>& qpos,

@@ -46,6 +46,15 @@ inline constexpr const char* grip_name = "grip";
 /// MuJoCo's ids of the hinges from the world to the site `grip`, from the base outward; none without that site.
 std::vector<int> arm_hinges(const mjModel& model);
 
+/// The same, to a body.
+std::vector<int> hinges_to(const mjModel& model, int body);
+
+/// The body is the other one, or carried by it.
+bool is_below(const mjModel& model, int body, int ancestor);
+
+/// The geom can touch things.
+bool is_solid(const mjModel& model, int geom);
+
 /// Reads the chain of hinges from the world to the site `grip`, the fingers there and their measures. `qpos`: the arm
 /// at home; `path`: the scene's. Errors name the missing element.
 Result<std::pair<AvatarForm, AvatarElements>> find_avatar(const mjModel& model, const std::vector<double>& qpos,

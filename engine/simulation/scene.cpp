@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -10,7 +9,7 @@
 #include "continua/simulation/avatar_elements.h"
 #include "continua/simulation/geom_bounds.h"
 #include "continua/simulation/mujoco_model.h"
-#include "continua/simulation/scene_source.h"
+#include "continua/simulation/scene_compile.h"
 
 namespace continua {
 
@@ -18,27 +17,6 @@ namespace {
 
 constexpr const char* table_geom = "table_top";
 constexpr int most_mesh_corners = 200'000;  // of faces in a scene's description: a browser draws that many
-
-/// The compiled source, or an error with its place.
-Result<std::shared_ptr<const mjModel>> compile(const SceneSource& source) {
-  const auto directory = std::filesystem::absolute(source.path()).parent_path().string();
-  auto compiled = compile_mjcf(source.text(), directory);
-  if (const auto* error = std::get_if<CompileError>(&compiled))
-    return Error{source.where(error->line), error->sentence};
-  return std::shared_ptr<const mjModel>(std::get<ModelOwner>(std::move(compiled)));
-}
-
-/// The weld between hand and held object: stiff, so that the object does not lag behind. Empty if the scene has no
-/// hand, or a weld of its own.
-Result<std::string> missing_weld(const mjModel& model, const std::string& path) {
-  const int grip = id_of(model, mjOBJ_SITE, grip_name);
-  if (grip < 0 || id_of(model, mjOBJ_EQUALITY, grip_name) >= 0) return std::string();
-  const char* hand = mj_id2name(&model, mjOBJ_BODY, model.site_bodyid[grip]);
-  if (!hand) return Error{path, fmt::format("the body of site '{}' has no name", grip_name)};
-  return fmt::format(
-      R"(<equality><weld name="{}" body1="{}" active="false" solref="0.004 1" solimp="0.998 0.9995 0.0002"/></equality>)",
-      grip_name, hand);
-}
 
 /// "type=block color=red" as pairs. A word without '=' is an attribute with the value true.
 std::map<std::string, std::string> attributes_of(const mjModel& model, const std::string& object) {
@@ -189,21 +167,10 @@ const char* type_text(int geom_type) {
 }  // namespace
 
 Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverride>& overrides) {
-  auto source = SceneSource::read(path);
-  if (!source) return source.error();
-  auto model = compile(*source);
-  if (!model) return model.error();
-  if (const double step_s = (*model)->opt.timestep; !(step_s >= least_timestep_s && step_s <= most_timestep_s))
-    return Error{source->where("option", "timestep"),
-                 fmt::format("the time step is {} s; expected {} to {} s", step_s, least_timestep_s, most_timestep_s)};
-  const auto weld = missing_weld(**model, path);
-  if (!weld) return weld.error();
-  if (!weld->empty()) {
-    source = source->with(*weld);
-    model = compile(*source);
-    if (!model) return model.error();
-  }
-  auto objects = objects_of(**model, path);
+  auto compiled = compile_scene(path);
+  if (!compiled) return compiled.error();
+  auto& [source, model, guesses] = *compiled;
+  auto objects = objects_of(*model, path);
   if (!objects) return objects.error();
 
   // Names are checked against the whole scene, before objects are removed.
@@ -215,30 +182,31 @@ Result<Scene> load_scene(const std::string& path, const std::vector<ObjectOverri
       return Error{"", fmt::format("the scene {} has no object '{}'{}", path, wanted.object,
                                    did_you_mean(wanted.object, names))};
     if (!wanted.removed) continue;
-    source = source->without_body(wanted.object);
+    source = source.without_body(wanted.object);
     some_removed = true;
   }
   if (some_removed) {
-    model = compile(*source);
-    if (!model) return model.error();
-    objects = objects_of(**model, path);
+    auto rest = compile(source);
+    if (!rest) return rest.error();
+    model = *rest;
+    objects = objects_of(*model, path);
     if (!objects) return objects.error();
   }
 
-  auto table = table_of(**model, path);
+  auto table = table_of(*model, path);
   if (!table) return table.error();
 
   Scene scene;
-  scene.model_ = *model;
+  scene.model_ = model;
   scene.objects_ = *objects;
   scene.table_ = *table;
   scene.path_ = path;
-  scene.text_ = source->text();
-  scene.initial_qpos_.assign((*model)->qpos0, (*model)->qpos0 + (*model)->nq);
-  place_arm(**model, scene.initial_qpos_);
+  scene.text_ = source.text();
+  scene.initial_qpos_.assign(model->qpos0, model->qpos0 + model->nq);
+  place_arm(*model, scene.initial_qpos_);
   for (const auto& wanted : overrides) {
     for (const auto& object : scene.objects_) {
-      if (object.name == wanted.object) place(**model, object, wanted, scene.initial_qpos_);
+      if (object.name == wanted.object) place(*model, object, wanted, scene.initial_qpos_);
     }
   }
   scene.stand(overrides);

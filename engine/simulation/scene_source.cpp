@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "continua/core/located_json.h"
+#include "continua/simulation/mjcf_tags.h"
 
 namespace continua {
 
@@ -22,58 +23,6 @@ constexpr std::pair<const char*, int> most_of_sizes[] = {
     {"nuser_site", 1000},   {"nuser_cam", 1000},  {"nuser_tendon", 1000},  {"nuser_actuator", 1000},
     {"nuser_sensor", 1000},
 };
-
-/// A tag of an XML text: text[begin, end) from '<' to '>'.
-struct Tag {
-  std::size_t begin = 0, end = 0;
-  std::string_view name;  // "/body" for a closing tag
-  bool self_closing = false;
-};
-
-/// The next tag at or after `from`; comments, declarations and processing instructions are skipped.
-std::optional<Tag> next_tag(std::string_view text, std::size_t from) {
-  while (true) {
-    const std::size_t begin = text.find('<', from);
-    if (begin == npos) return std::nullopt;
-    const bool comment = text.substr(begin).starts_with("<!--");
-    std::size_t end = comment ? text.find("-->", begin + 4) : begin + 1;
-    // A '>' within quotes does not end a tag.
-    for (char quote = 0; !comment && end < text.size() && (quote || text[end] != '>'); ++end) {
-      if (quote ? text[end] == quote : (text[end] == '"' || text[end] == '\'')) quote = quote ? char{0} : text[end];
-    }
-    if (end == npos || end >= text.size()) return std::nullopt;
-    end += comment ? 3 : 1;
-    from = end;
-    if (comment || text[begin + 1] == '!' || text[begin + 1] == '?') continue;
-    const std::size_t name_end = text.find_first_of(" \t\r\n/>", begin + 2);
-    return Tag{begin, end, text.substr(begin + 1, name_end - begin - 1), text[end - 2] == '/'};
-  }
-}
-
-/// The value of a tag's attribute, if the tag has the attribute.
-std::optional<std::string> attribute(std::string_view tag, std::string_view name) {
-  for (std::size_t at = tag.find(name); at != npos; at = tag.find(name, at + 1)) {
-    if (std::string_view(" \t\r\n").find(tag[at - 1]) == npos) continue;
-    std::size_t open = tag.find_first_not_of(" \t\r\n", at + name.size());
-    if (open == npos || tag[open] != '=') continue;
-    open = tag.find_first_not_of(" \t\r\n", open + 1);
-    if (open == npos || (tag[open] != '"' && tag[open] != '\'')) continue;
-    const std::size_t close = tag.find(tag[open], open + 1);
-    if (close != npos) return std::string(tag.substr(open + 1, close - open - 1));
-  }
-  return std::nullopt;
-}
-
-/// Newlines stay, so that lines keep their numbers.
-void make_blank(std::string& text, std::size_t begin, std::size_t end) {
-  for (std::size_t i = begin; i < end; ++i) {
-    if (text[i] != '\n') text[i] = ' ';
-  }
-}
-
-int line_of(std::string_view text, std::size_t at) {
-  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-}
 
 }  // namespace
 
@@ -91,6 +40,9 @@ void SceneSource::drop_keyframes() {
   std::optional<std::size_t> begin;
   for (auto tag = next_tag(text_, 0); tag; tag = next_tag(text_, tag->end)) {
     if (tag->name == "keyframe" && !begin) begin = tag->begin;
+    if (tag->name == "key")
+      keyframes_.push_back({where(line_of(text_, tag->begin)), value_of(text_, *tag, "name").value_or(""),
+                            value_of(text_, *tag, "qpos").value_or("")});
     const bool closed = tag->name == "/keyframe" || (tag->name == "keyframe" && tag->self_closing);
     if (!begin || !closed) continue;
     make_blank(text_, *begin, tag->end);
@@ -102,9 +54,8 @@ void SceneSource::drop_keyframes() {
 Outcome SceneSource::check_sizes() const {
   for (auto tag = next_tag(text_, 0); tag; tag = next_tag(text_, tag->end)) {
     if (tag->name != "size") continue;
-    const auto element = std::string_view(text_).substr(tag->begin, tag->end - tag->begin);
     for (const auto& [name, most] : most_of_sizes) {
-      const auto value = attribute(element, name);
+      const auto value = value_of(text_, *tag, name);
       // Anything but a number is MuJoCo's to refuse.
       const double asked = value ? std::strtod(value->c_str(), nullptr) : 0;
       if (asked > most)
@@ -144,7 +95,7 @@ Outcome SceneSource::expand(const std::string& file, std::vector<std::string>& o
   for (auto tag = next_tag(text, root->end); tag && tag->begin < end; tag = next_tag(text, tag->end)) {
     if (tag->name != "include") continue;
     const std::string here = fmt::format("{}:{}", file, line_of(text, tag->begin));
-    const auto name = attribute(text.substr(tag->begin, tag->end - tag->begin), "file");
+    const auto name = value_of(text, *tag, "file");
     if (!name || !tag->self_closing) return Error{here, "expected <include file=\"…\"/>"};
     const auto path = (std::filesystem::path(file).parent_path() / *name).lexically_normal().string();
     if (std::find(open_files.begin(), open_files.end(), path) != open_files.end())
@@ -173,9 +124,7 @@ std::string SceneSource::where(int line) const {
 std::string SceneSource::where(std::string_view name, std::string_view attribute_name) const {
   std::string found = path_;
   for (auto tag = next_tag(text_, 0); tag; tag = next_tag(text_, tag->end))
-    if (tag->name == name &&
-        attribute(std::string_view(text_).substr(tag->begin, tag->end - tag->begin), attribute_name))
-      found = where(line_of(text_, tag->begin));
+    if (tag->name == name && attribute_of(text_, *tag, attribute_name)) found = where(line_of(text_, tag->begin));
   return found;
 }
 
@@ -186,13 +135,20 @@ SceneSource SceneSource::with(std::string_view elements) const {
   return more;
 }
 
+SceneSource SceneSource::with_changes(std::vector<Change> changes) const {
+  SceneSource changed = *this;
+  std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.begin > b.begin; });
+  for (const auto& change : changes) changed.text_.replace(change.begin, change.end - change.begin, change.text);
+  return changed;
+}
+
 SceneSource SceneSource::without_body(std::string_view name) const {
   SceneSource rest = *this;
   std::optional<std::size_t> begin;
   int depth = 0;
   for (auto tag = next_tag(text_, 0); tag; tag = next_tag(text_, tag->end)) {
     if (tag->name == "body") {
-      const auto found = attribute(std::string_view(text_).substr(tag->begin, tag->end - tag->begin), "name");
+      const auto found = value_of(text_, *tag, "name");
       if (!begin && found && *found == name) begin = tag->begin;
       if (begin && !tag->self_closing) ++depth;
     } else if (begin && tag->name == "/body") {

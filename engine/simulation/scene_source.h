@@ -32,6 +32,20 @@ class SceneSource {
   /// The same scene with more elements at its end. Lines keep their numbers.
   SceneSource with(std::string_view elements) const;
 
+  /// text()[begin, end) becomes `text`, with as many line ends.
+  struct Change {
+    std::size_t begin = 0, end = 0;
+    std::string text;
+  };
+  /// The same scene with changes, which do not overlap. Lines keep their numbers.
+  SceneSource with_changes(std::vector<Change> changes) const;
+
+  /// The keyframes that were left out: the numbers of `qpos` as written.
+  struct Keyframe {
+    std::string where, name, qpos;
+  };
+  const std::vector<Keyframe>& keyframes() const { return keyframes_; }
+
   /// The same scene without the body of that name and its children. Lines keep their numbers.
   SceneSource without_body(std::string_view name) const;
 
@@ -44,12 +58,13 @@ class SceneSource {
   Outcome expand(const std::string& file, std::vector<std::string>& open_files);
   Outcome check_sizes() const;
   /// Keyframes of an arm that others wrote are as long as that arm, which MuJoCo refuses in a scene with objects. The
-  /// arm begins at `arm_home`.
+  /// arm begins at `arm_home`, or as one of them if the scene tells so (told_avatar.h).
   void drop_keyframes();
 
   std::string path_, text_;
   int inclusions_ = 0;
   std::vector<Line> lines_;  // of text_
+  std::vector<Keyframe> keyframes_;
 };
 
 }  // namespace continua

@@ -13,7 +13,7 @@ namespace continua {
 
 namespace {
 
-constexpr double touching_m = 0.001;
+constexpr double rests_m = 0.001;
 constexpr double level_m = 0.005;  // things whose bottoms differ by less stand beside each other
 constexpr double rim_part = 0.3;   // of a hollow thing's half width: the corners of its box that a round rim lacks
 
@@ -24,7 +24,7 @@ OrientedBox box_at(const ObjectState& object, const Vec3& p_W) {
   const bool swapped = static_cast<int>(std::lround(object.yaw / quarter_turn)) % 2 != 0;
   const Vec3& half = object.half_extents_m;
   const Vec3 turned(swapped ? half.y() : half.x(), swapped ? half.x() : half.y(), half.z());
-  return {p_W, Eigen::Matrix3d::Identity(), turned + Vec3(air_m, air_m, -touching_m)};
+  return {p_W, Eigen::Matrix3d::Identity(), turned + Vec3(air_m, air_m, -rests_m)};
 }
 
 /// The areas of contact with `bearers`, all equally high, carry the object's centre.
@@ -118,7 +118,8 @@ class Surroundings {
 
 }  // namespace
 
-std::vector<SetDown> set_downs(const ObjectState& object, const Vec3& p_WG, const WorldSnapshot& world, double near_m) {
+std::vector<SetDown> set_downs(const ObjectState& object, const Vec3& p_WG, const WorldSnapshot& world,
+                               double within_m) {
   constexpr double step_m = 0.003;
   const Surroundings around(object, world);
   std::vector<SetDown> ways;
@@ -127,13 +128,13 @@ std::vector<SetDown> set_downs(const ObjectState& object, const Vec3& p_WG, cons
   for (std::size_t i = 0; i <= world.objects.size(); ++i) {
     const auto found = around.in_the_way(goal);
     if (found.empty() && bears(world.table, goal)) ways.push_back({goal, std::nullopt});
-    for (const Vec3& p : around.free_places(goal, near_m, step_m)) ways.push_back({p, std::nullopt});
+    for (const Vec3& p : around.free_places(goal, within_m, step_m)) ways.push_back({p, std::nullopt});
     if (found.empty()) break;
     double top = 0;
     for (const auto* other : found) top = std::max(top, other->bounds_W().max.z());
     std::vector<const ObjectState*> bearers;
     for (const auto* other : found) {
-      if (other->bounds_W().max.z() > top - touching_m) bearers.push_back(other);
+      if (other->bounds_W().max.z() > top - rests_m) bearers.push_back(other);
     }
     if (!bear(bearers, box_at(object, goal))) break;
     goal.z() = top + object.half_extents_m.z();

@@ -8,7 +8,7 @@ namespace continua {
 
 namespace {
 
-constexpr double contact_m = 0.01;  // things at this distance touch
+constexpr double gap_m = 0.01;  // things at this distance touch
 
 }  // namespace
 
@@ -17,10 +17,10 @@ std::vector<std::string> standing_on(const ObjectState& object, const WorldSnaps
   for (std::size_t i = 0; i < found.size(); ++i) {
     OrientedBox above = box_of(*found[i]);
     const double top = above.center_W.z() + above.half_m.z();
-    above.center_W.z() += contact_m;
+    above.center_W.z() += gap_m;
     for (const auto& other : world.objects) {
       if (other.name == object.name || std::find(found.begin(), found.end(), &other) != found.end()) continue;
-      if (other.bounds_W().min.z() < top - contact_m) continue;
+      if (other.bounds_W().min.z() < top - gap_m) continue;
       if (overlap_depth(above, box_of(other)) > 0) found.push_back(&other);
     }
   }
@@ -45,7 +45,7 @@ double height_under(const ObjectState& object, const WorldSnapshot& world) {
   double height = world.table.max.z();
   for (const ObjectState* other : apart_from(object, world)) {
     const double top = other->bounds_W().max.z();
-    if (top > bottom + contact_m || overlap_depth(column_of(object), box_of(*other)) < grazing_m) continue;
+    if (top > bottom + gap_m || overlap_depth(column_of(object), box_of(*other)) < grazing_m) continue;
     height = std::max(height, top);
   }
   return height;

@@ -239,6 +239,7 @@ FileCheck check_scene(std::string_view, const std::string& path) {
   const Vec3 table_m = scene->table().max - scene->table().min;
   check.summary = fmt::format("scene, {}{}{}, a table of {:.2f} m x {:.2f} m", counted(names.size(), "object"),
                               names.empty() ? "" : ": ", fmt::join(names, ", "), table_m.x(), table_m.y());
+  for (auto& guess : guesses_about_avatar(*scene)) check.notes.push_back(std::move(guess));
   if (const auto slow = check_pace(*scene)) {
     check.notes.push_back(slow->text() + "; only the kinematic world can be used");
   } else if (const auto physics = Physics::create(*scene)) {

@@ -203,7 +203,8 @@ Result<std::size_t> remove_unused_documents(const std::string& folder) {
     const auto header = first_line(file->path().string());
     if (!header) return header.error();
     for (const auto& [place, value] : find_places(*header))
-      std::erase_if(documents, [digest = referred_to(value)](const auto& one) { return digest == one.stem().string(); });
+      std::erase_if(documents,
+                    [digest = referred_to(value)](const auto& one) { return digest == one.stem().string(); });
   }
   if (problem) return Error{around.string(), "cannot be read to its end: " + problem.message()};
   for (const auto& one : documents) fs::remove(one, problem);
