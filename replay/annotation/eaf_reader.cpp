@@ -155,7 +155,8 @@ class EafReader {
   Outcome resolve() {
     std::deque<std::pair<std::string, Span>> known(aligned_.begin(), aligned_.end());
     for (; !known.empty(); known.pop_front()) {
-      const auto& [id, span] = known.front();
+      const auto& id = known.front().first;
+      const Span& span = known.front().second;
       auto& annotation = found_.tiers[span.tier].annotations[span.annotation];
       annotation.begin_ms = span.begin_ms, annotation.end_ms = span.end_ms;
       found_.end_ms = std::max(found_.end_ms, span.end_ms);

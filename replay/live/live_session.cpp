@@ -158,8 +158,8 @@ Result<LiveReply> LiveSession::receive(const std::vector<Json>& events, const st
 
 void LiveSession::take(const std::vector<LiveEvent>& events) {
   for (auto next = events.begin(); next != events.end();) {
-    const auto& [t, event, line] = *next;
-    if (event && std::holds_alternative<End>(event->what)) return close(t);
+    const SimTime t = next->t;
+    if (next->event && std::holds_alternative<End>(next->event->what)) return close(t);
     const auto end = std::find_if(next, events.end(), [&](const LiveEvent& each) {
       return each.t != t || (each.event && std::holds_alternative<End>(each.event->what));
     });
