@@ -17,7 +17,7 @@ namespace continua {
 /// Streams that may be open at a time: each has a thread.
 class StreamSeats {
  public:
-  static constexpr int most = 16;
+  static constexpr int most = 64;
   /// Gives the seat back at its end; null where all are taken.
   std::shared_ptr<void> take();
 

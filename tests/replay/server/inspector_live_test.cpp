@@ -116,7 +116,7 @@ TEST_CASE("what cannot be followed is said") {
 TEST_CASE("streams are few, leave room for others, and end with the server") {
   auto run = std::make_unique<Growing>();
   std::vector<std::unique_ptr<Stream>> streams;
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < 64; ++i) {
     streams.push_back(std::make_unique<Stream>(run->port));
     REQUIRE(streams.back()->reads("event: grown"));
   }
