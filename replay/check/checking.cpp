@@ -146,10 +146,12 @@ Checking::Finding Checking::trace_finding(std::size_t index) {
   if (fails) told.details = details_of(check);
   if (fails && !check.run.empty() && !options_.failures.empty() && !options_.approve) {
     auto page = keep_failure(index, check);
-    if (page)
+    if (page) {
       told.page = *page;
-    else
+    } else {
       told.problems.push_back(page.error());
+      told.status = exit_impossible;
+    }
   }
   if (!options_.approve || !(fails || can_be_approved(check.verdict))) {
     check.run.clear();
