@@ -83,6 +83,7 @@ bool attack(const FuzzTarget& target, double seconds, unsigned seed) {
   while (processor_s() - begun < seconds)
     if (!run(mutated(seeds[draw() % seeds.size()], seeds, draw))) return false;
   std::printf("%s: %zu inputs, %zu seeds, %.1f s\n", target.name.c_str(), count, seeds.size(), processor_s() - begun);
+  std::fflush(stdout);
   std::remove(("fuzz-" + target.name).c_str());
   return true;
 }
