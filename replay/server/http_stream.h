@@ -16,7 +16,7 @@ class HttpStream : public httplib::Stream {
       : socket_(socket), request_(std::move(request)), stopping_(stopping) {}
 
   bool is_readable() const override { return read_ < request_.size(); }
-  /// Whether the other side is still there and takes more.
+  /// Whether the other side is still there. One that has not read all so far gets the patience of `write`.
   bool is_writable() const override;
   ssize_t read(char* into, size_t size) override;
   /// All of it, or -1: the other side is gone, or takes less than least_bytes_per_s.
