@@ -76,7 +76,7 @@ export function drawNode(node, {compared, begins, jump, over}) {
     },
     node.accepting && s('rect', {class: 'outer', x: left - 3, y: top - 3, width: w + 6, height: h + 6, rx: 10}),
     s('rect', {class: 'box', x: left, y: top, width: w, height: h, rx: 8}),
-    lines.map((line, i) => word({x, y: first_line + i * 13}, line)),
+    lines.map((line, i) => word({x, y: first_line + i * 13}, id.includes(`${line} `) ? `${line} ` : line)),
     node.anywhere && fromAnywhere(node.anywhere, x, top),
     begins && s('path', {class: 'begin', d: `M${left - 9} ${y - 5}l8 5l-8 5z`}),
   );
