@@ -3,9 +3,9 @@
 
 /**
  * @typedef {{run: string|null, other: string|null, live?: string, nowhere?: string, n: number|null, branch: number|null, cell: string, term: string,
- *            zoom: [number, number]|null, gaps: boolean, filter: string, kind: string, panel: string, tab: string, hunk: number|null,
+ *            zoom: [number, number]|null, gaps: boolean, by_time: boolean, filter: string, kind: string, panel: string, tab: string, hunk: number|null,
  *            search: string}} Selection
- * `run` null: the start page; `other`: the run B of a comparison; `live`: on the live page alone, its session, '' before there is one; `nowhere`: the path of an address that no page has; `gaps`: idle time is drawn at its full length;
+ * `run` null: the start page; `other`: the run B of a comparison; `live`: on the live page alone, its session, '' before there is one; `nowhere`: the path of an address that no page has; `gaps`: idle time is drawn at its full length; `by_time`: B's lanes stand at its own times, not where A has the same inputs;
  * `panel`: the one that fills the page; `tab`: the one in front where several share a place; `hunk`: the difference that is shown; `search`: of the start page.
  */
 
@@ -30,6 +30,7 @@ export function parseAddress(address) {
     term: query.get('term') ?? '',
     zoom: zoom && Number(zoom[1]) < Number(zoom[2]) ? [Number(zoom[1]), Number(zoom[2])] : null,
     gaps: query.get('gaps') === 'full',
+    by_time: query.get('by') === 'time',
     filter: query.get('filter') ?? '',
     kind: query.get('kind') ?? '',
     panel: query.get('panel') ?? '',
@@ -58,6 +59,7 @@ export function formatAddress({
   term,
   zoom,
   gaps,
+  by_time,
   filter,
   kind,
   panel,
@@ -86,6 +88,7 @@ export function formatAddress({
     add('term', term);
     if (zoom) add('z', `${+zoom[0].toFixed(3)}..${+zoom[1].toFixed(3)}`);
     if (gaps) add('gaps', 'full');
+    if (by_time) add('by', 'time');
     add('kind', kind);
     add('filter', filter);
     add('panel', panel);

@@ -50,16 +50,16 @@ for (const run of runs) {
   const frames = await page.evaluate(
     () =>
       new Promise((done) => {
-        const {continua: app} = window;
+        const {cursor, data, parts} = window.continua.page;
         const costs = [];
         const count = 240;
-        app.lanes.all();
+        parts.lanes.all();
         let i = 0;
         let last = performance.now();
         const frame = (now) => {
           const began = performance.now();
-          if (i < count / 2) app.select(Math.floor(((app.data.size * i) / count) * 2), 'slide');
-          else app.lanes.zoomBy(i % 20 < 10 ? 0.9 : 1 / 0.9);
+          if (i < count / 2) cursor.select(Math.floor(((data.size * i) / count) * 2), 'slide');
+          else parts.lanes.zoomBy(i % 20 < 10 ? 0.9 : 1 / 0.9);
           costs.push([performance.now() - began, now - last]);
           last = now;
           if (++i < count) requestAnimationFrame(frame);

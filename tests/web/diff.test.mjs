@@ -66,10 +66,31 @@ test('lanes are doubled, and the graph tells whose way was whose', async () => {
   const rows = await visitor.page.evaluate(() =>
     window.continua.page.parts.lanes.rows.map(({name, side}) => `${side} ${name}`),
   );
-  assert.equal(rows.filter((name) => name.startsWith('b')).length, rows.length / 2);
+  assert.equal(rows.filter((name) => name.startsWith('b ')).length, (rows.length - 1) / 2);
   assert.ok((await visitor.page.locator('.edge.only-a').count()) > 0);
   assert.ok((await visitor.page.locator('.edge.only-b').count()) > 0);
   assert.ok((await visitor.page.locator('.graph .count').allTextContents()).includes('A 0 B 1'));
+});
+
+test('B stands by meaning or by its own times, with a ruler, and the address holds which', async () => {
+  const begins = () =>
+    visitor.page.evaluate(() => {
+      const {rows} = window.continua.page.parts.lanes;
+      const {side} = window.continua.page.comparison;
+      const speech = rows.find((row) => row.side === 'b' && row.colour === 'human');
+      return {shown: [...speech.lane.from], own: [...side.data.lanes.speech.from], ruler: rows[0].time(8)};
+    });
+  await visitor.visit('/diff/correction/disambiguation');
+  const by_meaning = await begins();
+  await at('by-time').check();
+  await visitor.addressSays('by', 'time');
+  const by_time = await begins();
+  assert.deepEqual(by_time.shown, by_time.own);
+  assert.equal(by_time.ruler, 8);
+  assert.equal(by_meaning.shown.length, by_time.shown.length);
+  await visitor.page.reload();
+  await at('by-time').waitFor();
+  assert.ok(await at('by-time').isChecked());
 });
 
 test('the dialogues of both stand side by side, each with its times, and what one alone has is told', async () => {

@@ -34,6 +34,7 @@ test('an address and what it says are the same thing', () => {
     term: '0.1',
     zoom: [11.9, 13.1],
     gaps: true,
+    by_time: true,
     filter: 'put( λ&',
     kind: 'act',
     panel: 'graph',

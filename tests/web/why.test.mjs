@@ -217,6 +217,22 @@ test('why: the sentence, the chain to the input, who was ruled out, what came of
   assert.deepEqual(visitor.complaints, []);
 });
 
+test('why: the decision stands below the sentence, with condition, stack and what was refused, in sight at once', async () => {
+  const decided = (all, {n, kind}) =>
+    kind === 'utterance' && all.findLast((one) => one.kind === 'transition' && one.n < n)?.refused?.length;
+  const [run, {all}] = [...events].find(([, one]) => one.all.some((record) => decided(one.all, record)));
+  const asked = all.find((record) => decided(all, record)).n;
+  await visit(`/r/${run}?n=${asked}`);
+  const told = await at('decision').innerText();
+  const step = all.findLast(({n, kind}) => kind === 'transition' && n < asked);
+  assert.ok(told.includes(`${step.id} ${step.from} → ${step.to}`), told);
+  assert.match(told, /stack\n\S/);
+  assert.match(told, /refused\n\S/);
+  const [box, panel] = [await at('decision').boundingBox(), await at('panel-why').boundingBox()];
+  assert.ok(box.y > panel.y && box.y + 40 < panel.y + panel.height, 'the decision is in sight');
+  assert.doesNotMatch(await at('why').innerText(), /\d s$/m, 'times have one form');
+});
+
 test('a log that is cut short is explained as far as it goes', async () => {
   await visit(`/r/cut?n=${act('dialogue_gesture')}`);
   assert.match(await at('headline').innerText(), /put\(plate/);

@@ -31,6 +31,8 @@ class Lanes {
   #stretch;
   #span = h('span', {class: 'muted', 'data-testid': 'span'});
   #gaps = h('input', {type: 'checkbox', 'data-testid': 'gaps'});
+  #by_time = h('input', {type: 'checkbox', 'data-testid': 'by-time'});
+  #kinds; // the rows: of a comparison by meaning and by time
 
   /**
    * `comparison`: with the run that this one is compared with, or null. Each lane is then drawn twice, this run's above.
@@ -40,10 +42,12 @@ class Lanes {
     this.#cursor = cursor;
     this.#comparison = comparison;
     const own = laneRows(data);
-    this.rows = comparison ? doubled(own, comparison.rows) : own;
+    this.#kinds = comparison
+      ? {meaning: doubled(own, comparison, 'meaning'), time: doubled(own, comparison, 'time')}
+      : {meaning: own};
     const axes = axesOf(data);
     this.#window = new TimeWindow(data.duration, axes, model);
-    this.#picture = new LanesPicture(data, this.rows, this.#window, comparison?.marked);
+    this.#picture = new LanesPicture(data, this.#kinds.meaning, this.#window, comparison?.marked);
     this.#stretch = new Stretch(data.lanes, {
       zoom: (zoom) => model.go({zoom}, 'slide'),
       note: (span) => note(span.map((t) => data.at(t))),
@@ -55,6 +59,7 @@ class Lanes {
     });
     this.#slider = this.#mountSlider();
     this.#gaps.addEventListener('change', () => model.go({gaps: !this.#gaps.checked}));
+    this.#by_time.addEventListener('change', () => model.go({by_time: this.#by_time.checked}));
     const canvases = h('div', {class: 'canvases'}, this.#slider, this.#stretch.card);
     this.element = panel('lanes', 'Timeline', this.#controls(axes.short.gaps.length), canvases);
     listenToMouse(this.#slider, {
@@ -95,6 +100,8 @@ class Lanes {
     return [
       h('span', {class: 'muted coach'}, '← → step · Space play · ? all keys'),
       this.#span,
+      this.#comparison &&
+        h('label', {title: 'B at its own times, not where A has the same inputs'}, this.#by_time, 'by time'),
       pauses > 0 && h('label', {title: 'Draw idle time short (G)'}, this.#gaps, short),
       button('Zoom in', 'Zoom in (W)', '+', () => this.zoomBy(nearer)),
       button('Zoom out', 'Zoom out (S)', '−', () => this.zoomBy(1 / nearer)),
@@ -133,6 +140,9 @@ class Lanes {
     return [clock(t, 2), this.#data.state(this.#data.at(t))].filter(Boolean).join(', ');
   }
 
+  get rows() {
+    return this.#picture.rows;
+  }
   zoomBy(factor) {
     this.#window.zoomBy(factor, this.#data.t[this.#cursor.n]);
   }
@@ -154,8 +164,10 @@ class Lanes {
 
   labelsArrived = calmly(() => this.#paint(true), calm_ms);
 
-  render({n, gaps}) {
+  render({n, gaps, by_time}) {
     const data = this.#data;
+    this.#by_time.checked = by_time;
+    this.#picture.rows = this.#kinds[by_time ? 'time' : 'meaning'] ?? this.#kinds.meaning;
     this.#gaps.checked = !gaps;
     this.#slider.setAttribute('aria-valuenow', data.t[n].toFixed(3));
     this.#slider.setAttribute('aria-valuetext', `${clock(data.t[n], 2)}, ${data.state(n) ?? ''}`);
@@ -171,16 +183,19 @@ function itemText({row, i, from, to}) {
 const none = {n: new Uint32Array(), from: new Float64Array(), to: new Float64Array()};
 const same = (a) => (b) => a.name === b.name && a.colour === b.colour;
 const empty = (row) => ({...row, lane: none, reach: none.to});
-// Each lane of A with that of B below it, as far as either has anything.
-function doubled(own, others) {
+// The times of B above the lanes, then each lane of A with that of B below it, as far as either has anything.
+function doubled(own, comparison, by) {
+  const others = comparison.rows[by];
+  const time = by === 'time' ? (t) => t : (t) => comparison.timeToOther(t);
+  const ruler = {name: 'time of B', side: 'ruler', kind: 'ruler', lane: none, reach: none.to, time, text: () => ''};
   const missing = others.filter((row) => !own.some(same(row))).map(empty);
-  return [...own, ...missing]
+  const pairs = [...own, ...missing]
     .map((row) => [
       {...row, name: `A ${row.name}`, side: 'a'},
       {...(others.find(same(row)) ?? empty(row)), name: 'B', side: 'b'},
     ])
-    .filter(([a, b]) => a.lane.n.length || b.lane.n.length)
-    .flat();
+    .filter(([a, b]) => a.lane.n.length || b.lane.n.length);
+  return [ruler, ...pairs.flat()];
 }
 
 export const mountLanes = (needs) => new Lanes(needs);

@@ -11,6 +11,7 @@ import {
   effects,
   folded,
   fragile,
+  lastDecision,
   refusals,
   ruledOut,
 } from './why_parts.js';
@@ -40,6 +41,7 @@ export function mountWhy({data, client, jump}) {
       : [h('b', {}, record.kind), ` ${shown(data.label(n))}`];
     const parts = [
       h('p', {class: 'sentence', 'data-testid': 'headline'}, headline),
+      explained && lastDecision(explained, to),
       recordView(record, data.schema),
       problem && h('p', {class: 'trouble'}, problem.message),
       explained && sections.map((section) => section(explained, to)),

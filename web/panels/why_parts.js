@@ -1,8 +1,11 @@
 // The sections of the panel "Why": each takes part of the server's explanation and gives elements, or false for an empty
 // part. `to(n, words)`: a link to record n.
-import {h, shown, text} from '../dom.js';
+import {h, brief, instant, shown, text} from '../dom.js';
 import {walk} from '../terms/derivation.js';
 import {likelihoods} from '../terms/record_views.js';
+import {operationWords} from '../terms/stack_words.js';
+
+const refused_shown = 2; // of the decision; the rest is in the list of all
 
 export const listOf = (value) => (Array.isArray(value) ? value.filter((one) => one && typeof one === 'object') : []);
 
@@ -18,7 +21,7 @@ const howMany = (number, one) => (number === 1 ? `one ${one}` : `${number} ${one
 const refusal = ({ids, reason}) => h('li', {}, h('b', {}, names(ids)), ' ', shown(reason));
 
 function reference({n, t, kind, brief}, to) {
-  const time = Number.isFinite(t) ? h('span', {class: 't'}, ` ${+t.toFixed(2)} s`) : '';
+  const time = Number.isFinite(t) ? h('span', {class: 't'}, ` ${instant(t)}`) : '';
   const words = h('span', {}, to(n, [h('b', {}, kind), ' ', shown(brief)]), time);
   return h('li', {class: `kind-${kind}`}, h('span', {class: 'n'}, `#${n}`), ' ', words);
 }
@@ -62,6 +65,25 @@ export function ruledOut({inputs}, to) {
     return [h('p', {class: 'note'}, to(n, `#${n}`), meaning), bullets(others)];
   };
   return folded(`Ruled out: ${[...objects].join(', ')}`, 'who-not', false, all.map(item));
+}
+
+/** The last transition before the record: its condition, the change of the stack, and the nearest that were refused. */
+export function lastDecision({steps}, to) {
+  const step = listOf(steps).at(-1);
+  if (!step) return false;
+  const {n, id, from, to: target, condition, operation, refused} = step;
+  const others = listOf(refused);
+  const rest = others.length - refused_shown;
+  const line = (name, ...words) => [h('dt', {}, name), h('dd', {}, words)];
+  return h(
+    'dl',
+    {class: 'decision', 'data-testid': 'decision'},
+    line('decided', to(n, [h('b', {}, text(id)), ` ${text(from)} → ${text(target)}`])),
+    condition && line('because', h('span', {class: 'term'}, brief(condition))),
+    line('stack', operationWords(operation).what),
+    others.length > 0 &&
+      line('refused', bullets(others.slice(0, refused_shown).map(refusal)), rest > 0 && `and ${rest} more`),
+  );
 }
 
 /** The transitions between the inputs and the record. */

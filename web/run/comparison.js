@@ -14,7 +14,9 @@ export class Comparison {
     this.first = told.first;
     /** The record of A to begin at. */
     this.start = this.first === null || this.first === undefined ? null : this.recordOf(this.first);
-    this.rows = laneRows(side.data).map((row) => this.#inOwnTime(row));
+    const rows = laneRows(side.data);
+    /** The lanes of B: `meaning`: inputs in common stand where A has them; `time`: at B's own times. */
+    this.rows = {meaning: rows.map((row) => this.#inOwnTime(row)), time: rows};
   }
 
   marked = (side, n) => this.marks[side ?? 'a']?.has(n) ?? false;

@@ -9,6 +9,7 @@ export const overview_px = 22;
 export const row_px = 15;
 const most_texts = 200; // of a lane, at a time
 const least_room_px = 18; // for a text
+const ruler_px = 90; // between the times of a ruler
 
 // Eight hues apart from each other; a state keeps its hue in every run.
 const hues = [210, 28, 150, 265, 95, 330, 185, 50];
@@ -76,7 +77,8 @@ export function drawLanes(pen, {rows, sight, flags, rest, colour, marked}) {
   drawTicks(pen, sight, bottom, colour);
   rows.forEach((row, i) => {
     const top = axis_px + i * row_px;
-    if (row.kind === 'wave') drawWave(pen, row, {sight, top, colour});
+    if (row.kind === 'ruler') drawRuler(pen, row, {sight, top, colour});
+    else if (row.kind === 'wave') drawWave(pen, row, {sight, top, colour});
     else if (row.kind === 'level') drawLevel(pen, row, {sight, top, colour});
     else drawItems(pen, row, {sight, top, colour, marked});
   });
@@ -140,6 +142,17 @@ function drawTicks(pen, sight, bottom, colour) {
     }
     if (b > a) drawGap(pen, sight.x(Math.max(a, from)), sight.x(Math.min(b, to)), bottom, colour);
     stretch_from = b;
+  }
+}
+
+// The times that a row has at places of the axis.
+function drawRuler(pen, {time}, {sight, top, colour}) {
+  pen.textAlign = 'left';
+  for (let x = gutter_px; x < sight.width - ruler_px / 2; x += ruler_px) {
+    pen.fillStyle = colour('depth');
+    pen.fillRect(Math.round(x), top, 1, row_px);
+    pen.fillStyle = colour('muted');
+    pen.fillText(clock(time(sight.t(x)), 1), x + 4, top + row_px / 2);
   }
 }
 

@@ -22,7 +22,6 @@ const reaching = (lane) => ({lane, reach: reachOf(lane)});
 
 export class LanesPicture {
   #data;
-  #rows;
   #window;
   #marked;
   #flags;
@@ -32,15 +31,18 @@ export class LanesPicture {
   #colours = new Map(); // name -> colour
   #drawn = ''; // the state that the lanes were drawn for
   #theme = '';
+  #drawn_rows = null;
   #bins = {key: '', counts: null};
   #notes = [];
   /** Pixels. */
   width = 0;
+  /** As of laneRows(); rows that replace them are as many. */
+  rows;
 
   /** `rows`: as of laneRows(); `shown`: a TimeWindow; `marked(side, n)`: as of drawLanes(). */
   constructor(data, rows, shown, marked) {
     this.#data = data;
-    this.#rows = rows;
+    this.rows = rows;
     this.#window = shown;
     this.#marked = marked;
     this.#flags = reaching(data.lanes.flag);
@@ -62,11 +64,12 @@ export class LanesPicture {
   paint(t, again) {
     const theme = themeKey();
     const key = `${this.#window.span} ${this.#window.axis.gaps.length} ${this.width} ${theme}`;
-    const changed = again || key !== this.#drawn;
+    const changed = again || key !== this.#drawn || this.rows !== this.#drawn_rows;
     if (changed) {
       if (theme !== this.#theme) this.#colours.clear();
       this.#theme = theme;
       this.#drawn = key;
+      this.#drawn_rows = this.rows;
       this.#paintLanes();
     }
     const at = {x: this.sight.x(t), overview_x: this.overview.x(t), width: this.width, height: this.lanes_px};
@@ -77,7 +80,7 @@ export class LanesPicture {
     const pen = this.#pen(this.#base);
     const {sight, overview: whole} = this;
     const colour = (name) => this.#colour(name);
-    const [rows, flags, rest, data] = [this.#rows, this.#flags, this.#rest, this.#data];
+    const [rows, flags, rest, data] = [this.rows, this.#flags, this.#rest, this.#data];
     drawLanes(pen, {rows, sight, flags, rest, colour, marked: this.#marked});
     drawNotes(pen, {notes: this.#notes, sight, colour});
     drawOverview(pen, {data, sight, whole, bins: this.#binsOf(sight), top: this.lanes_px, colour});
@@ -117,7 +120,7 @@ export class LanesPicture {
 
   /** The item at a place of the picture, in pixels: {row, i, n, from, to}, or null. */
   itemAt({x, y}) {
-    const row = this.#rows[Math.floor((y - axis_px) / row_px)];
+    const row = this.rows[Math.floor((y - axis_px) / row_px)];
     if (!row || x < gutter_px || y < axis_px || y >= this.lanes_px) return null;
     const {sight} = this;
     const {lane} = row;
