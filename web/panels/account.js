@@ -1,19 +1,21 @@
 // The run in a few sentences, act by act, and minute by minute.
-import {h, panel} from '../dom.js';
+import {h, clock, panel} from '../dom.js';
 
 export function mountAccount({client, jump}) {
   const body = h('div', {class: 'body', tabindex: 0, role: 'region', 'aria-label': 'The run in words'});
   const button = ({text, n}) => h('button', {type: 'button', class: 'link', onclick: () => jump(n)}, text);
   const list = (title, lines, shown) =>
-    lines.length > 0 && [
+    lines.length > 0 &&
+    h(
+      'section',
+      {},
       h('h3', {}, title),
       h(
         'ol',
         {},
         lines.map((line) => h('li', {'data-n': line.n}, shown(line))),
       ),
-    ];
-  const clock = (t) => `${Math.floor(t / 60)}:${String(Math.floor(t) % 60).padStart(2, '0')}`;
+    );
   let asked = false;
 
   function show({sentences, acts, minutes}) {
@@ -33,7 +35,7 @@ export function mountAccount({client, jump}) {
         button(line),
       ]),
     ];
-    body.replaceChildren(...parts.flat(Infinity).filter(Boolean));
+    body.replaceChildren(...parts.filter(Boolean));
   }
   async function ask() {
     asked = true;
