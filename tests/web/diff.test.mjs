@@ -148,6 +148,19 @@ test('the stacks of both stand side by side, and what differs is marked', async 
     assert.ok((await at(`panel-${panel}`).locator('.cell.differs').count()) > 0, panel);
 });
 
+test('where the runs meet again is told with the time of each', async () => {
+  await visitor.visit('/diff/correction/correction.physics');
+  const {own, other, sentence} = await visitor.page.evaluate(() => {
+    const {own: a, side, told} = window.continua.page.comparison;
+    return {own: a.t[told.meet.a], other: side.data.t[told.meet.b], sentence: told.sentence};
+  });
+  const clock = (t) => visitor.page.evaluate(async (s) => (await import('/dom.js')).clock(s, 2), t);
+  assert.notEqual(own, other);
+  const told = await visitor.page.locator('.meet').innerText();
+  assert.ok(told.endsWith(`at ${await clock(own)} in A and ${await clock(other)} in B`), told);
+  for (const t of [own, other]) assert.match(sentence, new RegExp(`meet again.*${String(+t.toFixed(2)).replace('.', '\\.')}`));
+});
+
 test('the comparison can be copied as Markdown', async () => {
   await visitor.visit(both);
   await visitor.context.grantPermissions(['clipboard-read', 'clipboard-write']);

@@ -9,7 +9,7 @@ import {apart} from '../../web/scene3d/ghost.js';
 import {between, Motion, Window} from '../../web/scene3d/motion.js';
 import {approached, shifted, turned} from '../../web/scene3d/orbit.js';
 import {objectNear, placeText, sceneSentence} from '../../web/scene3d/scene_text.js';
-import {logOf, packages, serve, temporaryFolder, Visitor} from './support.mjs';
+import {logOf, packages, recordsOf, serve, temporaryFolder, Visitor} from './support.mjs';
 
 const close = (a, b, by = 1e-9) => assert.ok(Math.abs(a - b) <= by, `${a} is not ${b}`);
 const at = (x, turn = 0) => [x, 0, 0, Math.cos(turn / 2), 0, 0, Math.sin(turn / 2)];
@@ -334,6 +334,7 @@ before(async () => {
     join(folder, 'sceneless.run.jsonl'),
     [JSON.stringify({...header, scene: null}), ...lines.slice(1)].join('\n') + '\n',
   );
+  writeFileSync(join(folder, 'pointing.run.jsonl'), logOf('paper/correction'));
   server = await serve(folder);
   drawing = await Visitor.start(server.address, {webgl: true});
   blind = await Visitor.start(server.address);
@@ -502,6 +503,30 @@ test('where the server cannot draw either, a sentence says so', async () => {
     await blind.at('scene-no-picture').innerText(),
     /cannot be drawn here\. pictures cannot be drawn on this machine/,
   );
+});
+
+test('in the server’s pictures the human points in blue, as on the page', async () => {
+  const {t} = recordsOf('paper/correction').find(({kind, event}) => kind === 'input' && event.target);
+  const page = await blind.visit('/r/pointing');
+  const counts = (at) =>
+    page.evaluate(async (instant) => {
+      const answer = await fetch(`/api/runs/pointing/frame?t=${instant}&size=640x360`);
+      if (!answer.ok) return null;
+      const picture = await createImageBitmap(await answer.blob());
+      const pen = Object.assign(document.createElement('canvas'), {width: 640, height: 360}).getContext('2d');
+      pen.drawImage(picture, 0, 0);
+      const {data} = pen.getImageData(0, 0, 640, 360);
+      const sum = {human: 0, avatar: 0};
+      for (let i = 0; i < data.length; i += 4) {
+        if (data[i + 2] > data[i] + 60 && data[i + 2] > 180) ++sum.human;
+        if (data[i] > data[i + 2] + 90 && data[i + 1] > data[i + 2] + 60 && data[i] > 180) ++sum.avatar;
+      }
+      return sum;
+    }, at);
+  const [before_it, pointing] = [await counts(0), await counts(t + 0.1)];
+  if (!pointing) return; // this machine draws none
+  assert.ok(pointing.human > before_it.human + 20, JSON.stringify({before_it, pointing}));
+  assert.ok(pointing.avatar <= before_it.avatar + 5, JSON.stringify({before_it, pointing}));
 });
 
 for (const colorScheme of ['light', 'dark'])
