@@ -49,8 +49,7 @@ const served = [
 const exported = ['/correction.html', '/site/index.html', '/site/index.html#/diff/correction/one_breath'];
 
 /** All details are opened: what they hide is looked at too. */
-const openAll = (page) =>
-  page.evaluate(() => document.querySelectorAll('details').forEach((one) => (one.open = true)));
+const openAll = (page) => page.evaluate(() => document.querySelectorAll('details').forEach((one) => (one.open = true)));
 
 for (const [size, options] of Object.entries(sizes))
   for (const [browser, paths] of [

@@ -113,6 +113,7 @@ test('changed words are marked inside the sentence', async () => {
   const said = await visitor.page.evaluate(() => window.continua.page.data.lanes.speech.n[0]);
   await visitor.visit(`/r/disambiguation?n=${said}`);
   await at('what-if-open').click();
+  await at('what-if').locator('summary').click();
   const text = await at('what-if-event').inputValue();
   const words = JSON.parse(text).text;
   await at('what-if-event').fill(text.replace(words, words.replace(/\w+(\W*)$/, 'plate$1')));
@@ -158,7 +159,8 @@ test('where the runs meet again is told with the time of each', async () => {
   assert.notEqual(own, other);
   const told = await visitor.page.locator('.meet').innerText();
   assert.ok(told.endsWith(`at ${await clock(own)} in A and ${await clock(other)} in B`), told);
-  for (const t of [own, other]) assert.match(sentence, new RegExp(`meet again.*${String(+t.toFixed(2)).replace('.', '\\.')}`));
+  for (const t of [own, other])
+    assert.match(sentence, new RegExp(`meet again.*${String(+t.toFixed(2)).replace('.', '\\.')}`));
 });
 
 test('the comparison can be copied as Markdown', async () => {

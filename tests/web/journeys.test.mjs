@@ -15,7 +15,9 @@ let server, visitor;
 /** A recording of four minutes: one of a minute, again and again. */
 function fourMinutes() {
   const lines = readFileSync(join(root, 'traces/building_blocks.trace.jsonl'), 'utf8').trim().split('\n');
-  const [header, ...events] = lines.map((line) => JSON.parse(line)).filter(({kind}) => kind !== 'expect' && kind !== 'end');
+  const [header, ...events] = lines
+    .map((line) => JSON.parse(line))
+    .filter(({kind}) => kind !== 'expect' && kind !== 'end');
   const later = (event, by) => ({
     ...event,
     t: event.t + by,
@@ -64,7 +66,10 @@ async function assertWhole(place) {
       if (getComputedStyle(one).overflow !== 'visible') frames.push(one.getBoundingClientRect());
     const whole = {top: 0, bottom: innerHeight, left: 0, right: innerWidth};
     const inside = (frame) =>
-      box.top >= frame.top - 1 && box.bottom <= frame.bottom + 1 && box.left >= frame.left - 1 && box.right <= frame.right + 1;
+      box.top >= frame.top - 1 &&
+      box.bottom <= frame.bottom + 1 &&
+      box.left >= frame.left - 1 &&
+      box.right <= frame.right + 1;
     return !box.height || ![whole, ...frames].every(inside) || element.scrollHeight > element.clientHeight + 1;
   });
   assert.ok(!cut, 'it is whole on the screen');

@@ -116,12 +116,13 @@ test('what if it had been said otherwise', async () => {
   const said = await visitor.page.evaluate(() => window.continua.page.data.lanes.speech.n[0]);
   await visitor.visit(`/r/disambiguation?n=${said}`);
   await at('what-if-open').click();
-  const text = await at('what-if-event').inputValue();
+  await at('what-if').locator('summary').click();
   await at('what-if-event').fill('{"kind": "speech"');
   await at('what-if-run').click();
   assert.match(await visitor.page.locator('.what-if .trouble').innerText(), /no JSON/);
-  await at('what-if-event').fill(text.replace(/"text": "[^"]*"/, '"text": "Take the knife."'));
-  await at('what-if-run').click();
+  await at('what-if-words').fill('Take the knife.');
+  assert.match(await at('what-if-event').inputValue(), /"text": "Take the knife\."/);
+  await at('what-if-words').press('Enter');
   await visitor.page.waitForURL(/\/diff\//);
   await at('verdict').waitFor();
   assert.match(await at('verdict').innerText(), /Take the knife/);
@@ -138,6 +139,8 @@ test('what if another transition had been taken', async () => {
   assert.match(await guest.page.locator('.what-if .trouble').innerText(), /Change something first/);
   const others = guest.at('what-if').locator('input[type=radio]:not([value=""])');
   assert.ok((await others.count()) > 0);
+  for (const told of await guest.at('what-if').locator('fieldset').first().locator('label').allInnerTexts())
+    assert.match(told, / → \w/);
   await others.first().check();
   await guest.at('what-if-run').click();
   await guest.page.waitForURL(/\/diff\/n_best\/what-if/);

@@ -5,8 +5,8 @@ import {askWhatIf, served} from '../run/run_client.js';
 // A question of the dialog: {field: its element, read()}, where read() gives the part of the request that the reader
 // changed, {} if there is none, and throws a sentence about a part that cannot be used.
 
-/** Another transition at a step; null if the step had no choice. */
-function choiceField(step) {
+/** Another transition at a step, of a machine with this graph; null if the step had no choice. */
+function choiceField(step, {edges}) {
   const outranked = (step?.refused ?? []).filter((one) => one.outranked_by);
   const others = [...(step?.candidates ?? []), ...outranked]
     .map((one) => one.id)
@@ -14,12 +14,18 @@ function choiceField(step) {
   if (!others.length) return null;
   const radio = (id, text, checked) =>
     h('label', {}, h('input', {type: 'radio', name: 'choice', value: id, checked}), ` ${text}`);
+  const goesTo = (id) => {
+    const to = new Set(
+      edges.filter((edge) => edge.id === id && (edge.from === step.from || !edge.from)).map((edge) => edge.to),
+    );
+    return to.size === 1 ? ` → ${[...to][0]}` : '';
+  };
   const field = h(
     'fieldset',
     {},
     h('legend', {}, `at step ${step.step} another transition had been taken`),
-    radio('', `${step.id}, as it was`, true),
-    others.map((id) => radio(id, id, false)),
+    radio('', `${step.id} → ${step.to}, as it was`, true),
+    others.map((id) => radio(id, `${id}${goesTo(id)}`, false)),
   );
   const read = () => {
     const taken = field.querySelector('input:checked')?.value ?? '';
@@ -38,15 +44,18 @@ function inputField(record) {
     'data-testid': 'what-if-event',
   });
   text.value = JSON.stringify(record.event, null, 1);
+  const words = wordsField(text);
   const out = h('input', {type: 'checkbox', 'data-testid': 'what-if-out'});
   out.addEventListener('change', () => {
     text.disabled = out.checked;
+    if (words) words.disabled = out.checked;
   });
   const field = h(
     'fieldset',
     {},
     h('legend', {}, `the input at #${record.n} had been another`),
-    text,
+    words && h('label', {class: 'words'}, 'the human says ', words),
+    h('details', {open: !words}, h('summary', {}, 'All of it, as JSON'), text),
     h('label', {}, out, ' it had not come at all'),
   );
   const read = () => {
@@ -55,6 +64,17 @@ function inputField(record) {
     return changed ? {edits: [{n: record.n, event}]} : {};
   };
   return {field, read};
+}
+
+/** A field for the words alone, kept in step with the JSON of the event; null for an event without words. */
+function wordsField(json) {
+  const event = JSON.parse(json.value);
+  if (typeof event.text !== 'string') return null;
+  const words = h('input', {type: 'text', value: event.text, 'data-testid': 'what-if-words', autocomplete: 'off'});
+  words.addEventListener('input', () => {
+    json.value = JSON.stringify({...event, text: words.value}, null, 1);
+  });
+  return words;
 }
 
 function parsed(text) {
@@ -87,6 +107,9 @@ export function whatIfDialog({id, client, cursor, model}) {
     h('div', {class: 'dialog-buttons'}, h('button', {type: 'button', onclick: () => element.close()}, 'Close'), run),
   );
   let questions = [];
+  body.addEventListener('keydown', (event) => {
+    if (event.key === 'Enter' && event.target.matches('input[type=text]')) ask();
+  });
 
   function say(problem) {
     trouble.hidden = !problem;
@@ -113,7 +136,7 @@ export function whatIfDialog({id, client, cursor, model}) {
       if (!served) return;
       say(null);
       const [input, step] = await recordsBehind({client, data: cursor.data}, cursor.n);
-      questions = [choiceField(step), inputField(input)].filter(Boolean);
+      questions = [choiceField(step, cursor.data.graph), inputField(input)].filter(Boolean);
       body.replaceChildren(...questions.map(({field}) => field));
       run.hidden = !questions.length;
       if (!questions.length)
