@@ -4,7 +4,7 @@ import {calmly} from '../calmly.js';
 import {lastAtMost} from '../search.js';
 
 const at_once = 60; // moves that are in the page
-const calm_ms = 200; // between drawings of moves that are far from those before
+export const calm_ms = 200; // between drawings of moves that are far from those before
 const top_px = 4; // scrolled this close to the top, earlier moves are drawn
 
 export const who = {speech: 'human', gesture: 'human', utterance: 'avatar', move: 'avatar', act: 'avatar', flag: 'log'};
@@ -15,6 +15,19 @@ export const hint = {gesture: 'gesture', move: 'gesture', act: 'act'};
 export function movesOf({lanes, size}) {
   const all = Object.keys(who).flatMap((lane) => Array.from(lanes[lane].n, (n, i) => ({n, how: lane, i})));
   return all.filter(({n}) => n < size).sort((a, b) => a.n - b.n);
+}
+
+/** The words of a move, or its deed in words. */
+export function wordsOf(data, move) {
+  if (move.how === 'flag') return `${data.kind(move.n)}: ${data.label(move.n).split(':')[0]}`;
+  return how[move.how] === 'says' ? `“${data.said(move.n)}”` : brief(data.text(move.n));
+}
+
+/** Draws a list anew and leaves it scrolled as it was. */
+export function redrawn(list, draw) {
+  const top = list.scrollTop;
+  draw();
+  list.scrollTop = top;
 }
 
 /** Which inputs were taken together, from the percepts' `because`: n -> the numbers of all of them. */
@@ -75,11 +88,6 @@ class Dialogue {
     );
   }
 
-  #words(move) {
-    const data = this.#data;
-    if (move.how === 'flag') return `${data.kind(move.n)}: ${data.label(move.n).split(':')[0]}`;
-    return how[move.how] === 'says' ? `“${data.said(move.n)}”` : brief(data.text(move.n));
-  }
   #bubble(move) {
     const {lanes, names, t} = this.#data;
     const status = names[lanes.act.status?.[move.i]];
@@ -89,7 +97,7 @@ class Dialogue {
       {type: 'button', class: how[move.how], onclick: () => this.#jump(move.n), 'data-n': move.n, title},
       h('span', {class: 'unseen'}, `${who[move.how]} ${how[move.how]} `),
       hint[move.how] && h('span', {class: 'hint', 'aria-hidden': 'true'}, hint[move.how]),
-      h('span', {class: 'words'}, this.#words(move)),
+      h('span', {class: 'words'}, wordsOf(this.#data, move)),
       move.how === 'act' && status !== 'done' && h('span', {class: `status ${status}`}, status),
     );
   }
@@ -191,10 +199,10 @@ class Dialogue {
   }
 
   labelsArrived = calmly(() => {
-    const top = this.#list.scrollTop;
-    this.#draw();
-    this.#light();
-    this.#list.scrollTop = top;
+    redrawn(this.#list, () => {
+      this.#draw();
+      this.#light();
+    });
   }, calm_ms);
 
   render({n}) {

@@ -1,12 +1,11 @@
 // The dialogues of two runs side by side: moves that are the same, or each other's counterparts, share a row.
-import {h, panel, brief, clock, instant} from '../dom.js';
+import {h, panel, clock, instant} from '../dom.js';
 import {calmly} from '../calmly.js';
 import {changedWords} from '../run/changed_words.js';
 import {lastAtMost} from '../search.js';
-import {hint, how, movesOf, who} from './dialogue.js';
+import {calm_ms, hint, how, movesOf, redrawn, who, wordsOf} from './dialogue.js';
 
 const at_once = 120; // rows that are in the page
-const calm_ms = 200;
 
 /** [{a, b, n}]: the moves of each row, null where a run has none there; `n`: the record of A that the row belongs to. */
 export function pairsOf(comparison) {
@@ -52,10 +51,6 @@ class DialoguePair {
     new ResizeObserver(() => this.#light()).observe(this.#list);
   }
 
-  #words(data, move) {
-    if (move.how === 'flag') return `${data.kind(move.n)}: ${data.label(move.n).split(':')[0]}`;
-    return how[move.how] === 'says' ? `“${data.said(move.n)}”` : brief(data.text(move.n));
-  }
   #cell(name, data, move, text, differs, jump) {
     if (!move)
       return h('div', {class: `cell-${name} none`}, h('span', {class: 'unseen'}, `nothing in ${name.toUpperCase()}`));
@@ -82,7 +77,7 @@ class DialoguePair {
   }
   #row({a, b, n}, i) {
     const {own, side} = this.#comparison;
-    const [one, other] = [a ? this.#words(own, a) : '', b ? this.#words(side.data, b) : ''];
+    const [one, other] = [a ? wordsOf(own, a) : '', b ? wordsOf(side.data, b) : ''];
     const differs = !a || !b || one !== other;
     const {before, after, ...middle} = a && b ? changedWords(one, other) : {before: '', after: '', a: one, b: other};
     const jump = () => this.#jump(n);
@@ -135,10 +130,10 @@ class DialoguePair {
   }
 
   labelsArrived = calmly(() => {
-    const top = this.#list.scrollTop;
-    this.#draw();
-    this.#light();
-    this.#list.scrollTop = top;
+    redrawn(this.#list, () => {
+      this.#draw();
+      this.#light();
+    });
   }, calm_ms);
 
   render({n}) {
