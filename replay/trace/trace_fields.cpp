@@ -81,7 +81,9 @@ std::optional<double> TraceFields::number(const char* name, double least, double
 std::optional<std::uint64_t> TraceFields::whole_number(const char* name, std::uint64_t most) const {
   const Json* value = find(name);
   if (!value) return std::nullopt;
-  if (value->is_number_unsigned() && value->get<std::uint64_t>() <= most) return value->get<std::uint64_t>();
+  // A number that a program made may be of a signed type, and is none the worse for it.
+  const bool whole = value->is_number_unsigned() || (value->is_number_integer() && value->get<std::int64_t>() >= 0);
+  if (whole && value->get<std::uint64_t>() <= most) return value->get<std::uint64_t>();
   wrong(name, fmt::format("a whole number from 0 to {}", most));
   return std::nullopt;
 }
