@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "continua/core/scratch_folder.h"
+#include "continua/core/scratch_space.h"
 #include "continua/replay/commands/moved_paths.h"
 #include "continua/replay/commands/set_option.h"
 #include "continua/replay/experiment/trace_search.h"
@@ -67,7 +67,7 @@ class Keeper {
 };
 
 Result<SearchSummary> explore(const ExploreTracesOptions& options) {
-  const auto folder = ScratchFolder::make();
+  const auto folder = ScratchSpace::make();
   if (!folder) return folder.error();
   const auto path = (folder->path() / "talk.trace.jsonl").string();
   if (auto unwritten = write_empty_trace(options, path)) return *std::move(unwritten);

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "continua/core/scratch_folder.h"
+#include "continua/core/scratch_space.h"
 #include "continua/replay/diff/run_diff.h"
 
 namespace continua {
@@ -25,7 +25,7 @@ Result<std::string> log_of_trace(const std::string& path, const ReplayOptions& o
 
 // The trace as this document of a machine has it; nothing if it cannot be loaded with it.
 std::optional<Session> with_machine(const Json& document, const std::string& trace_path, ReplayOptions options) {
-  const auto folder = ScratchFolder::make();
+  const auto folder = ScratchSpace::make();
   if (!folder) return std::nullopt;
   options.machine = (folder->path() / "machine.json").string();
   std::ofstream(options.machine, std::ios::binary) << compact(document);

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 Result<std::string> RunTemporary::folder(const std::string& name) {
   const std::lock_guard lock(mutex_);
   if (!all_) {
-    auto all = ScratchFolder::make();
+    auto all = ScratchSpace::make();
     if (!all) return all.error();
     all_ = std::move(*all);
   }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "continua/core/result.h"
-#include "continua/core/scratch_folder.h"
+#include "continua/core/scratch_space.h"
 
 namespace continua {
 
@@ -18,7 +18,7 @@ class RunTemporary {
 
  private:
   std::mutex mutex_;
-  std::optional<ScratchFolder> all_;
+  std::optional<ScratchSpace> all_;
 };
 
 }  // namespace continua

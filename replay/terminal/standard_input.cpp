@@ -31,7 +31,7 @@ std::string_view ending_of(const std::string& path) {
 
 Result<std::string> StandardInput::file() {
   if (folder_) return Error{"-", "stands for standard input, which can be read once; expected other files by name"};
-  auto folder = ScratchFolder::make();
+  auto folder = ScratchSpace::make();
   if (!folder) return folder.error();
   folder_ = std::move(*folder);
   const auto path = (folder_->path() / "stdin").string();

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "continua/core/result.h"
-#include "continua/core/scratch_folder.h"
+#include "continua/core/scratch_space.h"
 
 namespace continua {
 
@@ -18,7 +18,7 @@ class StandardInput {
   Result<std::string> file();
 
  private:
-  std::optional<ScratchFolder> folder_;
+  std::optional<ScratchSpace> folder_;
 };
 
 }  // namespace continua

@@ -1,4 +1,4 @@
-#include "continua/core/scratch_folder.h"
+#include "continua/core/scratch_space.h"
 
 #include <cerrno>
 #include <cstdlib>
@@ -10,22 +10,22 @@
 namespace continua {
 namespace fs = std::filesystem;
 
-Result<ScratchFolder> ScratchFolder::make() {
+Result<ScratchSpace> ScratchSpace::make() {
   std::error_code problem;
   auto pattern = (fs::temp_directory_path(problem) / "continua-XXXXXX").string();
   if (problem || !::mkdtemp(pattern.data()))
     return Error{pattern, std::string("no folder can be made: ") + std::strerror(problem ? problem.value() : errno)};
-  return ScratchFolder(std::move(pattern));
+  return ScratchSpace(std::move(pattern));
 }
 
-ScratchFolder::~ScratchFolder() {
+ScratchSpace::~ScratchSpace() {
   std::error_code ignored;
   if (!path_.empty()) fs::remove_all(path_, ignored);
 }
 
-ScratchFolder::ScratchFolder(ScratchFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+ScratchSpace::ScratchSpace(ScratchSpace&& other) noexcept : path_(std::exchange(other.path_, {})) {}
 
-ScratchFolder& ScratchFolder::operator=(ScratchFolder&& other) noexcept {
+ScratchSpace& ScratchSpace::operator=(ScratchSpace&& other) noexcept {
   std::swap(path_, other.path_);
   return *this;
 }

@@ -8,18 +8,18 @@
 namespace continua {
 
 /// A folder of its own among the system's temporary ones. It goes with this, with all that is in it.
-class ScratchFolder {
+class ScratchSpace {
  public:
   /// The error names the folder that cannot be made.
-  static Result<ScratchFolder> make();
-  ~ScratchFolder();
-  ScratchFolder(ScratchFolder&& other) noexcept;
-  ScratchFolder& operator=(ScratchFolder&& other) noexcept;
+  static Result<ScratchSpace> make();
+  ~ScratchSpace();
+  ScratchSpace(ScratchSpace&& other) noexcept;
+  ScratchSpace& operator=(ScratchSpace&& other) noexcept;
 
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  explicit ScratchFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  explicit ScratchSpace(std::filesystem::path path) : path_(std::move(path)) {}
   std::filesystem::path path_;  ///< empty: there is none
 };
 
