@@ -20,6 +20,7 @@
 #include <mutex>
 #include <set>
 #include <thread>
+#include <tuple>
 
 namespace continua {
 namespace fs = std::filesystem;
@@ -192,7 +193,9 @@ class Batch {
                           fmt::format("--force {}={}: that transition does not apply at that step", step, transition)});
         status_ = exit_impossible;
       }
-      for (const auto& unmet : summary->unmet) continua::report(unmet.error(trace));
+      const auto& [from, with] = std::tie(options_.replay.from, options_.replay.with);
+      for (const auto& unmet : summary->unmet)
+        continua::report(unmet.error(!with.empty() && unmet.t >= SimTime::from_seconds(*from) ? with : trace));
       if (summary->expectations_met < summary->expectations && status_ == exit_done) status_ = exit_no;
     }
     for (; printed_ < lines_.size() && (lines_[printed_] || !options_.shards.shard.has(printed_)); ++printed_)

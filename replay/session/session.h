@@ -71,6 +71,7 @@ struct ReplayOptions {
 /// A line of a trace, the fields of its expectation, and their values then, as compact JSON.
 struct UnmetExpectation {
   std::size_t line = 0;
+  SimTime t;
   std::string expected, found;
 
   Error error(const std::string& trace) const;

@@ -183,7 +183,7 @@ void SessionLoop::check_expectations() {
     ++summary_.expectations;
     summary_.expectations_met += checked.met;
     if (!checked.met && summary_.unmet.size() < most_unmet)
-      summary_.unmet.push_back({event.line, compact(expected), compact(checked.found)});
+      summary_.unmet.push_back({event.line, event.t, compact(expected), compact(checked.found)});
     recorder_.expectation({static_cast<std::int64_t>(event.line), checked.met, std::move(expected), checked.found},
                           event.t);
   }

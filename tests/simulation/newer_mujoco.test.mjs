@@ -28,9 +28,12 @@ function scenes() {
     .readFileSync(path.join(shipped, 'staircase.xml'), 'utf8')
     .replaceAll('../objects', `${root}/mjcf/objects`);
   const arms = path.join(root, 'tests/simulation/arms');
-  for (const name of fs.readdirSync(arms)) {
+  const told = JSON.parse(fs.readFileSync(path.join(arms, 'told.json'), 'utf8'));
+  for (const name of fs.readdirSync(arms).filter((file) => file.endsWith('.xml'))) {
     const scene = path.join(folder, name);
-    fs.writeFileSync(scene, text.replace('../avatar/arm7.xml', path.join(arms, name)));
+    const words = told[path.parse(name).name];
+    const more = words ? `<text name="avatar" data="${words}"/></custom>` : '</custom>';
+    fs.writeFileSync(scene, text.replace('../avatar/arm7.xml', path.join(arms, name)).replace('</custom>', more));
     found.push(scene);
   }
   return found;

@@ -61,7 +61,8 @@ TEST_CASE("arms that are told of put, stack and push") {
         {push, "block_green", at(0.2, 0.0), 0.02},
         {put, "block_red", by(Relation::left, "block_yellow"), 0.005}}},
   };
-  for (const auto& [arm, words] : told)
+  for (const auto& arm : arms) {
+    if (told_of(arm).empty()) continue;
     for (const auto& place : places) {
       std::vector<ObjectOverride> removed;
       for (const auto& object : place.without) removed.push_back({object, {}, {}, {}, {}, true});
@@ -74,6 +75,7 @@ TEST_CASE("arms that are told of put, stack and push") {
         CHECK(end.position_error_m < task.within_m);
       }
     }
+  }
 }
 
 TEST_CASE("elements that are not told are guessed, each with its file and line") {
@@ -100,7 +102,7 @@ TEST_CASE("elements that are not told are guessed, each with its file and line")
 }
 
 TEST_CASE("a scene that tells of its avatar becomes one that has all elements, which loads again") {
-  const auto once = compiled(sawyer, told.at(sawyer));
+  const auto once = compiled(sawyer, told_of(sawyer));
   REQUIRE(once.ok());
   const TemporaryFolder folder;
   const auto again = compile_scene(folder.file("again.xml", once->source.text()));
