@@ -207,7 +207,7 @@ TEST_CASE("an expectation that is not met is counted and logged with what there 
   CHECK(of_kind(records_of(out.str()), "expect").back()["found"] == Json{{"state", "Done"}, {"holding", "null"}});
   REQUIRE(summary.unmet.size() == 1);
   CHECK(summary.unmet.front().error("unmet.jsonl").text() ==
-        R"(unmet.jsonl:6: expected {"state":"Asked","holding":"null"}, found {"state":"Done","holding":"null"})");
+        R"(unmet.jsonl:7: expected {"state":"Asked","holding":"null"}, found {"state":"Done","holding":"null"})");
 }
 
 TEST_CASE("a branch that was not taken can be taken") {
