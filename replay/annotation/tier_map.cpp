@@ -4,7 +4,7 @@
 #include <cctype>
 
 #include "continua/core/characters.h"
-#include "continua/core/document_reader.h"
+#include "continua/core/read_document.h"
 
 namespace continua {
 namespace {
@@ -73,25 +73,6 @@ TierNames read_names(const Item& root) {
   return names;
 }
 
-template <class Value>
-Result<Value> parsed(std::string_view text, const std::string& name, Value (*read)(const Item&)) {
-  const auto document = LocatedJson::parse(text, name);
-  if (!document) return document.error();
-  DocumentReader reader;
-  auto value = read(reader.root(*document));
-  if (!reader.sound()) return reader.problems().front();
-  return value;
-}
-
-template <class Value>
-std::vector<Error> problems_of(std::string_view text, const std::string& name, Value (*read)(const Item&)) {
-  const auto document = LocatedJson::parse(text, name);
-  if (!document) return {document.error()};
-  DocumentReader reader;
-  read(reader.root(*document));
-  return reader.problems();
-}
-
 bool has_any(const std::vector<std::string>& words, const std::vector<std::string>& beginnings) {
   return std::any_of(words.begin(), words.end(), [&](const auto& word) {
     return std::any_of(beginnings.begin(), beginnings.end(), [&](const auto& one) { return word.starts_with(one); });
@@ -127,15 +108,17 @@ TierUse use_by_words(const std::string& name, const std::string& participant, co
 }  // namespace
 
 std::vector<Error> tier_map_problems(std::string_view text, const std::string& name) {
-  return problems_of(text, name, read_map);
+  return problems_of_document(text, name, read_map);
 }
-Result<TierMap> parse_tier_map(std::string_view text, const std::string& name) { return parsed(text, name, read_map); }
+Result<TierMap> parse_tier_map(std::string_view text, const std::string& name) {
+  return parsed_document(text, name, read_map);
+}
 
 std::vector<Error> tier_names_problems(std::string_view text, const std::string& name) {
-  return problems_of(text, name, read_names);
+  return problems_of_document(text, name, read_names);
 }
 Result<TierNames> parse_tier_names(std::string_view text, const std::string& name) {
-  return parsed(text, name, read_names);
+  return parsed_document(text, name, read_names);
 }
 
 TierMap guessed_map(const Annotations& annotations, const TierNames& names) {

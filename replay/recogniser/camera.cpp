@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "continua/core/document_reader.h"
+#include "continua/core/read_document.h"
 #include "continua/core/replaced_file.h"
 
 namespace continua {
@@ -114,12 +114,7 @@ Result<Camera> read_camera(const std::string& path) {
 }
 
 Result<Camera> camera_of_text(std::string_view text, const std::string& path) {
-  const auto document = LocatedJson::parse(text, path);
-  if (!document) return document.error();
-  DocumentReader reader;
-  auto camera = camera_of(reader.root(*document));
-  if (!reader.sound()) return reader.problems().front();
-  return camera;
+  return parsed_document(text, path, camera_of);
 }
 
 Result<std::shared_ptr<const Camera>> named_camera(const std::string& path) {

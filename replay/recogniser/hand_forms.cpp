@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "continua/core/document_reader.h"
+#include "continua/core/read_document.h"
 
 namespace continua {
 namespace {
@@ -126,20 +126,11 @@ const HandForm* HandForms::find(const HandPoints& points) const {
 }
 
 Result<HandForms> read_hand_forms(std::string_view text, const std::string& path) {
-  const auto document = LocatedJson::parse(text, path);
-  if (!document) return document.error();
-  DocumentReader reader;
-  auto forms = forms_of(reader.root(*document));
-  if (!reader.sound()) return reader.problems().front();
-  return forms;
+  return parsed_document(text, path, forms_of);
 }
 
 std::vector<Error> hand_form_problems(std::string_view text, const std::string& path) {
-  const auto document = LocatedJson::parse(text, path);
-  if (!document) return {document.error()};
-  DocumentReader reader;
-  (void)forms_of(reader.root(*document));
-  return reader.problems();
+  return problems_of_document(text, path, forms_of);
 }
 
 }  // namespace continua
