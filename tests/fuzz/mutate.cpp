@@ -4,8 +4,12 @@
 //   fuzz_mutate --seeds TARGET FOLDER       writes the target's seeds there
 //   fuzz_mutate --list
 //
-// The input under way is in the file fuzz-TARGET, for when the program dies of it.
+// The input of which the program dies, or that takes too long, is then in the file fuzz-TARGET.
+#include <signal.h>
+#include <sys/time.h>
+
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -19,7 +23,33 @@ namespace {
 
 double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-constexpr double most_s = 10;  // for one input
+constexpr unsigned most_s = 10;  // for one input
+
+// The input under way. To write a file for each would take longer than to read the inputs.
+const FuzzTarget* target_under_way = nullptr;
+const std::string* input_under_way = nullptr;
+
+// Keeps the input and ends as the signal would have ended the program.
+void keep_input(int signal_number) {
+  if (target_under_way && input_under_way) {
+    const std::string file = "fuzz-" + target_under_way->name;
+    std::ofstream(file, std::ios::binary) << *input_under_way;
+    std::fprintf(stderr, "%s: signal %d; the input is in %s\n", target_under_way->name.c_str(), signal_number, file.c_str());
+  }
+  signal(signal_number, SIG_DFL);
+  raise(signal_number);
+}
+
+// On a stack of its own, since a reader may have used up the program's.
+void keep_inputs() {
+  static std::array<char, 1 << 16> memory;
+  const stack_t stack{memory.data(), 0, memory.size()};
+  sigaltstack(&stack, nullptr);
+  struct sigaction action {};
+  action.sa_handler = keep_input;
+  action.sa_flags = SA_ONSTACK;
+  for (const int number : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGPROF}) sigaction(number, &action, nullptr);
+}
 
 // An input that is no input as it should be: bytes are changed, moved, left out, said twice, or come from another one.
 std::string mutated(std::string text, const std::vector<std::string>& seeds, std::mt19937& draw) {
@@ -59,33 +89,28 @@ std::string mutated(std::string text, const std::vector<std::string>& seeds, std
   return text;
 }
 
-// Whether each input is read soon.
-bool attack(const FuzzTarget& target, double seconds, unsigned seed) {
+void attack(const FuzzTarget& target, double seconds, unsigned seed) {
   auto seeds = fuzz_seeds(target);
   seeds.push_back("");
   std::mt19937 draw(seed);
   std::size_t count = 0;
   const auto run = [&](const std::string& input) {
-    std::ofstream("fuzz-" + target.name, std::ios::binary) << input;
-    const double begun = processor_s();
+    target_under_way = &target;
+    input_under_way = &input;
+    const itimerval limit{{}, {most_s, 0}};
+    setitimer(ITIMER_PROF, &limit, nullptr);
     target.read(input);
     ++count;
-    if (processor_s() - begun < most_s) return true;
-    std::fprintf(stderr, "%s: an input takes %.0f s; it is in fuzz-%s\n", target.name.c_str(), processor_s() - begun,
-                 target.name.c_str());
-    return false;
   };
   const double begun = processor_s();
   for (const auto& one : seeds) {
-    if (!run(one)) return false;
+    run(one);
     if (processor_s() - begun > seconds / 2) break;  // of many, those at the beginning
   }
-  while (processor_s() - begun < seconds)
-    if (!run(mutated(seeds[draw() % seeds.size()], seeds, draw))) return false;
+  while (processor_s() - begun < seconds) run(mutated(seeds[draw() % seeds.size()], seeds, draw));
+  input_under_way = nullptr;
   std::printf("%s: %zu inputs, %zu seeds, %.1f s\n", target.name.c_str(), count, seeds.size(), processor_s() - begun);
   std::fflush(stdout);
-  std::remove(("fuzz-" + target.name).c_str());
-  return true;
 }
 
 int run(const std::vector<std::string>& words) {
@@ -100,11 +125,11 @@ int run(const std::vector<std::string>& words) {
     return 0;
   }
   if (words.size() < 2) return std::fprintf(stderr, "expected SECONDS SEED [TARGET...]\n"), 2;
-  bool fine = true;
+  keep_inputs();
   for (const auto& target : fuzz_targets())
     if (words.size() == 2 || std::find(words.begin() + 2, words.end(), target.name) != words.end())
-      fine = attack(target, std::atof(words[0].c_str()), static_cast<unsigned>(std::atoi(words[1].c_str()))) && fine;
-  return fine ? 0 : 1;
+      attack(target, std::atof(words[0].c_str()), static_cast<unsigned>(std::atoi(words[1].c_str())));
+  return 0;
 }
 
 }  // namespace
