@@ -142,10 +142,10 @@ export class Visitor {
       [name, String(value)],
     );
   }
-  /** What axe finds wrong with the page as it is, in short; also targets below 24 px. REQUIRES a visit with bypassCSP. */
-  async violations() {
+  /** The faults that axe finds in the page as it is, in short; also targets below 24 px. `options` are those of axe's run. REQUIRES a visit with bypassCSP. */
+  async violations(options = {rules: {'target-size': {enabled: true}}}) {
     await this.page.evaluate(axe);
-    const {violations} = await this.page.evaluate(() => window.axe.run({rules: {'target-size': {enabled: true}}}));
+    const {violations} = await this.page.evaluate((those) => window.axe.run(those), options);
     return violations.map(({id, nodes}) => `${id}: ${nodes.map((node) => node.html).slice(0, 3)}`);
   }
   async close() {
