@@ -1,6 +1,7 @@
 #include "continua/replay/experiment/robust.h"
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 #include "continua/core/random.h"
@@ -20,6 +21,33 @@ std::optional<Happened> happened_in(std::string_view record) {
   const auto event = text_in(member_in(record, "event"), "kind");
   if (event == "speech" || event == "gesture") return Happened{Happened::Kind::human, ""};
   return std::nullopt;
+}
+
+std::string number_of_act(std::string_view record) { return std::string(member_in(record, "act")); }
+
+// How an act went: the statuses of its records and of its steps'.
+struct Course {
+  bool has_done_step = false;
+  std::string last;
+};
+
+std::map<std::string, Course> courses_of_acts(std::string_view log) {
+  std::map<std::string, Course> courses;
+  each_line(log, [&](std::string_view record) {
+    if (text_in(record, "kind") != "act") return;
+    auto& course = courses[number_of_act(record)];
+    const auto status = text_in(record, "status");
+    if (member_in(record, "step").empty())
+      course.last = status;
+    else if (status == "done")
+      course.has_done_step = true;
+  });
+  return courses;
+}
+
+// The body refused the act at its beginning: nothing moved, and the avatar says why.
+bool came_to_nothing(const Course& course) {
+  return !course.has_done_step && (course.last == "blocked" || course.last == "unreachable");
 }
 
 std::vector<std::string> texts_of(const std::vector<Happened>& all, Happened::Kind kind) {
@@ -153,9 +181,12 @@ class Trials {
 }  // namespace
 
 std::vector<Happened> happenings_of(std::string_view log) {
+  const auto courses = courses_of_acts(log);
   std::vector<Happened> all;
   each_line(log, [&](std::string_view record) {
-    if (auto one = happened_in(record)) all.push_back(*std::move(one));
+    if (auto one = happened_in(record))
+      if (one->kind != Happened::Kind::act || !came_to_nothing(courses.at(number_of_act(record))))
+        all.push_back(*std::move(one));
   });
   return all;
 }

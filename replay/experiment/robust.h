@@ -27,7 +27,7 @@ inline constexpr std::size_t run_ends = 4;
 inline constexpr std::array<const char*, run_ends> run_end_names{"same", "asks", "less", "otherwise"};
 
 /// One thing that happened in a run: an act that was asked for, an utterance, or that the human said or showed
-/// something.
+/// something. An act that the body refused before any of its steps was done is none: nothing moved.
 struct Happened {
   enum class Kind { act, utterance, human } kind;
   std::string text;

@@ -41,6 +41,23 @@ TEST_CASE("The end of a run is that of its first other answer") {
   CHECK(end("human; act b; says Okay.; human; act a; says Okay.") == "otherwise");
 }
 
+TEST_CASE("An act that the body refused at its beginning did not happen") {
+  const std::string asked = R"({"kind":"act","act":1,"program":"put(knife, in(cup))","status":"asked"})";
+  const std::string started = R"({"kind":"act","act":1,"program":"put(knife, in(cup))","status":"started"})";
+  const std::string blocked = R"({"kind":"act","act":1,"program":"put(knife, in(cup))","status":"blocked"})";
+  const std::string taken = R"({"kind":"act","act":1,"program":"grasp(knife)","status":"done","step":1})";
+  const std::string other = R"({"kind":"act","act":2,"program":"grasp(knife)","status":"done","step":1})";
+  const auto acts = [](const std::vector<std::string>& lines) {
+    std::string log;
+    for (const auto& line : lines) log += line + "\n";
+    return happenings_of(log).size();
+  };
+  CHECK(acts({asked, started}) == 1);
+  CHECK(acts({asked, started, blocked}) == 0);
+  CHECK(acts({asked, started, other, blocked}) == 0);
+  CHECK(acts({asked, started, taken, blocked}) == 1);
+}
+
 // Does what it hears, and asks about words that it does not know.
 const char* obedient = R"json({"machine":1,"name":"obedient","start":"A",
   "programs":{"HEAD_NOD":"t","HEAD_SHAKE":"t"},
