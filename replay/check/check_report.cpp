@@ -114,6 +114,7 @@ Json json_of(const CheckReport& report) {
   return {{"check", 1},
           {"shard", {report.shard.index, report.shard.count}},
           {"files", report.files},
+          {"numbers", json_of_item_numbers(report.numbers)},
           {"seconds", report.seconds},
           {"cases", std::move(cases)}};
 }
@@ -127,41 +128,40 @@ Result<CheckReport> read_report(std::string_view text, const std::string& name) 
   const auto& root = document->root();
   if (!root.is_object() || !root.contains("check") || root["check"] != 1)
     return document->error("", "found no report of a check; expected \"check\": 1");
-  const Json shard = root.contains("shard") ? root["shard"] : Json();
-  const auto is_count = [](const Json& json) { return json.is_number_unsigned() && json > 0 && json <= most_shards; };
-  if (!shard.is_array() || shard.size() != 2 || !is_count(shard[0]) || !is_count(shard[1]) || shard[0] > shard[1])
-    return document->error("/shard",
-                           fmt::format("found {}; expected \"shard\": [I, N], I from 1 to N", compact(shard)));
+  const auto shard = read_shard(*document);
+  if (!shard) return shard.error();
   CheckReport report;
-  report.shard = {shard[0].get<std::size_t>(), shard[1].get<std::size_t>()};
+  report.shard = *shard;
   report.files = member(root, "files", std::size_t{0}, &Json::is_number_unsigned);
   report.seconds = member(root, "seconds", 0.0, &Json::is_number);
   if (!root.contains("cases") || !root["cases"].is_array())
     return document->error("/cases", "expected \"cases\": a list of what came out, file by file");
   for (const auto& one : root["cases"]) {
-    if (!one.is_object()) continue;
+    if (!one.is_object())
+      return document->error(fmt::format("/cases/{}", report.cases.size()),
+                             fmt::format("found {}; expected an object", compact(one)));
     if (const auto fault = fault_of(one); !fault.empty())
       return document->error(fmt::format("/cases/{}", report.cases.size()), fault);
     report.cases.push_back(case_of(one));
   }
-  if (report.cases.size() != report.shard.share(report.files))
-    return document->error("/cases",
-                           fmt::format("found {}; expected {}, the share of shard {}/{} of {}",
-                                       counted(report.cases.size(), "case"), report.shard.share(report.files),
-                                       report.shard.index, report.shard.count, counted(report.files, "file")));
+  auto numbers = read_item_numbers(*document, report.shard, report.files, "cases");
+  if (!numbers) return numbers.error();
+  report.numbers = *std::move(numbers);
   return report;
 }
 
 MergedReports merged(const std::vector<std::string>& names, const std::vector<CheckReport>& reports) {
   std::vector<ShardOf> shards;
-  for (std::size_t i = 0; i < reports.size(); ++i) shards.push_back({names[i], reports[i].shard, reports[i].files});
-  auto [report_of, problems] = places_of(shards, "file");
-  MergedReports all{{{}, reports.front().files, 0, {}}, std::move(problems)};
-  for (const auto& place : report_of)
-    if (place) all.report.seconds += reports[*place].seconds;
+  for (std::size_t i = 0; i < reports.size(); ++i)
+    shards.push_back({names[i], reports[i].shard, reports[i].files, reports[i].numbers});
+  auto places = places_of(shards, "file");
+  MergedReports all{{{}, reports.front().files, {}, 0, {}}, std::move(places.problems)};
+  for (const auto report : places.reports) all.report.seconds += reports[report].seconds;
   for (std::size_t file = 0; file < all.report.files; ++file)
-    if (const auto place = report_of[file % report_of.size()])
-      all.report.cases.push_back(reports[*place].cases[file / report_of.size()]);
+    if (const auto& place = places.items[file]) {
+      all.report.numbers.push_back(file);
+      all.report.cases.push_back(reports[place->report].cases[place->among_its]);
+    }
   return all;
 }
 

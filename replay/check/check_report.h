@@ -29,9 +29,10 @@ struct CheckCase {
 
 struct CheckReport {
   Shard shard;
-  std::size_t files = 0;  ///< of all shards together
-  double seconds = 0;     ///< that it took
-  std::vector<CheckCase> cases;
+  std::size_t files = 0;             ///< of all shards together
+  std::vector<std::size_t> numbers;  ///< of its files among them, from 0, ascending
+  double seconds = 0;                ///< that it took
+  std::vector<CheckCase> cases;      ///< of its files
 
   /// The worst of its cases.
   int status() const;
@@ -46,8 +47,8 @@ std::vector<std::pair<std::string, std::size_t>> verdicts_of(const CheckReport& 
 /// "41 traces: 38 same, 2 same decisions, 1 changed; 9 other files: 9 true; in 12.3 s".
 std::string total_of(const CheckReport& report);
 
-/// {"check": 1, "shard": [I, N], "files", "seconds", "cases": [{"path", "trace", "verdict", "sentence", "status",
-/// "line", "problems" [{"where", "sentence"}], "details", "page"}]}; fields that are empty are left out.
+/// {"check": 1, "shard": [I, N], "files", "numbers", "seconds", "cases": [{"path", "trace", "verdict", "sentence",
+/// "status", "line", "problems" [{"where", "sentence"}], "details", "page"}]}; fields that are empty are left out.
 Json json_of(const CheckReport& report);
 
 /// Reads the output of json_of. `name` stands for the file in errors.

@@ -76,17 +76,18 @@ int run_check(const CheckOptions& options) {
   if (!data) return report(data.error()), exit_impossible;
   auto all = items_of(options.paths.empty() ? std::vector{data->knowledge.string()} : options.paths);
   if (!all) return report(all.error()), exit_impossible;
-  std::vector<CheckItem> items;
-  for (std::size_t i = options.shard.index - 1; i < all->size(); i += options.shard.count) items.push_back((*all)[i]);
-
   std::vector<std::string> inputs;
   for (const auto& item : *all) inputs.push_back(item.path.string());
+  const auto numbers = dealt(options.shard, costs_of(inputs));
+  std::vector<CheckItem> items;
+  for (const auto number : numbers) items.push_back((*all)[number]);
+
   for (const auto& output : {options.junit, options.report, options.summary})
     if (const auto problem = not_an_input(output, inputs)) return report(*problem), exit_impossible;
 
   Checking checking(options, *data, items);
   checking.run();
-  CheckReport report{options.shard, all->size(), 0, checking.cases()};
+  CheckReport report{options.shard, all->size(), numbers, 0, checking.cases()};
   std::vector<Error> problems;
   if (options.approve)
     if (auto problem = approve(options, items, checking, report.cases)) problems.push_back(std::move(*problem));

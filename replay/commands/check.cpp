@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "continua/core/located_json.h"
-#include "continua/replay/commands/set_option.h"
+#include "continua/replay/commands/setting_options.h"
 #include "continua/replay/commands/shard_option.h"
 
 namespace continua {

@@ -70,11 +70,15 @@ bool is_run_log(const std::string& path) {
 class Counting {
  public:
   Counting(const CoverageOptions& options, std::vector<std::string> files)
-      : options_(options), files_(std::move(files)), found_(files_.size()), progress_(files_.size()) {}
+      : options_(options),
+        files_(std::move(files)),
+        items_(dealt(options.shards.shard, costs_of(files_))),
+        found_(items_.size()),
+        progress_(items_.size()) {}
 
   void run() {
     std::vector<std::thread> threads;
-    const auto count = std::min(static_cast<std::size_t>(options_.jobs), files_.size());
+    const auto count = std::min(static_cast<std::size_t>(options_.jobs), items_.size());
     for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
     work();
     for (auto& thread : threads) thread.join();
@@ -83,9 +87,8 @@ class Counting {
 
   /// The shard's files; reports those that cannot be used.
   ShardReport report() const {
-    ShardReport all{"coverage", options_.shards.shard, found_.size(), exit_done, {}};
+    ShardReport all{"coverage", options_.shards.shard, files_.size(), items_, exit_done, {}};
     for (const auto& one : found_) {
-      if (!one) continue;
       all.told.push_back(text_of_part(one->ok() ? std::optional(**one) : std::nullopt));
       if (one->ok()) continue;
       continua::report(one->error());
@@ -96,9 +99,9 @@ class Counting {
 
  private:
   void work() {
-    for (std::size_t i = next_++; i < files_.size(); i = next_++) {
-      if (!options_.shards.shard.has(i)) continue;
-      auto coverage = is_run_log(files_[i]) ? of_log(RunIndex::open(files_[i])) : of_trace(files_[i]);
+    for (std::size_t i = next_++; i < items_.size(); i = next_++) {
+      const auto& file = files_[items_[i]];
+      auto coverage = is_run_log(file) ? of_log(RunIndex::open(file)) : of_trace(file);
       const std::lock_guard lock(mutex_);
       found_[i] = std::move(coverage);
       progress_.show(i, 1);
@@ -134,6 +137,7 @@ class Counting {
   const CoverageOptions& options_;
   const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
   std::vector<std::string> files_;
+  const std::vector<std::size_t> items_;  // of the files, the shard's
   std::mutex mutex_;
   std::vector<std::optional<Result<MachineCoverage>>> found_;
   Progress progress_;

@@ -10,7 +10,7 @@
 
 #include "continua/core/scratch_space.h"
 #include "continua/replay/commands/moved_paths.h"
-#include "continua/replay/commands/set_option.h"
+#include "continua/replay/commands/setting_options.h"
 #include "continua/replay/experiment/trace_search.h"
 #include "continua/replay/session/shelf.h"
 #include "continua/replay/trace/trace_name.h"

@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "continua/core/gzip_name.h"
-#include "continua/replay/commands/set_option.h"
+#include "continua/replay/commands/setting_options.h"
 #include "continua/replay/live/event_pipe.h"
 #include "continua/replay/server/inspector_server.h"
 #include "continua/replay/server/stop_signals.h"

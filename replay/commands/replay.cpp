@@ -2,7 +2,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
-#include "continua/replay/commands/set_option.h"
+#include "continua/replay/commands/setting_options.h"
 #include "continua/replay/log/run_log_file.h"
 #include "continua/replay/session/outside_choice.h"
 #include "continua/replay/session/shelf.h"
@@ -103,13 +103,14 @@ class Batch {
                        ? ""
                        : (fs::path(options.output) / "documents").string()),
         outputs_(std::move(outputs)),
-        lines_(options.traces.size()),
-        progress_(options.traces.size()) {}
+        items_(dealt(options.shards.shard, costs_of(options.traces))),
+        lines_(items_.size()),
+        progress_(items_.size()) {}
 
   void run() {
     std::vector<std::thread> threads;
     const auto count = std::min<std::size_t>(
-        static_cast<std::size_t>(jobs_at_a_time(options_.jobs, options_.replay.learned)), options_.traces.size());
+        static_cast<std::size_t>(jobs_at_a_time(options_.jobs, options_.replay.learned)), items_.size());
     for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
     work();
     for (auto& thread : threads) thread.join();
@@ -117,16 +118,14 @@ class Batch {
 
   /// After the run.
   ShardReport report() const {
-    ShardReport all{"replay", options_.shards.shard, options_.traces.size(), status_, {}};
-    for (std::size_t i = 0; i < lines_.size(); ++i)
-      if (options_.shards.shard.has(i)) all.told.push_back(told(i));
+    ShardReport all{"replay", options_.shards.shard, options_.traces.size(), items_, status_, {}};
+    for (std::size_t i = 0; i < items_.size(); ++i) all.told.push_back(told(i));
     return all;
   }
 
  private:
   void work() {
-    for (std::size_t i = next_++; i < options_.traces.size(); i = next_++)
-      if (options_.shards.shard.has(i)) one(i);
+    for (std::size_t i = next_++; i < items_.size(); i = next_++) one(i);
   }
 
   // The line of a trace that was replayed.
@@ -135,15 +134,16 @@ class Batch {
     return line.empty() ? line : printable_line(line) + "\n";
   }
 
+  // `index`: among the shard's items, as everywhere below.
   void one(std::size_t index) {
-    const auto& trace = options_.traces[index];
+    const auto& trace = options_.traces[items_[index]];
     auto options = options_.replay;
     options.shelf = shelf_;
     options.progress = [this, index](double done) {
       const std::lock_guard lock(mutex_);
       progress_.show(index, done);
     };
-    const auto& output = outputs_[index];
+    const auto& output = outputs_[items_[index]];
     auto session = Session::load(trace, std::move(options));
     if (!session) return finish(index, session.error(), output);
     if (session->warning()) warn(*session->warning());
@@ -183,14 +183,14 @@ class Batch {
       status_ = exit_impossible;
       lines_[index] = "";
     } else {
-      const auto& trace = options_.traces[index];
+      const auto& trace = options_.traces[items_[index]];
       lines_[index] = line_of(trace, *summary, output) + comparison(trace, output, options_.replay);
       if (options_.replay.from && !summary->changed)
         report_warning({trace, fmt::format("--from {}: nothing happens from then on; nothing was changed",
                                            *options_.replay.from)});
       for (const auto& [step, transition] : summary->not_forced) {
-        continua::report({options_.traces[index],
-                          fmt::format("--force {}={}: that transition does not apply at that step", step, transition)});
+        continua::report(
+            {trace, fmt::format("--force {}={}: that transition does not apply at that step", step, transition)});
         status_ = exit_impossible;
       }
       const auto& [from, with] = std::tie(options_.replay.from, options_.replay.with);
@@ -198,8 +198,8 @@ class Batch {
         continua::report(unmet.error(!with.empty() && unmet.t >= SimTime::from_seconds(*from) ? with : trace));
       if (summary->expectations_met < summary->expectations && status_ == exit_done) status_ = exit_no;
     }
-    for (; printed_ < lines_.size() && (lines_[printed_] || !options_.shards.shard.has(printed_)); ++printed_)
-      if (lines_[printed_]) put(output == "-" ? stderr : stdout, told(printed_));
+    for (; printed_ < lines_.size() && lines_[printed_]; ++printed_)
+      put(output == "-" ? stderr : stdout, told(printed_));
     std::fflush(stdout);
   }
 
@@ -207,6 +207,7 @@ class Batch {
   const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
   const std::string documents_;  // the folder for them; empty: in the logs
   std::vector<std::string> outputs_;
+  const std::vector<std::size_t> items_;  // of the traces, the shard's
   std::mutex mutex_;
   std::vector<std::optional<std::string>> lines_;
   Progress progress_;
@@ -298,16 +299,7 @@ void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
   command.add_option("--with", options.replay.with,
                      "with --from: a trace, perhaps an edited copy; from then on its events happen, and its machine, "
                      "seed and perspective count. Its scene and objects must be the same");
-  command.add_option("--scene", options.replay.scene, "a name or an MJCF file; otherwise the trace's");
-  command.add_option("--machine", options.replay.machine, "a name or a machine file; otherwise the trace's");
-  command.add_option("--weights", options.replay.weights,
-                     "a file of continua learn: weights and levels of evidence in place of the machine's own");
-  add_set_option(command, options.replay.settings);
-  command.add_option(
-      "--language", options.replay.language,
-      "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the trace's, or the machine's");
-  command.add_option("--knowledge", options.replay.knowledge,
-                     "folder of machines, lexicon, voxemes; otherwise the program's");
+  add_setting_options(command, options.replay);
   command.add_option("--learned", options.replay.learned,
                      "a file of what was taught: read if it exists, and written when a run has changed it");
   command.add_flag_callback(

@@ -13,7 +13,7 @@
 
 #include "continua/knowledge_files/data_paths.h"
 #include "continua/replay/commands/moved_paths.h"
-#include "continua/replay/commands/set_option.h"
+#include "continua/replay/commands/setting_options.h"
 #include "continua/replay/experiment/robust_text.h"
 #include "continua/replay/session/shelf.h"
 #include "continua/replay/terminal/progress.h"
@@ -127,9 +127,7 @@ void describe_robust(CLI::App& command, RobustCommandOptions& options) {
                      "something else");
   command.add_flag("--json", options.json, "the figures as JSON");
   command.add_flag("--physics,!--no-physics", options.replay.physics, "with physics; otherwise in the kinematic world");
-  command.add_option("--machine", options.replay.machine, "a name or a machine file; otherwise the trace's");
-  add_set_option(command, options.replay.settings);
-  command.add_option("--knowledge", options.replay.knowledge, "folder of all knowledge; otherwise the program's");
+  add_setting_options(command, options.replay);
   command.footer(
       "Each run is held against that without noise. same: the same acts; asks: the avatar says something else before "
       "it does anything else; less: acts are missing and nothing is said; otherwise: it does what it did not do "

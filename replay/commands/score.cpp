@@ -15,7 +15,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
-#include "continua/replay/commands/set_option.h"
+#include "continua/replay/commands/setting_options.h"
 #include "continua/replay/log/run_log_file.h"
 #include "continua/replay/score/score_part.h"
 #include "continua/replay/score/score_report.h"
@@ -52,11 +52,15 @@ Result<std::vector<std::string>> runs_of(const ScoreOptions& options) {
 class Scoring {
  public:
   Scoring(const ScoreOptions& options, std::vector<std::string> runs)
-      : options_(options), runs_(std::move(runs)), scores_(runs_.size()), progress_(runs_.size()) {}
+      : options_(options),
+        runs_(std::move(runs)),
+        items_(dealt(options.shards.shard, costs_of(options.traces))),
+        scores_(items_.size()),
+        progress_(items_.size()) {}
 
   void run() {
     std::vector<std::thread> threads;
-    const auto count = std::min(static_cast<std::size_t>(options_.jobs), runs_.size());
+    const auto count = std::min(static_cast<std::size_t>(options_.jobs), items_.size());
     for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
     work();
     for (auto& thread : threads) thread.join();
@@ -65,9 +69,8 @@ class Scoring {
 
   /// The shard's traces; reports those that cannot be used.
   ShardReport report() const {
-    ShardReport all{"score", options_.shards.shard, scores_.size(), exit_done, {}};
+    ShardReport all{"score", options_.shards.shard, options_.traces.size(), items_, exit_done, {}};
     for (const auto& one : scores_) {
-      if (!one) continue;
       all.told.push_back(
           text_of_part(name_of(options_.replay.variant), one->ok() ? std::optional(**one) : std::nullopt));
       if (one->ok()) continue;
@@ -79,8 +82,7 @@ class Scoring {
 
  private:
   void work() {
-    for (std::size_t i = next_++; i < runs_.size(); i = next_++) {
-      if (!options_.shards.shard.has(i)) continue;
+    for (std::size_t i = next_++; i < items_.size(); i = next_++) {
       auto score = score_of(i);
       const std::lock_guard lock(mutex_);
       scores_[i] = std::move(score);
@@ -88,8 +90,10 @@ class Scoring {
     }
   }
 
+  // `index`: among the shard's items.
   Result<TraceScore> score_of(std::size_t index) {
-    const auto& trace = options_.traces[index];
+    const auto& trace = options_.traces[items_[index]];
+    const auto& kept = runs_[items_[index]];
     auto options = options_.replay;
     options.shelf = shelf_;
     options.episodes = true;
@@ -100,7 +104,7 @@ class Scoring {
     auto session = Session::load(trace, std::move(options));
     if (!session) return session.error();
     if (session->warning()) warn(*session->warning());
-    TraceScore score{trace_name(trace), trace, runs_[index], {}, {}, {}};
+    TraceScore score{trace_name(trace), trace, kept, {}, {}, {}};
     auto summary = replayed(*session, score.run);
     if (!summary) return summary.error();
     if (!session->trace().observes()) {
@@ -135,7 +139,8 @@ class Scoring {
 
   const ScoreOptions& options_;
   const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
-  std::vector<std::string> runs_;
+  std::vector<std::string> runs_;         // of all traces
+  const std::vector<std::size_t> items_;  // of the traces, the shard's
   std::mutex mutex_;
   std::vector<std::optional<Result<TraceScore>>> scores_;
   Progress progress_;
@@ -192,16 +197,7 @@ void describe_score(CLI::App& command, ScoreOptions& options) {
   command.add_flag("--markdown", options.markdown, "the tables as Markdown")->excludes(json);
   command.add_flag("--misses", options.all_misses, "tell all misses, not the first few of each trace");
   command.add_option("--seed", options.replay.seed, "for draws; otherwise the trace's");
-  command.add_option("--scene", options.replay.scene, "a name or an MJCF file; otherwise the trace's");
-  command.add_option("--machine", options.replay.machine, "a name or a machine file; otherwise the trace's");
-  command.add_option("--weights", options.replay.weights,
-                     "a file of continua learn: weights and levels of evidence in place of the machine's own");
-  add_set_option(command, options.replay.settings);
-  command.add_option(
-      "--language", options.replay.language,
-      "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the trace's, or the machine's");
-  command.add_option("--knowledge", options.replay.knowledge,
-                     "folder of machines, lexicon, voxemes; otherwise the program's");
+  add_setting_options(command, options.replay);
   command.add_option("-j,--jobs", options.jobs, "how many traces at a time")->check(CLI::Range(1, 256));
   add_shard_options(command, options.shards, "TRACE", "scoring");
   command.footer(

@@ -15,7 +15,8 @@ void add_shard_option(CLI::App& command, Shard& shard) {
             if (!told) throw CLI::ValidationError("--shard", told.error().sentence);
             shard = *told;
           },
-          "I/N: only part I of N, from 1; auto: as a task of Slurm, GitLab or CircleCI is told")
+          "I/N: only part I of N, from 1, of about as many bytes of inputs as each other part; auto: as a task of "
+          "Slurm, GitLab or CircleCI is told")
       ->type_name("I/N");
 }
 

@@ -12,7 +12,7 @@
 #include "continua/core/replaced_file.h"
 #include "continua/replay/check/run_approved.h"
 #include "continua/replay/commands/moved_paths.h"
-#include "continua/replay/commands/set_option.h"
+#include "continua/replay/commands/setting_options.h"
 #include "continua/replay/experiment/shrink.h"
 #include "continua/replay/trace/trace_name.h"
 #include "continua/simulation/mujoco_version.h"
@@ -106,14 +106,7 @@ void describe_shrink(CLI::App& command, ShrinkCommandOptions& options) {
   command.add_option("-o,--output", options.output, "a trace, or '-'; otherwise NAME.shrunk.trace.jsonl here");
   command.add_flag("--physics,!--no-physics", options.replay.physics,
                    "with physics; otherwise in the kinematic world, in which acts succeed at once");
-  command.add_option("--scene", options.replay.scene, "a name or an MJCF file; otherwise the trace's");
-  command.add_option("--machine", options.replay.machine, "a name or a machine file; otherwise the trace's");
-  add_set_option(command, options.replay.settings);
-  command.add_option(
-      "--language", options.replay.language,
-      "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the trace's, or the machine's");
-  command.add_option("--knowledge", options.replay.knowledge,
-                     "folder of machines, lexicon, voxemes; otherwise the program's");
+  add_setting_options(command, options.replay);
   command.add_option("--learned", options.replay.learned, "a file of what was taught; it is not written");
   command.add_option("--seed", options.replay.seed, "for draws; otherwise the trace's");
   command.footer(

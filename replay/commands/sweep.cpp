@@ -12,7 +12,7 @@
 
 #include "continua/core/digest.h"
 #include "continua/core/replaced_file.h"
-#include "continua/replay/commands/set_option.h"
+#include "continua/replay/commands/setting_options.h"
 #include "continua/replay/commands/sweep_run.h"
 #include "continua/replay/sweep/sweep_page.h"
 #include "continua/replay/sweep/sweep_pictures.h"
@@ -35,12 +35,13 @@ class Sweeping {
       : options_(options),
         given_(std::move(given)),
         points_(std::move(points)),
-        lines_(points_.size()),
-        progress_(options.shards.shard.share(points_.size())) {}
+        items_(dealt(options.shards.shard, std::vector<std::uint64_t>(points_.size(), 1))),
+        lines_(items_.size()),
+        progress_(items_.size()) {}
 
   void run() {
     std::vector<std::thread> threads;
-    const auto count = std::min(static_cast<std::size_t>(options_.jobs), points_.size());
+    const auto count = std::min(static_cast<std::size_t>(options_.jobs), items_.size());
     for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
     work();
     for (auto& thread : threads) thread.join();
@@ -49,20 +50,15 @@ class Sweeping {
   }
 
   /// After the run.
-  ShardReport report() const {
-    ShardReport all{"sweep", options_.shards.shard, points_.size(), status_, {}};
-    for (std::size_t i = 0; i < lines_.size(); ++i)
-      if (all.shard.has(i)) all.told.push_back(lines_[i]);
-    return all;
-  }
+  ShardReport report() const { return {"sweep", options_.shards.shard, points_.size(), items_, status_, lines_}; }
 
  private:
   void work() {
-    for (std::size_t i = next_++; i < points_.size(); i = next_++)
-      if (options_.shards.shard.has(i)) one(i);
+    for (std::size_t i = next_++; i < items_.size(); i = next_++) lines_[i] = one(items_[i]);
   }
 
-  void one(std::size_t index) {
+  // The point's line; empty if there is none.
+  std::string one(std::size_t index) {
     const auto& point = points_[index];
     const auto path = in_folder(options_, fmt::format("points/{}.json", digest(given_.digest + compact(point.json()))));
     auto kept = LocatedJson::read(path);
@@ -76,19 +72,20 @@ class Sweeping {
     if (line) {
       Json numbered{{"point", index + 1}};
       numbered.update(*line);
-      lines_[index] = compact(numbered) + "\n";
-      return;
+      return compact(numbered) + "\n";
     }
     progress_.clear();
     continua::report({line.error().where, fmt::format("{} (point {})", line.error().sentence, index + 1)});
     status_ = exit_impossible;
+    return "";
   }
 
   const SweepOptions& options_;
   const SweepGiven given_;
   const std::vector<SweepPoint> points_;
+  const std::vector<std::size_t> items_;  // of the points, the shard's; each is as dear as the others
   std::mutex mutex_;
-  std::vector<std::string> lines_;  // empty: none, or not this shard's
+  std::vector<std::string> lines_;  // of each of them; empty: none
   Progress progress_;
   std::size_t done_ = 0, found_ = 0;
   std::atomic<std::size_t> next_ = 0;
@@ -196,16 +193,7 @@ void describe_sweep(CLI::App& command, SweepOptions& options) {
       .add_flag_callback(
           "--physics", [&options] { options.replay.physics = true; }, "replay in MuJoCo's world")
       ->excludes(varied);
-  command.add_option("--scene", options.replay.scene, "a name or an MJCF file; otherwise the trace's");
-  command.add_option("--machine", options.replay.machine, "a name or a machine file; otherwise the trace's");
-  command.add_option("--weights", options.replay.weights,
-                     "a file of continua learn: weights and levels of evidence in place of the machine's own");
-  add_set_option(command, options.replay.settings);
-  command.add_option(
-      "--language", options.replay.language,
-      "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the trace's, or the machine's");
-  command.add_option("--knowledge", options.replay.knowledge,
-                     "folder of machines, lexicon, voxemes; otherwise the program's");
+  add_setting_options(command, options.replay);
   command.add_option("-j,--jobs", options.jobs, "how many points at a time")->check(CLI::Range(1, 256));
   add_shard_options(command, options.shards, "TRACE", "replaying");
   command.footer(

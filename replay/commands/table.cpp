@@ -64,12 +64,12 @@ Outcome write_shard(const TableOptions& options, ShardReport& made) {
     folder = (fs::path(folder) / fmt::format("shard-{}-of-{}", made.shard.index, made.shard.count)).string();
   if (auto problem = make_folder(folder)) return problem;
   made.items = logs->size();
+  made.numbers = dealt(made.shard, costs_of(*logs));
   TableWriter tables(folder, options.kinds);
-  for (std::size_t i = 0; i < logs->size(); ++i) {
-    if (!made.shard.has(i)) continue;
-    const auto run = RunIndex::open((*logs)[i]);
+  for (const auto item : made.numbers) {
+    const auto run = RunIndex::open((*logs)[item]);
     if (!run) return run.error();
-    if (auto broken = tables.add(*run, name_of_run((*logs)[i]))) return broken;
+    if (auto broken = tables.add(*run, name_of_run((*logs)[item]))) return broken;
     made.told.push_back(compact(tables.latest_part()));
   }
   return finish(tables, folder, made.told.size());
@@ -95,7 +95,7 @@ int run_table(const TableOptions& options) {
     if (const auto problem = write_merged(options, merged->told)) return report(*problem), exit_impossible;
     return merged->status;
   }
-  ShardReport made{"table", options.shards.shard, 0, exit_done, {}};
+  ShardReport made{"table", options.shards.shard, 0, {}, exit_done, {}};
   if (const auto problem = write_shard(options, made)) return report(*problem), exit_impossible;
   return keep_report(options.shards, made);
 }

@@ -27,7 +27,7 @@ CheckCase trace_case(const std::string& path, const std::string& verdict, int st
 }
 
 CheckReport some_report() {
-  CheckReport report{{1, 1}, 5, 1.26, {}};
+  CheckReport report{{1, 1}, 5, {0, 1, 2, 3, 4}, 1.26, {}};
   report.cases = {
       trace_case("a.trace.jsonl", "same", exit_done, "1 expectation, same"),
       trace_case("b.trace.jsonl", "changed", exit_no, "changed: 50 % of <b>\nit"),
@@ -138,7 +138,7 @@ TEST_CASE("the reports of all shards, in any order, are the report of a check th
   const bool holds = rc::check("shards of N merged are the whole", [] {
     const auto count = *rc::gen::inRange<std::size_t>(1, 7);
     const auto files = *rc::gen::inRange<std::size_t>(0, 20);
-    CheckReport whole{{1, 1}, files, 0, {}};
+    CheckReport whole{{1, 1}, files, {}, 0, {}};
     for (std::size_t i = 0; i < files; ++i) {
       const bool same = *rc::gen::arbitrary<bool>();
       auto one = trace_case(std::to_string(i), same ? "same" : "changed", *rc::gen::inRange(same ? 0 : 1, 3),
@@ -147,11 +147,13 @@ TEST_CASE("the reports of all shards, in any order, are the report of a check th
       one.line = *rc::gen::inRange<std::size_t>(0, 3);
       one.problems = {{"w", "s"}};
       whole.cases.push_back(one);
+      whole.numbers.push_back(i);
     }
+    const auto costs = *rc::gen::container<std::vector<std::uint64_t>>(files, rc::gen::inRange<std::uint64_t>(0, 9));
     std::vector<std::string> names, texts;
     for (std::size_t index = 1; index <= count; ++index) {
-      CheckReport part{{index, count}, files, 0, {}};
-      for (std::size_t i = index - 1; i < files; i += count) part.cases.push_back(whole.cases[i]);
+      CheckReport part{{index, count}, files, dealt({index, count}, costs), 0, {}};
+      for (const auto file : part.numbers) part.cases.push_back(whole.cases[file]);
       names.push_back(std::to_string(index));
       texts.push_back(compact(json_of(part)));
     }
@@ -168,9 +170,11 @@ TEST_CASE("the reports of all shards, in any order, are the report of a check th
 
 TEST_CASE("shards that are missing, doubled or of another check are told") {
   const auto shard = [](std::size_t index, std::size_t count, std::size_t files) {
-    CheckReport part{{index, count}, files, 1, {}};
-    for (std::size_t i = index - 1; i < files; i += count)
+    CheckReport part{{index, count}, files, {}, 1, {}};
+    for (std::size_t i = index - 1; i < files; i += count) {
+      part.numbers.push_back(i);
       part.cases.push_back(trace_case(std::to_string(i), "same", exit_done, "same"));
+    }
     return part;
   };
   struct Case {
@@ -216,8 +220,8 @@ TEST_CASE("what is no report of a check is an error") {
        R"(r:1:23: found [1,99999999]; expected "shard": [I, N], I from 1 to N)"},
       {R"({"check": 1, "shard": [1, 1]})", R"(r:1:1: expected "cases": a list of what came out, file by file)"},
       {R"({"check": 1, "shard": [1, 1], "files": 1, "cases": []})",
-       "r:1:52: found 0 cases; expected 1, the share of shard 1/1 of 1 file"},
-      {R"({"check": 1, "shard": [1, 1], "cases": [7, 8]})", ""},
+       "r:1:52: found 0; expected 1 for shard 1/1 of 1 item"},
+      {R"({"check": 1, "shard": [1, 1], "cases": [7, 8]})", "r:1:41: found 7; expected an object"},
   };
   for (const auto& [text, error] : cases) {
     CAPTURE(text);

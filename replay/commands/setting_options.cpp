@@ -1,4 +1,4 @@
-#include "continua/replay/commands/set_option.h"
+#include "continua/replay/commands/setting_options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -22,6 +22,18 @@ void add_set_option(CLI::App& command, Json& settings) {
       ->type_name("NAME=VALUE")
       ->expected(1)
       ->take_all();
+}
+
+void add_setting_options(CLI::App& command, ReplayOptions& options) {
+  command.add_option("--scene", options.scene, "a name or an MJCF file; otherwise the trace's");
+  command.add_option("--machine", options.machine, "a name or a machine file; otherwise the trace's");
+  command.add_option("--weights", options.weights,
+                     "a file of continua learn: weights and levels of evidence in place of the machine's own");
+  add_set_option(command, options.settings);
+  command.add_option(
+      "--language", options.language,
+      "of speech and of what the avatar says: a name in knowledge/lexicon; otherwise the trace's, or the machine's");
+  command.add_option("--knowledge", options.knowledge, "folder of machines, lexicon, voxemes; otherwise the program's");
 }
 
 }  // namespace continua
