@@ -54,7 +54,7 @@ std::string text_of(const Pose& X_AB) {
                      p.z() + 0.0, q.w() + 0.0, q.x() + 0.0, q.y() + 0.0, q.z() + 0.0);
 }
 
-std::vector<std::string> names_of(const mjModel& model, mjtObj type, int count) {
+std::vector<std::string> names_of(const mjModel& model, mjtObj type, std::ptrdiff_t count) {
   std::vector<std::string> names;
   for (int id = 0; id < count; ++id)
     if (const char* name = mj_id2name(&model, type, id)) names.push_back(name);
