@@ -51,7 +51,7 @@ continua complete -- accep | grep -q "^accept	Tell which words" || { echo 'compl
 
 in_bash() {
   bash --norc -c '
-    source "$1/packaging/completions/continua.bash"
+    source "$1/ci/packaging/completions/continua.bash"
     COMP_WORDS=(continua "${@:2}") COMP_CWORD=$(($# - 1))
     compopt() { :; }
     _continua
@@ -63,10 +63,10 @@ in_zsh() {
     _describe() { for each in "${(@P)2}"; do printf "%s|" "${each%%:*}"; done; }
     compadd() { for each in "$@"; do case "$each" in -*|"") ;; *) printf "%s|" "$each";; esac; done; }
     words=(continua "${@:2}") CURRENT=$#
-    source "$1/packaging/completions/_continua"' zsh "$here" "$@"
+    source "$1/ci/packaging/completions/_continua"' zsh "$here" "$@"
 }
 in_fish() {
-  HOME=$folder fish --no-config -c 'source $argv[1]/packaging/completions/continua.fish; complete -C "continua $argv[2..-1]"' "$here" "$@" |
+  HOME=$folder fish --no-config -c 'source $argv[1]/ci/packaging/completions/continua.fish; complete -C "continua $argv[2..-1]"' "$here" "$@" |
     cut -f 1 | tr '\n' '|'
 }
 for shell in bash zsh fish; do

@@ -174,7 +174,7 @@ void describe_complete(CLI::App& command, CompleteOptions& options) {
   command.allow_extras();
   command.footer(
       "An installation has the files by which bash, zsh and fish ask. For bash without one:\n"
-      "source packaging/completions/continua.bash\n"
+      "source ci/packaging/completions/continua.bash\n"
       "Example: continua complete -- replay --machine pal");
   command.callback([&command, &options] {
     options.words = command.remaining();

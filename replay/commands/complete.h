@@ -1,5 +1,5 @@
 // continua complete: the words that may come next on a command line, for the completion of shells
-// (packaging/completions).
+// (ci/packaging/completions).
 #pragma once
 
 #include <string>
