@@ -11,6 +11,7 @@
 
 #include "continua/knowledge_files/data_paths.h"
 #include "continua/knowledge_files/named_machine.h"
+#include "continua/replay/live/hand_model.h"
 #include "continua/replay/pictures/film_writer.h"
 #include "continua/replay/server/inspector_server.h"
 #include "continua/replay/session/version.h"
@@ -72,9 +73,10 @@ Result<std::string> page() {
     const auto assets = web_assets();
     return std::any_of(assets.begin(), assets.end(), [&](const WebAsset& one) { return one.path == path; });
   };
-  return fmt::format("{} files; {}, {}", web_assets().size(),
+  return fmt::format("{} files; {}, {}, {}", web_assets().size(),
                      has("/vendor/three.module.js") ? "the scene in 3D" : "the scene as pictures, for want of three",
-                     has("/vendor/dagre.esm.js") ? "graphs by dagre" : "graphs by its own layout, for want of dagre");
+                     has("/vendor/dagre.esm.js") ? "graphs by dagre" : "graphs by its own layout, for want of dagre",
+                     hand_model_folder() ? "hands by camera" : "no hands by camera, for want of @mediapipe/hands");
 }
 
 Result<std::string> port_for_page(int wanted) {
