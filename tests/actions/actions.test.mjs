@@ -68,10 +68,13 @@ test('actionlint finds nothing in the steps of the action, and a planted fault',
   assert.notDeepEqual(faults(workflow(other), 'action.yml'), []);
 });
 
-test('the example asks the action for inputs that it has', () => {
+test('the example fetches the action, and asks it for inputs that it has', () => {
   for (const job of Object.values(parse(read('examples/ci/github.yml')).jobs))
-    for (const one of job.steps.filter(({uses}) => uses.includes('/continua@')))
+    for (const [at, one] of job.steps.entries()) {
+      if (!one.uses.startsWith('./')) continue;
+      assert.equal(one.uses, `./${job.steps[at - 1].with.path}`);
       for (const input of Object.keys(one.with)) assert.ok(input in action.inputs, input);
+    }
 });
 
 test('the action takes the program that is there, or one of these very sources', () => {
