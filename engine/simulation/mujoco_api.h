@@ -14,6 +14,18 @@ using CollisionData = const mjData;
 using FoundContact = mjContact;
 #endif
 
+/// The unit vector of a contact that leads from the first geom to the second.
+inline const mjtNum* normal_of(const FoundContact& contact) {
+#if mjVERSION_HEADER >= 3009000
+  return contact.normal;
+#else
+  return contact.frame;
+#endif
+}
+
+/// Two boxes with flush faces may get a contact of two edges instead.
+inline constexpr bool edges_before_faces = mjVERSION_HEADER >= 3012000;
+
 /// The distance along `along` from `from` to a geom in the frame of its body, or -1.
 inline mjtNum ray_to_geom(const mjtNum* pos, const mjtNum* mat, const mjtNum* size, const mjtNum* from,
                           const mjtNum* along, int type) {
