@@ -21,6 +21,7 @@ import {mountAccount} from './panels/account.js';
 import {mountNotes} from './panels/notes.js';
 import {mountDifferences} from './panels/differences.js';
 import {keepMarked, otherSide} from './panels/side_by_side.js';
+import {splitter} from './splitters.js';
 
 // A page that is built anew, for a run that has grown, keeps these: a scene is slow to load, a note may be half written.
 const lasting = ['scene', 'notes'];
@@ -106,13 +107,28 @@ const inTabs = ({comparison}, parts) =>
 
 function placed({comparison}, parts, more) {
   const element = (name) => parts[name].element;
-  return h(
+  const bars = [];
+  const between = (name, panel, along, sense) => {
+    const label = panel.getAttribute('aria-label') ?? 'the tabs';
+    const one = splitter({main: () => main, panel: () => panel, label, name, along, sense});
+    bars.push(one);
+    return one.bar;
+  };
+  const [dialogue, graph, scene, lanes, stack] = ['dialogue', 'graph', 'scene', 'lanes', 'stack'].map(element);
+  const upper = h('div', {class: 'upper', 'aria-label': 'the upper panels'});
+  upper.append(dialogue, between('dialogue-width', dialogue, 'width', 1), graph);
+  upper.append(between('scene-width', scene, 'width', -1), scene);
+  const lower = h('div', {class: 'lower'});
+  lower.append(stack, between('stack-width', stack, 'width', 1), element(comparison ? 'stack_b' : 'derivation'));
+  lower.append(between('tabs-width', more.element, 'width', -1), more.element);
+  const main = h(
     'main',
     {class: comparison ? 'run compared' : 'run'},
-    h('div', {class: 'upper'}, element('dialogue'), element('graph'), element('scene')),
-    element('lanes'),
-    h('div', {class: 'lower'}, element('stack'), element(comparison ? 'stack_b' : 'derivation'), more.element),
+    [upper, between('upper-height', upper, 'height', 1), lanes],
+    [between('lanes-height', lanes, 'height', 1), lower],
   );
+  requestAnimationFrame(() => bars.forEach(({show}) => show()));
+  return main;
 }
 
 // One panel may fill the page; the others then wait out of sight.

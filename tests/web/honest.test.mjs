@@ -2,33 +2,21 @@
 import assert from 'node:assert/strict';
 import {mkdirSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {after, before, test} from 'node:test';
+import {test} from 'node:test';
 import {roundsLog} from './logs.mjs';
-import {logOf, numberOf, recordsOf, serve, temporaryFolder, Visitor} from './support.mjs';
+import {at, folder, listed, serveFolder, server, visitor} from './served.mjs';
+import {logOf, numberOf, recordsOf} from './support.mjs';
 
-const folder = temporaryFolder();
 const long_name = 'a_run_with_a_long_name_that_nobody_broke_into_words_and_that_goes_on';
-let server, visitor;
-before(async () => {
+serveFolder(() => {
   mkdirSync(join(folder, 'older'));
   writeFileSync(join(folder, 'rounds.run.jsonl'), roundsLog());
   writeFileSync(join(folder, 'failing.run.jsonl'), roundsLog({fails: true}));
   writeFileSync(join(folder, `older/${long_name}.run.jsonl`), roundsLog());
   for (const name of ['correction', 'dialogue_gesture', 'special_dpda'])
     writeFileSync(join(folder, `${name}.run.jsonl`), logOf(`paper/${name}`));
-  server = await serve(folder);
-  visitor = await Visitor.start(server.address);
 });
-after(async () => {
-  await visitor?.close();
-  server?.stop();
-});
-const at = (id) => visitor.at(id);
 const evaluate = (...given) => visitor.page.evaluate(...given);
-const listed = () =>
-  visitor.page.waitForFunction(
-    () => document.querySelectorAll('[data-testid=run]').length && !/being read/.test(document.body.innerText),
-  );
 
 test('a failed act is told in red on both pages, opened at, and stopped at', async () => {
   await visitor.visit('/');

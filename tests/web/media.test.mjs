@@ -3,14 +3,13 @@ import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {mkdirSync} from 'node:fs';
 import {join} from 'node:path';
-import {after, before, test} from 'node:test';
+import {test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import {filmed, makeFilms} from './media_support.mjs';
+import {at, folder, serveFolder, server, visitor} from './served.mjs';
 import {program, serve, temporaryFolder, Visitor} from './support.mjs';
 
-const folder = temporaryFolder();
-let server, visitor;
-before(async () => {
+serveFolder(() => {
   makeFilms(folder);
   filmed(folder, 'filmed', [
     {file: 'ramp.webm', label: 'table'},
@@ -21,14 +20,7 @@ before(async () => {
   ]);
   filmed(folder, 'one', [{file: 'tone.wav'}]);
   filmed(folder, 'plain', []);
-  server = await serve(folder);
-  visitor = await Visitor.start(server.address);
 });
-after(async () => {
-  await visitor?.close();
-  server?.stop();
-});
-const at = (id) => visitor.at(id);
 
 /** Of each player: how far it is from its place, in seconds, and how it is. */
 const players = () =>

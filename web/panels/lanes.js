@@ -2,6 +2,7 @@
 import {h, panel, clock, counted} from '../dom.js';
 import {copyLink} from '../announce.js';
 import {calmly} from '../calmly.js';
+import {laneChoice} from '../timeline/lane_choice.js';
 import {laneRows} from '../timeline/lane_rows.js';
 import {listenToMouse} from '../timeline/lanes_mouse.js';
 import {LanesPicture} from '../timeline/lanes_picture.js';
@@ -12,6 +13,7 @@ import {TimeWindow} from '../timeline/time_window.js';
 
 const calm_ms = 250; // between drawings for labels that have come
 const nearer = 0.6; // of a press of a button
+const margin_px = 8; // above and below the lanes
 
 /** The time axes of a run: with idle stretches drawn short, and as long as they were. */
 export function axesOf(data) {
@@ -28,6 +30,8 @@ class Lanes {
   #picture;
   #tip = h('div', {class: 'tip', hidden: true, 'aria-hidden': 'true'});
   #slider;
+  #host;
+  #choice = null; // of lanes; none in a comparison, where lanes stand in pairs
   #stretch;
   #span = h('span', {class: 'muted', 'data-testid': 'span'});
   #gaps = h('input', {type: 'checkbox', 'data-testid': 'gaps'});
@@ -60,8 +64,10 @@ class Lanes {
     this.#slider = this.#mountSlider();
     this.#gaps.addEventListener('change', () => model.go({gaps: !this.#gaps.checked}));
     this.#by_time.addEventListener('change', () => model.go({by_time: this.#by_time.checked}));
-    const canvases = h('div', {class: 'canvases'}, this.#slider, this.#stretch.card);
-    this.element = panel('lanes', 'Timeline', this.#controls(axes.short.gaps.length), canvases);
+    this.#host = h('div', {class: 'canvases'}, this.#slider, this.#stretch.card);
+    if (!comparison) this.#choice = laneChoice(own, (rows) => this.#choose(rows));
+    this.element = panel('lanes', 'Timeline', this.#controls(axes.short.gaps.length), this.#host);
+    if (this.#choice) this.#choose(this.#choice.rows);
     listenToMouse(this.#slider, {
       picture: this.#picture,
       shown: this.#window,
@@ -70,7 +76,7 @@ class Lanes {
       open: (item) => this.#open(item),
       tell: (item, place) => this.#tell(item, place),
     });
-    new ResizeObserver(() => this.#resized()).observe(this.#slider);
+    new ResizeObserver(() => this.#resized()).observe(this.#host);
   }
 
   #mountSlider() {
@@ -90,7 +96,6 @@ class Lanes {
       this.#stretch.band,
       this.#tip,
     );
-    slider.style.setProperty('height', `${this.#picture.height}px`);
     return slider;
   }
   #controls(pauses) {
@@ -106,11 +111,19 @@ class Lanes {
       button('Zoom in', 'Zoom in (W)', '+', () => this.zoomBy(nearer)),
       button('Zoom out', 'Zoom out (S)', '−', () => this.zoomBy(1 / nearer)),
       button(null, 'The whole run (0)', 'All', () => this.all()),
+      this.#choice?.element,
     ];
   }
 
+  #choose(rows) {
+    this.#kinds = {meaning: rows};
+    this.#picture.rows = rows;
+    this.#resized();
+  }
+  // Where there is more room than the lanes need they are higher.
   #resized() {
-    this.#picture.width = this.#slider.clientWidth;
+    this.#slider.style.setProperty('min-height', `${this.#picture.least_height}px`);
+    this.#picture.fit(this.#slider.clientWidth, this.#host.clientHeight - this.#stretch.card.offsetHeight - margin_px);
     this.#paint();
   }
   #paint(again = false) {

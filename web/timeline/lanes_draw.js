@@ -6,7 +6,8 @@ import {firstReaching} from './lane_rows.js';
 export const gutter_px = 92;
 export const axis_px = 17;
 export const overview_px = 22;
-export const row_px = 15;
+export const row_px = 15; // the least of a lane
+const tall_px = 24; // lanes of this height have larger letters
 const most_texts = 200; // of a lane, at a time
 const least_room_px = 18; // for a text
 const ruler_px = 90; // between the times of a ruler
@@ -45,23 +46,28 @@ export class Sight {
   }
 }
 
-/** `marked(side, n)`: whether the record differs from the other run's; `flags`: {n, from}. */
-export function drawLanes(pen, {rows, sight, flags, rest, colour, marked}) {
+/**
+ * `places`: {top, px} of each row; `marked(side, n)`: whether the record differs from the other run's; `flags`:
+ * {n, from}.
+ */
+export function drawLanes(pen, {rows, places, sight, flags, rest, colour, marked}) {
   const {from, to, width} = sight;
   const x = (t) => sight.x(t);
-  const bottom = axis_px + rows.length * row_px;
+  const {top: last_top, px: last_px} = places.at(-1) ?? {top: axis_px, px: 0};
+  const bottom = last_top + last_px;
   pen.font = '10.5px system-ui, sans-serif';
   pen.textBaseline = 'middle';
 
   // Rows and their names.
   rows.forEach((row, i) => {
+    const {top, px} = places[i];
     if (i % 2 === 0) {
       pen.fillStyle = colour('stripe');
-      pen.fillRect(0, axis_px + i * row_px, width, row_px);
+      pen.fillRect(0, top, width, px);
     }
     pen.fillStyle = colour('muted');
     pen.textAlign = 'right';
-    pen.fillText(row.name, gutter_px - 8, axis_px + (i + 0.5) * row_px);
+    pen.fillText(row.name, gutter_px - 8, top + px / 2);
   });
 
   pen.save();
@@ -76,11 +82,12 @@ export function drawLanes(pen, {rows, sight, flags, rest, colour, marked}) {
 
   drawTicks(pen, sight, bottom, colour);
   rows.forEach((row, i) => {
-    const top = axis_px + i * row_px;
-    if (row.kind === 'ruler') drawRuler(pen, row, {sight, top, colour});
-    else if (row.kind === 'wave') drawWave(pen, row, {sight, top, colour});
-    else if (row.kind === 'level') drawLevel(pen, row, {sight, top, colour});
-    else drawItems(pen, row, {sight, top, colour, marked});
+    const needs = {...places[i], sight, colour, marked};
+    pen.font = `${needs.px >= tall_px ? 13 : 10.5}px system-ui, sans-serif`;
+    if (row.kind === 'ruler') drawRuler(pen, row, needs);
+    else if (row.kind === 'wave') drawWave(pen, row, needs);
+    else if (row.kind === 'level') drawLevel(pen, row, needs);
+    else drawItems(pen, row, needs);
   });
 
   // Flags of trouble, across all lanes; one where several stand in one place.
@@ -146,13 +153,13 @@ function drawTicks(pen, sight, bottom, colour) {
 }
 
 // The times that a row has at places of the axis.
-function drawRuler(pen, {time}, {sight, top, colour}) {
+function drawRuler(pen, {time}, {sight, top, px, colour}) {
   pen.textAlign = 'left';
   for (let x = gutter_px; x < sight.width - ruler_px / 2; x += ruler_px) {
     pen.fillStyle = colour('depth');
-    pen.fillRect(Math.round(x), top, 1, row_px);
+    pen.fillRect(Math.round(x), top, 1, px);
     pen.fillStyle = colour('muted');
-    pen.fillText(clock(time(sight.t(x)), 1), x + 4, top + row_px / 2);
+    pen.fillText(clock(time(sight.t(x)), 1), x + 4, top + px / 2);
   }
 }
 
@@ -169,11 +176,11 @@ function drawGap(pen, left, right, bottom, colour) {
   pen.stroke();
 }
 
-function drawItems(pen, row, {sight, top, colour, marked}) {
+function drawItems(pen, row, {sight, top, px, colour, marked}) {
   const {lane} = row;
   const state = row.kind === 'state';
   const barColour = barColours(row, colour);
-  const bars = new Bars(pen, top);
+  const bars = new Bars(pen, top, px);
   let painted = -Infinity;
   let texts = 0;
   for (let i = firstReaching(row, sight.from); i < lane.n.length && lane.from[i] <= sight.to; ++i) {
@@ -182,7 +189,7 @@ function drawItems(pen, row, {sight, top, colour, marked}) {
     const {left, right, end, under} = place;
     if (under) {
       pen.fillStyle = colour(row.colour);
-      pen.fillRect(left, top + row_px - 3, end - left, 2);
+      pen.fillRect(left, top + px - 3, end - left, 2);
     }
     if (right < painted + 1) {
       // Hidden under the last one: on to the first that is not.
@@ -195,7 +202,7 @@ function drawItems(pen, row, {sight, top, colour, marked}) {
     bars.add({left, right: right - gap, colour: barColour(i), apart: gap || differs});
     if (differs) {
       bars.flush();
-      hatch(pen, left, top + 1, Math.max(5, right - left - gap), row_px - 2, colour('warn'));
+      hatch(pen, left, top + 1, Math.max(5, right - left - gap), px - 2, colour('warn'));
     }
     if (place.room < least_room_px || row.plain || texts > most_texts) continue;
     const text = cut(pen, row.text(i), place.room);
@@ -203,7 +210,7 @@ function drawItems(pen, row, {sight, top, colour, marked}) {
     ++texts;
     bars.flush();
     pen.fillStyle = colour(place.inside && !state ? 'on-bar' : 'text');
-    pen.fillText(text, place.text_x, top + row_px / 2 + 0.5);
+    pen.fillText(text, place.text_x, top + px / 2 + 0.5);
   }
   bars.flush();
 }
@@ -235,13 +242,15 @@ function placeOf({lane, kind}, i, sight) {
 class Bars {
   #pen;
   #top;
+  #px;
   #left = 0;
   #right = -Infinity;
   #colour = '';
 
-  constructor(pen, top) {
+  constructor(pen, top, px) {
     this.#pen = pen;
     this.#top = top;
+    this.#px = px;
   }
   /** `apart`: this bar is drawn by itself. */
   add({left, right, colour, apart}) {
@@ -252,7 +261,7 @@ class Bars {
   flush() {
     if (this.#right <= this.#left) return;
     this.#pen.fillStyle = this.#colour;
-    this.#pen.fillRect(this.#left, this.#top + 2, this.#right - this.#left, row_px - 4);
+    this.#pen.fillRect(this.#left, this.#top + 2, this.#right - this.#left, this.#px - 4);
     this.#right = -Infinity;
   }
 }
@@ -276,13 +285,13 @@ function hatch(pen, left, top, width, height, colour) {
 // As much of the text as fits, with a mark where it was cut; nothing when too little would be left.
 function cut(pen, text, room) {
   if (text.length > room || pen.measureText(text).width > room) {
-    const letters = Math.floor(room / 5.6) - 1;
+    const letters = Math.floor((10 * room) / pen.measureText('aeionrst.p').width) - 1;
     return letters >= 4 ? `${text.slice(0, letters)}…` : '';
   }
   return text;
 }
 
-function drawLevel(pen, row, {sight, top, colour}) {
+function drawLevel(pen, row, {sight, top, px, colour}) {
   const {from, to} = sight;
   const {lane} = row;
   pen.fillStyle = colour(row.colour);
@@ -295,14 +304,14 @@ function drawLevel(pen, row, {sight, top, colour}) {
       continue;
     }
     painted = right;
-    const high = (row.value(i) / row.most) * (row_px - 3);
-    pen.fillRect(left, top + row_px - 1 - high, right - left, high);
+    const high = (row.value(i) / row.most) * (px - 3);
+    pen.fillRect(left, top + px - 1 - high, right - left, high);
   }
 }
 
 // The loudest of each pixel, around the middle of the lane; or why there is nothing.
-function drawWave(pen, {sound, colour: name}, {sight, top, colour}) {
-  const middle = top + row_px / 2;
+function drawWave(pen, {sound, colour: name}, {sight, top, px, colour}) {
+  const middle = top + px / 2;
   if (!sound.peaks) {
     pen.fillStyle = colour('muted');
     pen.textAlign = 'left';
@@ -319,7 +328,7 @@ function drawWave(pen, {sound, colour: name}, {sight, top, colour}) {
       loudest = Math.max(loudest, values[i]);
     from = to;
     if (loudest < 0) continue;
-    const high = Math.max(0.5, (loudest / 100) * (row_px / 2 - 1));
+    const high = Math.max(0.5, (loudest / 100) * (px / 2 - 1));
     pen.fillRect(x, middle - high, 1, 2 * high);
   }
 }

@@ -17,6 +17,11 @@ import {
 
 const near_px = 3; // an item this close to the pointer is meant
 const bin_px = 2; // of the overview
+const most_row_px = 44; // of a lane that is not tall
+const tall = 3; // times the height of another
+
+const partsOf = (row) => (row.tall ? tall : 1);
+const parts = (rows) => rows.reduce((sum, row) => sum + partsOf(row), 0);
 
 const reaching = (lane) => ({lane, reach: reachOf(lane)});
 
@@ -36,20 +41,55 @@ export class LanesPicture {
   #notes = [];
   /** Pixels. */
   width = 0;
-  /** As of laneRows(); rows that replace them are as many. */
-  rows;
+  /** Pixels: from the top to the end of the lanes, and all of it. */
+  lanes_px = 0;
+  height = 0;
+  #rows;
+  #places = []; // {top, px} of each row
+  #room = 0; // pixels of height that there are
 
   /** `rows`: as of laneRows(); `shown`: a TimeWindow; `marked(side, n)`: as of drawLanes(). */
   constructor(data, rows, shown, marked) {
     this.#data = data;
-    this.rows = rows;
+    this.#rows = rows;
     this.#window = shown;
     this.#marked = marked;
     this.#flags = reaching(data.lanes.flag);
     this.#rest = reaching(data.lanes.rest);
-    this.lanes_px = axis_px + rows.length * row_px;
-    this.height = this.lanes_px + overview_px;
     this.canvases = [this.#base, this.#over];
+    this.#lay();
+  }
+
+  /** As of laneRows(); one that is `tall` has three times the height of another. */
+  get rows() {
+    return this.#rows;
+  }
+  set rows(rows) {
+    if (rows === this.#rows) return;
+    this.#rows = rows;
+    this.#lay();
+  }
+  /** The least height of all rows, in pixels. */
+  get least_height() {
+    return axis_px + parts(this.#rows) * row_px + overview_px;
+  }
+  /** Gives the lanes so much room in height; more than they need makes them higher. */
+  fit(width, room) {
+    this.width = width;
+    this.#room = room;
+    this.#lay();
+  }
+  #lay() {
+    const each = (this.#room - axis_px - overview_px) / Math.max(1, parts(this.#rows));
+    const px = Math.max(row_px, Math.min(most_row_px, Math.floor(each)));
+    let top = axis_px;
+    this.#places = this.#rows.map((row) => {
+      const place = {top, px: partsOf(row) * px};
+      top += place.px;
+      return place;
+    });
+    this.lanes_px = top;
+    this.height = top + overview_px;
   }
 
   /** The window shown by the lanes; `overview`: the whole run. */
@@ -63,7 +103,7 @@ export class LanesPicture {
   /** Draws the cursor at `t`, and the lanes if they have changed; `again`: in any case. @returns whether it did */
   paint(t, again) {
     const theme = themeKey();
-    const key = `${this.#window.span} ${this.#window.axis.gaps.length} ${this.width} ${theme}`;
+    const key = `${this.#window.span} ${this.#window.axis.gaps.length} ${this.width} ${this.height} ${theme}`;
     const changed = again || key !== this.#drawn || this.rows !== this.#drawn_rows;
     if (changed) {
       if (theme !== this.#theme) this.#colours.clear();
@@ -81,7 +121,7 @@ export class LanesPicture {
     const {sight, overview: whole} = this;
     const colour = (name) => this.#colour(name);
     const [rows, flags, rest, data] = [this.rows, this.#flags, this.#rest, this.#data];
-    drawLanes(pen, {rows, sight, flags, rest, colour, marked: this.#marked});
+    drawLanes(pen, {rows, places: this.#places, sight, flags, rest, colour, marked: this.#marked});
     drawNotes(pen, {notes: this.#notes, sight, colour});
     drawOverview(pen, {data, sight, whole, bins: this.#binsOf(sight), top: this.lanes_px, colour});
   }
@@ -120,7 +160,7 @@ export class LanesPicture {
 
   /** The item at a place of the picture, in pixels: {row, i, n, from, to}, or null. */
   itemAt({x, y}) {
-    const row = this.rows[Math.floor((y - axis_px) / row_px)];
+    const row = this.rows[this.#places.findLastIndex(({top}) => top <= y)];
     if (!row || x < gutter_px || y < axis_px || y >= this.lanes_px) return null;
     const {sight} = this;
     const {lane} = row;
