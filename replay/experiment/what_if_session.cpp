@@ -1,6 +1,7 @@
 #include "continua/replay/experiment/what_if_session.h"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include "continua/replay/session/outside_choice.h"
 #include "continua/replay/session/session.h"
 #include "continua/replay/trace/trace_file.h"
+#include "continua/replay/trace/trace_name.h"
 #include "continua/simulation/scene.h"
 
 namespace continua {
@@ -42,6 +44,12 @@ std::string file_name(const std::string& name, const char* otherwise) {
   return last.empty() || last == "." || last == ".." || last.size() > 100 || last.find('\0') != std::string::npos
              ? otherwise
              : last;
+}
+
+// Not a way to a file. Empty: not said.
+bool is_plain_name(const std::string& name) {
+  return std::all_of(name.begin(), name.end(),
+                     [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
 }
 
 // Turned about z by so much, if it is turned about nothing else.
@@ -260,26 +268,13 @@ class SessionWhatIf : public RunWhatIf {
                           const std::atomic<bool>& stop) override {
     WhatIfFiles files(run, request, folder);
     if (auto wrong = files.make()) return *wrong;
-    const auto deadline = std::chrono::steady_clock::now() + longest_replay;
-    auto options = files.options();
-    options.give_up = [&stop, deadline] { return stop || std::chrono::steady_clock::now() > deadline; };
-    auto session = Session::load(files.trace(), options);
+    auto session = load(files.trace(), files.options(), stop);
     if (!session) return session.error();
     if (auto wrong = unknown_transition(session->machine(), request)) return *wrong;
     const auto path = (fs::path(folder) / "what_if.run.jsonl").string();
-    std::ofstream log(path, std::ios::binary);
-    bool too_long = false;
-    const auto watch = [&](const Situation&) {
-      too_long = too_long || static_cast<std::uintmax_t>(std::max<std::streamoff>(log.tellp(), 0)) > largest_log;
-      return too_long || stop;
-    };
-    const auto summary = session->run(log, watch);
-    log.close();
-    if (stop) return Error{"", "the server ends"};
-    if (too_long || options.give_up())
-      return Error{"", "the replay takes longer, or writes more, than is served here; it was given up"};
-    if (!log) return Error{path, "could not be written to its end"};
-    if (summary.stopped) return *summary.stopped;
+    const auto ran = write_run(*session, path, stop);
+    if (!ran) return ran.error();
+    const auto& summary = *ran;
     for (const auto& [step, transition] : summary.not_forced)
       if (request.forced.count(step))
         return Error{"", fmt::format("step {}: the transition '{}' does not apply there", step, transition)};
@@ -290,7 +285,53 @@ class SessionWhatIf : public RunWhatIf {
     return Replayed{path, warnings_of(files.header(), *header)};
   }
 
+  Result<Replayed> replay_trace(const std::string& trace, const std::string& folder,
+                                const std::atomic<bool>& stop) override {
+    const auto read = read_trace(trace);
+    if (!read) return read.error();
+    const auto& header = read->header;
+    for (const auto& [what, name] : {std::pair("scene", header.scene), std::pair("machine", header.machine),
+                                     std::pair("language", header.language)})
+      if (!is_plain_name(name))
+        return Error{trace, fmt::format("its {} is {}; expected one of the program's own: a file can be named on a "
+                                        "command line (continua replay)",
+                                        what, in_quotes(name))};
+    if (!read->events.empty() && read->events.back().t.seconds() > longest_physics_s)
+      return Error{trace, fmt::format("it takes {} s; expected at most {} s", read->events.back().t.seconds(),
+                                      longest_physics_s)};
+    auto session = load(trace, {}, stop);
+    if (!session) return session.error();
+    const auto path = (fs::path(folder) / fmt::format("{}.run.jsonl", trace_name(trace))).string();
+    const auto ran = write_run(*session, path, stop);
+    if (!ran) return ran.error();
+    return Replayed{path, {}};
+  }
+
  private:
+  static Result<Session> load(const std::string& trace, ReplayOptions options, const std::atomic<bool>& stop) {
+    const auto deadline = std::chrono::steady_clock::now() + longest_replay;
+    options.give_up = [&stop, deadline] { return stop || std::chrono::steady_clock::now() > deadline; };
+    return Session::load(trace, options);
+  }
+
+  // Writes the log to its end, within the limits.
+  static Result<ReplaySummary> write_run(Session& session, const std::string& path, const std::atomic<bool>& stop) {
+    std::ofstream log(path, std::ios::binary);
+    bool too_long = false;
+    const auto watch = [&](const Situation&) {
+      too_long = too_long || static_cast<std::uintmax_t>(std::max<std::streamoff>(log.tellp(), 0)) > largest_log;
+      return too_long || stop;
+    };
+    auto summary = session.run(log, watch);
+    log.close();
+    if (stop) return Error{"", "the server ends"};
+    if (too_long || session.options().give_up())
+      return Error{"", "the replay takes longer, or writes more, than is served here; it was given up"};
+    if (!log) return Error{path, "could not be written to its end"};
+    if (summary.stopped) return *summary.stopped;
+    return summary;
+  }
+
   static Outcome unknown_transition(const Machine& machine, const WhatIfRequest& request) {
     for (const auto& [step, id] : request.forced)
       if (std::none_of(machine.transitions.begin(), machine.transitions.end(),

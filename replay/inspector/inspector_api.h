@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "continua/replay/inspector/run_dropped.h"
 #include "continua/replay/inspector/run_library.h"
 #include "continua/replay/inspector/run_listings.h"
 #include "continua/replay/inspector/run_temporary.h"
@@ -97,6 +98,8 @@ class InspectorApi {
   /// "/api/what-if": replays a run with changes (what_if_request) and serves the new run as long as this lives. Gives
   /// {"run": its id, "same": whether nothing that happened differs, "sentence": where they part and why, "warning"
   /// where they may differ for other reasons}. 400 for an impossible change, 503 while two are being replayed.
+  /// "/api/dropped?file=KEY&name=NAME&part=I&last=1": a part of a run log or a trace (run_dropped.h); the last gives
+  /// {"run": its id}, which is served as long as this lives; a trace is replayed for it.
   ApiResponse post(std::string_view target, std::string_view content_type, std::string_view body);
 
   /// Gives up replays under way.
@@ -117,11 +120,13 @@ class InspectorApi {
   // inspector_changes.cpp
   ApiResponse notes(const RunIndex& run);
   ApiResponse replay(const RunIndex& run, const WhatIfRequest& request, int number);
+  ApiResponse dropped(const Query& query, std::string_view content_type, std::string_view body);
 
   RunLibrary library_;
   std::shared_ptr<RunFrames> frames_;
   std::shared_ptr<RunWhatIf> what_if_;
   RunTemporary temporary_;  // the files that replays write
+  DroppedFiles dropped_{temporary_};
   std::atomic<int> replays_ = 0, what_ifs_ = 0;
   std::atomic<bool> stopped_ = false;
   std::mutex notes_mutex_;

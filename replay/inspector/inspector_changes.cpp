@@ -8,6 +8,7 @@
 #include "continua/replay/inspector/inspector_api.h"
 #include "continua/replay/inspector/run_notes.h"
 #include "continua/replay/inspector/run_what_if.h"
+#include "continua/replay/log/line_scan.h"
 
 namespace continua {
 namespace {
@@ -92,6 +93,7 @@ ApiResponse InspectorApi::notes(const RunIndex& run) {
 }
 
 ApiResponse InspectorApi::post(std::string_view target, std::string_view content_type, std::string_view body) {
+  if (split_target(target).path == "/api/dropped") return dropped(split_target(target).query, content_type, body);
   if (split_target(target).path != "/api/what-if") return api_error(405, "this address can only be read");
   int status = 0;
   const auto json = json_of(content_type, body, status);
@@ -129,6 +131,39 @@ ApiResponse InspectorApi::replay(const RunIndex& run, const WhatIfRequest& reque
       {"run", library_.add(name, replayed->log, request.run)}, {"same", is_same(*told)}, {"sentence", told->sentence}};
   if (!replayed->warnings.empty()) made["warning"] = fmt::format("{}", fmt::join(replayed->warnings, "; "));
   return answer(made);
+}
+
+// A part of a file. The last is answered with the run: that of the log, or of the trace when it has been replayed.
+ApiResponse InspectorApi::dropped(const Query& query, std::string_view content_type, std::string_view body) {
+  if (content_type.substr(0, content_type.find(';')) != "application/octet-stream")
+    return api_error(415, "expected a body of the content type application/octet-stream");
+  const auto text = [&](const char* name) {
+    const auto found = query.find(name);
+    return found == query.end() ? std::string() : found->second;
+  };
+  const auto part = number_in<std::size_t>(text("part"));
+  if (!part) return api_error(400, "'part' is missing: a number from 0");
+  const auto taken = dropped_.add({text("file"), text("name"), *part, text("last") == "1", body});
+  if (!taken) return api_error(400, taken.error().text());
+  if (!*taken) return answer(Json{{"parts", *part + 1}});
+  const auto& file = **taken;
+  const auto refuse = [&](int status, const Error& error) {
+    std::error_code ignored;
+    std::filesystem::remove_all(file.folder, ignored);
+    return api_error(status, sentence_without(file.folder, error));
+  };
+  auto log = file.path;
+  if (file.is_trace) {
+    if (!what_if_) return refuse(501, Error{"", "traces are not replayed here"});
+    const Place place(replays_, most_replays);
+    if (!place.free())
+      return refuse(503, Error{"", fmt::format("{} runs are being replayed; try again", most_replays)});
+    const auto replayed = what_if_->replay_trace(file.path, file.folder, stopped_);
+    if (!replayed) return refuse(400, replayed.error());
+    log = replayed->log;
+  }
+  if (const auto opened = RunIndex::open(log); !opened) return refuse(400, opened.error());
+  return answer(Json{{"run", library_.add(file.name, log)}});
 }
 
 }  // namespace continua

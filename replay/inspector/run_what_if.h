@@ -55,6 +55,10 @@ class RunWhatIf {
   /// up when `stop` becomes true. The error names the fault of the request, or of the log.
   virtual Result<Replayed> replay(const RunIndex& run, const WhatIfRequest& request, const std::string& folder,
                                   const std::atomic<bool>& stop) = 0;
+  /// Replays a trace that somebody handed over, with physics, within the same limits. It can only name scenes, machines
+  /// and languages of the program. The error names its fault.
+  virtual Result<Replayed> replay_trace(const std::string& trace, const std::string& folder,
+                                        const std::atomic<bool>& stop) = 0;
 };
 
 }  // namespace continua

@@ -190,6 +190,9 @@ class InspectorServer::Impl {
     server_.Post("/api/what-if", [this, content_type](const httplib::Request& request, httplib::Response& response) {
       send_answer(request, response, api_.post(request.target, content_type(request), request.body));
     });
+    server_.Post("/api/dropped", [this, content_type](const httplib::Request& request, httplib::Response& response) {
+      send_answer(request, response, api_.post(request.target, content_type(request), request.body));
+    });
     server_.Put("/api/runs/[^/]+/notes",
                 [this, content_type](const httplib::Request& request, httplib::Response& response) {
                   send_answer(request, response, api_.put(request.target, content_type(request), request.body));

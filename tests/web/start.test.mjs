@@ -2,13 +2,12 @@
 import assert from 'node:assert/strict';
 import {appendFileSync, existsSync, mkdirSync, readFileSync, utimesSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {after, before, test} from 'node:test';
+import {test} from 'node:test';
+import {at, folder, listed, serveFolder, server, visitor} from './served.mjs';
 import {logOf, numberOf, root, serve, temporaryFolder, Visitor} from './support.mjs';
 
-const folder = temporaryFolder();
 const lines = logOf('paper/disambiguation').split('\n').filter(Boolean);
-let server, visitor;
-before(async () => {
+serveFolder(() => {
   mkdirSync(join(folder, 'older'));
   for (const name of ['correction', 'disambiguation'])
     writeFileSync(join(folder, `${name}.run.jsonl`), logOf(`paper/${name}`));
@@ -17,19 +16,8 @@ before(async () => {
   writeFileSync(join(folder, 'cut.run.jsonl'), `${lines.slice(0, 20).join('\n')}\n`);
   utimesSync(join(folder, 'cut.run.jsonl'), 1.1e9, 1.1e9);
   writeFileSync(join(folder, 'garbage.run.jsonl'), 'hello\n');
-  server = await serve(folder);
-  visitor = await Visitor.start(server.address);
 });
-after(async () => {
-  await visitor?.close();
-  server?.stop();
-});
-const at = (id) => visitor.at(id);
 const names = () => visitor.page.locator('.start .name').allInnerTexts();
-const listed = () =>
-  visitor.page.waitForFunction(
-    () => document.querySelectorAll('[data-testid=run]').length && !/being read/.test(document.body.innerText),
-  );
 
 test('all runs, the newest first, with verdict, length, machine, scene and picture', async () => {
   await visitor.visit('/');
@@ -65,7 +53,7 @@ test('no runs: it says how to make one', async () => {
   const other = await serve(empty);
   const guest = await Visitor.start(other.address);
   await guest.visit('/');
-  assert.match(await guest.page.locator('.lead').innerText(), /continua replay TRACE/);
+  assert.match(await guest.at('no-runs').innerText(), /Talk to the avatar[\s\S]*Drop a run log[\s\S]*continua replay TRACE/);
   await guest.close();
   other.stop();
 });
@@ -191,4 +179,82 @@ test('on a phone the start page and a run can be read', async () => {
     );
     assert.equal(await visitor.page.evaluate(() => scrollY), 0, `${path} begins at its top`);
   }
+});
+
+test('a trace or a log that is dropped on the page, or chosen, is opened', async () => {
+  const dropped = async (name, content) => {
+    await visitor.visit('/');
+    await listed();
+    const data = await visitor.page.evaluateHandle(
+      ([file, text]) => {
+        const transfer = new DataTransfer();
+        transfer.items.add(new File([text], file));
+        return transfer;
+      },
+      [name, content],
+    );
+    await visitor.page.dispatchEvent('main.start', 'dragenter', {dataTransfer: data});
+    assert.ok(await visitor.page.locator('main.start').evaluate((main) => main.classList.contains('dropping')));
+    await visitor.page.dispatchEvent('main.start', 'drop', {dataTransfer: data});
+  };
+  const trace = readFileSync(join(root, 'traces/paper/one_breath.trace.jsonl'), 'utf8');
+  await dropped('../my talk.trace.jsonl', trace);
+  await visitor.page.waitForURL(/\/r\/my_talk$|\/r\/my_talk\?/);
+  await at('verdict').waitFor();
+
+  // More than the server takes at a time: blank lines count for nothing.
+  const large = trace + '\n'.repeat(2 ** 20);
+  await visitor.visit('/');
+  await listed();
+  await at('drop-file').setInputFiles({name: 'large.trace.jsonl', mimeType: '', buffer: Buffer.from(large)});
+  await visitor.page.waitForURL(/\/r\/large/);
+  await at('verdict').waitFor();
+
+  await dropped('a_log.run.jsonl', logOf('paper/correction'));
+  await visitor.page.waitForURL(/\/r\/a_log/);
+  await at('verdict').waitFor();
+
+  await dropped('notes.txt', 'hello');
+  await visitor.page.waitForFunction(() => document.querySelector('[data-testid=drop-said]').textContent.includes('cannot'));
+  assert.match(await at('drop-said').innerText(), /no run log and no trace/);
+
+  // A trace may not make the server read a file.
+  const outside = trace.replace(/"scene": ?"[^"]*"/, '"scene":"../../etc/passwd.xml"');
+  assert.notEqual(outside, trace);
+  await dropped('outside.trace.jsonl', outside);
+  await visitor.page.waitForFunction(() => /own/.test(document.querySelector('[data-testid=drop-said]').textContent));
+  assert.match(await at('drop-said').innerText(), /its scene is .*passwd.*one of the program's own/);
+});
+
+test('of very many runs those near the window are there, and the arrows reach all', async () => {
+  const many = temporaryFolder();
+  const one = logOf('paper/special_dpda');
+  for (let i = 0; i < 300; ++i) writeFileSync(join(many, `run_${String(i).padStart(3, '0')}.run.jsonl`), one);
+  const other = await serve(many);
+  const guest = await Visitor.start(other.address);
+  await guest.visit('/');
+  await guest.page.waitForFunction(() => !/being read/.test(document.body.innerText));
+  await guest.page.waitForFunction(() => /300 recorded runs/.test(document.body.innerText));
+  const there = () => guest.page.locator('[data-testid=run]').count();
+  assert.ok((await there()) <= 80, `${await there()} rows`);
+  const box = '.start';
+  await guest.page.locator(box).evaluate((main) => {
+    main.scrollTop = main.scrollHeight;
+  });
+  await guest.page.locator('[data-testid=run]').last().waitFor();
+  await guest.page.waitForFunction(() => document.querySelectorAll('a.name').length && [...document.querySelectorAll('a.name')].at(-1).getBoundingClientRect().top < innerHeight);
+  assert.ok((await there()) <= 120, `${await there()} rows`);
+  await guest.page.locator(box).evaluate((main) => {
+    main.scrollTop = 0;
+  });
+  await guest.page.waitForFunction(() => document.querySelector('a.name')?.getBoundingClientRect().top > 0);
+  await guest.page.locator('a.name').first().focus();
+  const reached = new Set();
+  for (let i = 0; i < 100; ++i) {
+    reached.add(await guest.page.evaluate(() => document.activeElement.textContent));
+    await guest.page.keyboard.press('ArrowDown');
+  }
+  assert.equal(reached.size, 100);
+  await guest.close();
+  other.stop();
 });

@@ -8,12 +8,13 @@ import {fetchSessions} from '../talk/session_client.js';
 import {helpDialog} from '../keys.js';
 import {toggleTheme} from '../theme.js';
 import {Arrangement} from './start_arrangement.js';
+import {mountDrop} from './start_drop.js';
 import {compareMany} from './start_many.js';
 import {Pictures} from './start_pictures.js';
+import {Rows} from './start_rows.js';
 import {comparisonsOf, linesFound, linesWith} from './start_site.js';
 
 const again_ms = 1500; // while runs are being read, or written
-const at_most = 200; // lines in the page; the rest is found by searching
 
 const letters = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ';
 const own_keys = [
@@ -36,7 +37,7 @@ export class StartPage {
   #pictures = new Pictures();
   #timer = 0;
   #closed = false;
-  #lead = h('p', {class: 'lead'}, 'Looking for runs …');
+  #lead = h('div', {class: 'lead'}, 'Looking for runs …');
   #search = h('input', {
     type: 'search',
     placeholder: 'Search  ( / )',
@@ -46,7 +47,7 @@ export class StartPage {
     autocomplete: 'off',
     oninput: () => this.#model.go({search: this.#search.value}, 'slide'),
     onkeydown: (event) => {
-      const first = this.#rows.querySelector('a.name');
+      const first = this.#grid.querySelector('a.name');
       if (event.key === 'Enter') first?.click();
       else if (event.key === 'ArrowDown') first?.focus();
       else return;
@@ -76,7 +77,15 @@ export class StartPage {
     'Record a session',
   );
   #hint = h('span', {class: 'muted', role: 'status'});
-  #rows = h('tbody', {onkeydown: (event) => this.#walk(event)});
+  #drop = mountDrop((run) => this.#model.open(run));
+  #found = []; // the runs that are shown
+  #words_sought = [];
+  #grid = h('table', {'data-testid': 'runs', onkeydown: (event) => this.#walk(event)});
+  #rows = new Rows(
+    this.#grid,
+    (i) => [this.#arrangement.heading(this.#found[i], this.#found[i - 1]), this.#row(this.#found[i])],
+    () => this.#showChosen(),
+  );
   #arrangement = new Arrangement(() => this.render());
   #help = helpDialog(own_keys, own_help);
   #comparisons = h('div', {});
@@ -102,7 +111,8 @@ export class StartPage {
   #build() {
     document.title = 'Continua';
     const heads = h('thead', {}, h('tr', {}, this.#arrangement.heads));
-    this.#table.append(h('table', {'data-testid': 'runs'}, heads, this.#rows));
+    this.#grid.append(heads);
+    this.#table.append(this.#grid);
     const logo = h('img', {src: icon(), alt: '', width: 28, height: 28});
     const button = (label, shown, act) =>
       h('button', {type: 'button', title: label, 'aria-label': label, onclick: act}, shown);
@@ -113,11 +123,11 @@ export class StartPage {
       button('Keys (?)', '?', this.#help.open),
     );
     const tools = h('div', {class: 'tools'}, this.#search, this.#arrangement.filters, this.#compare, this.#hint);
-    const title = h('h1', {}, logo, 'Continua', this.#record, own);
-    this.#host.replaceChildren(
-      h('main', {class: 'start'}, title, this.#lead, tools, this.#table, this.#nothing, this.#comparisons),
-      this.#help.element,
-    );
+    const title = h('h1', {}, logo, 'Continua', this.#record, served && this.#drop.button, own);
+    const parts = [title, this.#lead, this.#drop.said, tools, this.#table, this.#nothing, this.#comparisons];
+    const main = h('main', {class: 'start'}, parts);
+    if (served) this.#drop.listen(main);
+    this.#host.replaceChildren(main, this.#help.element);
   }
 
   async load() {
@@ -141,12 +151,13 @@ export class StartPage {
     this.#closed = true;
     clearTimeout(this.#timer);
     this.#pictures.close();
+    this.#rows.close();
   }
   onKey(key) {
     if (key === '/') this.#search.focus();
     else if (key === 't') toggleTheme();
     else if (key === '?') this.#help.open();
-    else if (key === 'ArrowDown') this.#rows.querySelector('a.name')?.focus();
+    else if (key === 'ArrowDown') this.#grid.querySelector('a.name')?.focus();
     else return false;
     return true;
   }
@@ -156,7 +167,7 @@ export class StartPage {
     const by = {ArrowDown: 1, ArrowUp: -1}[event.key];
     if (!by || !event.target.matches('a.name')) return;
     event.preventDefault();
-    const links = [...this.#rows.querySelectorAll('a.name')];
+    const links = this.#rows.links('a.name');
     (links[links.indexOf(event.target) + by] ?? (by < 0 ? this.#search : event.target)).focus();
   }
 
@@ -169,27 +180,22 @@ export class StartPage {
     const found = this.#arrangement.arranged(
       this.#runs.filter((run) => words.every((word) => searched(run).includes(word)) || this.#lines(run, words).length),
     );
-    const shown = found.slice(0, at_most);
     const all = this.#runs.length;
     this.#lead.replaceChildren(...leadWords(all));
     this.#table.hidden = !found.length;
     this.#search.parentElement.hidden = !all;
     this.#nothing.hidden = found.length > 0 || !all;
-    const focused = this.#rows.contains(document.activeElement) && document.activeElement.getAttribute('href');
-    this.#rows.replaceChildren(
-      ...shown
-        .flatMap((run, i) => [this.#arrangement.heading(run, shown[i - 1]), this.#row(run, words)])
-        .filter(Boolean),
-    );
-    if (focused) this.#rows.querySelector(`a[href="${CSS.escape(focused)}"]`)?.focus();
-    const rest = found.length > at_most ? `, the first ${at_most} shown` : '';
-    this.#hint.textContent = found.length < all || rest ? `${grouped(found.length)} of ${grouped(all)}${rest}` : '';
-    this.#showChosen();
+    const focused = this.#grid.contains(document.activeElement) && document.activeElement.getAttribute('href');
+    this.#found = found;
+    this.#words_sought = words;
+    this.#rows.show(found);
+    if (focused) this.#grid.querySelector(`a[href="${CSS.escape(focused)}"]`)?.focus();
+    this.#hint.textContent = found.length < all ? `${grouped(found.length)} of ${grouped(all)}` : '';
   }
 
   #lines = (run, words) => linesWith(this.#words?.[run.id] ?? [], words);
 
-  #row(run, words) {
+  #row(run) {
     const readable = !run.error && !run.pending;
     const address = pictureOf(run.id, pictureTime(run), '192x108');
     const picture = served && readable && run.drawable ? this.#pictures.picture(address) : null;
@@ -203,7 +209,7 @@ export class StartPage {
         {class: 'named'},
         readable ? this.#link(run) : h('span', {class: 'name'}, run.name),
         run.what_if_of && h('span', {class: 'badge'}, `what if of ${run.what_if_of}`),
-        linesFound(run, this.#lines(run, words)),
+        linesFound(run, this.#lines(run, this.#words_sought)),
       ),
       run.error ? h('td', {colspan: 7, class: 'trouble'}, run.error.message) : this.#facts(run),
     );
@@ -263,7 +269,7 @@ export class StartPage {
   }
 
   #showChosen() {
-    for (const box of this.#rows.querySelectorAll('input[type=checkbox]')) {
+    for (const box of this.#grid.querySelectorAll('input[type=checkbox]')) {
       const place = this.#chosen.indexOf(box.run);
       box.checked = place >= 0;
       box.nextSibling.textContent = place < 0 ? '' : (letters[place] ?? `${place + 1}`);
@@ -300,20 +306,33 @@ export class StartPage {
 const searched = (run) =>
   `${run.name} ${run.trace ?? ''} ${run.machine ?? ''} ${run.scene ?? ''} ${verdictOf(run).text}`.toLowerCase();
 
-const leadWords = (runs) =>
-  runs
-    ? [
-        `${counted(runs, 'recorded run')}. Open one to see what was said, shown and done, and why; or choose two to see where they part.`,
-      ]
-    : [
-        'No runs here yet. Make one with ',
-        h('code', {}, 'continua replay TRACE -o FOLDER'),
-        '; files named ',
-        h('code', {}, '*.run.jsonl'),
+const code = (text) => h('code', {}, text);
+function leadWords(runs) {
+  if (runs)
+    return [
+      `${counted(runs, 'recorded run')}. Open one to see what was said, shown and done, and why; or choose two to see where they part.`,
+    ];
+  return [
+    'No runs here yet. Three ways to one:',
+    h(
+      'ul',
+      {class: 'ways', 'data-testid': 'no-runs'},
+      served && h('li', {}, h('a', {href: '/live'}, 'Talk to the avatar'), ': the conversation is recorded as a run.'),
+      served && h('li', {}, 'Drop a run log or a trace on this page; a trace is replayed.'),
+      h(
+        'li',
+        {},
+        'Replay traces into the folder that is served: ',
+        code('continua replay TRACE -o FOLDER'),
+        '. Files named ',
+        code('*.run.jsonl'),
         ' or ',
-        h('code', {}, '*.run.jsonl.gz'),
-        ' in the served folders appear here.',
-      ];
+        code('*.run.jsonl.gz'),
+        ' in it appear here.',
+      ),
+    ),
+  ];
+}
 
 // The instant shown in small: where the page would open, else the middle.
 const pictureTime = (run) => (run.first_t ?? (run.duration ?? 0) / 2).toFixed(3);

@@ -49,7 +49,8 @@ export class Arrangement {
 
   #head(column) {
     const {title, unseen, number} = column;
-    if (unseen) return h('th', {scope: 'col'}, h('span', {class: 'unseen'}, title));
+    const name = `of-${title.split(',')[0].toLowerCase()}`;
+    if (unseen) return h('th', {scope: 'col', class: name}, h('span', {class: 'unseen'}, title));
     const sort = () => {
       this.#sense = this.#column === column ? -this.#sense : column.first;
       this.#column = column;
@@ -60,7 +61,7 @@ export class Arrangement {
       this.#changed();
     };
     const button = h('button', {type: 'button', class: 'link', title: `Sort by ${title}`, onclick: sort}, title);
-    return h('th', {scope: 'col', class: number ? 'number' : null}, button);
+    return h('th', {scope: 'col', class: number ? `number ${name}` : name}, button);
   }
 
   /** Offers the filters that tell these runs apart. */

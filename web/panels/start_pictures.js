@@ -1,7 +1,7 @@
 // The small pictures of the start page.
 import {h} from '../dom.js';
 
-/** Pictures are drawn by the server, which takes a while: one after the other, those in sight, so that nothing else waits. */
+/** Pictures are drawn by the server, which takes a while: one after the other, those that came into sight last first, so that nothing else waits. */
 export class Pictures {
   #waiting = [];
   #busy = false;
@@ -30,8 +30,14 @@ export class Pictures {
   }
   #next() {
     if (this.#busy) return;
-    const image = this.#waiting.shift();
+    const image = this.#waiting.pop();
     if (!image) return;
+    // Scrolled past: when it comes again.
+    if (!image.isConnected) {
+      this.#seen.observe(image);
+      this.#next();
+      return;
+    }
     const done = (drawn) => {
       this.#busy = false;
       if (!drawn) image.remove();

@@ -41,6 +41,32 @@ export const fetchRuns = () => get('/api/runs').then((answer) => answer.runs);
 export const fetchWords = async () => (served ? null : get('/api/words'));
 export const fetchDiff = (a, b) => get(`/api/diff?a=${encodeURIComponent(a)}&b=${encodeURIComponent(b)}`);
 export const askWhatIf = (question) => send('POST', '/api/what-if', question);
+
+const part_bytes = 1 << 20; // the server takes so much at a time
+const largest_bytes = 64 * part_bytes;
+/**
+ * Hands a run log or a trace to the server. `coming()` is called when it only remains to be opened, or replayed.
+ * @returns {Promise<{run: string}>}
+ */
+export async function handOver(file, coming) {
+  if (file.size > largest_bytes)
+    throw new Error(`it has more than ${largest_bytes / part_bytes} MiB; begin “continua serve” with it instead`);
+  const key = [...crypto.getRandomValues(new Uint32Array(3))].map((part) => part.toString(36)).join('');
+  const parts = Math.max(1, Math.ceil(file.size / part_bytes));
+  let answer = null;
+  for (let part = 0; part < parts; ++part) {
+    const last = part === parts - 1;
+    if (last) coming();
+    const query = new URLSearchParams({file: key, name: file.name, part, last: last ? 1 : 0});
+    const response = await ask(`/api/dropped?${query}`, {
+      method: 'POST',
+      headers: {'Content-Type': 'application/octet-stream'},
+      body: file.slice(part * part_bytes, (part + 1) * part_bytes),
+    });
+    answer = await response.json();
+  }
+  return answer;
+}
 export const pictureOf = (id, t, size) => `${run(id)}/frame?t=${t}&size=${size}`;
 
 let schema = null;
