@@ -10,6 +10,7 @@
 #include "continua/core/gzip_name.h"
 #include "continua/replay/commands/setting_options.h"
 #include "continua/replay/live/event_pipe.h"
+#include "continua/replay/live/live_trace.h"
 #include "continua/replay/server/inspector_server.h"
 #include "continua/replay/server/stop_signals.h"
 #include "continua/replay/trace/trace_name.h"
@@ -63,6 +64,9 @@ int tell(const PipeSummary& told) {
 int run_record(const RecordOptions& given) {
   auto options = given;
   if (const auto problem = place_traces(options.output, options.live)) return report(*problem), exit_impossible;
+  if (const auto& after = options.live.after; !after.empty())
+    if (const auto before = read_before(after, options.live.folder); !before)
+      return report(before.error()), exit_impossible;
   const bool piped = is_piped();
   options.live.say = [piped](const std::string& sentence) {
     put(piped ? stderr : stdout, sentence + "\n");
@@ -99,6 +103,8 @@ void describe_record(CLI::App& command, RecordOptions& options) {
   auto& live = options.live;
   command.add_option("-o,--output", options.output,
                      "the trace, or a folder; otherwise session.trace.jsonl here. The run log is beside it");
+  command.add_option("--after", live.after,
+                     "a trace: the first session goes on where it ended, in its scene and with its machine");
   command.add_option("--scene", live.scene, "a name or an MJCF file; otherwise that of knowledge/live.json");
   command.add_option("--machine", live.machine, "a name or a machine file; otherwise that of knowledge/live.json");
   command.add_option("--seed", live.replay.seed, "for draws");
@@ -127,6 +133,7 @@ void describe_record(CLI::App& command, RecordOptions& options) {
       "Events may also come through a pipe, as JSON lines of the trace format; the avatar's moves then go to standard "
       "output.\n"
       "Examples: continua record -o talk.trace.jsonl\n"
+      "          continua record --after talk.trace.jsonl -o more.trace.jsonl\n"
       "          echo '{\"kind\":\"speech\",\"text\":\"The plate.\"}' | continua record -o plate.trace.jsonl\n"
       "          my_recognisers | continua record --scene workbench -o talk.trace.jsonl | my_synthesiser");
   command.callback([&options, clock] {

@@ -66,6 +66,7 @@ ApiResponse LiveApi::get(std::string_view target) {
   const auto path = split_target(target).path;
   if (path == below) {
     Json body = sessions_->setup();
+    if (const auto after = sessions_->next_after(); !after.empty()) body["after"] = after;
     body["sessions"] = Json::array();
     for (const auto& one : sessions_->all()) {
       body["sessions"].push_back(session_json(one, *sessions_));

@@ -6,27 +6,12 @@
 
 #include "continua/core/replaced_file.h"
 #include "continua/replay/check/check.h"
-#include "continua/replay/trace/trace_file.h"
+#include "continua/replay/live/live_trace.h"
 
 namespace continua {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A scene or machine that is named by its path from the trace, as it is from another folder.
-std::string from_other_folder(const std::string& name, const fs::path& from, const fs::path& to) {
-  std::error_code problem;
-  if (!fs::is_regular_file(from / name, problem)) return name;
-  const auto path = fs::proximate(from / name, to, problem);
-  return problem ? name : path.string();
-}
-
-Result<Trace> read_so_far(const std::string& path) {
-  auto text = read_file(path);
-  if (!text) return text.error();
-  text->resize(text->rfind('\n') == std::string::npos ? 0 : text->rfind('\n') + 1);
-  return read_trace_text(*text, path);
-}
 
 // Approves the trace's run in this world, unless that run is approved already.
 Outcome approve(const std::string& trace_path, bool physics, const std::string& knowledge,
@@ -48,10 +33,7 @@ Result<SavedTest> save_as_test(const std::string& trace_path, const std::string&
                                const std::string& knowledge) {
   auto trace = read_so_far(trace_path);
   if (!trace) return trace.error();
-  const auto from = fs::path(trace_path).parent_path();
-  for (auto* file : {&trace->header.scene, &trace->header.machine}) *file = from_other_folder(*file, from, folder);
-  if (auto& json = trace->header.json; json.is_object() && json.contains("media"))
-    for (auto& one : json["media"]) one["file"] = from_other_folder(one.value("file", ""), from, folder);
+  move_header(trace->header, trace_path, folder);
 
   std::error_code problem;
   fs::create_directories(folder, problem);

@@ -28,7 +28,8 @@ std::string knowledge_folder(const std::string& asked) {
 
 }  // namespace
 
-Result<std::shared_ptr<LiveSession>> LiveSession::start(LiveOptions options) {
+Result<std::shared_ptr<LiveSession>> LiveSession::start(LiveOptions options,
+                                                        const std::vector<LiveEvent>& before) {
   options.replay.live = true;
   const auto given_up = [&](const Error& why) {
     std::error_code ignored;
@@ -43,7 +44,7 @@ Result<std::shared_ptr<LiveSession>> LiveSession::start(LiveOptions options) {
   auto session = Session::load(options.trace_path, options.replay);
   if (!session) return given_up(session.error());
   const std::shared_ptr<LiveSession> live(new LiveSession(options, std::move(session).value()));
-  if (const auto problem = live->open()) return given_up(*problem);
+  if (const auto problem = live->open(before)) return given_up(*problem);
   return live;
 }
 
@@ -57,7 +58,7 @@ LiveSession::LiveSession(LiveOptions options, Session session)
       clock_(options.speed),
       last_heard_(std::chrono::steady_clock::now()) {}
 
-Outcome LiveSession::open() {
+Outcome LiveSession::open(const std::vector<LiveEvent>& before) {
   trace_ = std::make_shared<GrowingFile>(setting_.options.trace_path, GrowingFile::Begin::after);
   log_ = std::make_unique<LiveLog>(setting_.options.log_path);
   if (!trace_->sound() || !log_->sound())
@@ -66,7 +67,10 @@ Outcome LiveSession::open() {
   auto loop = session_->begin(nobody, log_->stream());
   if (!loop) return loop.error();
   loop_ = std::move(*loop);
-  if (timing_ == LiveTiming::wall) clock_.run(setting_.options.began.value_or(std::chrono::steady_clock::now()));
+  if (!before.empty()) take(before);
+  if (broke_) return *broke_;
+  const auto now = std::chrono::steady_clock::now();
+  if (timing_ == LiveTiming::wall) clock_.run(before.empty() ? setting_.options.began.value_or(now) : now);
   tell();
   thread_ = std::thread([this] { work(); });
   return std::nullopt;

@@ -54,8 +54,9 @@ struct LiveReply {
 /// Safe to use from several threads. Time goes on by a thread of its own.
 class LiveSession {
  public:
-  /// Errors: of the loaded parts; a file that cannot be written.
-  static Result<std::shared_ptr<LiveSession>> start(LiveOptions options);
+  /// `before`: events of an ended session that this one goes on with; its time begins where they end. Errors: of the
+  /// loaded parts; a file that cannot be written.
+  static Result<std::shared_ptr<LiveSession>> start(LiveOptions options, const std::vector<LiveEvent>& before = {});
   /// Ends it.
   ~LiveSession();
   LiveSession(const LiveSession&) = delete;
@@ -92,7 +93,7 @@ class LiveSession {
 
  private:
   LiveSession(LiveOptions options, Session session);
-  Outcome open();
+  Outcome open(const std::vector<LiveEvent>& before);
   std::unique_lock<std::mutex> lock_soon();
   void work();
   SimTime now() const;

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "continua/replay/live/hand_model.h"
+#include "continua/replay/live/live_trace.h"
 #include "continua/replay/session/live_setup.h"
 #include "continua/replay/trace/trace_name.h"
 
@@ -21,10 +22,20 @@ constexpr double least_speed = 0.01, most_speed = 100;
 constexpr std::size_t longest_name = 64;
 
 const std::vector<std::string> fields = {"scene",   "machine", "language", "seed", "perspective", "objects",
-                                         "physics", "clock",   "speed",    "name", "recorder"};
+                                         "physics", "clock",   "speed",    "name", "recorder",    "after"};
 
 LiveRefusal bad(const std::string& name, const Json& found, const std::string& expected) {
   return {400, fmt::format("'{}' is {}; expected {}", name, in_quotes(compact(found)), expected)};
+}
+
+// A session that goes on with that of the trace.
+Result<std::shared_ptr<LiveSession>> go_on(LiveOptions options, const std::string& trace, const std::string& folder,
+                                           std::optional<bool> physics) {
+  auto before = read_before(trace, folder);
+  if (!before) return before.error();
+  options.header = std::move(before->header);
+  options.replay.physics = physics.value_or(options.replay.physics);
+  return LiveSession::start(std::move(options), before->events);
 }
 
 bool is_among(const Json& names, const std::string& name) {
@@ -54,7 +65,7 @@ Result<std::shared_ptr<LiveSessions>> LiveSessions::create(LiveDefaults defaults
 }
 
 LiveSessions::LiveSessions(LiveDefaults defaults, Json setup)
-    : defaults_(std::move(defaults)), setup_(std::move(setup)) {}
+    : defaults_(std::move(defaults)), setup_(std::move(setup)), after_(defaults_.after) {}
 
 std::variant<LiveOptions, LiveRefusal> LiveSessions::options_of(const Json& asked, bool any_file) const {
   if (!asked.is_object()) return LiveRefusal{400, "expected an object: {\"scene\": …, \"machine\": …}"};
@@ -159,15 +170,43 @@ std::variant<ListedSession, LiveRefusal> LiveSessions::start(const Json& asked, 
   const Json name = asked.contains("name") ? asked["name"] : Json(defaults_.name);
   if (!name.is_string() || (asked.contains("name") && !is_file_name(name)))
     return bad("name", name, fmt::format("1 to {} letters, digits, _ or -", longest_name));
+  const auto after = after_of(asked);
+  if (const auto* refusal = std::get_if<LiveRefusal>(&after)) return *refusal;
+  return begin(std::move(options), name, std::get<std::optional<After>>(after));
+}
+
+// The session that is gone on with, if any.
+std::variant<std::optional<LiveSessions::After>, LiveRefusal> LiveSessions::after_of(const Json& asked) {
+  if (const auto named = asked.find("after"); named != asked.end()) {
+    const auto ended = named->is_string() ? find(*named) : std::nullopt;
+    if (!ended || ended->session->audience().state().live)
+      return bad("after", *named, "the id of a session that has ended");
+    const auto& own = ended->session->setting().options;
+    return After{ended->id, own.trace_path, own.replay.physics};
+  }
+  const std::lock_guard lock(mutex_);
+  if (after_.empty()) return std::optional<After>();
+  return After{trace_name(after_), std::exchange(after_, {}), std::nullopt};
+}
+
+std::string LiveSessions::next_after() const {
+  const std::lock_guard lock(mutex_);
+  return after_.empty() ? after_ : trace_name(after_);
+}
+
+std::variant<ListedSession, LiveRefusal> LiveSessions::begin(LiveOptions options, const std::string& name,
+                                                             const std::optional<After>& after) {
   std::error_code problem;
   fs::create_directories(defaults_.folder, problem);
   make_room();
-  const auto id = take_place(options, name);
+  const bool named = !after || name != defaults_.name || !defaults_.after.empty();
+  const auto id = take_place(options, named ? name : after->name);
   if (!id)
     return LiveRefusal{503, fmt::format("there are {} live sessions, or {} were begun; end one first, or the program",
                                         most_live, defaults_.most_begun)};
   const auto log_path = options.log_path;
-  auto session = LiveSession::start(std::move(options));
+  auto session = after ? go_on(std::move(options), after->trace, defaults_.folder, after->physics)
+                       : LiveSession::start(std::move(options));
   if (!session) {
     const std::lock_guard lock(mutex_);
     taken_.erase(*id);

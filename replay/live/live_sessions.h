@@ -19,6 +19,7 @@ struct LiveDefaults {
   std::string folder = ".";             ///< of their traces and logs
   std::string name = "session";         ///< of each; where it is taken a number goes after it
   std::string ending = ".trace.jsonl";  ///< of a trace's file
+  std::string after;                    ///< a trace with which the first session goes on; empty: it begins anew
   std::string scene, machine;           ///< where none is asked for; empty: those of knowledge/live.json
   ReplayOptions replay;                 ///< seed, knowledge, physics
   std::optional<LiveTiming> timing;
@@ -58,10 +59,11 @@ class LiveSessions {
   /// Ends all of them.
   ~LiveSessions() { end(); }
 
-  /// {"scene", "machine", "seed", "perspective", "objects", "physics", "clock", "speed", "name", "recorder"}, each of
-  /// which may be left out; the first five are as in a trace's header, which will do as well. Unless `any_file`, scene
-  /// and machine are among the names of setup(). `began`: when its time began, if it goes by the wall's clock; none:
-  /// when it is loaded.
+  /// {"scene", "machine", "seed", "perspective", "objects", "physics", "clock", "speed", "name", "recorder", "after"},
+  /// each of which may be left out; the first five are as in a trace's header, which will do as well. Unless
+  /// `any_file`, scene and machine are among the names of setup(). `after`: the id of an ended session, with which the
+  /// new one goes on, in its world. `began`: when its time began, if it goes by the wall's clock; none: when it is
+  /// loaded.
   std::variant<ListedSession, LiveRefusal> start(const Json& asked, bool any_file = false,
                                                  std::optional<WallTime> began = std::nullopt);
 
@@ -74,11 +76,20 @@ class LiveSessions {
   void end();
 
   const LiveDefaults& defaults() const { return defaults_; }
+  /// The name of the trace with which the next session goes on; empty: it begins anew.
+  std::string next_after() const;
   const Json& setup() const { return setup_; }
 
  private:
   LiveSessions(LiveDefaults defaults, Json setup);
   std::variant<LiveOptions, LiveRefusal> options_of(const Json& asked, bool any_file) const;
+  struct After {
+    std::string name, trace;
+    std::optional<bool> physics;
+  };
+  std::variant<std::optional<After>, LiveRefusal> after_of(const Json& asked);
+  std::variant<ListedSession, LiveRefusal> begin(LiveOptions options, const std::string& name,
+                                                 const std::optional<After>& after);
   void make_room();
   std::optional<std::string> take_place(LiveOptions& options, const std::string& name);
 
@@ -88,6 +99,7 @@ class LiveSessions {
   mutable std::mutex mutex_;  // guards the members below
   std::vector<ListedSession> sessions_;
   std::set<std::string> taken_;  // ids, some of which have yet to be begun
+  std::string after_;            // LiveDefaults::after until a session has begun
 };
 
 }  // namespace continua

@@ -6,19 +6,20 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "continua/replay/log/run_words.h"
 #include "continua/replay/trace/trace_file.h"
 
 namespace continua {
 namespace {
 
-Json button(const InputEvent& gesture, const std::string& about) {
+Json button(const RunWords& words, const InputEvent& gesture, const std::string& about) {
   Json event{{"kind", "gesture"}, {"name", gesture.name}};
-  std::string label = gesture.name;
+  auto label = words.gesture(gesture.name, gesture.direction);
   for (const auto& [key, value] : {std::pair("hand", gesture.hand), std::pair("direction", gesture.direction),
                                    std::pair("phase", gesture.phase)}) {
     if (value.empty()) continue;
     event[key] = value;
-    if (value != "stroke") label += " " + value;
+    if (value != "stroke" && value != gesture.direction) label += fmt::format(" ({})", value);
   }
   return {{"label", label}, {"about", about}, {"event", std::move(event)}};
 }
@@ -111,16 +112,17 @@ Result<Json> live_setup(const DataPaths& data) {
 
 Json gesture_palette(const Machine& machine, const GestureCatalogue* gestures) {
   Json palette = Json::array();
+  const RunWords words{std::string_view()};
   if (gestures) {
     for (const auto& [name, entry] : gestures->entries) {
       InputEvent gesture;
       gesture.name = name;
       gesture.phase = entry.acts_on.empty() || entry.acts("stroke") ? "stroke" : entry.acts_on.front();
-      if (entry.meanings.empty() || entry.meanings.contains("")) palette.push_back(button(gesture, entry.about));
+      if (entry.meanings.empty() || entry.meanings.contains("")) palette.push_back(button(words, gesture, entry.about));
       for (const auto& [direction, meaning] : entry.meanings) {
         if (direction.empty()) continue;
         gesture.direction = direction;
-        palette.push_back(button(gesture, entry.about));
+        palette.push_back(button(words, gesture, entry.about));
       }
     }
     return palette;
@@ -129,7 +131,7 @@ Json gesture_palette(const Machine& machine, const GestureCatalogue* gestures) {
   for (const auto& transition : machine.transitions)
     if (transition.on) symbols.insert(transition.on->names.begin(), transition.on->names.end());
   for (const auto& symbol : symbols)
-    if (const auto event = event_of(symbol); event.modality == Modality::gesture) palette.push_back(button(event, ""));
+    if (const auto event = event_of(symbol); event.modality == Modality::gesture) palette.push_back(button(words, event, ""));
   return palette;
 }
 

@@ -63,7 +63,7 @@ test('words and a click in 3D: put it there', async () => {
   await begin(drawing);
   await answered(() => type('The plate.'), 'Okay, go on.');
   await answered(() => typeAndClick('Put it there.', [-0.1, -0.15]), 'Okay.');
-  const does = await lines('avatar', 'does').locator('.words').innerText();
+  const does = await lines('avatar', 'does').locator('a').getAttribute('title');
   const [, x, y] = /put\(plate, <(-?[\d.]+), (-?[\d.]+), 0>\)/.exec(does);
   assert.ok(Math.abs(Number(x) + 0.1) < 0.01 && Math.abs(Number(y) + 0.15) < 0.01, does);
   await saveAsTest('put_it_there');
@@ -143,10 +143,10 @@ test('a held button is a hold, a moving mouse samples', async () => {
   const [x, y] = await placeOf([0.1, 0.05]);
   await visitor.page.mouse.move(x, y);
   await visitor.page.mouse.down();
-  await lines('human', 'shows').filter({hasText: 'point begins'}).waitFor();
+  await lines('human', 'shows').filter({hasText: 'points, begins'}).waitFor();
   await visitor.page.mouse.move(x + 30, y, {steps: 4});
   await visitor.page.mouse.up();
-  await lines('human', 'shows').filter({hasText: 'point ends'}).waitFor();
+  await lines('human', 'shows').filter({hasText: 'points, ends'}).waitFor();
   const {trace} = await api(`/${await idOf()}`);
   const samples = eventsOf(trace).filter(({kind}) => kind === 'pointing');
   assert.ok(
@@ -164,7 +164,7 @@ test('by keyboard alone: the cross points, and the avatar answers', async () => 
     await visitor.page.keyboard.press(key);
   assert.match(await at('live-caption').innerText(), /plate/);
   await answered(() => visitor.page.keyboard.press('Enter'), 'Okay, go on.');
-  assert.match(await lines('human', 'shows').innerText(), /point at \(−0\.20, 0\.01\)/);
+  assert.match(await lines('human', 'shows').innerText(), /points? at \(−0\.20, 0\.01\)/);
   await at('table-map').press('/');
   assert.ok(await at('talk').evaluate((box) => box === document.activeElement));
 });
@@ -256,6 +256,73 @@ test('examples are said at one press, gestures made while typing, and the way of
     null,
     null,
   ]);
+});
+
+test('gestures, acts and what the avatar shows are told by people’s names, their ids on hover', async () => {
+  await begin(flat);
+  assert.match(await visitor.page.locator('[data-gesture=posack]').first().innerText(), /^yes/);
+  assert.match(await visitor.page.locator('[data-gesture=posack]').first().getAttribute('title'), /^posack: /);
+  await answered(() => type('Lift the knife.'), 'Okay.');
+  await lines('avatar', 'does').filter({hasText: 'lifts the knife'}).waitFor();
+  await asked('lift(knife)');
+  await answered(() => type('Take the cup.'), 'Which cup do you mean? Should I take the white cup?');
+  await lines('avatar', 'shows').filter({hasText: 'points at the white cup'}).waitFor();
+  await at('live-end').click();
+});
+
+test('the machine’s graph and stack follow in a corner that covers nothing, and type is big for a projector', async () => {
+  await begin(flat);
+  await at('talk').press('Escape');
+  await visitor.page.keyboard.press('g');
+  const state = () => at('live-machine').locator('.node.current').getAttribute('data-state');
+  await visitor.page.waitForFunction(() => document.querySelector('[data-testid=live-machine] .node.current'));
+  assert.equal(await state(), 'Ready');
+  await answered(() => type('Take the cup.'), 'Which cup do you mean? Should I take the white cup?');
+  await visitor.page.waitForFunction(
+    () => document.querySelector('[data-testid=live-machine] .node.current')?.dataset.state === 'Choose',
+  );
+  await at('live-machine').locator('[data-testid=symbol]', {hasText: 'options'}).first().waitFor();
+  const [drawer, scene] = await Promise.all(
+    ['[data-testid=live-machine]', '.live-scene'].map((one) => visitor.page.locator(one).boundingBox()),
+  );
+  assert.ok(drawer.y >= scene.y + scene.height, 'the scene can be pointed at');
+  const size = () =>
+    lines('avatar', 'says')
+      .first()
+      .evaluate((line) => parseFloat(getComputedStyle(line).fontSize));
+  const before = await size();
+  await at('talk').press('Escape');
+  await visitor.page.keyboard.press('b');
+  assert.ok((await size()) >= 20 && before < 20);
+  assert.ok(await visitor.page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+  await at('live-machine-button').click();
+  assert.ok(await at('live-machine').isHidden());
+  await at('live-end').click();
+  await at('live-summary').waitFor();
+  assert.deepEqual(visitor.complaints, []);
+});
+
+test('an ended session can be gone on with, from its page and from the list', async () => {
+  await begin(flat);
+  const first = await idOf();
+  await answered(() => type('The plate.'), 'Okay, go on.');
+  await at('live-end').click();
+  await at('live-go-on').click();
+  await at('live-summary').waitFor({state: 'detached'});
+  assert.notEqual(await idOf(), first);
+  await ready();
+  await lines('avatar', 'says').filter({hasText: 'Okay, go on.'}).waitFor();
+  await answered(() => type('Lift it.'), 'Okay.');
+  await asked('lift(plate)');
+  const second = await idOf();
+  await at('live-end').click();
+  await at('live-summary').waitFor();
+  await visitor.visit('/live');
+  await visitor.page.getByRole('button', {name: `Go on with ${second}`, exact: true}).click();
+  await ready();
+  await lines('human', 'says').filter({hasText: 'Lift it.'}).waitFor();
+  await at('live-end').click();
+  await at('live-summary').waitFor();
 });
 
 test('a name that cannot be is refused with the reason and one that can', async () => {

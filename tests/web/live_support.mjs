@@ -104,9 +104,10 @@ export const typeAndClick = async (text, target) => {
   await at('click-chip').waitFor();
   await at('talk').press('Enter');
 };
-export const asked = (program_text) => lines('avatar', 'does').filter({hasText: program_text}).waitFor();
+const acts = (program_text) =>
+  lines('avatar', 'does').filter({has: visitor.page.locator(`a[title*=${JSON.stringify(program_text)}]`)});
+export const asked = (program_text) => acts(program_text).waitFor();
 export const done = (program_text) =>
-  lines('avatar', 'does')
-    .filter({hasText: program_text})
+  acts(program_text)
     .filter({has: visitor.page.locator('.status.done')})
     .waitFor();

@@ -109,10 +109,11 @@ test('samples and what came of them are no lines of the conversation', () => {
   assert.equal(lineOf({kind: 'refusal', reason: 'late'}, true), null);
   assert.equal(lineOf({kind: 'act', status: 'asked', step: 1, program: 'move(cup)'}), null);
   assert.equal(lineOf({kind: 'refusal', reason: 'it came too late'}).text, 'not understood: it came too late');
-  assert.equal(
-    lineOf({kind: 'input', event: {kind: 'gesture', name: 'point', phase: 'start', target: [0.1, -0.05]}}).text,
-    'point begins at (0.10, −0.05)',
-  );
+  const {text, end} = lineOf({
+    kind: 'input',
+    event: {kind: 'gesture', name: 'point', phase: 'start', target: [0.1, -0.05]},
+  });
+  assert.equal(text + end, 'point, begins at (0.10, −0.05)');
 });
 
 test('the live page has an address of its own', () => {

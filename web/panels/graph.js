@@ -70,8 +70,13 @@ class Graph {
     this.#build();
   }
 
-  // Lays the graph out for the panel's shape.
-  #build() {
+  /** More was taken: it is drawn anew, where the reader has moved it to. */
+  grown() {
+    if (this.#placed) this.#build(!this.#sight.fitted);
+  }
+
+  // Lays the graph out for the panel's shape. `stays`: what is in sight stays so.
+  #build(stays = false) {
     const {clientWidth, clientHeight} = this.#canvas;
     const {graph} = this.#data;
     const compared = Boolean(this.#comparison);
@@ -111,7 +116,7 @@ class Graph {
     const states = `${placed.nodes.length} of ${counted(graph.states.length, 'state')}`;
     this.#count.textContent = `${states}, ${taken} of ${counted(own.size, 'transition')} taken`;
     this.#lit = [];
-    this.fit();
+    if (!stays) this.fit();
     this.#light();
   }
 

@@ -1,10 +1,12 @@
 // The conversation as it goes on: the human's moves, the avatar's words, gestures and acts, the newest at the bottom.
 import {h, brief, clock} from '../dom.js';
+import {RecordClient} from '../run/run_client.js';
+import {Labels} from '../run/labels.js';
 import {placed} from './draft.js';
 
 const most_lines = 300;
 const at_end_px = 40;
-const phases = {start: ' begins', stop: ' ends'};
+const phases = {start: ', begins', stop: ', ends'};
 const act_words = {
   asked: 'asked',
   started: 'doing …',
@@ -17,12 +19,14 @@ const act_words = {
   stopped: '✘ given up',
 };
 
-const shownGesture = ({name, alternatives, direction, phase, target}) =>
-  [name ?? alternatives?.[0]?.text ?? 'a gesture', direction].filter(Boolean).join(' ').replaceAll('_', ' ') +
-  (phases[phase] ?? '') +
-  (target ? ` at ${placed(target)}` : '');
+const gestureName = ({name, alternatives, direction}) =>
+  [name ?? alternatives?.[0]?.text ?? 'a gesture', direction].filter(Boolean).join(' ').replaceAll('_', ' ');
+const gestureEnd = ({phase, target}) => (phases[phase] ?? '') + (target ? ` at ${placed(target)}` : '');
 
-/** The line of a record: {who, how, text}, or null for a record without a line. Pure. `sample`: it came of a pointing sample. */
+/**
+ * The line of a record: {who, how, text, end: what follows the text, raw: the text is a term or an id, for which there
+ * may be words}, or null for a record without a line. Pure. `sample`: it came of a pointing sample.
+ */
 export function lineOf(record, sample = false) {
   const {event} = record;
   switch (record.kind) {
@@ -31,14 +35,16 @@ export function lineOf(record, sample = false) {
         return {who: 'human', how: 'is saying', text: `${event.text} …`, passing: true};
       if (event?.kind === 'speech')
         return {who: 'human', how: 'says', text: event.text ?? event.alternatives?.[0]?.text ?? ''};
-      return event?.kind === 'gesture' ? {who: 'human', how: 'shows', text: shownGesture(event)} : null;
+      return event?.kind === 'gesture'
+        ? {who: 'human', how: 'shows', text: gestureName(event), end: gestureEnd(event), raw: true}
+        : null;
     case 'utterance':
       return {who: 'avatar', how: 'says', text: record.text};
     case 'gesture':
-      return {who: 'avatar', how: 'shows', text: brief(record.gesture)};
+      return {who: 'avatar', how: 'shows', text: brief(record.gesture), raw: true};
     case 'act':
       return record.step === undefined && record.status === 'asked'
-        ? {who: 'avatar', how: 'does', text: brief(record.program)}
+        ? {who: 'avatar', how: 'does', text: brief(record.program), raw: true}
         : null;
     case 'learned':
       return {
@@ -81,17 +87,36 @@ export function mountConversation(run) {
   const inputs = new Map();
   const acts = new Map(); // record -> its input's event; act -> the line with its status
 
-  const link = (n, ...parts) =>
+  const untold = new Map(); // record -> the element of a term that has yet to be told in words
+  const labels = new Labels(new RecordClient(run), () => {
+    for (const [n, element] of untold) {
+      const words = labels.text(n);
+      if (!words) continue;
+      element.textContent = words;
+      untold.delete(n);
+    }
+  });
+
+  const link = (n, raw, ...parts) =>
     h(
       'a',
-      {href: `/r/${encodeURIComponent(run)}?n=${n}`, target: '_blank', title: `#${n}: look at it in the inspector`},
+      {
+        href: `/r/${encodeURIComponent(run)}?n=${n}`,
+        target: '_blank',
+        title: `#${n}${raw ? `, ${raw}` : ''}: look at it in the inspector`,
+      },
       parts,
     );
   const keepPassing = onePassing();
-  function add(record, {who, how, text, passing: passes}) {
+  function add(record, {who, how, text, end, raw, passing: passes}) {
     const at_end = list.scrollHeight - list.scrollTop - list.clientHeight < at_end_px;
     const status = how === 'does' && h('span', {class: 'status asked'}, act_words.asked);
     if (status) acts.set(record.act, status);
+    const words = h('span', {class: 'words'}, how === 'says' ? `“${text}”` : text);
+    if (raw) {
+      untold.set(record.n, words);
+      labels.want([record.n]);
+    }
     list.append(
       h(
         'li',
@@ -100,7 +125,7 @@ export function mountConversation(run) {
           'div',
           {class: 'parts'},
           h('span', {class: 'unseen'}, who === 'log' ? '' : `${who} ${how} `),
-          link(record.n, h('span', {class: 'words'}, how === 'says' ? `“${text}”` : text), status),
+          link(record.n, raw && text, words, end, status),
         ),
         h('time', {}, clock(record.t)),
       ),

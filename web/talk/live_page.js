@@ -35,7 +35,7 @@ export class LivePage {
     const client = new SessionClient(id);
     const state = await client.state();
     if (this.#closed) return;
-    const page = mountSession(client, state);
+    const page = mountSession(client, state, () => this.#start({after: id, speed: state.speed}));
     this.#show(page);
     await page.open();
   }

@@ -11,7 +11,7 @@ const button = ({label, about, event}, key, send) =>
     'button',
     {
       type: 'button',
-      title: about || null,
+      title: [event.name?.replaceAll('_', ' ') === label ? '' : event.name, about].filter(Boolean).join(': ') || null,
       'aria-keyshortcuts': key ?? null,
       onclick: () => send(event),
       'data-gesture': event.name ?? null,

@@ -3,11 +3,13 @@ import {h} from '../dom.js';
 import {copy} from '../announce.js';
 import {helpDialog} from '../keys.js';
 import {three} from '../vendor.js';
+import {bigType} from './big_type.js';
 import {mountConversation} from './conversation.js';
 import {EngineClock} from './engine_clock.js';
 import {Filming, canFilm} from './filming.js';
 import {HandTracking, whyNoHand} from './hand_tracking.js';
 import {LiveWorld} from './live_world.js';
+import {mountMachine} from './machine_drawer.js';
 import {mountPalette} from './palette.js';
 import {mountPlace} from './place.js';
 import {saveDialog} from './save_dialog.js';
@@ -26,6 +28,8 @@ const page_keys = [
   [[], '← → ↑ ↓', 'on the scene: move the cross by 1 cm (Shift: 5 cm)'],
   [[], 'Enter', 'on the scene: point at the cross'],
   [[], 'Alt+← Alt+↑', 'on the scene: turn it; + and − approach'],
+  [['g'], 'G', 'the machine’s graph and stack in the corner'],
+  [['b'], 'B', 'big type, for a projector'],
   [[], 'T', 'light or dark'],
   [[], '?', 'this help'],
 ];
@@ -44,6 +48,7 @@ class SessionPage {
   #hand;
   #without_hand; // why there is none, or empty
   #conversation;
+  #machine;
   #palette;
   #dialogs;
   #status;
@@ -51,6 +56,7 @@ class SessionPage {
   #talk = null;
   #table = null; // its edges
   #begun = null; // resolves open()
+  #goOn; // begins a session after this one
   #notice = h('p', {class: 'notice', role: 'status', 'data-testid': 'live-notice'});
   #unsent = h('ul', {class: 'unsent', role: 'status', 'data-testid': 'live-unsent', hidden: true});
   #below = h('div', {class: 'human-side'});
@@ -58,13 +64,15 @@ class SessionPage {
   /** The scene to point at, as mountPlace() gives it; null before the first record has come. */
   place = null;
 
-  constructor(client, state) {
+  constructor(client, state, goOn) {
+    this.#goOn = goOn;
     const {run, live, paused, speed, t, viewers} = state;
     this.#client = client;
     this.#opened_t = t;
     this.#clock.told({t, running: live && !paused, speed});
     this.#now = {live, running: this.#clock.running, viewers, state: state.state, mapped: false, lost: null};
     this.#conversation = mountConversation(run);
+    this.#machine = mountMachine(run);
     this.#palette = mountPalette(state, (event) => this.#send(() => [event]));
     this.#filming = new Filming({
       client,
@@ -94,7 +102,7 @@ class SessionPage {
     this.#status = this.#mountStatus(run, client.recording && speed === 1 && canFilm());
     this.#link = this.#mountLink();
     const talking = h('div', {class: 'talking'}, this.#conversation.element, this.#notice, this.#unsent, this.#below);
-    const main = h('main', {class: 'live'}, this.#scene, talking);
+    const main = h('main', {class: 'live'}, this.#scene, talking, this.#machine.element);
     this.elements = [this.#status.element, main, ...Object.values(this.#dialogs).map((one) => one.element)];
     addEventListener('pagehide', this.#leaving);
     addEventListener('beforeunload', this.#asking);
@@ -108,6 +116,8 @@ class SessionPage {
       keys: () => this.#dialogs.help.open(),
       speak: () => this.#voice.toggle(),
       map: () => this.place?.toggle(),
+      machine: () => this.#machine.toggle(),
+      big: () => bigType.toggle(),
       film: () => this.#filming.toggle(),
       hand: () => this.#hand.toggle(),
     };
@@ -179,6 +189,7 @@ class SessionPage {
   #take(record) {
     const {kind, t, event} = record;
     this.#clock.atLeast(t);
+    this.#machine.take(record);
     if (kind === 'run') this.#begin(record.scene);
     else if (kind === 'pose') this.#world.moved(record.bodies);
     else if (kind === 'transition') this.#show({state: record.to});
@@ -268,8 +279,18 @@ class SessionPage {
     save.addEventListener('click', () => this.#dialogs.save.open());
     const sentence = h('p', {}, 'The conversation has ended. Its trace is ', h('code', {}, trace));
     if (this.#filming.any) sentence.append(', which names the recordings of you: they lie beside it');
+    const more = h('button', {type: 'button', 'data-testid': 'live-go-on', title: 'A new session, in which all of this has happened'}, 'Go on');
+    more.addEventListener('click', async () => {
+      more.disabled = true;
+      this.#say('The conversation so far is replayed …');
+      await this.#goOn().catch((problem) => {
+        this.#say(problem.message);
+        more.disabled = false;
+      });
+    });
     const ways = [
       save,
+      more,
       h('a', {class: 'button', href: `/r/${encodeURIComponent(run)}`}, 'Inspect'),
       h('a', {class: 'button', href: '/live'}, 'Start another'),
     ];
@@ -303,6 +324,8 @@ class SessionPage {
   /** Does what the key means. @returns whether it means something here */
   onKey(key) {
     if (key === '?') this.#dialogs.help.open();
+    else if (key === 'g') this.#status.press('machine');
+    else if (key === 'b') this.#status.press('big');
     else if (!this.#working) return false;
     else if (key === '/' || key === 'Enter') this.#talk?.focus();
     else if (this.#palette.onKey(key)) return true;
@@ -315,11 +338,11 @@ class SessionPage {
     removeEventListener('pagehide', this.#leaving);
     removeEventListener('beforeunload', this.#asking);
     this.#link.close();
-    for (const one of [this.#filming, this.#hand, this.#client, this.#world, this.#status, this.place, this.#talk])
-      one?.close();
+    const parts = [this.#filming, this.#hand, this.#client, this.#world, this.#status, this.#machine];
+    for (const one of [...parts, this.place, this.#talk]) one?.close();
     this.#voice.stop();
   }
 }
 
-/** `client`: of the session; `state`: the server's answer about it. */
-export const mountSession = (client, state) => new SessionPage(client, state);
+/** `client`: of the session; `state`: the server's answer about it; `goOn()`: begins a session that goes on after its end. */
+export const mountSession = (client, state, goOn) => new SessionPage(client, state, goOn);

@@ -14,7 +14,7 @@ const choice = (name, values, chosen) =>
   );
 
 /** A form that asks how the session is to be, and calls `start(options)`. */
-function startForm({scenes, machines, scene, machine}, start) {
+function startForm({scenes, machines, scene, machine, after}, start) {
   const fields = {
     scene: choice('scene', scenes, scene),
     machine: choice('machine', machines, machine),
@@ -30,8 +30,8 @@ function startForm({scenes, machines, scene, machine}, start) {
   const form = h(
     'form',
     {class: 'live-form'},
-    labelled('Scene', fields.scene),
-    labelled('Machine', fields.machine),
+    after && h('p', {'data-testid': 'live-after'}, `It goes on where ${after} ended.`),
+    !after && [labelled('Scene', fields.scene), labelled('Machine', fields.machine)],
     labelled('Physics', fields.physics),
     h('details', {}, h('summary', {}, 'More'), labelled('Speed', fields.speed)),
     button,
@@ -44,7 +44,7 @@ function startForm({scenes, machines, scene, machine}, start) {
     try {
       const [chosen_scene, chosen_machine] = [fields.scene.value, fields.machine.value];
       const [physics, speed] = [fields.physics.checked, Number(fields.speed.value)];
-      await start({scene: chosen_scene, machine: chosen_machine, physics, speed});
+      await start(after ? {physics, speed} : {scene: chosen_scene, machine: chosen_machine, physics, speed});
     } catch (problem) {
       trouble.textContent = problem.message;
       button.disabled = false;
@@ -53,13 +53,26 @@ function startForm({scenes, machines, scene, machine}, start) {
   return {form, button};
 }
 
-function sessionItem({id, run, live, paused, scene, machine, t}) {
+function sessionItem({id, run, live, paused, scene, machine, t}, start) {
   const href = live ? `/live/${encodeURIComponent(id)}` : `/r/${encodeURIComponent(run)}`;
   const facts = `${scene.replaceAll('_', ' ')}, ${machine}, ${clock(t)}${live && paused ? ', paused' : ''}`;
-  return h('li', {}, h('a', {href}, live ? 'Follow' : 'Inspect'), ` ${id} `, h('span', {class: 'muted'}, facts));
+  const link = h('a', {href}, live ? 'Follow' : 'Inspect');
+  const more = h('button', {type: 'button', class: 'link', 'aria-label': `Go on with ${id}`}, 'Go on');
+  more.addEventListener('click', async () => {
+    more.disabled = true;
+    await start({after: id}).catch((problem) => more.replaceWith(h('span', {class: 'trouble'}, problem.message)));
+  });
+  return h('li', {}, link, ` ${id} `, h('span', {class: 'muted'}, facts), !live && [' ', more]);
 }
-const list = (title, sessions) =>
-  sessions.length > 0 && [h('h2', {}, title), h('ul', {class: 'sessions'}, sessions.map(sessionItem))];
+const list = (title, sessions, start) =>
+  sessions.length > 0 && [
+    h('h2', {}, title),
+    h(
+      'ul',
+      {class: 'sessions'},
+      sessions.map((one) => sessionItem(one, start)),
+    ),
+  ];
 
 /** `answer`: of fetchSessions(); `start(options)`: begins a session. */
 export function mountStart(answer, start) {
@@ -73,8 +86,8 @@ export function mountStart(answer, start) {
     h('h1', {}, h('a', {href: '/', title: 'All runs'}, logo), 'Talk to the avatar'),
     h('p', {class: 'lead'}, lead),
     form,
-    list('Going on now', live),
-    list('Ended', ended),
+    list('Going on now', live, start),
+    list('Ended', ended, start),
   );
   return {elements: [main], shown: () => button.focus()};
 }

@@ -1,17 +1,20 @@
 // The line above a live session: the automaton's state, the engine's time, who watches, and the session's buttons.
 import {h, clock, icon, put} from '../dom.js';
+import {bigType} from './big_type.js';
 
 const tick_ms = 200;
 
 const button = (text, title, action, props) => h('button', {type: 'button', title, onclick: action, ...props}, text);
 
+/** A button of something that is on or off; `toggle()` tells which. */
+function switched(text, title, is_on, toggle, name) {
+  const one = button(text, title, null, {'aria-pressed': String(is_on), 'data-testid': `live-${name}`});
+  one.addEventListener('click', () => one.setAttribute('aria-pressed', String(toggle())));
+  return one;
+}
+
 /** The buttons: `pause` and `end` are shown to who records, `speak` where the browser can speak. */
 function buttonsOf(act, speaks) {
-  const speak = button('Speak', 'Says aloud what the avatar says', null, {
-    'aria-pressed': String(speaks),
-    'data-testid': 'live-speak',
-  });
-  speak.addEventListener('click', () => speak.setAttribute('aria-pressed', String(act.speak())));
   return {
     pause: button('Pause', 'Stops the engine’s time (Space)', act.pause, {'data-testid': 'live-pause'}),
     end: button('End', 'Ends the recording', act.end, {'data-testid': 'live-end'}),
@@ -23,7 +26,9 @@ function buttonsOf(act, speaks) {
       'aria-pressed': 'false',
       'data-testid': 'live-hand',
     }),
-    speak: window.speechSynthesis ? speak : null,
+    speak: window.speechSynthesis ? switched('Speak', 'Says aloud what the avatar says', speaks, act.speak, 'speak') : null,
+    machine: switched('Machine', 'Its graph and its stack in the corner (G)', false, act.machine, 'machine-button'),
+    big: switched('Big type', 'For a room that looks at a projector (B)', bigType.on, act.big, 'big'),
     map: button('Map', 'The table from above', act.map, {'aria-pressed': 'false', 'data-testid': 'live-map'}),
     save: button('Save as test', 'Keeps this conversation as a test', act.save, {'data-testid': 'live-save'}),
     keys: button('?', 'Keys (?)', act.keys, {'aria-label': 'Keys (?)', 'data-testid': 'help'}),
@@ -50,7 +55,7 @@ const inspect = (run) =>
   );
 
 /**
- * `act`: {pause, end, save, keys, speak, map, film, hand}; `recording`: this page records, or only watches; `films`,
+ * `act`: {pause, end, save, keys, speak, map, machine, big, film, hand}; `recording`: this page records, or only watches; `films`,
  * `tracks`: whether it can record the human, and track a hand.
  */
 export function mountStatus({run, recording, films, tracks, time, act, speaks}) {
@@ -58,7 +63,8 @@ export function mountStatus({run, recording, films, tracks, time, act, speaks}) 
   const seconds = h('output', {class: 'engine-time', 'data-testid': 'live-time'});
   const mode = h('span', {class: 'badge', role: 'status', 'data-testid': 'live-mode'});
   const watching = h('span', {class: 'muted watching', 'data-testid': 'live-viewers'});
-  const {pause, end, film, hand, speak, map, save, keys} = buttonsOf(act, speaks);
+  const buttons = buttonsOf(act, speaks);
+  const {pause, end, film, hand, speak, map, machine, big, save, keys} = buttons;
   const element = h(
     'header',
     {class: 'top live-top'},
@@ -76,6 +82,8 @@ export function mountStatus({run, recording, films, tracks, time, act, speaks}) 
       tracks && hand,
       speak,
       map,
+      machine,
+      big,
       save,
       inspect(run),
       keys,
@@ -101,6 +109,8 @@ export function mountStatus({run, recording, films, tracks, time, act, speaks}) 
       map.setAttribute('aria-pressed', String(mapped));
       put(seconds, clock(time()));
     },
+    /** As if the button of this name were pressed. */
+    press: (name) => buttons[name].click(),
     withoutMap() {
       map.hidden = true;
     },

@@ -195,7 +195,7 @@ TEST_CASE("a server begins so many sessions, however soon each ends") {
   CHECK_FALSE(fs::exists(asked.folder.at("session-4.trace.jsonl")));
 }
 
-TEST_CASE("a machine that knows gestures by their names offers those") {
+TEST_CASE("a machine that knows gestures by their names offers those, in words") {
   LiveDefaults defaults;
   defaults.machine = "diana2018";
   defaults.scene = "staircase";
@@ -204,8 +204,8 @@ TEST_CASE("a machine that knows gestures by their names offers those") {
   const auto offers = [&](const std::string& label) {
     return std::any_of(gestures.begin(), gestures.end(), [&](const Json& one) { return one["label"] == label; });
   };
-  CHECK(offers("engage start"));
-  CHECK(offers("point right start"));
+  CHECK(offers("steps up (start)"));
+  CHECK(offers("points right (start)"));
 }
 
 TEST_CASE("a recording goes beside the trace, from the one who records alone") {
@@ -223,4 +223,31 @@ TEST_CASE("a recording goes beside the trace, from the one who records alone") {
   CHECK(asked.file("session.camera.webm") == bytes);
   CHECK_THAT(asked.file("session.trace.jsonl"),
              Contains(R"("media":[{"file":"session.camera.webm","kind":"video","label":"camera","offset":-0.5}])"));
+}
+
+TEST_CASE("a session goes on with an ended one") {
+  Asked asked;
+  const std::string id = asked.post("/api/sessions", R"({"clock":"events"})", 201)["id"];
+  const auto after = compact(Json{{"after", id}});
+  CHECK_THAT(asked.refused(400, "/api/sessions", after), Contains("the id of a session that has ended"));
+  asked.post("/api/sessions/" + id + "/events", plate);
+  asked.post("/api/sessions/" + id + "/end");
+  const auto next = asked.post("/api/sessions", after, 201);
+  CHECK(next["id"] != id);
+  CHECK(next["t"] == asked.get("/api/sessions/" + id)["t"]);
+  const auto told =
+      asked.post("/api/sessions/" + std::string(next["id"]) + "/events", R"({"t":9,"kind":"speech","text":"Lift it."})");
+  CHECK_THAT(compact(told["moves"]), Contains("lift(plate)"));
+}
+
+TEST_CASE("the first session goes on with the trace of the command line") {
+  const TemporaryFolder before;
+  const std::string header = R"({"kind":"trace","version":1,"scene":"place_setting","machine":"interaction"})";
+  LiveDefaults defaults;
+  defaults.after = before.file("talk.trace.jsonl", header + "\n" + plate + "\n");
+  Asked asked(defaults);
+  CHECK(asked.get("/api/sessions")["after"] == "talk");
+  CHECK(asked.post("/api/sessions", "", 201)["t"] == 1);
+  CHECK(!asked.get("/api/sessions").contains("after"));
+  CHECK(asked.post("/api/sessions", "", 201)["t"] == 0);
 }

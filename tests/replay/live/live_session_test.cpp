@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "continua/core/random.h"
+#include "continua/replay/live/live_trace.h"
 #include "continua/replay/session/session_loop.h"
 #include "continua/replay/trace/trace_file.h"
 #include "replay/played.h"
@@ -147,6 +148,29 @@ TEST_CASE("what was live replays to the same bytes") {
   CHECK(comparable(log) == comparable(replayed(options.trace_path, true)));
   CHECK(said_in(log) == Texts{"Okay, go on.", "Okay.", "Okay."});
   CHECK(session->summary().end.seconds() > 3);
+}
+
+TEST_CASE("a session that goes on with an ended one replays to the same bytes, acts under way included") {
+  const TemporaryFolder folder;
+  const auto first = started(options_in(folder, LiveTiming::events, true));
+  sent(*first, R"({"kind":"speech","text":"Put the plate in front of you.","t":1})");
+  sent(*first, R"({"kind":"clock","t":1.7})");
+  first->end();
+  auto options = options_in(folder, LiveTiming::events, true);
+  const auto before = read_before(options.trace_path, folder.path().string());
+  REQUIRE(before.ok());
+  options.header = before->header;
+  options.trace_path = folder.at("more.trace.jsonl");
+  options.log_path = folder.at("more.run.jsonl");
+  const auto started_after = LiveSession::start(options, before->events);
+  REQUIRE(started_after.ok());
+  const auto more = *started_after;
+  CHECK(more->audience().state().t == SimTime::from_seconds(1.7));
+  sent(*more, R"({"kind":"speech","text":"Stop.","t":2})");
+  more->end();
+  const auto log = content(options.log_path);
+  CHECK(comparable(log) == comparable(replayed(options.trace_path, true)));
+  CHECK(said_in(log).size() == 2);
 }
 
 TEST_CASE("what comes late goes by its own time within the window, and does nothing later than that") {
