@@ -9,6 +9,7 @@ import {logOf} from './support.mjs';
 serveFolder(() => {
   for (const name of ['correction', 'disambiguation'])
     writeFileSync(join(folder, `${name}.run.jsonl`), logOf(`paper/${name}`));
+  writeFileSync(join(folder, 'building_blocks.run.jsonl'), logOf('building_blocks'));
 });
 const box = (selector) => visitor.page.locator(selector).boundingBox();
 
@@ -84,4 +85,28 @@ test('a lane is hidden, tall or first by choice, also at the next visit; what is
   });
   await visitor.page.mouse.move(timeline.x + x, timeline.y + 50); // within the tall lane
   assert.match(await visitor.page.locator('.timeline .tip').innerText(), /^acts: puts the white cup/);
+});
+
+test('all states of a large machine can be read at one step of zoom: the panel enlarged', async () => {
+  await visitor.visit('/r/building_blocks', {viewport: {width: 1440, height: 900}});
+  await at('taken-only').uncheck();
+  await visitor.page.locator('.panel.graph .larger').click();
+  const told = () =>
+    visitor.page.evaluate(() => {
+      const host = document.querySelector('.panel.graph .canvas').getBoundingClientRect();
+      const letters = [...document.querySelectorAll('[data-testid=graph] text')];
+      const within = (box) =>
+        box.left >= host.left && box.right <= host.right && box.top >= host.top && box.bottom <= host.bottom;
+      const states = [...document.querySelectorAll('[data-testid=graph] .node')];
+      return {
+        least_px: Math.min(...letters.map((one) => parseFloat(getComputedStyle(one).fontSize) * one.getScreenCTM().a)),
+        states: states.length,
+        in_sight: states.filter((one) => within(one.getBoundingClientRect())).length,
+      };
+    });
+  await visitor.page.waitForFunction(() => document.querySelector('.panel.graph').classList.contains('enlarged'));
+  await visitor.page.waitForTimeout(500); // until it is drawn for its new size
+  const {least_px, states, in_sight} = await told();
+  assert.deepEqual([states, in_sight], [29, 29]);
+  assert.ok(least_px >= 11, `${least_px} px`);
 });

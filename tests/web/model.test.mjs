@@ -272,7 +272,7 @@ test('places do not depend on what was taken: a machine looks the same in every 
   const other = structuredClone(graph);
   for (const edge of other.edges) edge.visits = edge.from === 'Wait' ? 0 : 7;
   const places = (one) =>
-    layOut(mergedGraph(one, false), 1.5)
+    layOut(mergedGraph(one, false), {width: 600, height: 400})
       .nodes.filter(({id}) => id !== 'End')
       .map(({id, x, y}) => ({id, x, y}));
   other.edges = other.edges.map((edge) => (edge.id === 'q' ? {...edge, visits: 0} : edge));
@@ -280,7 +280,7 @@ test('places do not depend on what was taken: a machine looks the same in every 
 });
 
 test('without libraries, nodes still do not overlap', () => {
-  const {nodes, width, height} = layOut(mergedGraph(graph, false), 2);
+  const {nodes, width, height} = layOut(mergedGraph(graph, false), {width: 800, height: 400});
   for (const a of nodes) {
     assert.ok(a.x - a.w / 2 >= 0 && a.x + a.w / 2 <= width && a.y - a.h / 2 >= 0 && a.y + a.h / 2 <= height);
     for (const b of nodes)
@@ -292,7 +292,7 @@ test('without libraries, nodes still do not overlap', () => {
 });
 
 test('an empty graph is laid out too', () => {
-  assert.equal(layOut(mergedGraph({start: '', states: [], edges: []}, true), 1).nodes.length, 0);
+  assert.equal(layOut(mergedGraph({start: '', states: [], edges: []}, true), {width: 1, height: 1}).nodes.length, 0);
 });
 
 test('labels break between words', () => {

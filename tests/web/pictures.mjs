@@ -29,6 +29,10 @@ async function picture(name, path, options = {}, prepare = async () => {}) {
 const large = {viewport: {width: 1440, height: 900}};
 await picture('start', '/', {viewport: {width: 1280, height: 720}}, (page) => page.waitForTimeout(6000));
 await picture('run', '/r/correction.physics', large);
+await picture('graph', '/r/blocks', large, async (page) => {
+  await page.locator('[data-testid=taken-only]').uncheck();
+  await page.locator('.panel.graph .larger').click();
+});
 await picture('diff', '/diff/disambiguation/disambiguation_exhausted', {...large, colorScheme: 'dark'});
 await picture('phone', '/r/blocks', {viewport: {width: 390, height: 844}, deviceScaleFactor: 2, isMobile: true});
 await picture('live', '/live', large, async (page) => {

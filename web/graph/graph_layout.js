@@ -88,18 +88,33 @@ function withOther(graph, other) {
   return [...rows.values()];
 }
 
-/** Places nodes and edges for a panel of this shape. @returns {{nodes: Node[], edges: Edge[], width, height}} */
-export function layOut(merged, aspect) {
-  const across = place(structuredClone(merged), 'LR');
-  const down = place(structuredClone(merged), 'TB');
-  const fit = ({width, height}) => Math.min(aspect / width, 1 / height);
-  return fit(across) >= fit(down) ? across : down;
+// The distances between ranks, and between the nodes of one, in pixels: with air, and where that needs too much room.
+const airs = [
+  {ranks: {LR: 26, TB: 22}, nodes: 14},
+  {ranks: {LR: 16, TB: 12}, nodes: 10},
+];
+
+/**
+ * Places nodes and edges for a panel of this size: with air, if all of it is then in sight, else as dense as can be read.
+ * @returns {{nodes: Node[], edges: Edge[], width, height}}
+ */
+export function layOut(merged, room) {
+  const fit = ({width, height}) => Math.min(room.width / width, room.height / height);
+  let best = null;
+  for (const air of airs) {
+    for (const direction of ['LR', 'TB']) {
+      const placed = place(structuredClone(merged), direction, air);
+      if (!best || fit(placed) > fit(best)) best = placed;
+    }
+    if (fit(best) >= 1) break;
+  }
+  return best;
 }
 
-function place({nodes, edges}, direction) {
+function place({nodes, edges}, direction, air) {
   const loops = edges.filter((edge) => edge.from === edge.to);
   const others = edges.filter((edge) => edge.from !== edge.to);
-  (dagre ? placeByDagre : placeByRank)(nodes, others, direction);
+  (dagre ? placeByDagre : placeByRank)(nodes, others, direction, air);
   const at = new Map(nodes.map((node) => [node.id, node]));
   for (const edge of others) clip(edge, at);
   for (const loop of loops) {
@@ -116,11 +131,11 @@ function place({nodes, edges}, direction) {
   return framed(nodes, edges);
 }
 
-function placeByDagre(nodes, edges, direction) {
+function placeByDagre(nodes, edges, direction, air) {
   const graph = new dagre.graphlib.Graph();
   // Greedy: as few arrows as can be go back, which keeps the picture small.
-  const ranksep = direction === 'LR' ? 26 : 22;
-  graph.setGraph({rankdir: direction, nodesep: 14, ranksep, edgesep: 8, acyclicer: 'greedy'});
+  const {ranks, nodes: nodesep} = air;
+  graph.setGraph({rankdir: direction, nodesep, ranksep: ranks[direction], edgesep: 8, acyclicer: 'greedy'});
   graph.setDefaultEdgeLabel(() => ({}));
   for (const {id, w, h, anywhere} of nodes) graph.setNode(id, {width: w, height: h + (anywhere ? 2 * anywhere_px : 0)});
   for (const edge of edges) graph.setEdge(edge.from, edge.to, {});
