@@ -116,6 +116,19 @@ test('what if it had been said otherwise', async () => {
   assert.match(await at('verdict').innerText(), /Take the knife/);
 });
 
+test('what if it had been pointed elsewhere: sliders move the place', async () => {
+  const shown = ({kind, event}) => kind === 'input' && event.kind === 'gesture' && event.target;
+  await visitor.visit(`/r/correction?n=${numberOf('paper/correction', shown)}`);
+  await at('what-if-open').click();
+  const place = await at('what-if-place').innerText();
+  for (let i = 0; i < 20; ++i) await at('what-if-left-to-right').press('ArrowLeft');
+  assert.notEqual(await at('what-if-place').innerText(), place);
+  await at('what-if-run').click();
+  await visitor.page.waitForURL(/\/diff\/correction\/what-if/);
+  await at('verdict').waitFor();
+  assert.match(await at('verdict').innerText(), /point/);
+});
+
 test('what if another transition had been taken', async () => {
   const path = join(root, 'traces/talk/n_best.run.jsonl');
   const rivals = ({kind, candidates}) => kind === 'transition' && new Set(candidates.map(({id}) => id)).size > 1;

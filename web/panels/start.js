@@ -119,11 +119,12 @@ export class StartPage {
     const own = h(
       'span',
       {class: 'own-tools'},
+      served && this.#drop.button,
       button('Light or dark (T)', '◐', toggleTheme),
       button('Keys (?)', '?', this.#help.open),
     );
     const tools = h('div', {class: 'tools'}, this.#search, this.#arrangement.filters, this.#compare, this.#hint);
-    const title = h('h1', {}, logo, 'Continua', this.#record, served && this.#drop.button, own);
+    const title = h('h1', {}, logo, 'Continua', this.#record, own);
     const parts = [title, this.#lead, this.#drop.said, tools, this.#table, this.#nothing, this.#comparisons];
     const main = h('main', {class: 'start'}, parts);
     if (served) this.#drop.listen(main);
@@ -334,8 +335,8 @@ function leadWords(runs) {
   ];
 }
 
-// The instant shown in small: where the page would open, else the middle.
-const pictureTime = (run) => (run.first_t ?? (run.duration ?? 0) / 2).toFixed(3);
+// The instant shown in small: the last, at which runs differ most.
+const pictureTime = (run) => (Math.floor(1000 * (run.duration ?? 0)) / 1000).toFixed(3);
 
 /** "today 14:03", "yesterday 9:15", "3 Oct 2025" */
 function when(seconds) {

@@ -1,6 +1,9 @@
 // What if: another choice at a step, or another input; the run that follows is compared with this one.
 import {dialog, h, shown} from '../dom.js';
 import {askWhatIf, served} from '../run/run_client.js';
+import {placeText} from '../scene3d/scene_text.js';
+
+const table_m = {x: 0.5, y: 0.3}; // from its middle to its edges
 
 // A question of the dialog: {field: its element, read()}, where read() gives the part of the request that the reader
 // changed, {} if there is none, and throws a sentence about a part that cannot be used.
@@ -45,17 +48,20 @@ function inputField(record) {
   });
   text.value = JSON.stringify(record.event, null, 1);
   const words = wordsField(text);
+  const target = targetField(text);
   const out = h('input', {type: 'checkbox', 'data-testid': 'what-if-out'});
   out.addEventListener('change', () => {
     text.disabled = out.checked;
     if (words) words.disabled = out.checked;
+    if (target) target.disabled = out.checked;
   });
   const field = h(
     'fieldset',
     {},
     h('legend', {}, `the input at #${record.n} had been another`),
     words && h('label', {class: 'words'}, 'the human says ', words),
-    h('details', {open: !words}, h('summary', {}, 'All of it, as JSON'), text),
+    target,
+    h('details', {open: !words && !target}, h('summary', {}, 'All of it, as JSON'), text),
     h('label', {}, out, ' it had not come at all'),
   );
   const read = () => {
@@ -75,6 +81,34 @@ function wordsField(json) {
     json.value = JSON.stringify({...event, text: words.value}, null, 1);
   });
   return words;
+}
+
+/** Sliders for the place that is pointed at, kept in step with the JSON of the event; null for an event without one. */
+function targetField(json) {
+  const {target} = JSON.parse(json.value);
+  if (!Array.isArray(target) || !target.every(Number.isFinite)) return null;
+  const place = [...target];
+  const told = h('output', {'data-testid': 'what-if-place'}, placeText([...place, 0]));
+  const slider = (axis, label, reach_m) => {
+    const range = h('input', {
+      type: 'range',
+      min: -reach_m,
+      max: reach_m,
+      step: 0.01,
+      value: place[axis],
+      'aria-label': label,
+      'data-testid': `what-if-${label.replaceAll(' ', '-')}`,
+    });
+    range.addEventListener('input', () => {
+      place[axis] = Number(range.value);
+      json.value = JSON.stringify({...JSON.parse(json.value), target: place}, null, 1);
+      told.textContent = placeText([...place, 0]);
+      range.setAttribute('aria-valuetext', told.textContent);
+    });
+    return h('label', {}, `${label} `, range);
+  };
+  const sliders = [slider(0, 'left to right', table_m.x), slider(1, 'near to far', table_m.y)];
+  return h('fieldset', {class: 'target'}, h('legend', {}, 'the human points'), sliders, told);
 }
 
 function parsed(text) {
