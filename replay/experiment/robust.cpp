@@ -1,6 +1,7 @@
 #include "continua/replay/experiment/robust.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <sstream>
 
@@ -8,6 +9,7 @@
 #include "continua/replay/experiment/ddmin.h"
 #include "continua/replay/experiment/log_lines.h"
 #include "continua/replay/trace/trace_event.h"
+#include "continua/world/geometry.h"
 
 namespace continua {
 namespace {
@@ -57,12 +59,36 @@ std::vector<std::string> texts_of(const std::vector<Happened>& all, Happened::Ki
   return texts;
 }
 
+// People who point at a place do not tell it more exactly, metres.
+constexpr double same_place_m = 0.1;
+
+// Equal but for points, as "<0.1, -0.2, 0>", that are near each other.
+bool is_same_act(std::string_view a, std::string_view b) {
+  const auto point_at = [](std::string_view text, std::size_t from) {
+    Vec3 point = Vec3::Zero();
+    const std::string piece(text.substr(from, text.find('>', from) - from));
+    const bool is_point = std::sscanf(piece.c_str(), "<%lf, %lf, %lf", &point.x(), &point.y(), &point.z()) == 3;
+    return is_point ? std::optional(point) : std::nullopt;
+  };
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    const auto one = point_at(a, i), other = point_at(b, j);
+    if (one && other && (*one - *other).norm() < same_place_m) {
+      i = a.find('>', i) + 1;
+      j = b.find('>', j) + 1;
+    } else if (a[i++] != b[j++]) {
+      return false;
+    }
+  }
+  return i == a.size() && j == b.size();
+}
+
 // The first acts of `some` that are not among those of `all`, in this order; empty if it leaves some out at most.
 std::vector<std::string> besides(const std::vector<std::string>& some, const std::vector<std::string>& all) {
   std::vector<std::string> others;
   auto from = all.begin();
   for (const auto& one : some) {
-    const auto found = std::find(from, all.end(), one);
+    const auto found = std::find_if(from, all.end(), [&](const auto& other) { return is_same_act(one, other); });
     if (found == all.end())
       others.push_back(one);
     else
@@ -193,7 +219,8 @@ std::vector<Happened> happenings_of(std::string_view log) {
 
 RunEnd run_end(const std::vector<Happened>& whole, const std::vector<Happened>& noisy) {
   const auto acts = texts_of(whole, Happened::Kind::act);
-  if (texts_of(noisy, Happened::Kind::act) == acts) return RunEnd::same;
+  const auto done = texts_of(noisy, Happened::Kind::act);
+  if (std::equal(done.begin(), done.end(), acts.begin(), acts.end(), is_same_act)) return RunEnd::same;
   const auto then = texts_of(until_other_answer(whole, noisy), Happened::Kind::act);
   if (!besides(then, acts).empty()) return RunEnd::otherwise;
   return first_other_answer(whole, noisy).first ? RunEnd::asks : RunEnd::less;

@@ -18,7 +18,7 @@ namespace continua {
 /// How a run under noise ends, held against the run without. The first answer that is another decides: the human of a
 /// trace goes on as if it had been the same, so the rest of such a run means little.
 enum class RunEnd {
-  same,       ///< the same acts, in the same order
+  same,       ///< the same acts, in the same order; points of them less than 0.1 m apart are the same
   asks,       ///< the avatar says something that it did not say before; all acts until then are those of the other run
   less,       ///< acts are missing, and nothing was said of it
   otherwise,  ///< an act that the other run does not have there

@@ -98,8 +98,8 @@ TEST_CASE("a check is told in lines and a total") {
   CHECK(line_of(report.cases[0]) == "ok   a.trace.jsonl: 1 expectation, same");
   CHECK(line_of(report.cases[3]) == "FAIL words: 1 of 2 examples not true");
   CHECK(total_of(report) == "3 traces: 2 same, 1 changed; 2 other files: 1 true, 1 not true; in 1.3 s");
-  CHECK(total_of({{1, 1}, 1, 0, {report.cases[4]}}) == "1 file: 1 true; in 0.0 s");
-  CHECK(total_of({{1, 1}, 0, 0, {}}) == "in 0.0 s");
+  CHECK(total_of({{1, 1}, 1, {0}, 0, {report.cases[4]}}) == "1 file: 1 true; in 0.0 s");
+  CHECK(total_of({{1, 1}, 0, {}, 0, {}}) == "in 0.0 s");
   CHECK(report.status() == exit_no);
 }
 

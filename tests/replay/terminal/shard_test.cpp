@@ -100,8 +100,8 @@ TEST_CASE("a shard's report is read back, or told where it is wrong") {
 
 TEST_CASE("a report of an earlier version has no numbers: each N-th item was its own") {
   auto text = text_of(report_of(2, 3, 7));
-  const auto from = text.find(" \"numbers\""), to = text.find(" \"shard\"");
-  text.erase(from, to - from);
+  const auto from = text.find(" \"numbers\"");
+  text.erase(from, text.find("],\n", from) + 3 - from);
   const auto old = read_shard_report(text, "r.json");
   if (!old) FAIL(old.error().text());
   CHECK(old->numbers == std::vector<std::size_t>{1, 4});
