@@ -71,6 +71,10 @@ Result<std::vector<std::string>> runs_of(const ReplayCommandOptions& options) {
   std::vector<std::string> outputs;
   std::map<std::string, std::string> trace_of;
   for (const auto& trace : options.traces) {
+    if (fs::is_directory(trace, problem))
+      return Error{trace, fmt::format("is a folder; expected traces (continua replay {0}/*.trace.jsonl -o FOLDER), or "
+                                      "continua check {0}, which takes all below it",
+                                      shell_word(fs::path(trace).lexically_normal().string()))};
     const auto path = folder ? (fs::path(output) / run_name(trace, options)).string() : output;
     const auto [other, fresh] = trace_of.emplace(path, trace);
     if (!fresh) return Error{trace, fmt::format("would be written to {}, as would {}", path, other->second)};

@@ -6,6 +6,7 @@
 
 #include "continua/replay/diff/run_diff_words.h"
 #include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/time_text.h"
 
 namespace continua {
 namespace {
@@ -22,7 +23,7 @@ std::string shortened(std::string text, std::size_t longest) {
 std::string line_of(const RunIndex& run, std::size_t n) {
   const auto record = run.record(n);
   const auto told = record ? brief(*record) : record.error().sentence;
-  return fmt::format("#{} {} s {} {}", n, seconds_text(run.entry(n).t.seconds()), run.kind(n),
+  return fmt::format("#{} {} {} {}", n, time_text(run.entry(n).t.seconds()), run.kind(n),
                      shortened(told, longest_brief));
 }
 
@@ -88,8 +89,8 @@ class Text {
       for (std::size_t i = 0, shown = 0; shown < others; ++i) {
         if (i == diff_.first) continue;
         ++shown;
-        text_ += fmt::format("  {} at {} s\n", name_of(diff_.differences[i].kind),
-                             seconds_text(diff_.differences[i].t.seconds()));
+        text_ += fmt::format("  {} at {}\n", name_of(diff_.differences[i].kind),
+                             time_text(diff_.differences[i].t.seconds()));
         difference(diff_.differences[i]);
       }
     }

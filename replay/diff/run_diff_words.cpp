@@ -9,6 +9,7 @@
 
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/time_text.h"
 
 namespace continua {
 namespace {
@@ -24,7 +25,7 @@ double time_of(const Json& record) {
   return t.is_number() ? t.get<double>() : 0;
 }
 
-std::string place_of(const Json& record) { return fmt::format("{} s", seconds_text(time_of(record))); }
+std::string place_of(const Json& record) { return time_text(time_of(record)); }
 
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);
@@ -156,9 +157,9 @@ std::string effect(const RunIndex& a, const RunIndex& b, const RunDiff& diff) {
       more == 0 ? "Nothing else differs." : fmt::format("{} more difference{}.", more, more == 1 ? "" : "s");
   if (!diff.meet) return text + " They do not meet again.";
   const auto [in_a, in_b] = *diff.meet;
-  const auto t_a = seconds_text(a.entry(in_a).t.seconds()), t_b = seconds_text(b.entry(in_b).t.seconds());
-  if (t_a == t_b) return fmt::format("{} They meet again at {} s (A #{}, B #{}).", text, t_a, in_a, in_b);
-  return fmt::format("{} They meet again at {} s in A (#{}), at {} s in B (#{}).", text, t_a, in_a, t_b, in_b);
+  const auto t_a = time_text(a.entry(in_a).t.seconds()), t_b = time_text(b.entry(in_b).t.seconds());
+  if (t_a == t_b) return fmt::format("{} They meet again at {} (A #{}, B #{}).", text, t_a, in_a, in_b);
+  return fmt::format("{} They meet again at {} in A (#{}), at {} in B (#{}).", text, t_a, in_a, t_b, in_b);
 }
 
 std::string numbers(const RunDifference& first) {
@@ -169,13 +170,6 @@ std::string numbers(const RunDifference& first) {
 }
 
 }  // namespace
-
-std::string seconds_text(double t_s) {
-  auto text = fmt::format("{:.6f}", t_s);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
 
 std::string event_words(const Json& record) {
   const auto event = event_of(record);
@@ -231,10 +225,10 @@ std::string sentence_of(const RunIndex& a, const RunIndex& b, const RunDiff& dif
   const auto one = record(a, first.a), other = record(b, first.b);
   std::string text =
       diff.sameness == RunDiff::Sameness::unrelated
-          ? fmt::format("The runs are unrelated: {} of {} and {} inputs are common. They part at {} s{}: {}.",
-                        diff.inputs_common, diff.inputs_a, diff.inputs_b, seconds_text(first.t.seconds()),
-                        numbers(first), how(a, b, diff, one, other, transition_a, transition_b))
-          : fmt::format("They part at {} s{}: {}.", seconds_text(first.t.seconds()), numbers(first),
+          ? fmt::format("The runs are unrelated: {} of {} and {} inputs are common. They part at {}{}: {}.",
+                        diff.inputs_common, diff.inputs_a, diff.inputs_b, time_text(first.t.seconds()), numbers(first),
+                        how(a, b, diff, one, other, transition_a, transition_b))
+          : fmt::format("They part at {}{}: {}.", time_text(first.t.seconds()), numbers(first),
                         how(a, b, diff, one, other, transition_a, transition_b));
   if (!first.input || diff.cause.kind == "cut short")
     text += fmt::format(" Cause ({}): {}.", diff.cause.kind, diff.cause.sentence);

@@ -21,7 +21,4 @@ RootCause input_cause(const RunIndex& a, const RunIndex& b, const RunDifference&
 std::string sentence_of(const RunIndex& a, const RunIndex& b, const RunDiff& diff, const Json& transition_a,
                         const Json& transition_b);
 
-/// "4.2" of 4.2 s; at most as many digits as the clock has.
-std::string seconds_text(double t_s);
-
 }  // namespace continua

@@ -20,7 +20,7 @@ std::string kind_of_input(ExplainScope& scope, std::size_t input) {
   return text_of(member_of(scope.record(input), "event"), "kind");
 }
 
-// "“Put it there.” (1.0 s), pointing right [0.1,0.2] (2.0 s) and 3 more"; samples of pointing as one.
+// "“Put it there.” (0:01), pointing right [0.1,0.2] (0:02) and 3 more"; samples of pointing as one.
 std::string listed(ExplainScope& scope, const std::vector<std::size_t>& inputs) {
   std::vector<std::string> told;
   std::size_t samples = 0;
@@ -45,7 +45,7 @@ std::string listed(ExplainScope& scope, const std::vector<std::size_t>& inputs) 
   return fmt::format("{} and {}", fmt::join(told, ", "), last);
 }
 
-// The turn's input and the inputs that it drew on: "the human said “Yes.” (7.0 s) after “Take the block.” (1.0 s)".
+// The turn's input and the inputs that it drew on: "the human said “Yes.” (0:07) after “Take the block.” (0:01)".
 std::string due_to(ExplainScope& scope, std::size_t input) {
   const auto kind = kind_of_input(scope, input);
   const auto told = told_input(scope, input);
@@ -89,15 +89,25 @@ std::string quoted(const std::string& text) { return "“" + text + "”"; }
 // An event of the run without its cause, by the kind of its record: "the avatar asks “Which block?”".
 struct Happened {
   const Json& record;
+  const RunWords& run_words;
+
+  // "the avatar puts …"; "the avatar does put(…)" where there are no words for it.
+  std::string deed(const std::string& term, const char* otherwise) const {
+    const auto told = run_words.term(term);
+    return fmt::format("{}{}", told == term ? otherwise : "", told);
+  }
 
   std::string operator()(const log::Utterance& said) const {
     return fmt::format("the avatar {} {}", said.text.ends_with('?') ? "asks" : "says", quoted(said.text));
   }
-  std::string operator()(const log::AvatarGesture& made) const { return "the avatar gestures " + made.gesture; }
+  std::string operator()(const log::AvatarGesture& made) const {
+    return "the avatar " + deed(made.gesture, "gestures ");
+  }
   std::string operator()(const log::Act& act) const {
-    if (act.step) return fmt::format("step {} of act {}, {}, is {}", *act.step, act.act, act.program, act.status);
-    if (act.status == "asked") return "the avatar does " + act.program;
-    return fmt::format("act {}, {}, is {}", act.act, act.program, act.status);
+    const auto told = "“" + run_words.term(act.program) + "”";
+    if (act.step) return fmt::format("step {} of act {}, {}, is {}", *act.step, act.act, told, act.status);
+    if (act.status == "asked") return "the avatar " + deed(act.program, "does ");
+    return fmt::format("act {}, {}, is {}", act.act, told, act.status);
   }
   std::string operator()(const log::Transition& fired) const {
     return fmt::format("{} goes to {} by the transition ‘{}’, step {}", fired.from, fired.to, fired.id, fired.step);
@@ -125,7 +135,7 @@ struct Happened {
   }
   std::string operator()(const log::Input& input) const {
     const bool speech = text_of(input.event, "kind") == "speech";
-    return (speech ? "the human says " : "there is the input ") + input_text(record);
+    return (speech ? "the human says " : "there is the input ") + input_text(run_words, record);
   }
   std::string operator()(const log::Application& made) const {
     return fmt::format("{} is applied to {} and gives {}", made.function, made.argument, made.result);
@@ -150,9 +160,10 @@ struct Happened {
 };
 
 // In a foreign log, a record may have members of other types than declared.
-std::string happened(const Json& record) {
+Happened happened_of(ExplainScope& scope, const Json& record) { return {record, scope.words()}; }
+std::string happened(ExplainScope& scope, const Json& record) {
   const auto read = log::read_record(record);
-  return std::visit(Happened{record}, read ? *read : log::Record(log::Unknown()));
+  return std::visit(happened_of(scope, record), read ? *read : log::Record(log::Unknown()));
 }
 
 // The consequences of an input, in the order of its turn.
@@ -168,9 +179,10 @@ std::string led_to(ExplainScope& scope, std::size_t input) {
     const Json& record = scope.record(n);
     const auto& kind = run.kind(n);
     if (log::is<log::Utterance>(kind)) told.push_back("the avatar says " + quoted(text_of(record, "text")));
-    if (log::is<log::AvatarGesture>(kind)) told.push_back("it gestures " + text_of(record, "gesture"));
+    if (log::is<log::AvatarGesture>(kind))
+      told.push_back("it " + happened_of(scope, record).deed(text_of(record, "gesture"), "gestures "));
     if (log::is<log::Act>(kind) && text_of(record, "status") == "asked")
-      told.push_back("it does " + text_of(record, "program"));
+      told.push_back("it " + happened_of(scope, record).deed(text_of(record, "program"), "does "));
     if (log::is<log::Refusal>(kind)) told.push_back(fmt::format("{} refuses it", text_of(record, "state")));
     if (log::is<log::Reading>(kind) && !text_of(record, "meaning").empty() && member_of(record, "taken") != false)
       told.push_back("it is taken to mean " + text_of(record, "meaning"));
@@ -205,7 +217,7 @@ std::string headline(ExplainScope& scope, const Json& act) {
   const auto n = scope.n();
   const auto& kind = scope.run().kind(n);
   if (log::is<log::Expect>(kind)) return expectation(scope, scope.record(n)) + ".";
-  auto text = fmt::format("At {} {}", time_text(scope.run().entry(n).t.seconds()), happened(scope.record(n)));
+  auto text = fmt::format("At {} {}", time_text(scope.run().entry(n).t.seconds()), happened(scope, scope.record(n)));
   const auto end = [](const std::string& told) {
     return told.ends_with('.') || told.ends_with(".”") || told.ends_with("?”") ? "" : ".";
   };

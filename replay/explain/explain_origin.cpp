@@ -242,10 +242,11 @@ std::string told_input(ExplainScope& scope, std::size_t input) {
     const auto& reading = scope.record(n);
     const auto& alternative = member_of(reading, "alternative");
     if (member_of(reading, "taken") != true || !alternative.is_number_unsigned() || alternative == 0) continue;
-    return fmt::format("{} ({}, alternative {})", input_text(scope.record(input), alternative.get<std::size_t>()), t,
+    return fmt::format("{} ({}, alternative {})",
+                       input_text(scope.words(), scope.record(input), alternative.get<std::size_t>()), t,
                        compact(alternative));
   }
-  return fmt::format("{} ({})", input_text(scope.record(input)), t);
+  return fmt::format("{} ({})", input_text(scope.words(), scope.record(input)), t);
 }
 
 std::string alternatives_text(const Json& names, std::string_view before_last, std::size_t most) {

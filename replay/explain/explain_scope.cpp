@@ -56,6 +56,11 @@ const Json& ExplainScope::record(std::size_t n) {
   return records_.emplace(n, read ? *std::move(read) : Json::object()).first->second;
 }
 
+const RunWords& ExplainScope::words() {
+  if (!words_) words_.emplace(run_);
+  return *words_;
+}
+
 std::optional<std::size_t> ExplainScope::input_of(std::size_t n) const {
   for (std::optional<std::size_t> at = n; at; at = run_.cause(*at))
     if (log::is<log::Input>(run_.kind(*at))) return at;
@@ -96,13 +101,7 @@ Json header_member(const RunIndex& run, std::string_view name) {
   return value ? *value : Json();
 }
 
-std::string time_text(double seconds) {
-  auto text = fmt::format("{:.3f}", seconds);
-  while (text.ends_with('0') && text[text.size() - 2] != '.') text.pop_back();
-  return text + " s";
-}
-
-std::string input_text(const Json& input, std::size_t alternative) {
+std::string input_text(const RunWords& words, const Json& input, std::size_t alternative) {
   const auto& event = member_of(input, "event");
   const auto kind = text_of(event, "kind");
   const bool has_own = member_of(event, kind == "speech" ? "text" : "name").is_string();
@@ -111,8 +110,13 @@ std::string input_text(const Json& input, std::size_t alternative) {
       others.is_array() && !(has_own && alternative == 0) && place < others.size())
     return fmt::format("{}“{}”", kind == "speech" ? "" : kind + " ", text_of(others[place], "text"));
   if (kind == "act")
-    return fmt::format("act {}, {}, {}", text_of(event, "act"), text_of(event, "program"), text_of(event, "status"));
-  return kind == "gesture" ? "gesture " + brief(input) : brief(input);
+    return fmt::format("act {}, “{}”, {}", text_of(event, "act"), words.term(text_of(event, "program")),
+                       text_of(event, "status"));
+  if (kind != "gesture" || !has_own) return kind == "gesture" ? "gesture " + brief(input) : brief(input);
+  const auto phase = text_of(event, "phase");
+  const bool whole = phase.empty() || phase == "stroke";
+  return fmt::format("gesture “{}”{}", words.gesture(text_of(event, "name"), text_of(event, "direction")),
+                     whole ? "" : fmt::format(" ({})", phase));
 }
 
 }  // namespace continua

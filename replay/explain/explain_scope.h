@@ -11,6 +11,8 @@
 
 #include "continua/core/located_json.h"
 #include "continua/replay/log/run_index.h"
+#include "continua/replay/log/run_words.h"
+#include "continua/replay/log/time_text.h"
 
 namespace continua {
 
@@ -26,6 +28,9 @@ class ExplainScope {
 
   /// The record, or an empty object where its line cannot be read.
   const Json& record(std::size_t n);
+
+  /// The words for the run's ids, places, gestures and programs.
+  const RunWords& words();
 
   /// n, its cause, the cause of that, and so on.
   const std::vector<std::size_t>& chain() const { return chain_; }
@@ -45,6 +50,7 @@ class ExplainScope {
  private:
   const RunIndex& run_;
   std::map<std::size_t, Json> records_;
+  std::optional<RunWords> words_;
   std::vector<std::size_t> chain_, inputs_;
   std::map<std::size_t, std::vector<std::size_t>> turns_;  // input -> records
 };
@@ -56,11 +62,8 @@ std::vector<std::size_t> record_numbers(const Json& object, const char* key, std
 /// it takes most of the time of an explanation.
 Json header_member(const RunIndex& run, std::string_view name);
 
-/// "5.05 s".
-std::string time_text(double seconds);
-
-/// The input as a reader knows it: “Put it there.”, gesture right point stroke, pointing right [0.1,0.2], act 1,
-/// put(…), missed. Of an n-best list the alternative of this number, as in RUNLOG.md.
-std::string input_text(const Json& input, std::size_t alternative = 0);
+/// The input as a reader knows it: “Put it there.”, gesture “yes”, pointing right [0.1,0.2], act 1, “puts the cup
+/// back”, missed. Of an n-best list the alternative of this number, as in RUNLOG.md.
+std::string input_text(const RunWords& words, const Json& input, std::size_t alternative = 0);
 
 }  // namespace continua

@@ -82,7 +82,7 @@ Json explained_inputs(ExplainScope& scope) {
     inputs.push_back({{"n", n},
                       {"t", t},
                       {"kind", kind},
-                      {"told", input_text(record)},
+                      {"told", input_text(scope.words(), record)},
                       {"symbol", member_of(record, "symbol")},
                       {"here", n == here},
                       {"percepts", records_of(scope, n, log::Percept::kind.name)},

@@ -101,7 +101,7 @@ class Teller {
 
   void tell_percept(const Json& percept) {
     if (const auto waited = number_of(percept, "waited_s"); waited > 0)
-      tell(fmt::format("attended to {} after it began  {}", time_text(waited), numbered(percept)), 2);
+      tell(fmt::format("attended to {} after it began  {}", seconds_text(waited), numbered(percept)), 2);
     for (const auto& bound : list_of(percept, "bound")) {
       const auto& deixis = member_of(bound, "deixis");
       const auto hand = text_of(deixis, "hand");

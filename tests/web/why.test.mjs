@@ -235,7 +235,7 @@ test('why: the decision stands below the sentence, with condition, stack and wha
 
 test('a log that is cut short is explained as far as it goes', async () => {
   await visit(`/r/cut?n=${act('dialogue_gesture')}`);
-  assert.match(await at('headline').innerText(), /put\(plate/);
+  assert.match(await at('headline').innerText(), /puts the white plate/);
   assert.match(await at('tree').innerText(), /“there” \(pointing\)/);
   assert.match(await at('panel-why').innerText(), /ends without its end record|cut|last line|not whole|no end/i);
 });

@@ -127,7 +127,7 @@ TEST_CASE("an input that one run has more is one difference with all that it bro
   const auto diff = diff_of(a, b);
   REQUIRE(diff.differences.front().input);
   CHECK(diff.differences.front().b.size() == 2);
-  CHECK(diff.cause.sentence == "“inserted” (speech at 1.5 s) is only in B");
+  CHECK(diff.cause.sentence == "“inserted” (speech at 0:01.5) is only in B");
   for (std::size_t i = 1; i < diff.differences.size(); ++i)
     CHECK(diff.differences[i].input->kind == EventChange::Kind::moved);
 }
@@ -209,14 +209,14 @@ TEST_CASE("two traces are held against each other event by event") {
                     yes = R"({"t":2,"kind":"speech","text":"yes"})";
   for (const auto& [a, b, told] : {
            Row{R"({"t":2,"kind":"speech","text":"yes"})", R"({"t":2.5,"kind":"speech","text":"yes"})",
-               "“yes” (speech) comes at 2 s in A, at 2.5 s in B."},
+               "“yes” (speech) comes at 0:02 in A, at 0:02.5 in B."},
            Row{R"({"t":2,"kind":"speech","text":"the big cup"})", R"({"t":2,"kind":"speech","text":"the small cup"})",
-               "at 2 s A has “the big cup”, B “the small cup” (big → small)."},
+               "at 0:02 A has “the big cup”, B “the small cup” (big → small)."},
            Row{R"({"t":2,"kind":"gesture","name":"point","confidence":0.9})",
-               R"({"t":2,"kind":"gesture","name":"point"})", "point at 2 s: confidence 0.9 in A, none in B."},
-           Row{R"({"t":2,"kind":"speech","text":"yes"})", "", "“yes” (speech at 2 s) is left out in B."},
+               R"({"t":2,"kind":"gesture","name":"point"})", "point at 0:02: confidence 0.9 in A, none in B."},
+           Row{R"({"t":2,"kind":"speech","text":"yes"})", "", "“yes” (speech at 0:02) is left out in B."},
            Row{"", R"({"t":2,"kind":"expect","state":"Ask"})",
-               "the expectation {\"state\":\"Ask\"} (expect at 2 s) is only in B."},
+               "the expectation {\"state\":\"Ask\"} (expect at 0:02) is only in B."},
            Row{"", "", "The traces are the same."},
        }) {
     const auto diff = diff_traces(trace_of(put + "\n" + a), trace_of(put + "\n" + b));

@@ -77,7 +77,7 @@ TEST_CASE("a cell tells since when it has its value, from what, and who read it"
   CHECK(cell_at(*run, 7, 2, "mood")["set"] == 7);
 
   CHECK(cell_at(*run, 7, 2, "mood")["origin"]["input"] == 2);
-  CHECK(cell_at(*run, 7, 2, "mood")["origin"]["text"] == "what the machine made of “Red blocks.” (1.0 s)");
+  CHECK(cell_at(*run, 7, 2, "mood")["origin"]["text"] == "what the machine made of “Red blocks.” (0:01)");
 
   // A pushed symbol inherits the slots that the operation does not set.
   CHECK(cell_at(*run, 9, 3, "things")["set"] == 5);

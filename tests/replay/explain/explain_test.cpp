@@ -93,46 +93,48 @@ TEST_CASE("the headline tells what the avatar did and what it is due to") {
   const auto row = GENERATE(values<Row>({
       {"paper/disambiguation",
        {},
-       "At 1.0 s the avatar asks “Which block do you mean? Should I take the yellow block?”, because the human "
-       "said “Take the block.” (1.0 s): “block” may mean block1, block4 or block6."},
+       "At 0:01 the avatar asks “Which block do you mean? Should I take the yellow block?”, because the human "
+       "said “Take the block.” (0:01): “block” may mean block1, block4 or block6."},
       {"paper/disambiguation", at(6.5),
-       "At 5.4 s the avatar asks “Should I take the red block?”, because the human made the gesture negack stroke (5.0 "
-       "s) "
-       "after “Take the block.” (1.0 s)."},
+       "At 0:05.4 the avatar asks “Should I take the red block?”, because the human made the gesture “no” (0:05) "
+       "after “Take the block.” (0:01)."},
       {"paper/dialogue_gesture", act(1),
-       "At 5.05 s the avatar does put(plate, <-0.1, -0.15, 0>), because the human said “Put it there.” (4.0 s) with "
-       "pointing right [-0.1,-0.15] (3.8 s), after “The plate.” (1.0 s). It was done at 5.05 s."},
+       "At 0:05.05 the avatar puts the white plate 10 cm left of and 15 cm before the table's middle, because the "
+       "human said “Put it there.” (0:04) with "
+       "pointing right [-0.1,-0.15] (0:03.8), after “The plate.” (0:01). It was done at 0:05.05."},
       {"paper/predicate_first", act(1),
-       "At 4.0 s the avatar does put(plate, <-0.1, -0.15, 0>), because the human said “The plate.” (4.0 s) after "
-       "“Put it there.” (1.0 s) and pointing right [-0.1,-0.15] (0.9 s). It was done at 4.4 s."},
+       "At 0:04 the avatar puts the white plate 10 cm left of and 15 cm before the table's middle, because the human "
+       "said “The plate.” (0:04) after "
+       "“Put it there.” (0:01) and pointing right [-0.1,-0.15] (0:00.9). It was done at 0:04.4."},
       {"paper/one_shot_learning", act(3),
-       "At 30.4 s the avatar does put(cup, on(plate)), because the human made the gesture left two_fingers stroke "
-       "(30.0 s) after gesture right two_fingers stroke (1.0 s), “Grasp the cup.” (3.0 s) and “Put on the plate.” "
-       "(26.0 s). It was done at 30.4 s."},
+       "At 0:30.4 the avatar puts the white cup on the white plate, because the human made the gesture “two fingers” "
+       "(0:30) after gesture “two fingers” (0:01), “Grasp the cup.” (0:03) and “Put on the plate.” "
+       "(0:26). It was done at 0:30.4."},
       {"paper/one_shot_learning", at(27),
-       "At 26.0 s the avatar asks “What should I put there?”, because the human said “Put on the plate.” (26.0 s): "
+       "At 0:26 the avatar asks “What should I put there?”, because the human said “Put on the plate.” (0:26): "
        "\\x. put(x, on(plate)) leaves its argument of type e unsaid."},
       {"paper/correction.physics", act(1),
-       "At 2.2 s the avatar does put(cup, <-0.05, -0.18, 0>), because the human said “Put the white cup there.” (1.0 "
-       "s) with gesture right point stroke (1.2 s). It was given up at 4.1 s."},
+       "At 0:02.2 the avatar puts the white cup 5 cm left of and 18 cm before the table's middle, because the human "
+       "said “Put the white cup "
+       "there.” (0:01) with gesture “points” (0:01.2). It was given up at 0:04.1."},
       {"corner/never_engaged", at(1),
-       "At 1.0 s the machine refuses an input: no transition from StartState takes 'speech yes'; the human said “YES” "
-       "(1.0 s)."},
+       "At 0:01 the machine refuses an input: no transition from StartState takes 'speech yes'; the human said “YES” "
+       "(0:01)."},
       {"paper/region_place",
        {},
-       "At 4.2 s there is the input gesture right point stroke: it goes with “In that blue cup.” (4.0 s).",
+       "At 0:04.2 there is the input gesture “points”: it goes with “In that blue cup.” (0:04).",
        5},
       {"paper/disambiguation", record(2),
-       "At 1.0 s the human says “Take the block.”: it is taken to mean \\x. grasp(x); the avatar says “Which block do "
+       "At 0:01 the human says “Take the block.”: it is taken to mean \\x. grasp(x); the avatar says “Which block do "
        "you "
-       "mean? Should I take the yellow block?”; it gestures point(block1)."},
+       "mean? Should I take the yellow block?”; it points at the yellow block."},
       {"talk/n_best",
        {},
-       "At 3.0 s the avatar asks “Which cup do you mean? Should I put the knife in the white cup?”, because the human "
-       "said “but the knife in the cup” (1.0 s): “cup” may mean cup or cup_blue."},
+       "At 0:03 the avatar asks “Which cup do you mean? Should I put the knife in the white cup?”, because the human "
+       "said “but the knife in the cup” (0:01): “cup” may mean cup or cup_blue."},
       {"paper/disambiguation", step(3),
-       "At 3.0 s Choose goes to Choose by the transition ‘no, the next’, step 3, because the human said “No.” (3.0 s) "
-       "after “Take the block.” (1.0 s)."},
+       "At 0:03 Choose goes to Choose by the transition ‘no, the next’, step 3, because the human said “No.” (0:03) "
+       "after “Take the block.” (0:01)."},
   }));
   CAPTURE(row.run);
   const auto run = opened(traces / (std::string(row.run) + ".run.jsonl"));
@@ -144,18 +146,18 @@ TEST_CASE("the derivation goes from the act down to words, a gesture and a point
   CHECK(tree(explained(opened(traces / "paper/dialogue_gesture.run.jsonl"), act(1))) ==
         R"j(  put(plate, <-0.1, -0.15, 0>) : t  #n
   ├─ put(plate) : loc -> t  #n
-  │  ├─ put : e -> loc -> t  ← “put” in “Put it there.” (4.0 s)
-  │  └─ plate : e  ← “it” in “Put it there.” (4.0 s), what was talked about: “the plate” in “The plate.” (1.0 s)
+  │  ├─ put : e -> loc -> t  ← “put” in “Put it there.” (0:04)
+  │  └─ plate : e  ← “it” in “Put it there.” (0:04), what was talked about: “the plate” in “The plate.” (0:01)
   └─ <-0.1, -0.15, 0> : loc  #n  raised by pointing_to_place
-     ├─ place_of : e* • loc -> loc  ← the machine itself, on “Put it there.” (4.0 s)
+     ├─ place_of : e* • loc -> loc  ← the machine itself, on “Put it there.” (0:04)
      └─ dot([], <-0.1, -0.15, 0>) : e* • loc  #n
-        ├─ \z. dot(met(vec(human, right_finger, z), 0.024), z) : loc -> e* • loc  ← the machine itself, on “Put it there.” (4.0 s)
-        └─ <-0.1, -0.15, 0> : loc  ← “there” in “Put it there.” (4.0 s), what was pointed at: the right hand’s pointing (3.8 s)
+        ├─ \z. dot(met(vec(human, right_finger, z), 0.024), z) : loc -> e* • loc  ← the machine itself, on “Put it there.” (0:04)
+        └─ <-0.1, -0.15, 0> : loc  ← “there” in “Put it there.” (0:04), what was pointed at: the right hand’s pointing (0:03.8)
 )j");
   CHECK_THAT(tree(explained(opened(traces / "paper/one_shot_learning.run.jsonl"), act(3))),
              Contains("raised by event_to_theme") &&
-                 Contains("x : e  ← left open: it was not said, in “Put on the plate.” (26.0 s)") &&
-                 Contains("grasp : e -> t  ← gesture left two_fingers stroke (30.0 s), taught at 3.0 s as "
+                 Contains("x : e  ← left open: it was not said, in “Put on the plate.” (0:26)") &&
+                 Contains("grasp : e -> t  ← gesture “two fingers” (0:30), taught at 0:03 as "
                           "grasp(the(\\x. cup(x))) (#n)"));
   CHECK_THAT(tree(explained(opened(traces / "paper/live_composition.run.jsonl"), act(5))),
              Contains("lift(cup_blue)  one step of\n  └─ hoist(cup_blue) : t") &&
@@ -166,10 +168,10 @@ TEST_CASE(
     "the text names each slot that changed, who set it and where its value is from, and what was refused and why") {
   const auto told = unnumbered(text(explained(opened(traces / "paper/disambiguation.run.jsonl"), {})));
   for (const char* part :
-       {"1.0 s  “Take the block.”  #n", "“the block” may be block1, block4 or block6",
-        "1.0 s  Compose → Choose by ‘several’, without input, step 2  #n", "since lacks != null and size(seen) > 1",
+       {"0:01  “Take the block.”  #n", "“the block” may be block1, block4 or block6",
+        "0:01  Compose → Choose by ‘several’, without input, step 2  #n", "since lacks != null and size(seen) > 1",
         "not ‘as many as shown’, ‘the same with those’", "The stack, 1 symbol before, 5 symbols after",
-        "* command \\x. grasp(x) ← meaning (#n); from “take” in “Take the block.” (1.0 s)",
+        "* command \\x. grasp(x) ← meaning (#n); from “take” in “Take the block.” (0:01)",
         "as the one below: command, candidates, nouns, sure", "; gesture point(block1) #n"})
     CHECK_THAT(told, Contains(part));
   CHECK_THAT(unnumbered(text(explained(opened(traces / "paper/disambiguation.run.jsonl"), step(2)))),
@@ -189,7 +191,7 @@ TEST_CASE("what a log does not have is answered by what it has") {
   CHECK(error_of(run, step(99)) == "there is no step 99; the log has steps 1 to 9");
   CHECK(error_of(run, act(2)) == "there is no act 2; the log has act 1 alone");
   CHECK_THAT(error_of(run, record(1000)), Contains("there is no record 1000; the log has records 0 to "));
-  CHECK(error_of(run, at(0.5)) == "the avatar did and refused nothing until 0.5 s; the first is at 1.0 s");
+  CHECK(error_of(run, at(0.5)) == "the avatar did and refused nothing until 0:00.5; the first is at 0:01");
   CHECK(error_of(opened(traces / "corner/header_only.run.jsonl"), act(1)) == "found no acts; expected act 1");
   CHECK(error_of(opened(traces / "corner/header_only.run.jsonl"), at(1)) ==
         "the avatar did and refused nothing in this log");
@@ -204,9 +206,9 @@ TEST_CASE("an expectation that was not met comes first, and is traced to what wa
   CHECK(told["kind"] == "expect");
   CHECK(told["about"] == 6);
   CHECK(told["headline"] ==
-        "At 10.0 s the expectation of line 9 is not met: says \"Okay.\", found \"Which block?\". At 1.5 s the avatar "
+        "At 0:10 the expectation of line 9 is not met: says \"Okay.\", found \"Which block?\". At 0:01.5 the avatar "
         "asks "
-        "“Which block?”, because the human said “Put it there.” (1.5 s).");
+        "“Which block?”, because the human said “Put it there.” (0:01.5).");
 }
 
 TEST_CASE("how an act went is told with its retries, its reason and what had to make room") {
@@ -218,10 +220,10 @@ TEST_CASE("how an act went is told with its retries, its reason and what had to 
   const auto row = GENERATE(values<Row>({
       {"done",
        {{"retries", {"slipped", "slipped"}}},
-       "It was done at 9.0 s; 2 attempts had failed before: slipped; slipped."},
-      {"done", {{"moved_aside", {"cup"}}}, "It was done at 9.0 s; cup had to make room."},
-      {"unreachable", {{"reason", "too far"}}, "It failed at 9.0 s: unreachable, too far."},
-      {"stopped", Json::object(), "It was given up at 9.0 s."},
+       "It was done at 0:09; 2 attempts had failed before: slipped; slipped."},
+      {"done", {{"moved_aside", {"cup"}}}, "It was done at 0:09; cup had to make room."},
+      {"unreachable", {{"reason", "too far"}}, "It failed at 0:09: unreachable, too far."},
+      {"stopped", Json::object(), "It was given up at 0:09."},
   }));
   const ScratchFolder folder;
   auto log = small_log();
