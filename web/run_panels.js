@@ -108,23 +108,22 @@ const inTabs = ({comparison}, parts) =>
 function placed({comparison}, parts, more) {
   const element = (name) => parts[name].element;
   const bars = [];
-  const between = (name, panel, along, sense) => {
-    const label = panel.getAttribute('aria-label') ?? 'the tabs';
+  const between = (name, panel, along, sense, label = panel.getAttribute('aria-label')) => {
     const one = splitter({main: () => main, panel: () => panel, label, name, along, sense});
     bars.push(one);
     return one.bar;
   };
   const [dialogue, graph, scene, lanes, stack] = ['dialogue', 'graph', 'scene', 'lanes', 'stack'].map(element);
-  const upper = h('div', {class: 'upper', 'aria-label': 'the upper panels'});
+  const upper = h('div', {class: 'upper'});
   upper.append(dialogue, between('dialogue-width', dialogue, 'width', 1), graph);
   upper.append(between('scene-width', scene, 'width', -1), scene);
   const lower = h('div', {class: 'lower'});
   lower.append(stack, between('stack-width', stack, 'width', 1), element(comparison ? 'stack_b' : 'derivation'));
-  lower.append(between('tabs-width', more.element, 'width', -1), more.element);
+  lower.append(between('tabs-width', more.element, 'width', -1, 'the tabs'), more.element);
   const main = h(
     'main',
     {class: comparison ? 'run compared' : 'run'},
-    [upper, between('upper-height', upper, 'height', 1), lanes],
+    [upper, between('upper-height', upper, 'height', 1, 'the upper panels'), lanes],
     [between('lanes-height', lanes, 'height', 1), lower],
   );
   requestAnimationFrame(() => bars.forEach(({show}) => show()));

@@ -15,7 +15,8 @@ const sizes = kept('panels', {});
  */
 export function splitter({main, panel, label, name, along, sense}) {
   const across = along === 'width';
-  const share = () => (100 * panel().getBoundingClientRect()[along]) / Math.max(1, main().getBoundingClientRect()[along]);
+  const share = () =>
+    (100 * panel().getBoundingClientRect()[along]) / Math.max(1, main().getBoundingClientRect()[along]);
   const bar = h('div', {
     class: `splitter ${across ? 'upright' : 'level'}`,
     role: 'separator',

@@ -51,6 +51,8 @@ std::string sentence_without(const std::string& folder, const Error& error) {
   auto text = error.text();
   for (auto at = text.find(folder + "/"); at != std::string::npos; at = text.find(folder + "/"))
     text.erase(at, folder.size() + 1);
+  for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder))
+    text.replace(at, folder.size(), "its folder");
   return text;
 }
 

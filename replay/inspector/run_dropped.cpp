@@ -60,13 +60,13 @@ Result<std::optional<DroppedFile>> DroppedFiles::add(const DroppedPart& part) {
     coming_.erase(known);
     return Error{"", std::move(why)};
   };
-  if (part.part != known->parts)
-    return give_up(fmt::format("part {} came; expected part {}", part.part, known->parts));
+  if (part.part != known->parts) return give_up(fmt::format("part {} came; expected part {}", part.part, known->parts));
   known->bytes += part.bytes.size();
   if (known->bytes > most_dropped_bytes)
-    return give_up(fmt::format("the file has more than {} MiB; expected a smaller one, or a command line: continua "
-                               "serve FILE",
-                               most_dropped_bytes >> 20));
+    return give_up(
+        fmt::format("the file has more than {} MiB; expected a smaller one, or a command line: continua "
+                    "serve FILE",
+                    most_dropped_bytes >> 20));
   std::ofstream file(known->path, std::ios::binary | std::ios::app);
   file.write(part.bytes.data(), static_cast<std::streamsize>(part.bytes.size()));
   if (!file.flush()) return give_up("the file cannot be written here");
@@ -98,7 +98,8 @@ Result<DroppedFile> DroppedFiles::whole(const Coming& coming, const std::string&
   const auto kind = packed ? "" : text_in(member_in(first, "kind"));
   if (!packed && kind != "run" && kind != "trace")
     return Error{"", "this is no run log and no trace; expected a file like NAME.run.jsonl or NAME.trace.jsonl"};
-  DroppedFile done{coming.folder, "", stem_of(name), packed ? name.find(".trace.") != std::string::npos : kind == "trace"};
+  DroppedFile done{coming.folder, "", stem_of(name),
+                   packed ? name.find(".trace.") != std::string::npos : kind == "trace"};
   done.path = (fs::path(done.folder) / fmt::format("{}.{}.jsonl{}", done.name, done.is_trace ? "trace" : "run",
                                                    packed ? gzip_ending : std::string_view()))
                   .string();

@@ -28,8 +28,7 @@ std::string knowledge_folder(const std::string& asked) {
 
 }  // namespace
 
-Result<std::shared_ptr<LiveSession>> LiveSession::start(LiveOptions options,
-                                                        const std::vector<LiveEvent>& before) {
+Result<std::shared_ptr<LiveSession>> LiveSession::start(LiveOptions options, const std::vector<LiveEvent>& before) {
   options.replay.live = true;
   const auto given_up = [&](const Error& why) {
     std::error_code ignored;

@@ -13,7 +13,8 @@ namespace continua {
 /// As far as its lines are whole.
 Result<Trace> read_so_far(const std::string& path);
 
-/// Scene, machine and recordings that the header names by their ways from the trace at `path` are named as from `folder`.
+/// Scene, machine and recordings that the header names by their ways from the trace at `path` are named as from
+/// `folder`.
 void move_header(TraceHeader& header, const std::string& path, const std::string& folder);
 
 /// An ended session, for one that goes on with it.

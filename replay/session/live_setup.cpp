@@ -131,7 +131,8 @@ Json gesture_palette(const Machine& machine, const GestureCatalogue* gestures) {
   for (const auto& transition : machine.transitions)
     if (transition.on) symbols.insert(transition.on->names.begin(), transition.on->names.end());
   for (const auto& symbol : symbols)
-    if (const auto event = event_of(symbol); event.modality == Modality::gesture) palette.push_back(button(words, event, ""));
+    if (const auto event = event_of(symbol); event.modality == Modality::gesture)
+      palette.push_back(button(words, event, ""));
   return palette;
 }
 

@@ -21,8 +21,9 @@ Result<Json> live_setup(const DataPaths& data);
 /// machine that is not there, buttons without a label, a key of their own (one letter) or an event that can be sent.
 std::vector<Error> check_live_setup(std::string_view text, const std::string& path, const DataPaths& data);
 
-/// The gestures that a human may make, [{"label": in words, "about", "event": of a trace, without `t`}]: those of the catalogue,
-/// in each direction with a meaning; for a machine without catalogue (null) those that its transitions know by name.
+/// The gestures that a human may make, [{"label": in words, "about", "event": of a trace, without `t`}]: those of the
+/// catalogue, in each direction with a meaning; for a machine without catalogue (null) those that its transitions know
+/// by name.
 Json gesture_palette(const Machine& machine, const GestureCatalogue* gestures);
 
 }  // namespace continua

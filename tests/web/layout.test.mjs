@@ -25,7 +25,10 @@ test('a bar between panels is dragged, or moved by keys, and stays where it was 
   assert.ok(Math.abs(wider - width - 120) < 8, `${width} → ${wider}`);
   const n = await visitor.n();
   await at('splitter-dialogue-width').press('ArrowLeft');
-  const [narrower, now] = [(await box('.panel.dialogue')).width, await at('splitter-dialogue-width').getAttribute('aria-valuenow')];
+  const [narrower, now] = [
+    (await box('.panel.dialogue')).width,
+    await at('splitter-dialogue-width').getAttribute('aria-valuenow'),
+  ];
   assert.ok(narrower < wider - 10);
   assert.equal(await visitor.n(), n, 'the cursor stays');
   await visitor.page.reload();
@@ -49,21 +52,16 @@ test('lanes use the room that they are given, in the panel and enlarged', async 
   const tall = await heights();
   assert.ok(tall > usual * 1.4, `${usual} → ${tall}`);
   await at('splitter-lanes-height').press('Enter');
-  await visitor.page.waitForFunction(
-    (px) => document.querySelector('.timeline canvas').clientHeight === px,
-    usual,
-  );
+  await visitor.page.waitForFunction((px) => document.querySelector('.timeline canvas').clientHeight === px, usual);
   await visitor.page.locator('.panel.lanes .larger').click();
-  await visitor.page.waitForFunction(
-    (px) => document.querySelector('.timeline canvas').clientHeight > 2 * px,
-    usual,
-  );
+  await visitor.page.waitForFunction((px) => document.querySelector('.timeline canvas').clientHeight > 2 * px, usual);
   await visitor.page.keyboard.press('Escape');
 });
 
 test('a lane is hidden, tall or first by choice, also at the next visit; what is pointed at is what is drawn', async () => {
   await visitor.visit('/r/correction');
-  const rows = () => visitor.page.evaluate(() => window.continua.page.parts.lanes.rows.map(({name, tall}) => [name, Boolean(tall)]));
+  const rows = () =>
+    visitor.page.evaluate(() => window.continua.page.parts.lanes.rows.map(({name, tall}) => [name, Boolean(tall)]));
   const before = await rows();
   await at('lane-choice').locator('summary').click();
   const boxOf = (lane, way) => visitor.page.getByLabel(`${lane}: ${way}`).first();

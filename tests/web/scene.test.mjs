@@ -411,7 +411,7 @@ test('cameras, turning and objects are reached by keyboard', async () => {
   assert.equal(await page.locator('[data-camera=above]').getAttribute('aria-pressed'), 'false');
   await drawing.at('panel-scene').locator('summary').click();
   await drawing.at('scene-places').getByText('knife').click();
-  assert.match(await drawing.at('scene-caption').innerText(), /^knife: 12 cm right, 9 cm nearer/);
+  assert.match(await drawing.at('scene-caption').innerText(), /^the knife: 12 cm right, 9 cm nearer/);
   assert.equal(await page.locator('.tag').innerText(), 'knife');
   await page.locator('[data-toggle=labels]').click();
   await page.waitForFunction(() => document.querySelectorAll('.tag').length === 4);
@@ -420,13 +420,15 @@ test('cameras, turning and objects are reached by keyboard', async () => {
 test('a click on an object selects it', async () => {
   const page = await drawing.visit('/r/cups?n=9', {ready, viewport: {width: 1600, height: 1000}});
   await page.locator('[data-toggle=labels]').click();
-  await page.locator('.tag', {hasText: /^plate$/}).waitFor();
+  await page.locator('.tag', {hasText: /^white plate$/}).waitFor();
   const [x, y] = await page.evaluate(() => {
     const {drawing: one} = window.continua.page.panels.find((panel) => panel.stage).stage;
     return one.project(one.poses.get('plate').slice(0, 3));
   });
   await drawing.at('scene-canvas').click({position: {x, y}});
-  await page.waitForFunction(() => /^plate: /.test(document.querySelector('[data-testid=scene-caption]').textContent));
+  await page.waitForFunction(() =>
+    /^the white plate: /.test(document.querySelector('[data-testid=scene-caption]').textContent),
+  );
 });
 
 test('another run appears as a ghost where it is elsewhere', async () => {

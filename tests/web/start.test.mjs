@@ -53,7 +53,10 @@ test('no runs: it says how to make one', async () => {
   const other = await serve(empty);
   const guest = await Visitor.start(other.address);
   await guest.visit('/');
-  assert.match(await guest.at('no-runs').innerText(), /Talk to the avatar[\s\S]*Drop a run log[\s\S]*continua replay TRACE/);
+  assert.match(
+    await guest.at('no-runs').innerText(),
+    /Talk to the avatar[\s\S]*Drop a run log[\s\S]*continua replay TRACE/,
+  );
   await guest.close();
   other.stop();
 });
@@ -228,7 +231,9 @@ test('a trace or a log that is dropped on the page, or chosen, is opened', async
   await at('verdict').waitFor();
 
   await dropped('notes.txt', 'hello');
-  await visitor.page.waitForFunction(() => document.querySelector('[data-testid=drop-said]').textContent.includes('cannot'));
+  await visitor.page.waitForFunction(() =>
+    document.querySelector('[data-testid=drop-said]').textContent.includes('cannot'),
+  );
   assert.match(await at('drop-said').innerText(), /no run log and no trace/);
 
   // A trace may not make the server read a file.
@@ -255,7 +260,11 @@ test('of very many runs those near the window are there, and the arrows reach al
     main.scrollTop = main.scrollHeight;
   });
   await guest.page.locator('[data-testid=run]').last().waitFor();
-  await guest.page.waitForFunction(() => document.querySelectorAll('a.name').length && [...document.querySelectorAll('a.name')].at(-1).getBoundingClientRect().top < innerHeight);
+  await guest.page.waitForFunction(
+    () =>
+      document.querySelectorAll('a.name').length &&
+      [...document.querySelectorAll('a.name')].at(-1).getBoundingClientRect().top < innerHeight,
+  );
   assert.ok((await there()) <= 120, `${await there()} rows`);
   await guest.page.locator(box).evaluate((main) => {
     main.scrollTop = 0;

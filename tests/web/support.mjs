@@ -4,7 +4,7 @@ import {execFileSync, spawn} from 'node:child_process';
 import {existsSync, mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
-import {dirname, extname, join} from 'node:path';
+import {dirname, extname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 export const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
@@ -20,7 +20,7 @@ export function skip(why) {
 if (!existsSync(program)) skip(`${program} is not built`);
 if (!existsSync(chromium_path)) skip(`there is no browser at ${chromium_path}`);
 if (!existsSync(join(packages, 'playwright-core'))) skip(`playwright-core is not in ${packages}`);
-const require = createRequire(join(packages, 'x.js'));
+const require = createRequire(resolve(packages, 'x.js'));
 const {chromium} = require('playwright-core');
 const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 

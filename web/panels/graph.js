@@ -81,7 +81,10 @@ class Graph {
     const {graph} = this.#data;
     const compared = Boolean(this.#comparison);
     const merged = mergedGraph(graph, this.#only_taken.checked, this.#comparison?.side.data.graph);
-    const placed = (this.#placed = layOut(merged, {width: Math.max(1, clientWidth), height: Math.max(1, clientHeight)}));
+    const placed = (this.#placed = layOut(merged, {
+      width: Math.max(1, clientWidth),
+      height: Math.max(1, clientHeight),
+    }));
     placeLabels(placed, (one) => visitsText(one, compared));
     const edge = (one) =>
       drawEdge(one, {

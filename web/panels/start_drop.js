@@ -10,8 +10,19 @@ const hint = 'Open a run log or a trace: choose it, or drop it anywhere on this 
  */
 export function mountDrop(open) {
   const said = h('p', {class: 'drop-said', role: 'status', 'data-testid': 'drop-said', hidden: true});
-  const field = h('input', {type: 'file', accept: '.jsonl,.gz', class: 'unseen', tabindex: -1, 'aria-hidden': 'true', 'data-testid': 'drop-file'});
-  const button = h('button', {type: 'button', title: hint, 'data-testid': 'open-file', onclick: () => field.click()}, 'Open a file');
+  const field = h('input', {
+    type: 'file',
+    accept: '.jsonl,.gz',
+    class: 'unseen',
+    tabindex: -1,
+    'aria-hidden': 'true',
+    'data-testid': 'drop-file',
+  });
+  const button = h(
+    'button',
+    {type: 'button', title: hint, 'data-testid': 'open-file', onclick: () => field.click()},
+    'Open a file',
+  );
   const say = (sentence, is_bad = false) => {
     said.textContent = sentence;
     said.hidden = !sentence;

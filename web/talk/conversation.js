@@ -76,6 +76,35 @@ function onePassing() {
   };
 }
 
+// A link to record n in the inspector; `raw`: the term that its parts tell in words, or false.
+const inspected = (run, n, raw, ...parts) =>
+  h(
+    'a',
+    {
+      href: `/r/${encodeURIComponent(run)}?n=${n}`,
+      target: '_blank',
+      title: `#${n}${raw ? `, ${raw}` : ''}: look at it in the inspector`,
+    },
+    parts,
+  );
+
+// (n, element): tells the term of record n in words, in the element, as soon as they are known.
+function wordsOf(run) {
+  const untold = new Map(); // record -> element
+  const labels = new Labels(new RecordClient(run), () => {
+    for (const [n, element] of untold) {
+      const words = labels.text(n);
+      if (!words) continue;
+      element.textContent = words;
+      untold.delete(n);
+    }
+  });
+  return (n, element) => {
+    untold.set(n, element);
+    labels.want([n]);
+  };
+}
+
 /** `run`: whose records the lines lead to. */
 export function mountConversation(run) {
   const list = h('ol', {class: 'moves', tabindex: 0, 'aria-label': 'Conversation', 'data-testid': 'conversation'});
@@ -87,36 +116,15 @@ export function mountConversation(run) {
   const inputs = new Map();
   const acts = new Map(); // record -> its input's event; act -> the line with its status
 
-  const untold = new Map(); // record -> the element of a term that has yet to be told in words
-  const labels = new Labels(new RecordClient(run), () => {
-    for (const [n, element] of untold) {
-      const words = labels.text(n);
-      if (!words) continue;
-      element.textContent = words;
-      untold.delete(n);
-    }
-  });
+  const tellInWords = wordsOf(run);
 
-  const link = (n, raw, ...parts) =>
-    h(
-      'a',
-      {
-        href: `/r/${encodeURIComponent(run)}?n=${n}`,
-        target: '_blank',
-        title: `#${n}${raw ? `, ${raw}` : ''}: look at it in the inspector`,
-      },
-      parts,
-    );
   const keepPassing = onePassing();
   function add(record, {who, how, text, end, raw, passing: passes}) {
     const at_end = list.scrollHeight - list.scrollTop - list.clientHeight < at_end_px;
     const status = how === 'does' && h('span', {class: 'status asked'}, act_words.asked);
     if (status) acts.set(record.act, status);
     const words = h('span', {class: 'words'}, how === 'says' ? `“${text}”` : text);
-    if (raw) {
-      untold.set(record.n, words);
-      labels.want([record.n]);
-    }
+    if (raw) tellInWords(record.n, words);
     list.append(
       h(
         'li',
@@ -125,7 +133,7 @@ export function mountConversation(run) {
           'div',
           {class: 'parts'},
           h('span', {class: 'unseen'}, who === 'log' ? '' : `${who} ${how} `),
-          link(record.n, raw && text, words, end, status),
+          inspected(run, record.n, raw && text, words, end, status),
         ),
         h('time', {}, clock(record.t)),
       ),

@@ -10,7 +10,12 @@ import {LiveRun} from './live_run.js';
 const grow_ms = 400; // between drawings of the graph with what was taken since
 
 class MachineDrawer {
-  element = h('section', {class: 'machine-drawer', 'aria-label': 'Machine', 'data-testid': 'live-machine', hidden: true});
+  element = h('section', {
+    class: 'machine-drawer',
+    'aria-label': 'Machine',
+    'data-testid': 'live-machine',
+    hidden: true,
+  });
   #client;
   #run;
   #selection = {n: 0, branch: null, cell: ''};
@@ -43,7 +48,14 @@ class MachineDrawer {
         this.#render();
       },
     };
-    const needs = {data: this.#run, client: this.#client, model, jump, cursor: {jump, playing: false}, comparison: null};
+    const needs = {
+      data: this.#run,
+      client: this.#client,
+      model,
+      jump,
+      cursor: {jump, playing: false},
+      comparison: null,
+    };
     this.#graph = mountGraph(needs);
     this.#stack = mountStack(needs);
     this.element.replaceChildren(this.#graph.element, this.#stack.element);

@@ -279,7 +279,11 @@ class SessionPage {
     save.addEventListener('click', () => this.#dialogs.save.open());
     const sentence = h('p', {}, 'The conversation has ended. Its trace is ', h('code', {}, trace));
     if (this.#filming.any) sentence.append(', which names the recordings of you: they lie beside it');
-    const more = h('button', {type: 'button', 'data-testid': 'live-go-on', title: 'A new session, in which all of this has happened'}, 'Go on');
+    const more = h(
+      'button',
+      {type: 'button', 'data-testid': 'live-go-on', title: 'A new session, in which all of this has happened'},
+      'Go on',
+    );
     more.addEventListener('click', async () => {
       more.disabled = true;
       this.#say('The conversation so far is replayed …');

@@ -26,7 +26,9 @@ function buttonsOf(act, speaks) {
       'aria-pressed': 'false',
       'data-testid': 'live-hand',
     }),
-    speak: window.speechSynthesis ? switched('Speak', 'Says aloud what the avatar says', speaks, act.speak, 'speak') : null,
+    speak: window.speechSynthesis
+      ? switched('Speak', 'Says aloud what the avatar says', speaks, act.speak, 'speak')
+      : null,
     machine: switched('Machine', 'Its graph and its stack in the corner (G)', false, act.machine, 'machine-button'),
     big: switched('Big type', 'For a room that looks at a projector (B)', bigType.on, act.big, 'big'),
     map: button('Map', 'The table from above', act.map, {'aria-pressed': 'false', 'data-testid': 'live-map'}),

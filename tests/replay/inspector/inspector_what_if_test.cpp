@@ -272,6 +272,9 @@ TEST_CASE("two runs are replayed at a time and no more") {
       while (!stop) std::this_thread::yield();
       return Error{"", "stopped"};
     }
+    Result<Replayed> replay_trace(const std::string&, const std::string&, const std::atomic<bool>&) override {
+      return Error{"", "not here"};
+    }
     std::atomic<int> begun = 0;
   };
   const auto waiting = std::make_shared<Waiting>();

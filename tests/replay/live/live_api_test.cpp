@@ -235,8 +235,8 @@ TEST_CASE("a session goes on with an ended one") {
   const auto next = asked.post("/api/sessions", after, 201);
   CHECK(next["id"] != id);
   CHECK(next["t"] == asked.get("/api/sessions/" + id)["t"]);
-  const auto told =
-      asked.post("/api/sessions/" + std::string(next["id"]) + "/events", R"({"t":9,"kind":"speech","text":"Lift it."})");
+  const auto told = asked.post("/api/sessions/" + std::string(next["id"]) + "/events",
+                               R"({"t":9,"kind":"speech","text":"Lift it."})");
   CHECK_THAT(compact(told["moves"]), Contains("lift(plate)"));
 }
 
