@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/run_words.h"
 
 namespace continua {
 namespace {
@@ -75,7 +76,11 @@ Result<Json> run_scene(const RunIndex& run) {
   if (const auto& all = member_of(scene, "geoms"); all.is_array())
     for (const auto& geom : all)
       if (auto drawn = geom_json(geom); !drawn.is_null()) geoms.push_back(std::move(drawn));
-  return Json{{"geoms", std::move(geoms)}, {"bodies", poses_json(bodies)}};
+  const RunWords words(text_of(scene, "mjcf"));
+  Json titles = Json::object();
+  for (const auto& [name, pose] : bodies)
+    if (auto title = words.thing(name); title != name) titles[name] = std::move(title);
+  return Json{{"geoms", std::move(geoms)}, {"bodies", poses_json(bodies)}, {"titles", std::move(titles)}};
 }
 
 Result<std::shared_ptr<RunWorld>> RunWorld::read(std::shared_ptr<const RunIndex> run) {
@@ -85,7 +90,8 @@ Result<std::shared_ptr<RunWorld>> RunWorld::read(std::shared_ptr<const RunIndex>
   if (!pointings) return pointings.error();
   auto acts = read_acts(*run, bodies_of(*header));
   if (!acts) return acts.error();
-  const std::shared_ptr<RunWorld> world(new RunWorld(std::move(run)));
+  const std::shared_ptr<RunWorld> world(
+      new RunWorld(std::move(run), RunWords(text_of(member_of(*header, "scene"), "mjcf"))));
   world->pointings_ = std::move(*pointings);
   world->acts_ = std::move(*acts);
   return world;
@@ -150,6 +156,7 @@ Json RunWorld::window(SimTime from, SimTime to) {
       acts.push_back({{"n", act.n},
                       {"act", act.act},
                       {"program", act.program},
+                      {"told", words_.term(act.program)},
                       {"status", act.status},
                       {"from", act.from.seconds()},
                       {"to", act.until.seconds()},

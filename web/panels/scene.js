@@ -23,6 +23,7 @@ class ScenePanel {
   #client;
   #cursor;
   #bodies = {objects: [], grip: null}; // by readMjcf()
+  #titles = {}; // name -> what people call it
   #world = null; // {poses, pointing, acts} at the cursor
   #drawn = ''; // the last drawn state, as text
   #selected = null; // body
@@ -112,6 +113,7 @@ class ScenePanel {
       const named = (Array.isArray(scene.geoms) ? scene.geoms : []).map((geom) => geom?.body);
       const names = new Set(named.filter((name) => typeof name === 'string'));
       this.#bodies = readMjcf(header.scene.mjcf, [...names]);
+      this.#titles = scene.titles ?? {};
       // three.js is loaded after the page was painted once.
       await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
       if (this.#closed) return;
@@ -176,11 +178,14 @@ class ScenePanel {
     const tops = (this.#show.labels ? this.#bodies.objects : chosen).map((name) => {
       const pose = this.#world.poses.get(name);
       const box = pose && view.box(name);
-      return [name, box && view.project([pose[0], pose[1], box.max.z])];
+      return [this.#title(name).replace(/^the /, ''), box && view.project([pose[0], pose[1], box.max.z])];
     });
     showTags(this.stage.tags, tops, '-110%');
   }
 
+  #title(name) {
+    return this.#titles[name] ?? name;
+  }
   #sayLater() {
     this.#timer ||= setTimeout(() => {
       this.#timer = 0;
@@ -189,16 +194,17 @@ class ScenePanel {
   }
   #say() {
     if (!this.#world || this.#closed) return;
-    const told = {...this.#world, objects: this.#bodies.objects};
+    const told = {...this.#world, objects: this.#bodies.objects, titles: this.#titles};
     this.stage.describe(`The scene at ${this.#time.toFixed(1)} seconds. ${sceneSentence(told)}`);
     const pose = this.#selected && this.#world.poses.get(this.#selected);
-    put(this.#caption, pose ? `${this.#selected}: ${placeText(pose)}` : sceneSentence(told, true));
+    put(this.#caption, pose ? `${this.#title(this.#selected)}: ${placeText(pose)}` : sceneSentence(told, true));
     if (this.#list.open) this.#listPlaces();
   }
   #listPlaces() {
     const {poses} = this.#world;
     const names = this.#bodies.objects.filter((name) => poses.has(name));
-    const link = (name) => h('button', {type: 'button', class: 'link', onclick: () => this.#select(name)}, name);
+    const link = (name) =>
+      h('button', {type: 'button', class: 'link', title: name, onclick: () => this.#select(name)}, this.#title(name));
     if (this.#places.childElementCount !== names.length)
       this.#places.replaceChildren(...names.map((name) => h('li', {}, link(name), h('span', {class: 'muted'}))));
     names.forEach((name, i) => {

@@ -28,19 +28,25 @@ export function objectNear(point, objects, poses) {
 }
 
 /** A sentence or two about what goes on, and, unless `brief`, where the objects are. */
-export function sceneSentence({objects, poses, pointing, acts}, brief = false) {
+export function sceneSentence({objects, poses, pointing, acts, titles = {}}, brief = false) {
+  const title = (name) => titles[name] ?? name;
   const sentences = [];
   for (const {who, target} of pointing) {
     const near = objectNear(target, objects, poses);
     sentences.push(
-      `${who === 'avatar' ? 'The avatar' : 'The human'} points ${near ? `at ${near}` : placeText(target)}.`,
+      `${who === 'avatar' ? 'The avatar' : 'The human'} points ${near ? `at ${title(near)}` : placeText(target)}.`,
     );
   }
-  for (const {program, target} of acts)
-    sentences.push(`The avatar carries out ${program}${target ? `, to ${placeText(target)}` : ''}.`);
+  for (const {program, told = program, target} of acts)
+    sentences.push(
+      told === program
+        ? `The avatar carries out ${program}${target ? `, to ${placeText(target)}` : ''}.`
+        : `The avatar ${told}.`,
+    );
   const shown = brief ? [] : objects.filter((name) => poses.has(name));
   if (shown.length > 12) sentences.push(`${shown.length} objects.`);
-  else if (shown.length) sentences.push(`${shown.map((name) => `${name}: ${placeText(poses.get(name))}`).join('; ')}.`);
+  else if (shown.length)
+    sentences.push(`${shown.map((name) => `${title(name)}: ${placeText(poses.get(name))}`).join('; ')}.`);
   return sentences.join(' ') || (brief ? '' : 'Nothing that has a place.');
 }
 
