@@ -27,7 +27,7 @@ test('three clicks from the start page to the cause', async () => {
   await at('verdict').waitFor();
   assert.match(
     await at('verdict').innerText(),
-    /^≠ They part at 5 s \(B #\d+\): “No\.” \(speech at 5 s\) is only in B/,
+    /^≠ They part at 0:05 \(B #\d+\): “No\.” \(speech at 0:05\) is only in B/,
   );
   assert.deepEqual(visitor.complaints, []);
 });
@@ -168,7 +168,7 @@ test('the comparison can be copied as Markdown', async () => {
   await visitor.context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await at('markdown').click();
   await visitor.page.waitForFunction(() => /Copied/.test(document.querySelector('[data-testid=markdown]').textContent));
-  assert.match(await visitor.page.evaluate(() => navigator.clipboard.readText()), /^\*\*They part at 5 s/);
+  assert.match(await visitor.page.evaluate(() => navigator.clipboard.readText()), /^\*\*They part at 0:05/);
 });
 
 test('the same run twice is the same', async () => {
