@@ -161,7 +161,7 @@ TEST_CASE("the derivation goes from the act down to words, a gesture and a point
                           "grasp(the(\\x. cup(x))) (#n)"));
   CHECK_THAT(tree(explained(opened(traces / "paper/live_composition.run.jsonl"), act(5))),
              Contains("lift(cup_blue)  one step of\n  └─ hoist(cup_blue) : t") &&
-                 Contains(" s as \\x: e. [grasp(x), lift(x)] (#n)"));
+                 Contains(" as \\x: e. [grasp(x), lift(x)] (#n)"));
 }
 
 TEST_CASE(
