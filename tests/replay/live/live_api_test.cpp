@@ -205,7 +205,7 @@ TEST_CASE("a machine that knows gestures by their names offers those, in words")
     return std::any_of(gestures.begin(), gestures.end(), [&](const Json& one) { return one["label"] == label; });
   };
   CHECK(offers("steps up (start)"));
-  CHECK(offers("points right (start)"));
+  CHECK(offers("points (right) (start)"));
 }
 
 TEST_CASE("a recording goes beside the trace, from the one who records alone") {
@@ -234,7 +234,7 @@ TEST_CASE("a session goes on with an ended one") {
   asked.post("/api/sessions/" + id + "/end");
   const auto next = asked.post("/api/sessions", after, 201);
   CHECK(next["id"] != id);
-  CHECK(next["t"] == asked.get("/api/sessions/" + id)["t"]);
+  CHECK(next["t"] == 1);  // acts that were under way then go on
   const auto told = asked.post("/api/sessions/" + std::string(next["id"]) + "/events",
                                R"({"t":9,"kind":"speech","text":"Lift it."})");
   CHECK_THAT(compact(told["moves"]), Contains("lift(plate)"));
