@@ -30,9 +30,11 @@ std::string knowledge_folder(const std::string& asked) {
 
 Result<std::shared_ptr<LiveSession>> LiveSession::start(LiveOptions options, const std::vector<LiveEvent>& before) {
   options.replay.live = true;
+  std::error_code ignored;
+  std::vector<std::string> made{options.trace_path};
+  if (!std::filesystem::exists(options.log_path, ignored)) made.push_back(options.log_path);
   const auto given_up = [&](const Error& why) {
-    std::error_code ignored;
-    for (const auto* path : {&options.trace_path, &options.log_path}) std::filesystem::remove(*path, ignored);
+    for (const auto& path : made) std::filesystem::remove(path, ignored);
     return why;
   };
   {

@@ -338,3 +338,12 @@ TEST_CASE("a session that cannot be begun leaves no files") {
   CHECK_FALSE(LiveSession::start(options).ok());
   CHECK(std::filesystem::is_empty(folder.path()));
 }
+
+TEST_CASE("a session that cannot be begun leaves what was in the place of its log") {
+  const TemporaryFolder folder;
+  auto options = options_in(folder, {});
+  options.log_path = folder.file("before.run.jsonl", "an older run");
+  options.header.scene = "no_such_scene";
+  CHECK_FALSE(LiveSession::start(options).ok());
+  CHECK(std::filesystem::exists(options.log_path));
+}
