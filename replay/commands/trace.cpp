@@ -30,8 +30,8 @@ Result<Trace> cut(const Trace& trace, const TraceCommandOptions& options) {
   if (!objects) return objects.error();
   for (const auto& [name, start] : *objects) {
     auto& starts = piece.header.objects;
-    const auto known = std::find_if(starts.begin(), starts.end(),
-                                    [&moved = name](const auto& each) { return each.first == moved; });
+    const auto known =
+        std::find_if(starts.begin(), starts.end(), [&moved = name](const auto& each) { return each.first == moved; });
     if (known == starts.end())
       starts.emplace_back(name, start);
     else

@@ -34,7 +34,8 @@ void keep_input(int signal_number) {
   if (target_under_way && input_under_way) {
     const std::string file = "fuzz-" + target_under_way->name;
     std::ofstream(file, std::ios::binary) << *input_under_way;
-    std::fprintf(stderr, "%s: signal %d; the input is in %s\n", target_under_way->name.c_str(), signal_number, file.c_str());
+    std::fprintf(stderr, "%s: signal %d; the input is in %s\n", target_under_way->name.c_str(), signal_number,
+                 file.c_str());
   }
   signal(signal_number, SIG_DFL);
   raise(signal_number);
