@@ -188,7 +188,11 @@ Result<Json> parse_text(std::string_view text, const std::string& name, std::siz
   };
   if (auto found = excess(text)) return error_at(found->at, std::move(found->sentence));
   try {
-    return Json::parse(text);
+    auto value = Json::parse(text);
+    // The library takes a byte of value 0 for the end of the text, whatever follows.
+    if (const auto zero = text.find('\0'); zero != std::string_view::npos)
+      return error_at(zero, "found a byte of value 0 after the JSON; expected nothing more");
+    return value;
   } catch (const nlohmann::json::parse_error& problem) {
     return error_at(problem.byte > 0 ? problem.byte - 1 : 0, plain_sentence(problem.what()));
   } catch (const nlohmann::json::exception& problem) {

@@ -61,6 +61,8 @@ TEST_CASE("what is not JSON is an error at its place") {
   CHECK(error_of("[1,\n -1e999]") == "m.json:2:2: not valid JSON: number overflow parsing '-1e999'");
   CHECK(error_of("[\"\xff\"]").substr(0, 28) == "m.json:1:3: not valid JSON: ");
   CHECK(error_of(std::string("\x00\x01\x02", 3)).substr(0, 28) == "m.json:1:1: not valid JSON: ");
+  CHECK(error_of(std::string("{}\0{\"a\":1}", 10)) ==
+        "m.json:1:3: found a byte of value 0 after the JSON; expected nothing more");
 }
 
 TEST_CASE("an error sentence stays short and on one line, whatever was read") {
@@ -130,6 +132,7 @@ TEST_CASE("a line that has a key twice says two things") {
   CHECK(read(R"({"a":1,"b":{"c":"\\","d":[{"a":1}]},"c:":"\":"})").ok());
   CHECK(read(R"({"a":1,"b":2,"a":1})").error().text() == "t.jsonl:7:14: the key 'a' a second time in this object");
   CHECK(read(R"([{"b":{"a":1,"\u0061":2}}])").error().where == "t.jsonl:7:14");
+  CHECK(read(std::string("{\"a\":1}\0{\"a\":1}", 15)).error().where == "t.jsonl:7:8");
 }
 
 TEST_CASE("compact JSON is one line of valid UTF-8 in the order written") {
