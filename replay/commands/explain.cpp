@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <memory>
 
+#include "continua/replay/commands/instant_option.h"
 #include "continua/replay/explain/explain_text.h"
 #include "continua/replay/explain/run_account.h"
 
@@ -55,7 +56,8 @@ void describe_explain(CLI::App& command, ExplainOptions& options) {
   auto* asked = command.add_option_group(
       "what is asked about",
       "without any: the run in a few sentences, then an unmet expectation, the first question or the last act");
-  asked->add_option("--at", options.question.at_s, "the last that the avatar did or refused until then, in seconds");
+  takes_instants(
+      asked->add_option("--at", options.question.at_s, "the last that the avatar did or refused until then"));
   asked->add_option("--step", options.question.step, "the transition of this number, and what it brought about");
   asked->add_option("--act", options.question.act, "the act of this number");
   asked->add_option("--record", options.question.record, "the record of this number (#n)");

@@ -2,6 +2,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
+#include "continua/replay/commands/instant_option.h"
 #include "continua/replay/pictures/contact_sheet.h"
 #include "continua/replay/pictures/film_clock.h"
 #include "continua/replay/pictures/film_writer.h"
@@ -152,7 +153,7 @@ void describe_render(CLI::App& command, RenderOptions& options) {
           "FILE.mp4: a film with the dialogue as subtitles; FILE.png: the key moments on one sheet, or with --at "
           "one picture; a folder: the key moments as a file each, and the sheet")
       ->required();
-  command.add_option("--at", options.at_s, "the instant to draw, seconds from the start");
+  takes_instants(command.add_option("--at", options.at_s, "the instant to draw, from the start"));
   command.add_option("--size", options.size,
                      "of a picture in pixels, WxH; otherwise 960x540, and 400x300 for each of several");
   command.add_option("--fps", options.frames_per_second, "a film's frames a second")

@@ -2,6 +2,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
+#include "continua/replay/commands/instant_option.h"
 #include "continua/replay/commands/setting_options.h"
 #include "continua/replay/log/run_log_file.h"
 #include "continua/replay/session/outside_choice.h"
@@ -293,12 +294,11 @@ void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
       .add_option("--force", *forced,
                   "N=TRANSITION: at step N of the run, a transition record's `step`, take this transition")
       ->allow_extra_args(false);
-  command
-      .add_option(
-          "--from", options.replay.from,
-          "seconds: what if? --machine, --language, --knowledge, --choice, --seed, --force and --with count from this "
-          "instant of the run on; until then it is the trace's own run. State, slots and registers go over by "
-          "their names")
+  takes_instants(command.add_option(
+                     "--from", options.replay.from,
+                     "what if? --machine, --language, --knowledge, --choice, --seed, --force and --with count from "
+                     "this instant of the run on; until then it is the trace's own run. State, slots and registers "
+                     "go over by their names"))
       ->check(CLI::Range(0.0, 1e9));
   command.add_option("--with", options.replay.with,
                      "with --from: a trace, perhaps an edited copy; from then on its events happen, and its machine, "

@@ -8,6 +8,7 @@
 
 #include "continua/core/characters.h"
 #include "continua/core/replaced_file.h"
+#include "continua/replay/commands/instant_option.h"
 #include "continua/replay/commands/moved_paths.h"
 #include "continua/replay/commands/objects_at.h"
 #include "continua/replay/media/media_file.h"
@@ -143,8 +144,8 @@ int run_trace(const TraceCommandOptions& options) {
 void describe_trace(CLI::App& command, TraceCommandOptions& options) {
   command.require_subcommand(1);
   auto& cut = add(command, options, "cut", "The events of a stretch of time, at their own times");
-  cut.add_option("--from", options.from_s, "seconds; otherwise from the beginning")->check(CLI::Range(0.0, 1e9));
-  cut.add_option("--to", options.to_s, "seconds, no longer included; otherwise to the end");
+  takes_instants(cut.add_option("--from", options.from_s, "otherwise from the beginning"))->check(CLI::Range(0.0, 1e9));
+  takes_instants(cut.add_option("--to", options.to_s, "no longer included; otherwise to the end"));
   cut.footer(
       "Objects begin where they were at that time in a replay in the kinematic world. What was said before is not "
       "known\n"
