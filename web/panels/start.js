@@ -26,6 +26,9 @@ const own_keys = [
 ];
 const own_help = 'A heading of the table sorts by it, and again the other way round.';
 
+/** A name that breaks after the marks in it rather than anywhere. */
+const breakable = (name) => name.split(/(?<=[/._])/).flatMap((part) => [h('wbr'), part]);
+
 export class StartPage {
   refusal = 'The runs cannot be listed';
   #host;
@@ -231,7 +234,7 @@ export class StartPage {
     return [box, h('span', {class: 'side', 'aria-hidden': 'true'})];
   }
   #link(run) {
-    const link = h('a', {class: 'name', href: linkTo(formatAddress(fresh(run.id)))}, run.name);
+    const link = h('a', {class: 'name', href: linkTo(formatAddress(fresh(run.id)))}, breakable(run.name));
     link.addEventListener('click', (event) => {
       if (event.ctrlKey || event.metaKey || event.shiftKey) return;
       event.preventDefault();
