@@ -7,6 +7,7 @@
 
 #include "continua/replay/diff/run_diff.h"
 #include "continua/replay/diff/run_diff_text.h"
+#include "continua/replay/log/time_text.h"
 #include "replay/diff/edited_example.h"
 
 using namespace continua;
@@ -48,7 +49,7 @@ std::optional<Named> move(EditedExample& example, const RunIndex&, std::size_t w
   const double t = event["t"].get<double>();
   event["t"] = t + 0.2;
   if (event.contains("until")) event["until"] = std::max(event["until"].get<double>(), t + 0.2);
-  return Named{"input", fmt::format("comes at {:g} s in A, at {:g} s in B", t, t + 0.2), "moved"};
+  return Named{"input", fmt::format("comes at {} in A, at {} in B", time_text(t), time_text(t + 0.2)), "moved"};
 }
 
 // Two events change their contents; their times stay.

@@ -126,7 +126,7 @@ TEST_CASE("the inspector explains a record, a cell, and says what is wrong with 
     return Json::parse(answer.body);
   };
   const auto told = get("/api/runs/small/explain?n=14", 200);
-  CHECK_THAT(told["headline"].get<std::string>(), Contains("put(block2, on(block1))"));
+  CHECK_THAT(told["headline"].get<std::string>(), Contains("puts block2 on block1"));
   CHECK(told["chain"].size() == 3);
   CHECK(told["derivation"]["how"] == "application");
   CHECK(told["cells"][0]["slot"] == "action");
