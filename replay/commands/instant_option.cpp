@@ -1,7 +1,7 @@
 #include "continua/replay/commands/instant_option.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "continua/replay/log/time_text.h"
 

@@ -294,11 +294,11 @@ void describe_replay(CLI::App& command, ReplayCommandOptions& options) {
       .add_option("--force", *forced,
                   "N=TRANSITION: at step N of the run, a transition record's `step`, take this transition")
       ->allow_extra_args(false);
-  takes_instants(command.add_option(
-                     "--from", options.replay.from,
-                     "what if? --machine, --language, --knowledge, --choice, --seed, --force and --with count from "
-                     "this instant of the run on; until then it is the trace's own run. State, slots and registers "
-                     "go over by their names"))
+  takes_instants(
+      command.add_option("--from", options.replay.from,
+                         "what if? --machine, --language, --knowledge, --choice, --seed, --force and --with count from "
+                         "this instant of the run on; until then it is the trace's own run. State, slots and registers "
+                         "go over by their names"))
       ->check(CLI::Range(0.0, 1e9));
   command.add_option("--with", options.replay.with,
                      "with --from: a trace, perhaps an edited copy; from then on its events happen, and its machine, "

@@ -32,7 +32,8 @@ std::optional<double> seconds_of(std::string_view instant) {
   double seconds = 0;
   const auto minutes_end = minutes_text.data() + minutes_text.size(), rest_end = rest.data() + rest.size();
   if (std::from_chars(minutes_text.data(), minutes_end, minutes).ptr != minutes_end) return std::nullopt;
-  if (rest.find('.') == 0 || std::from_chars(rest.data(), rest_end, seconds).ptr != rest_end || seconds >= 60)
+  if (rest.empty() || rest.front() == '.' || std::from_chars(rest.data(), rest_end, seconds).ptr != rest_end ||
+      seconds >= 60)
     return std::nullopt;
   return 60.0 * minutes + seconds;
 }

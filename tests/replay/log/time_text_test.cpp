@@ -18,7 +18,8 @@ TEST_CASE("instants and lengths of time have one form") {
 TEST_CASE("an instant is read as it is told") {
   for (const double seconds : {0.0, 4.1, 63.708, 59.999, 726.0}) CHECK(seconds_of(time_text(seconds)) == seconds);
   CHECK(seconds_of("1:5") == 65);
-  for (const char* other : {"", "5", ":05", "1:", "1:60", "1:-1", "-1:05", "1:02:03", "1:.5", "a:05", "1:1e1", " 1:05"}) {
+  for (const char* other :
+       {"", "5", ":05", "1:", "1:60", "1:-1", "-1:05", "1:02:03", "1:.5", "a:05", "1:1e1", " 1:05"}) {
     CAPTURE(other);
     CHECK_FALSE(seconds_of(other));
   }
