@@ -66,8 +66,10 @@ constexpr double same_place_m = 0.1;
 bool is_same_act(std::string_view a, std::string_view b) {
   const auto point_at = [](std::string_view text, std::size_t from) {
     Vec3 point = Vec3::Zero();
-    const std::string piece(text.substr(from, text.find('>', from) - from));
-    const bool is_point = std::sscanf(piece.c_str(), "<%lf, %lf, %lf", &point.x(), &point.y(), &point.z()) == 3;
+    const auto end = text.find('>', from);
+    const std::string piece(text.substr(from, end - from));
+    const bool is_point = end != std::string_view::npos &&
+                          std::sscanf(piece.c_str(), "<%lf, %lf, %lf", &point.x(), &point.y(), &point.z()) == 3;
     return is_point ? std::optional(point) : std::nullopt;
   };
   std::size_t i = 0, j = 0;
