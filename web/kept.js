@@ -1,4 +1,4 @@
-// What the reader chose at an earlier visit. Where storage is off it lasts for the page.
+// The reader's choice at an earlier visit. Where storage is off it lasts for the page.
 
 /** {value, set(value)} of this name, a value of JSON; `otherwise` where nothing was kept. */
 export function kept(name, otherwise) {

@@ -89,7 +89,7 @@ Result<DroppedFiles::Coming> DroppedFiles::begin(const std::string& key) {
   return Coming{key, *folder, (fs::path(*folder) / "coming").string()};
 }
 
-// Gives the file the name by which others know what it is. What is packed tells it by its name alone.
+// Gives the file the name by which others know what it is. A packed file tells it by its name alone.
 Result<DroppedFile> DroppedFiles::whole(const Coming& coming, const std::string& name) {
   std::ifstream file(coming.path, std::ios::binary);
   std::string first;

@@ -10,7 +10,7 @@
 
 namespace continua {
 
-/// As far as its lines are whole.
+/// The trace at `path` as far as its lines are whole.
 Result<Trace> read_so_far(const std::string& path);
 
 /// Scene, machine and recordings that the header names by their ways from the trace at `path` are named as from
@@ -23,7 +23,7 @@ struct SessionBefore {
   std::vector<LiveEvent> events;  ///< the last lets time go on to where it ended
 };
 
-/// Of the trace at `path`, to go on in `folder`. Errors: it cannot be read, or is no whole trace.
+/// The session whose trace is at `path`, to go on in `folder`. Errors: the trace cannot be read, or is not whole.
 Result<SessionBefore> read_before(const std::string& path, const std::string& folder);
 
 }  // namespace continua

@@ -60,7 +60,7 @@ export class Rows {
     let came = false;
     for (const {target, isIntersecting} of entries) {
       const part = this.#parts.find(({body}) => body === target);
-      // What has the focus stays.
+      // The element that has the focus stays.
       if (!part || part.there === isIntersecting || target.contains(document.activeElement)) continue;
       part.there = isIntersecting;
       this.#fill(part);
