@@ -1,6 +1,7 @@
 #include "continua/replay/log/record_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -23,18 +24,19 @@ bool is_plain(std::string_view text) {
   return true;
 }
 
-bool stands_for_itself(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return byte >= 0x20 && byte < 0x80 && c != '"' && c != '\\';
-}
+constexpr auto in_no_need_of_escape = [] {
+  std::array<bool, 256> told{};
+  for (unsigned byte = 0x20; byte < 0x80; ++byte) told[byte] = byte != '"' && byte != '\\';
+  return told;
+}();
 
-// Appends a text in no need of escapes, in one go: most of a log is such texts.
+bool stands_for_itself(char c) { return in_no_need_of_escape[static_cast<unsigned char>(c)]; }
+
+// Appends a text in no need of escapes: most of a log is such texts.
 void add_quoted(std::string& out, std::string_view text, std::string_view end = "\"") {
-  const auto at = out.size();
-  out.resize(at + 1 + text.size() + end.size());
-  out[at] = '"';
-  const auto after = std::copy(text.begin(), text.end(), out.begin() + static_cast<std::ptrdiff_t>(at) + 1);
-  std::copy(end.begin(), end.end(), after);
+  out += '"';
+  out += text;
+  out += end;
 }
 
 void add(std::string& out, std::string_view text) {

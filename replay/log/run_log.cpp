@@ -91,9 +91,17 @@ int RunLog::write_line(const log::Record& record, SimTime t, std::optional<int> 
   const auto line = std::string_view(block_).substr(begin);
   if (std::holds_alternative<log::Pose>(record)) physics_.add(line);
   if (!decision_.empty()) decide(record);
-  ++counts_[std::string(log::kind_of(record))];
+  count(log::kind_of(record));
   out_.write(line.data(), static_cast<std::streamsize>(line.size()));
   return next_++;
+}
+
+void RunLog::count(std::string_view kind) {
+  const auto known = counts_.find(kind);
+  if (known == counts_.end())
+    counts_.emplace(kind, 1);
+  else
+    ++known->second;
 }
 
 // As DecisionOrder does: of an act that was asked for only the outcome counts, by the act's number.

@@ -58,6 +58,7 @@ class RunLog {
 
  private:
   int write_line(const log::Record& record, SimTime t, std::optional<int> cause = std::nullopt, bool measured = false);
+  void count(std::string_view kind);
   void decide(const log::Record& record);
   void close_block(SimTime t);
   void add_block_to_all();
