@@ -1,10 +1,10 @@
 #include "continua/replay/check/checking.h"
 
 #include <algorithm>
-#include <thread>
 
 #include <fmt/format.h>
 
+#include "continua/core/several_at_once.h"
 #include "continua/facts/formations.h"
 #include "continua/facts/world_facts.h"
 #include "continua/knowledge_files/language_loading.h"
@@ -86,11 +86,8 @@ Checking::Checking(const CheckOptions& options, const DataPaths& data, std::vect
     : options_(options), data_(data), items_(std::move(items)), findings_(items_.size()), progress_(items_.size()) {}
 
 void Checking::run() {
-  std::vector<std::thread> threads;
-  const auto count = std::min(static_cast<std::size_t>(jobs_at_a_time(options_.jobs, options_.learned)), items_.size());
-  for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
-  work();
-  for (auto& thread : threads) thread.join();
+  several_at_once(items_.size(), jobs_at_a_time(options_.jobs, options_.learned),
+                  [this](std::size_t i) { finish(i, check(i)); });
 }
 
 std::vector<CheckCase> Checking::cases() const {
@@ -102,10 +99,6 @@ std::vector<CheckCase> Checking::cases() const {
 const TraceCheck* Checking::trace(std::size_t index) const {
   const auto& trace = findings_[index]->trace;
   return trace ? &*trace : nullptr;
-}
-
-void Checking::work() {
-  for (std::size_t i = next_++; i < items_.size(); i = next_++) finish(i, check(i));
 }
 
 Checking::Finding Checking::check(std::size_t index) {

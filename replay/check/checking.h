@@ -1,7 +1,6 @@
 // The check of one file after another, or of several at once.
 #pragma once
 
-#include <atomic>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -52,7 +51,6 @@ class Checking {
     CheckCase told;
     std::optional<TraceCheck> trace;
   };
-  void work();
   Finding check(std::size_t index);
   Finding trace_finding(std::size_t index);
   void finish(std::size_t index, Finding finding);
@@ -68,7 +66,6 @@ class Checking {
   Progress progress_;
   std::set<std::string> warned_;
   std::size_t printed_ = 0;
-  std::atomic<std::size_t> next_ = 0;
 };
 
 /// Prints a case's line, its faults on standard error, and the place of the evidence.

@@ -1,19 +1,18 @@
 #include "continua/replay/commands/coverage.h"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <sstream>
-#include <thread>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "continua/core/gzip_name.h"
 #include "continua/core/located_json.h"
+#include "continua/core/several_at_once.h"
 #include "continua/knowledge_files/data_paths.h"
 #include "continua/knowledge_files/language_loading.h"
 #include "continua/language/reduction.h"
@@ -77,11 +76,13 @@ class Counting {
         progress_(items_.size()) {}
 
   void run() {
-    std::vector<std::thread> threads;
-    const auto count = std::min(static_cast<std::size_t>(options_.jobs), items_.size());
-    for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
-    work();
-    for (auto& thread : threads) thread.join();
+    several_at_once(items_.size(), options_.jobs, [this](std::size_t i) {
+      const auto& file = files_[items_[i]];
+      auto coverage = is_run_log(file) ? of_log(RunIndex::open(file)) : of_trace(file);
+      const std::lock_guard lock(mutex_);
+      found_[i] = std::move(coverage);
+      progress_.show(i, 1);
+    });
     progress_.clear();
   }
 
@@ -98,16 +99,6 @@ class Counting {
   }
 
  private:
-  void work() {
-    for (std::size_t i = next_++; i < items_.size(); i = next_++) {
-      const auto& file = files_[items_[i]];
-      auto coverage = is_run_log(file) ? of_log(RunIndex::open(file)) : of_trace(file);
-      const std::lock_guard lock(mutex_);
-      found_[i] = std::move(coverage);
-      progress_.show(i, 1);
-    }
-  }
-
   Result<MachineCoverage> of_log(const Result<RunIndex>& run) {
     if (!run) return run.error();
     if (!run->trouble().empty()) warn({run->path(), run->trouble()});
@@ -142,7 +133,6 @@ class Counting {
   std::vector<std::optional<Result<MachineCoverage>>> found_;
   Progress progress_;
   std::set<std::string> warned_;
-  std::atomic<std::size_t> next_ = 0;
 };
 
 // The senses of all words: the lexicon's own, and those that its attributes' values make.

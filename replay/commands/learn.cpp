@@ -1,18 +1,17 @@
 #include "continua/replay/commands/learn.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
+#include "continua/core/several_at_once.h"
 #include "continua/machine_file/machine_weights.h"
 #include "continua/replay/learn/learning_run.h"
 #include "continua/replay/session/shelf.h"
@@ -25,14 +24,7 @@ template <class Value>
 Result<std::vector<Value>> for_each_trace(const std::vector<std::string>& traces, int jobs,
                                           const std::function<Result<Value>(const std::string&)>& make) {
   std::vector<std::optional<Result<Value>>> made(traces.size());
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < traces.size(); i = next++) made[i] = make(traces[i]);
-  };
-  std::vector<std::thread> threads;
-  for (int i = 1; i < jobs; ++i) threads.emplace_back(work);
-  work();
-  for (auto& thread : threads) thread.join();
+  several_at_once(traces.size(), jobs, [&](std::size_t i) { made[i] = make(traces[i]); });
   std::vector<Value> values;
   for (auto& one : made) {
     if (!*one) return one->error();

@@ -2,6 +2,7 @@
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
+#include "continua/core/several_at_once.h"
 #include "continua/replay/commands/instant_option.h"
 #include "continua/replay/commands/setting_options.h"
 #include "continua/replay/log/run_log_file.h"
@@ -13,14 +14,12 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <mutex>
 #include <set>
-#include <thread>
 #include <tuple>
 
 namespace continua {
@@ -113,12 +112,8 @@ class Batch {
         progress_(items_.size()) {}
 
   void run() {
-    std::vector<std::thread> threads;
-    const auto count = std::min<std::size_t>(
-        static_cast<std::size_t>(jobs_at_a_time(options_.jobs, options_.replay.learned)), items_.size());
-    for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
-    work();
-    for (auto& thread : threads) thread.join();
+    several_at_once(items_.size(), jobs_at_a_time(options_.jobs, options_.replay.learned),
+                    [this](std::size_t i) { one(i); });
   }
 
   /// After the run.
@@ -129,10 +124,6 @@ class Batch {
   }
 
  private:
-  void work() {
-    for (std::size_t i = next_++; i < items_.size(); i = next_++) one(i);
-  }
-
   // The line of a trace that was replayed.
   std::string told(std::size_t index) const {
     const auto& line = *lines_[index];
@@ -218,7 +209,6 @@ class Batch {
   Progress progress_;
   std::set<std::string> warned_;
   std::size_t printed_ = 0;
-  std::atomic<std::size_t> next_ = 0;
   int status_ = exit_done;
 };
 

@@ -1,16 +1,15 @@
 #include "continua/replay/commands/robust.h"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "continua/core/several_at_once.h"
 #include "continua/knowledge_files/data_paths.h"
 #include "continua/replay/commands/moved_paths.h"
 #include "continua/replay/commands/setting_options.h"
@@ -47,19 +46,12 @@ Result<Robustness> robustness_of_all(const RobustCommandOptions& options, const 
   replay.shelf = std::make_shared<Shelf>();
   Progress progress(found.size());
   std::mutex showing;
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < found.size(); i = next++) {
-      auto session = Session::load(options.traces[i], replay);
-      found[i] = session ? robustness_of(*session, trials) : Result<Robustness>(session.error());
-      const std::lock_guard lock(showing);
-      progress.show(i, 1);
-    }
-  };
-  std::vector<std::thread> threads;
-  for (int i = 1; i < options.jobs; ++i) threads.emplace_back(work);
-  work();
-  for (auto& thread : threads) thread.join();
+  several_at_once(found.size(), options.jobs, [&](std::size_t i) {
+    auto session = Session::load(options.traces[i], replay);
+    found[i] = session ? robustness_of(*session, trials) : Result<Robustness>(session.error());
+    const std::lock_guard lock(showing);
+    progress.show(i, 1);
+  });
   progress.clear();
   Robustness sum;
   for (auto& one : found) {

@@ -1,20 +1,19 @@
 #include "continua/replay/commands/score.h"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <set>
-#include <thread>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "continua/core/located_json.h"
 #include "continua/core/replaced_file.h"
+#include "continua/core/several_at_once.h"
 #include "continua/replay/commands/setting_options.h"
 #include "continua/replay/log/run_log_file.h"
 #include "continua/replay/score/score_part.h"
@@ -59,11 +58,12 @@ class Scoring {
         progress_(items_.size()) {}
 
   void run() {
-    std::vector<std::thread> threads;
-    const auto count = std::min(static_cast<std::size_t>(options_.jobs), items_.size());
-    for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
-    work();
-    for (auto& thread : threads) thread.join();
+    several_at_once(items_.size(), options_.jobs, [this](std::size_t i) {
+      auto score = score_of(i);
+      const std::lock_guard lock(mutex_);
+      scores_[i] = std::move(score);
+      progress_.show(i, 1);
+    });
     progress_.clear();
   }
 
@@ -81,15 +81,6 @@ class Scoring {
   }
 
  private:
-  void work() {
-    for (std::size_t i = next_++; i < items_.size(); i = next_++) {
-      auto score = score_of(i);
-      const std::lock_guard lock(mutex_);
-      scores_[i] = std::move(score);
-      progress_.show(i, 1);
-    }
-  }
-
   // `index`: among the shard's items.
   Result<TraceScore> score_of(std::size_t index) {
     const auto& trace = options_.traces[items_[index]];
@@ -145,7 +136,6 @@ class Scoring {
   std::vector<std::optional<Result<TraceScore>>> scores_;
   Progress progress_;
   std::set<std::string> warned_;
-  std::atomic<std::size_t> next_ = 0;
 };
 
 // The report that the parts give.

@@ -1,17 +1,16 @@
 #include "continua/replay/commands/sweep.h"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "continua/core/digest.h"
 #include "continua/core/replaced_file.h"
+#include "continua/core/several_at_once.h"
 #include "continua/replay/commands/setting_options.h"
 #include "continua/replay/commands/sweep_run.h"
 #include "continua/replay/sweep/sweep_page.h"
@@ -40,11 +39,7 @@ class Sweeping {
         progress_(items_.size()) {}
 
   void run() {
-    std::vector<std::thread> threads;
-    const auto count = std::min(static_cast<std::size_t>(options_.jobs), items_.size());
-    for (std::size_t i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
-    work();
-    for (auto& thread : threads) thread.join();
+    several_at_once(items_.size(), options_.jobs, [this](std::size_t i) { lines_[i] = one(items_[i]); });
     progress_.clear();
     if (found_ > 0) put(stderr, fmt::format("{} of {} were there already\n", found_, counted(done_, "point")));
   }
@@ -53,10 +48,6 @@ class Sweeping {
   ShardReport report() const { return {"sweep", options_.shards.shard, points_.size(), items_, status_, lines_}; }
 
  private:
-  void work() {
-    for (std::size_t i = next_++; i < items_.size(); i = next_++) lines_[i] = one(items_[i]);
-  }
-
   // The point's line; empty if there is none.
   std::string one(std::size_t index) {
     const auto& point = points_[index];
@@ -88,7 +79,6 @@ class Sweeping {
   std::vector<std::string> lines_;  // of each of them; empty: none
   Progress progress_;
   std::size_t done_ = 0, found_ = 0;
-  std::atomic<std::size_t> next_ = 0;
   int status_ = exit_done;
 };
 
