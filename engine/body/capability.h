@@ -26,7 +26,7 @@ enum class Capability {
   signal,  ///< a named gesture (nod, thumbs up)
 };
 
-/// What an act changes, from nothing to the place of an object.
+/// The changes that an act makes, from nothing to the place of an object.
 enum class ActEffect {
   announced,  ///< nothing: only the log shows the act, on a body without a head
   shown,      ///< the hand shows something and moves nothing

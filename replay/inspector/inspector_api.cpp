@@ -285,7 +285,7 @@ Result<std::shared_ptr<RunWorld>> InspectorApi::world_of(const std::shared_ptr<c
   auto world = RunWorld::read(run);
   if (!world) return world;
   const std::lock_guard lock(mutex_);
-  // That of a log which has changed since is of no more use.
+  // The world of a log which has changed since is of no more use.
   worlds_.remove_if([&](const KeptWorld& kept) { return kept.run->path() == run->path(); });
   worlds_.push_front({run, *world});
   if (worlds_.size() > most_worlds) worlds_.pop_back();

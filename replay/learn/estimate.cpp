@@ -57,7 +57,7 @@ Parts parts_of(const AnsweredInput& input, const MachineWeights& weights, const 
   return parts;
 }
 
-// What the inputs are expected to say of each transition and level, under the present weights.
+// The counts that the inputs are expected to give of each transition and level, under the present weights.
 class Expectations {
  public:
   Expectations(const std::vector<AnsweredInput>& inputs, const MachineWeights& before, const Otherwise& otherwise)

@@ -18,7 +18,7 @@ struct LeanHeader {
   std::map<std::string, std::string> documents;
 };
 
-/// `header`: the first line of a log, without the line's end. What it refers to stays referred to.
+/// `header`: the first line of a log, without the line's end. Documents that it refers to stay referred to.
 LeanHeader without_documents(std::string_view header);
 
 /// The first line as the whole log has it. `path`: of the log, for documents are looked for in the folders from there

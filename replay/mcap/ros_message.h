@@ -37,7 +37,7 @@ Result<RosDefinition> read_ros_definition(const std::string& type, std::string_v
 /// The message as JSON. Errors: the bytes are not that message.
 Result<Json> message_of_cdr(const RosDefinition& definition, std::string_view bytes);
 
-/// The bytes of a message whose members are those of the definition. What is missing is 0 or empty.
+/// The bytes of a message whose members are those of the definition. A missing one is 0 or empty.
 std::string cdr_of_message(const RosDefinition& definition, const Json& message);
 
 }  // namespace continua
