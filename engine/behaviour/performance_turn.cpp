@@ -70,7 +70,8 @@ void PerformanceTurn::fail(Reason reason) {
 
 void PerformanceTurn::begin(const EarlierPlaces& earlier) { perform(resolved(act_.end.act.program, earlier), false); }
 
-// Replaces was(cup), originally(cup) and loc(cup) by places in any program. An object that was never moved is where it was.
+// Replaces was(cup), originally(cup) and loc(cup) by places in any program. An object that was never moved is where it
+// was.
 Term PerformanceTurn::resolved(const Term& term, const EarlierPlaces& earlier) const {
   if (term.kind() != Term::Kind::apply) return term;
   const auto [head, arguments] = term.spine();
