@@ -3,7 +3,7 @@
 set -euo pipefail
 
 packages=(
-  build-essential cmake ninja-build mold pkg-config git ca-certificates
+  build-essential cmake ninja-build mold pkg-config git ca-certificates file
   libmujoco-dev libeigen3-dev libegl-dev libegl-mesa0 libgl1-mesa-dri
   libcpp-httplib-dev nlohmann-json3-dev libpugixml-dev libcli11-dev libfmt-dev libxxhash-dev libutf8proc-dev zlib1g-dev libzstd-dev libjemalloc-dev
   libgraphviz-dev libcairo2-dev fonts-dejavu-core ffmpeg
