@@ -31,6 +31,24 @@ test('all runs, the newest first, with verdict, length, machine, scene and pictu
   assert.match(await row('garbage').innerText(), /not a run log/);
 });
 
+test('the small picture of a run shows all that was drawn', async () => {
+  await visitor.visit('/');
+  await listed();
+  const picture = visitor.page.locator('.thumbnail').first();
+  await visitor.page.waitForFunction(() => {
+    const first = document.querySelector('.thumbnail');
+    return !first || first.naturalWidth > 0;
+  });
+  if (!(await picture.count())) return; // nothing can be drawn on this machine
+  const [drawn, shown, part] = await picture.evaluate((image) => [
+    image.naturalWidth / image.naturalHeight,
+    image.clientWidth / image.clientHeight,
+    getComputedStyle(image).objectViewBox ?? 'none',
+  ]);
+  assert.ok(Math.abs(drawn - shown) < 0.02, `drawn ${drawn}, shown ${shown}`);
+  assert.equal(part, 'none');
+});
+
 test('search narrows the list and is part of the address', async () => {
   await visitor.visit('/');
   await listed();

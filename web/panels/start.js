@@ -201,7 +201,7 @@ export class StartPage {
 
   #row(run) {
     const readable = !run.error && !run.pending;
-    const address = pictureOf(run.id, pictureTime(run), '192x108');
+    const address = pictureOf(run.id, pictureTime(run), '120x120');
     const picture = served && readable && run.drawable ? this.#pictures.picture(address) : null;
     return h(
       'tr',

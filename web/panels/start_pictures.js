@@ -17,7 +17,7 @@ export class Pictures {
 
   picture(address) {
     if (!this.#known.has(address)) {
-      const image = h('img', {class: 'thumbnail', alt: '', width: 96, height: 54});
+      const image = h('img', {class: 'thumbnail', alt: '', width: 60, height: 60});
       image.wanted = address;
       this.#known.set(address, image);
       this.#seen.observe(image);

@@ -2,7 +2,7 @@
 import {h} from '../dom.js';
 
 const rows_each = 40;
-const row_px = 61; // of a row that has not been drawn yet
+const row_px = 65; // of a row that has not been drawn yet
 const near = '1200px 0px'; // of the window
 
 export class Rows {
