@@ -270,6 +270,22 @@ test('gestures, acts and what the avatar shows are told by people’s names, the
   await at('live-end').click();
 });
 
+test('on a phone the machine’s panels are whole, and the dialogue has room beside them', async () => {
+  await begin(flat, {viewport: {width: 390, height: 844}});
+  await at('live-machine-button').click();
+  await at('live-machine').locator('.node.current').waitFor();
+  await answered(() => type('Take the cup.'), 'Which cup do you mean? Should I take the white cup?');
+  const boxOf = (one) => visitor.page.locator(one).boundingBox();
+  const drawer = await boxOf('[data-testid=live-machine]');
+  for (const part of ['.graph', '.stack']) {
+    const panel = await boxOf(`.machine-drawer > ${part}`);
+    assert.ok(panel.y + panel.height <= drawer.y + drawer.height + 1, `${part} leaves the drawer`);
+  }
+  const moves = await boxOf('.conversation');
+  assert.ok(moves.height >= 120 && moves.y >= drawer.y + drawer.height, `the dialogue is ${moves.height} px high`);
+  await at('live-end').click();
+});
+
 test('the machine’s graph and stack follow in a corner that covers nothing, and type is big for a projector', async () => {
   await begin(flat);
   await at('talk').press('Escape');
