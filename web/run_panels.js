@@ -21,6 +21,7 @@ import {mountAccount} from './panels/account.js';
 import {mountNotes} from './panels/notes.js';
 import {mountDifferences} from './panels/differences.js';
 import {keepMarked, otherSide} from './panels/side_by_side.js';
+import {served} from './run/run_client.js';
 import {splitter} from './splitters.js';
 
 // A page that is built anew, for a run that has grown, keeps these: a scene is slow to load, a note may be half written.
@@ -51,7 +52,14 @@ function mountAll(page, before) {
   const parts = {
     dialogue: comparison ? mountDialoguePair({comparison, jump}) : mountDialogue({data, client, jump}),
     graph: mountGraph({data, client, model, cursor, comparison}),
-    scene: before?.parts.scene ?? mountScene({client, cursor, other: comparison && otherRun(comparison, model)}),
+    scene:
+      before?.parts.scene ??
+      mountScene({
+        client,
+        cursor,
+        other: comparison && otherRun(comparison, model),
+        elsewhere: served && !comparison ? (asked) => page.dialogs.what_if.open(asked) : null,
+      }),
     lanes: mountLanes({data, model, cursor, comparison, note: (records) => noteOn(page, records)}),
     stack: mountStack({data, client, model, jump}),
     derivation: mountDerivation({client, model, jump}),

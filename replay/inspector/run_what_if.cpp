@@ -25,6 +25,8 @@ struct Line {
   std::string text;
 };
 
+bool is_instant(const Json& t) { return t.is_number() && t.get<double>() >= 0 && t.get<double>() <= latest_s; }
+
 Outcome read_edits(const Json& edits, WhatIfRequest& request) {
   if (!edits.is_array()) return Error{"", R"('edits' must be a list of {"n", "event"})"};
   for (const auto& edit : edits) {
@@ -33,6 +35,11 @@ Outcome read_edits(const Json& edits, WhatIfRequest& request) {
       return Error{
           "", fmt::format(R"(edit {}: expected {{"n": RECORD, "event": {{…}} or null}})", request.edits.size() + 1)};
     request.edits.push_back({n.get<std::size_t>(), edit["event"]});
+    const auto& t = member_of(edit, "t");
+    if (t.is_null()) continue;
+    if (!is_instant(t))
+      return Error{"", fmt::format("edit {}: 't' is {}; expected seconds from 0", request.edits.size(), compact(t))};
+    request.edits.back().t = t.get<double>();
   }
   return std::nullopt;
 }
@@ -106,8 +113,8 @@ Outcome check_edit(const InputEdit& edit, const RunIndex& run, const WhatIfReque
   if (!record) return record.error();
   if (event_of("input", *record).is_null()) return no_input;
   if (edit.event.is_object() && edit.event.contains("t"))
-    return Error{"", fmt::format("n={}: found 't'; expected an event without it: it stays when it was", edit.n)};
-  const auto t = run.entry(edit.n).t.seconds();
+    return Error{"", fmt::format("n={}: found 't'; expected an event without it: an edit's own 't' moves it", edit.n)};
+  const auto was = run.entry(edit.n).t.seconds(), t = std::min(was, edit.t.value_or(was));
   if (request.from && t < *request.from)
     return Error{"", fmt::format("n={} is at {} s; expected an input from {} s on", edit.n, t, *request.from)};
   return std::nullopt;
@@ -124,8 +131,7 @@ Result<WhatIfRequest> what_if_request(const Json& json) {
   if (!member_of(json, "run").is_string()) return Error{"", "'run' is missing: the id of a run"};
   request.run = json["run"].get<std::string>();
   if (const auto& from = member_of(json, "from"); !from.is_null()) {
-    if (!from.is_number() || !(from.get<double>() >= 0 && from.get<double>() <= latest_s))
-      return Error{"", fmt::format("'from' is {}; expected seconds from 0", compact(from))};
+    if (!is_instant(from)) return Error{"", fmt::format("'from' is {}; expected seconds from 0", compact(from))};
     request.from = from.get<double>();
   }
   if (const auto& edits = member_of(json, "edits"); !edits.is_null())
@@ -145,10 +151,10 @@ Result<WhatIfRequest> what_if_request(const Json& json) {
 }
 
 Result<std::string> trace_lines(const RunIndex& run, const WhatIfRequest& request) {
-  std::map<std::size_t, const Json*> edited;
+  std::map<std::size_t, const InputEdit*> edited;
   for (const auto& edit : request.edits) {
     if (auto wrong = check_edit(edit, run, request)) return *wrong;
-    if (!edited.emplace(edit.n, &edit.event).second) return Error{"", fmt::format("n={} is edited twice", edit.n)};
+    if (!edited.emplace(edit.n, &edit).second) return Error{"", fmt::format("n={} is edited twice", edit.n)};
   }
   std::vector<Line> lines;
   for (std::size_t n = 0; n < run.size(); ++n) {
@@ -157,10 +163,13 @@ Result<std::string> trace_lines(const RunIndex& run, const WhatIfRequest& reques
     const auto record = run.record(n);
     if (!record) return record.error();
     auto event = event_of(kind, *record);
-    if (const auto edit = edited.find(n); edit != edited.end()) event = *edit->second;
+    auto t = run.entry(n).t.seconds();
+    if (const auto edit = edited.find(n); edit != edited.end()) {
+      event = edit->second->event;
+      t = edit->second->t.value_or(t);
+    }
     if (event.is_null()) continue;
     const auto& line = member_of(*record, "line");
-    const auto t = run.entry(n).t.seconds();
     lines.push_back({line.is_number_unsigned() ? line.get<std::size_t>() : 0, n, t, line_of(event, t)});
   }
   const bool placed = keep_places(lines);

@@ -20,8 +20,9 @@ inline constexpr double latest_s = 1e9;
 
 /// An input that was something else, or was not.
 struct InputEdit {
-  std::size_t n = 0;  ///< of its record
-  Json event;         ///< as the log has events, without `t`; null: taken out
+  std::size_t n = 0;             ///< of its record
+  Json event;                    ///< as the log has events, without `t`; null: taken out
+  std::optional<double> t = {};  ///< seconds: when it came; otherwise when it did
 };
 
 struct WhatIfRequest {
@@ -33,13 +34,13 @@ struct WhatIfRequest {
   std::string choice;  ///< empty: the run's own
 };
 
-/// {"run", "from", "edits": [{"n", "event"}], "force": {"STEP": "TRANSITION"}, "seed", "choice"}, all but `run`
-/// optional. The error is a sentence.
+/// {"run", "from", "edits": [{"n", "event", "t"}], "force": {"STEP": "TRANSITION"}, "seed", "choice"}, all but `run`,
+/// `n` and `event` optional. The error is a sentence.
 Result<WhatIfRequest> what_if_request(const Json& json);
 
 /// The lines of a trace after its first: inputs as edited, other agents' deeds, expectations, and the end of the run.
 /// They stand on the lines where they stood in the run's own trace, as far as the log tells. The error is a sentence:
-/// an edit is of no input of the trace, or of one before `from`; there are two of one input.
+/// an edit is of no input of the trace, or of one before `from`, or moves one there; there are two of one input.
 Result<std::string> trace_lines(const RunIndex& run, const WhatIfRequest& request);
 
 /// Replays runs, for those who ask for it without knowing the engine.

@@ -1,10 +1,10 @@
-// The start page, notes, what if, and a run that is still being written, in a real browser.
+// The start page, notes, and a run that is still being written, in a real browser.
 import assert from 'node:assert/strict';
 import {appendFileSync, existsSync, mkdirSync, readFileSync, utimesSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 import {at, folder, listed, serveFolder, server, visitor} from './served.mjs';
-import {logOf, numberOf, root, serve, temporaryFolder, Visitor} from './support.mjs';
+import {logOf, root, serve, temporaryFolder, Visitor} from './support.mjs';
 
 const lines = logOf('paper/disambiguation').split('\n').filter(Boolean);
 serveFolder(() => {
@@ -103,73 +103,6 @@ test('a note is kept beside the run, shown again, and taken away', async () => {
   await at('note').first().locator('.remove').click();
   await visitor.page.waitForFunction(() => document.querySelectorAll('[data-testid=note]').length === 1);
   assert.deepEqual(visitor.complaints, []);
-});
-
-test('what if an input had not come: the new run is compared with this one', async () => {
-  await visitor.visit('/r/disambiguation');
-  const said = await visitor.page.evaluate(() => window.continua.page.data.lanes.speech.n[1]);
-  await visitor.visit(`/r/disambiguation?n=${said}`);
-  await visitor.page.keyboard.press('x');
-  await at('what-if-out').check();
-  await at('what-if-run').click();
-  await visitor.page.waitForURL(/\/diff\/disambiguation\/what-if/);
-  await at('verdict').waitFor();
-  assert.match(await at('verdict').innerText(), /“No\.” .* is left out in B/);
-  await visitor.visit('/');
-  await listed();
-  assert.match(await at('runs').innerText(), /what if of disambiguation/);
-});
-
-test('what if it had been said otherwise', async () => {
-  await visitor.visit('/r/disambiguation');
-  const said = await visitor.page.evaluate(() => window.continua.page.data.lanes.speech.n[0]);
-  await visitor.visit(`/r/disambiguation?n=${said}`);
-  await at('what-if-open').click();
-  await at('what-if').locator('summary').click();
-  await at('what-if-event').fill('{"kind": "speech"');
-  await at('what-if-run').click();
-  assert.match(await visitor.page.locator('.what-if .trouble').innerText(), /no JSON/);
-  await at('what-if-words').fill('Take the knife.');
-  assert.match(await at('what-if-event').inputValue(), /"text": "Take the knife\."/);
-  await at('what-if-words').press('Enter');
-  await visitor.page.waitForURL(/\/diff\//);
-  await at('verdict').waitFor();
-  assert.match(await at('verdict').innerText(), /Take the knife/);
-});
-
-test('what if it had been pointed elsewhere: sliders move the place', async () => {
-  const shown = ({kind, event}) => kind === 'input' && event.kind === 'gesture' && event.target;
-  await visitor.visit(`/r/correction?n=${numberOf('paper/correction', shown)}`);
-  await at('what-if-open').click();
-  const place = await at('what-if-place').innerText();
-  for (let i = 0; i < 20; ++i) await at('what-if-left-to-right').press('ArrowLeft');
-  assert.notEqual(await at('what-if-place').innerText(), place);
-  await at('what-if-run').click();
-  await visitor.page.waitForURL(/\/diff\/correction\/what-if/);
-  await at('verdict').waitFor();
-  assert.match(await at('verdict').innerText(), /point/);
-});
-
-test('what if another transition had been taken', async () => {
-  const path = join(root, 'traces/talk/n_best.run.jsonl');
-  const rivals = ({kind, candidates}) => kind === 'transition' && new Set(candidates.map(({id}) => id)).size > 1;
-  const other = await serve(path);
-  const guest = await Visitor.start(other.address);
-  await guest.visit(`/r/n_best?n=${numberOf('talk/n_best', rivals)}`);
-  await guest.at('what-if-open').click();
-  await guest.at('what-if-run').click();
-  assert.match(await guest.page.locator('.what-if .trouble').innerText(), /Change something first/);
-  const others = guest.at('what-if').locator('input[type=radio]:not([value=""])');
-  assert.ok((await others.count()) > 0);
-  for (const told of await guest.at('what-if').locator('fieldset').first().locator('label').allInnerTexts())
-    assert.match(told, / → \w/);
-  await others.first().check();
-  await guest.at('what-if-run').click();
-  await guest.page.waitForURL(/\/diff\/n_best\/what-if/);
-  await guest.at('verdict').waitFor();
-  assert.match(await guest.at('verdict').innerText(), /^≠ /);
-  await guest.close();
-  other.stop();
 });
 
 test('a run that is being written is live: it grows, and the cursor goes along at its end', async () => {

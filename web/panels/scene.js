@@ -10,6 +10,7 @@ import {placeText, readMjcf, sceneSentence} from '../scene3d/scene_text.js';
 import {Stage} from '../scene3d/stage.js';
 import {showTags} from '../scene3d/tags.js';
 
+const near_px = 18; // of a target that is dragged
 const words_every_ms = 250; // a pace at which they can be read, or heard
 const cameras = {
   default: {text: 'All', title: 'the whole scene, from the human’s side'},
@@ -34,14 +35,20 @@ class ScenePanel {
   #motion;
   #ghost = null;
   #opened;
+  #elsewhere; // asks what if it had been pointed elsewhere
+  #dragged = null; // {n, target}: of the pointing whose target is being dragged
   #cameras = new Cameras(cameras, (name) => this.#look(name));
   #caption = h('p', {class: 'caption', 'data-testid': 'scene-caption'});
   #places = h('ul', {class: 'places', 'data-testid': 'scene-places'});
   #list = h('details', {ontoggle: () => this.#say()}, h('summary', {}, 'What is where'), this.#places);
   #body;
 
-  /** `other`: another run to be drawn as a ghost, as of GhostRun, or null. */
-  constructor({client, cursor, other = null}) {
+  /**
+   * `other`: another run to be drawn as a ghost, as of GhostRun, or null; `elsewhere({n, target})`: the target of the
+   * human's pointing of record n was dragged to another place; null: it cannot be.
+   */
+  constructor({client, cursor, other = null, elsewhere = null}) {
+    this.#elsewhere = elsewhere;
     this.#client = client;
     this.#cursor = cursor;
     this.stage = this.#mountStage();
@@ -76,7 +83,33 @@ class ScenePanel {
       },
       changed: () => this.#cameras.press(null),
       click: (name) => this.#select(name),
+      grab: (x, y) => this.#grab(x, y),
     });
+  }
+  // The target of the human's pointing under a place of the canvas.
+  #grab(x, y) {
+    const {drawing} = this.stage;
+    if (!this.#elsewhere || !drawing?.size || !this.#world) return null;
+    const heightAt = heightOver(drawing, this.#bodies.objects);
+    const near = ({who, target: [a, b, c]}) => {
+      const at = who === 'human' && drawing.project([a, b, Math.max(c, heightAt(a, b))]);
+      return at && Math.hypot(at[0] - x, at[1] - y) < near_px;
+    };
+    const one = this.#world.pointing.findLast(near);
+    if (!one) return null;
+    return {
+      move: (to_x, to_y) => {
+        const target = drawing.pointOn(to_x, to_y, this.#bodies.objects);
+        this.#dragged = target && {n: one.n, target};
+        this.#redraw();
+      },
+      drop: () => {
+        const dragged = this.#dragged;
+        this.#dragged = null;
+        this.#redraw();
+        if (dragged) this.#elsewhere(dragged);
+      },
+    };
   }
   #toggle(name, text, title) {
     const button = h('button', {type: 'button', 'aria-pressed': 'false', title, 'data-toggle': name}, text);
@@ -163,7 +196,11 @@ class ScenePanel {
     const moves = acts.map((act) => ({...act, from: positionOf(act.object)}));
     const heightAt = heightOver(view, objects);
     view.overlay(
-      pointing.map((one) => ({...one, from: from(one)})),
+      pointing.map((one) => ({
+        ...one,
+        from: from(one),
+        ...(one.n === this.#dragged?.n && {...this.#dragged, trail: []}),
+      })),
       moves,
       heightAt,
     );

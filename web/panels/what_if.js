@@ -1,9 +1,10 @@
 // What if: another choice at a step, or another input; the run that follows is compared with this one.
-import {dialog, h, shown} from '../dom.js';
+import {dialog, h, instant, shown} from '../dom.js';
 import {askWhatIf, served} from '../run/run_client.js';
 import {placeText} from '../scene3d/scene_text.js';
 
 const table_m = {x: 0.5, y: 0.3}; // from its middle to its edges
+const about_s = 10; // earlier and later, that the slider of time reaches
 
 // A question of the dialog: {field: its element, read()}, where read() gives the part of the request that the reader
 // changed, {} if there is none, and throws a sentence about a part that cannot be used.
@@ -37,8 +38,11 @@ function choiceField(step, {edges}) {
   return {field, read};
 }
 
-/** Another event in place of an input, or none; null for an input that is not the trace's. */
-function inputField(record) {
+/**
+ * Another event in place of an input of a run that lasts `duration`, or at another time, or none; `target`: where the
+ * human points instead, or null. Null for an input that is not the trace's.
+ */
+function inputField(record, duration, target_now) {
   if (!record || record.event?.kind === 'act') return null;
   const text = h('textarea', {
     rows: 5,
@@ -48,12 +52,14 @@ function inputField(record) {
   });
   text.value = JSON.stringify(record.event, null, 1);
   const words = wordsField(text);
-  const target = targetField(text);
+  const target = targetField(text, target_now);
+  const time = timeField(record.t, duration);
   const out = h('input', {type: 'checkbox', 'data-testid': 'what-if-out'});
   out.addEventListener('change', () => {
     text.disabled = out.checked;
     if (words) words.disabled = out.checked;
     if (target) target.disabled = out.checked;
+    time.range.disabled = out.checked;
   });
   const field = h(
     'fieldset',
@@ -61,13 +67,16 @@ function inputField(record) {
     h('legend', {}, `the input at #${record.n} had been another`),
     words && h('label', {class: 'words'}, 'the human says ', words),
     target,
+    time.field,
     h('details', {open: !words && !target}, h('summary', {}, 'All of it, as JSON'), text),
     h('label', {}, out, ' it had not come at all'),
   );
   const read = () => {
     const event = out.checked ? null : parsed(text.value);
-    const changed = JSON.stringify(event) !== JSON.stringify(record.event);
-    return changed ? {edits: [{n: record.n, event}]} : {};
+    const by = out.checked ? 0 : time.by();
+    const changed = by !== 0 || JSON.stringify(event) !== JSON.stringify(record.event);
+    if (!changed) return {};
+    return {edits: [{n: record.n, event: event && shiftedBy(by, event), ...(by !== 0 && {t: record.t + by})}]};
   };
   return {field, read};
 }
@@ -83,11 +92,49 @@ function wordsField(json) {
   return words;
 }
 
-/** Sliders for the place that is pointed at, kept in step with the JSON of the event; null for an event without one. */
-function targetField(json) {
-  const {target} = JSON.parse(json.value);
-  if (!Array.isArray(target) || !target.every(Number.isFinite)) return null;
-  const place = [...target];
+/** A slider for the time of an input at `t` seconds: {field, range, by(): seconds later}. */
+function timeField(t, duration) {
+  const told = h('output', {'data-testid': 'what-if-when'}, instant(t));
+  const reach = (seconds) => Math.floor(10 * Math.max(0, Math.min(seconds, about_s))) / 10;
+  const range = h('input', {
+    type: 'range',
+    min: -reach(t),
+    max: reach(duration - t),
+    step: 0.1,
+    value: 0,
+    'aria-valuetext': instant(t),
+    'data-testid': 'what-if-time',
+  });
+  const by = () => Math.round(10 * range.value) / 10;
+  range.addEventListener('input', () => {
+    const later = by();
+    told.textContent =
+      later === 0 ? instant(t) : `${instant(t + later)}, ${Math.abs(later)} s ${later < 0 ? 'earlier' : 'later'}`;
+    range.setAttribute('aria-valuetext', told.textContent);
+  });
+  return {field: h('label', {class: 'time'}, 'it comes at ', range, ' ', told), range, by};
+}
+
+/** The event with its other times later, too. */
+function shiftedBy(seconds, event) {
+  const times = ['happened', 'until'].filter((key) => Number.isFinite(event[key]));
+  return {...event, ...Object.fromEntries(times.map((key) => [key, event[key] + seconds]))};
+}
+
+/**
+ * Sliders for the place that is pointed at, at `now` where it is not null, kept in step with the JSON of the event; null
+ * for an event without one.
+ */
+function targetField(json, now) {
+  const event = JSON.parse(json.value);
+  if (!Array.isArray(event.target) || !event.target.every(Number.isFinite)) return null;
+  const place = [...event.target];
+  if (now) {
+    [table_m.x, table_m.y].forEach((reach, i) => {
+      place[i] = Math.max(-reach, Math.min(reach, now[i]));
+    });
+    json.value = JSON.stringify({...event, target: place}, null, 1);
+  }
   const told = h('output', {'data-testid': 'what-if-place'}, placeText([...place, 0]));
   const slider = (axis, label, reach_m) => {
     const range = h('input', {
@@ -166,11 +213,15 @@ export function whatIfDialog({id, client, cursor, model}) {
   }
   return {
     element,
-    async open() {
+    /** Asks about record `n`; `target`: where the human points instead, or null. */
+    async open({n = cursor.n, target = null} = {}) {
       if (!served) return;
       say(null);
-      const [input, step] = await recordsBehind({client, data: cursor.data}, cursor.n);
-      questions = [choiceField(step, cursor.data.graph), inputField(input)].filter(Boolean);
+      const {data} = cursor;
+      const [input, step] = await recordsBehind({client, data}, n);
+      questions = [target ? null : choiceField(step, data.graph), inputField(input, data.duration, target)].filter(
+        Boolean,
+      );
       body.replaceChildren(...questions.map(({field}) => field));
       run.hidden = !questions.length;
       if (!questions.length)

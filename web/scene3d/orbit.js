@@ -37,12 +37,18 @@ const on_shift_key = {
 /**
  * Drag turns (with Shift, the right button or two fingers: shifts), wheel and pinch approach, arrow keys turn (with
  * Shift: shift), + and − approach. `get` gives the view, `set` takes the new one; `click(x, y)`: a press that was none
- * of these, in pixels of the element. `pointing`: the left button, one finger and bare arrow keys belong to somebody else;
+ * of these, in pixels of the element; `grab(x, y)`: what moves instead of the view where the mouse is pressed there, as
+ * {move(x, y), drop(x, y)}, or null. `pointing`: the left button, one finger and bare arrow keys belong to somebody else;
  * with Shift or the right button dragging turns, two fingers turn and approach, Alt makes the arrow keys turn.
  */
-export function orbit(element, {get, set, click, pointing = false}) {
+export function orbit(element, {get, set, click, grab = () => null, pointing = false}) {
   const down = new Map(); // pointers and where they are
   let moved = 0;
+  let held = null; // as of grab()
+  const place = (event) => {
+    const box = element.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  };
   const height = () => Math.max(element.clientHeight, 1);
   const spread = () => {
     const [a, b] = [...down.values()];
@@ -52,11 +58,13 @@ export function orbit(element, {get, set, click, pointing = false}) {
   element.addEventListener('pointerdown', (event) => {
     if (pointing && event.pointerType !== 'touch' && event.button === 0 && !event.shiftKey) return;
     if (!down.size) moved = 0;
+    held = !down.size && event.button === 0 && !event.shiftKey ? grab(...place(event)) : null;
     down.set(event.pointerId, {x: event.clientX, y: event.clientY});
     element.setPointerCapture(event.pointerId);
   });
   element.addEventListener('pointermove', (event) => {
     const last = down.get(event.pointerId);
+    if (!last) element.style.cursor = grab(...place(event)) ? 'grab' : '';
     if (!last) return;
     const dx = event.clientX - last.x;
     const dy = event.clientY - last.y;
@@ -66,6 +74,10 @@ export function orbit(element, {get, set, click, pointing = false}) {
     moved += Math.abs(dx) + Math.abs(dy);
     if (moved < 4 || (pointing && event.pointerType === 'touch' && down.size < 2)) return;
     const shifts = !pointing && (down.size === 2 || event.shiftKey || event.buttons & 2);
+    if (held) {
+      held.move(...place(event));
+      return;
+    }
     let view = get();
     view = shifts
       ? shifted(view, -dx / height() / down.size, dy / height() / down.size)
@@ -74,10 +86,11 @@ export function orbit(element, {get, set, click, pointing = false}) {
     set(view);
   });
   const up = (event) => {
+    if (held && down.has(event.pointerId) && moved >= 4) held.drop(...place(event));
+    held = null;
     if (!down.delete(event.pointerId) || down.size || moved >= 4 || event.type !== 'pointerup' || event.button !== 0)
       return;
-    const box = element.getBoundingClientRect();
-    click(event.clientX - box.left, event.clientY - box.top);
+    click(...place(event));
   };
   element.addEventListener('pointerup', up);
   element.addEventListener('pointercancel', up);

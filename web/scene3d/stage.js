@@ -43,9 +43,9 @@ export class Stage {
    * `three`: loads three.js, or null; `address(t, width, height)`: of the server's picture, or null; `before(view)`: called
    * before a frame is drawn, gives whether there is something new to draw; `after(view)`: it was drawn; `resized(view)`;
    * `changed()`: the view was turned by hand; `click(body)`: a body was clicked, or null; `lost()`: called instead of
-   * showing the server's pictures; `pointing`: as of orbit().
+   * showing the server's pictures; `pointing`, `grab`: as of orbit().
    */
-  constructor({three, address = null, pointing = false, ...tell}) {
+  constructor({three, address = null, pointing = false, grab, ...tell}) {
     this.#three = three;
     this.#address = address;
     this.#tell = tell;
@@ -61,6 +61,7 @@ export class Stage {
       click: (x, y) => {
         if (this.#view) tell.click?.(this.#view.pick(x, y));
       },
+      grab,
       pointing,
     });
   }

@@ -101,8 +101,19 @@ TEST_CASE("a run that was edited is served, and its log is as a replay of the ed
   CHECK(asked.whole("what-if-2", "input")[0]["event"] == event);
   CHECK(asked.whole("what-if-2", "input")[0]["line"] == input["line"]);
 
+  // At another time its record says so, and those that came between come before it.
+  const auto late = asked.whole("dialogue_language", "input")[1];
+  const auto early = asked.post(
+      {{"run", "dialogue_language"}, {"edits", {{{"n", late["n"]}, {"event", late["event"]}, {"t", 0.25}}}}});
+  const auto moved = asked.whole(early["run"], "input")[0];
+  CHECK(moved["event"] == late["event"]);
+  CHECK(moved["t"] == 0.25);
+  CHECK_THAT(asked.refused(
+                 {{"run", "dialogue_language"}, {"edits", {{{"n", late["n"]}, {"event", late["event"]}, {"t", -1}}}}}),
+             Contains("'t' is -1"));
+
   // A changed run can be changed again, back to the first.
-  const auto back = asked.post({{"run", "what-if-2"}, {"edits", {{{"n", input["n"]}, {"event", input["event"]}}}}});
+  const auto back = asked.post({{"run", changed["run"]}, {"edits", {{{"n", input["n"]}, {"event", input["event"]}}}}});
   CHECK(asked.get("/api/diff?a=dialogue_language&b=" + back["run"].get<std::string>())["same"] == true);
 }
 
