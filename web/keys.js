@@ -15,7 +15,7 @@ export const keys = [
   [
     ['n', 'p'],
     'N P',
-    'next, previous difference, refusal or unmet expectation',
+    'next, previous difference, refusal, unmet expectation or answer that was recorded otherwise',
     (page, {key}) => page.next(key === 'n' ? 1 : -1),
   ],
   [

@@ -103,6 +103,10 @@ struct Happened {
   std::string operator()(const log::AvatarGesture& made) const {
     return "the avatar " + deed(made.gesture, "gestures ");
   }
+  std::string operator()(const log::Observed& observed) const {
+    return "the observed avatar " +
+           (observed.channel == "speech" ? "says " + quoted(observed.content) : deed(observed.content, "does "));
+  }
   std::string operator()(const log::Act& act) const {
     const auto told = "“" + run_words.term(act.program) + "”";
     if (act.step) return fmt::format("step {} of act {}, {}, is {}", *act.step, act.act, told, act.status);

@@ -8,6 +8,7 @@
 #include "continua/replay/diff/run_diff_text.h"
 #include "continua/replay/explain/explain.h"
 #include "continua/replay/explain/run_account.h"
+#include "continua/replay/inspector/run_agreement.h"
 #include "continua/replay/inspector/run_columns.h"
 #include "continua/replay/inspector/run_find.h"
 #include "continua/replay/inspector/run_labels.h"
@@ -119,7 +120,11 @@ Result<std::string> work_out(const RunIndex& log, const std::string& id, const s
   if (view == "columns") return run_columns(log);
   auto told = view == "graph" ? run_graph(log) : run_summary(log);
   if (!told) return told.error();
-  if (view == "") (*told)["id"] = id;
+  if (view != "") return compact(*told);
+  (*told)["id"] = id;
+  auto agreement = run_agreement(log);
+  if (!agreement) return agreement.error();
+  (*told)["as_observed"] = *std::move(agreement);
   return compact(*told);
 }
 

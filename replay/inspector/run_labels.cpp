@@ -26,7 +26,10 @@ std::string shown_text(const RunWords& words, const std::string& kind, std::stri
   if (log::is<log::Utterance>(kind)) return text_of_member(&log::Utterance::text);
   if (log::is<log::AvatarGesture>(kind)) return words.term(text_of_member(&log::AvatarGesture::gesture));
   if (log::is<log::Act>(kind)) return words.term(text_of_member(&log::Act::program));
-  if (log::is<log::Observed>(kind)) return text_of_member(&log::Observed::content);
+  if (log::is<log::Observed>(kind)) {
+    const auto content = text_of_member(&log::Observed::content);
+    return text_of_member(&log::Observed::channel) == "speech" ? "“" + content + "”" : words.term(content);
+  }
   return {};
 }
 

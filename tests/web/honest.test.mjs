@@ -1,11 +1,12 @@
 // The page tells how a run went, when, and how often, in one way everywhere; and nothing is cut, hidden or lost on the way.
 import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
 import {mkdirSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 import {roundsLog} from './logs.mjs';
 import {at, folder, listed, serveFolder, server, visitor} from './served.mjs';
-import {logOf, numberOf, recordsOf} from './support.mjs';
+import {logOf, numberOf, program, recordsOf, root} from './support.mjs';
 
 const long_name = 'a_run_with_a_long_name_that_nobody_broke_into_words_and_that_goes_on';
 serveFolder(() => {
@@ -15,6 +16,7 @@ serveFolder(() => {
   writeFileSync(join(folder, `older/${long_name}.run.jsonl`), roundsLog());
   for (const name of ['correction', 'dialogue_gesture', 'special_dpda'])
     writeFileSync(join(folder, `${name}.run.jsonl`), logOf(`paper/${name}`));
+  writeFileSync(join(folder, 'wizard.run.jsonl'), logOf('talk/wizard'));
 });
 const evaluate = (...given) => visitor.page.evaluate(...given);
 
@@ -32,6 +34,27 @@ test('a failed act is told in red on both pages, opened at, and stopped at', asy
   await visitor.page.keyboard.press('Home');
   await visitor.page.keyboard.press('n');
   assert.equal(await visitor.n(), failed);
+});
+
+test('answers that were recorded otherwise are counted, marked and stopped at', async () => {
+  const told = execFileSync(program, ['score', join(root, 'traces/talk/wizard.trace.jsonl'), '--json'], {
+    encoding: 'utf8',
+  });
+  const {speaking, lax} = JSON.parse(told).traces[0];
+  await visitor.visit('/r/wizard');
+  assert.match(await at('verdict').innerText(), new RegExp(`as recorded: ${lax} of ${speaking} answers`));
+  await visitor.page.keyboard.press('Home');
+  await visitor.page.keyboard.press('n');
+  const missed = recordsOf('talk/wizard')[await visitor.n()];
+  assert.equal(missed.kind, 'observed');
+  await visitor.page.waitForFunction(() =>
+    /as recorded: “Which cup/.test(document.querySelector('[data-testid=panel-dialogue]').innerText),
+  );
+  await visitor.page.waitForFunction(() =>
+    /the observed avatar says “Which cup/.test(document.querySelector('[data-testid=panel-why]').innerText),
+  );
+  const {misses} = (await (await visitor.page.request.get(`${visitor.address}/api/runs/wizard`)).json()).as_observed;
+  assert.deepEqual(misses, await evaluate(() => Array.from(window.continua.page.data.lanes.flag.n)));
 });
 
 test('counts are those of the command line', async () => {

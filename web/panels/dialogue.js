@@ -19,6 +19,7 @@ export function movesOf({lanes, size}) {
 
 /** The words of a move, or its deed in words. */
 export function wordsOf(data, move) {
+  if (move.how === 'flag' && data.kind(move.n) === 'observed') return `as recorded: ${brief(data.text(move.n))}`;
   if (move.how === 'flag') return `${data.kind(move.n)}: ${data.label(move.n).split(':')[0]}`;
   return how[move.how] === 'says' ? `“${data.said(move.n)}”` : brief(data.text(move.n));
 }

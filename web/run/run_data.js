@@ -50,6 +50,8 @@ export class RunData {
       'depth',
     ])
       this.lanes[name] = laneOf(columns, name);
+    this.misses = new Set(summary.as_observed?.misses);
+    this.lanes.flag = withInstants(this.lanes.flag, this.misses, this.t);
     this.lanes.state = stateLane(this.steps, this.reached, names, graph.start, duration);
   }
 
@@ -136,6 +138,14 @@ function inOrder(t) {
     sorted[n] = sorted[n - 1];
   }
   return sorted;
+}
+
+// The lane with these records as well, each at its instant.
+function withInstants(lane, records, t) {
+  if (!records.size) return lane;
+  const n = Uint32Array.from(new Set([...lane.n, ...records])).sort();
+  const at = Float64Array.from(n, (one) => t[one]);
+  return {n, from: at, to: at};
 }
 
 /** {n, from, to, state}: what the automaton was in, stretches of no length left out, equal neighbours joined. */

@@ -36,6 +36,8 @@ export function verdictLine(run) {
   if (!run.acts_failed && run.acts) parts.push(`${run.acts_done ?? 0} of ${counted(run.acts, 'act')} done`);
   if (broken_off > 0) parts.push(`${broken_off} broken off`);
   if (run.expected && run.met === run.expected) parts.push(`${counted(run.expected, 'expectation')} met`);
+  if (run.as_observed)
+    parts.push(`as recorded: ${run.as_observed.alike} of ${counted(run.as_observed.answers, 'answer')}`);
   parts.push(`${refused} refused${samples}`);
   return parts.join(', ');
 }

@@ -47,7 +47,10 @@ export function laneRows(data) {
       bad: (i) => statusOf(data, i) !== 'done',
     }),
     ...data.media.flatMap((one, i) => soundRow(one, i, data)),
-    row('as recorded', 'depth', lanes.observed, words(lanes.observed), {optional: true}),
+    row('as recorded', 'depth', lanes.observed, words(lanes.observed), {
+      optional: true,
+      bad: (i) => data.misses.has(lanes.observed.n[i]),
+    }),
   ];
   return all.filter((one) => !one.optional || one.lane.n.length);
 }
