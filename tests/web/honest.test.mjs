@@ -297,7 +297,7 @@ test('an address with nothing at it says so, to a reader and to a program', asyn
   assert.match(await at('problem').innerText(), /nothing at \/nothere/);
 });
 
-test('anything is gone to by its name: a state, a panel, a run, a command', async () => {
+test('anything is gone to by its name: a state, an object, a panel, a run, a command', async () => {
   await visitor.visit('/r/rounds');
   const go = async (text) => {
     await visitor.page.keyboard.press('Control+k');
@@ -316,6 +316,12 @@ test('anything is gone to by its name: a state, a panel, a run, a command', asyn
   assert.match(await at('span').innerText(), /^0:00\.0 – 1:01\.0 of 1:01\.0/);
   await go('failing');
   await visitor.page.waitForURL(/\/r\/failing/);
+  await visitor.visit('/r/wizard?n=45');
+  await visitor.page.waitForFunction(() => window.continua.page.parts.scene.things.length);
+  await go('white cup');
+  await visitor.page.waitForFunction(() =>
+    /^the white cup: /.test(document.querySelector('[data-testid=scene-caption]').innerText),
+  );
   assert.deepEqual(visitor.complaints, []);
 });
 

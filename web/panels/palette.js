@@ -1,4 +1,4 @@
-// Goes to whatever is typed: a record, an instant, a state, a panel, another run; or does what a key does. Suggestions
+// Goes to whatever is typed: a record, an instant, a state, an object, a panel, another run; or does what a key does. Suggestions
 // come while it is typed.
 import {dialog, h} from '../dom.js';
 import {keys} from '../keys.js';
@@ -35,8 +35,9 @@ function choicesOf(page, runs) {
   const commands = keys
     .filter(([names]) => names.length === 1)
     .map(([[key], , what, act]) => ({name: what, kind: key, act: () => act(page, {key, shift: false})}));
+  const things = parts.scene.things.map((one) => ({...one, kind: 'object'}));
   const others = runs.map(({id, name}) => ({name, kind: 'run', act: () => model.open(id)}));
-  return [...states, ...panels, ...commands, ...others];
+  return [...states, ...things, ...panels, ...commands, ...others];
 }
 
 /** The record or instant that `text` names, and the choices that fit it. */
@@ -60,8 +61,8 @@ class Palette {
       role: 'combobox',
       'aria-expanded': 'true',
       'aria-controls': 'palette-list',
-      'aria-label': 'Record, instant, state, panel, run or command',
-      placeholder: '#137, 1:02.5, a state, a panel, a run, a command',
+      'aria-label': 'Record, instant, state, object, panel, run or command',
+      placeholder: '#137, 1:02.5, a state, an object, a panel, a run, a command',
       spellcheck: 'false',
       autocomplete: 'off',
       'data-testid': 'go-to',
@@ -71,7 +72,7 @@ class Palette {
     this.trouble = h(
       'p',
       {class: 'trouble', role: 'alert', hidden: true},
-      'There is no such record, instant, state, panel, run or command.',
+      'There is no such record, instant, state, object, panel, run or command.',
     );
     const button = (text, props) => h('button', {type: 'button', ...props}, text);
     this.element = dialog(

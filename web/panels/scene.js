@@ -251,6 +251,15 @@ class ScenePanel {
     });
   }
 
+  /** The objects by what people call them, each with what selects it: {name, act}[]. */
+  get things() {
+    return this.#bodies.objects.map((name) => ({
+      name: this.#title(name),
+      act: () => {
+        if (this.#selected !== name) this.#select(name);
+      },
+    }));
+  }
   /** Shows another run as a ghost, as of GhostRun; null: none. @returns a promise that resolves when it is there */
   ghost(other) {
     this.#ghost?.close();
