@@ -5,9 +5,11 @@ namespace continua {
 void LiveAudience::tell(const std::function<void(LiveState&)>& change) {
   const std::lock_guard lock(mutex_);
   const bool ran = state_.clock.runs(), was_live = state_.live;
+  const auto bytes = state_.log_bytes;
   change(state_);
-  if (ran != state_.clock.runs() || was_live != state_.live) ++state_.changes;
-  changed_.notify_all();
+  const bool changed = ran != state_.clock.runs() || was_live != state_.live;
+  if (changed) ++state_.changes;
+  if (changed || bytes != state_.log_bytes) changed_.notify_all();
 }
 
 LiveState LiveAudience::state() const {

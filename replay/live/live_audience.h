@@ -31,7 +31,7 @@ struct LiveState {
 
 class LiveAudience {
  public:
-  /// Changes the state and wakes all who wait.
+  /// Changes the state and wakes all who wait if there is more to tell.
   void tell(const std::function<void(LiveState&)>& change);
 
   LiveState state() const;
