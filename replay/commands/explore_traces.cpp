@@ -50,11 +50,9 @@ class Keeper {
     const auto path = (fs::path(options_.output) /
                        fmt::format("{}-{}{}", finding.fault.kind, ++counts_[finding.fault.kind], trace_ending))
                           .string();
-    auto trace = finding.trace;
-    if (!problem_) problem_ = move_paths(trace.header, from_, path, options_.replay.knowledge);
-    if (!problem_) problem_ = write_file(path, write_trace(trace));
+    if (!problem_) problem_ = write_moved(finding.trace, from_, path, options_.replay.knowledge);
     fmt::print("{}: {}, {} -> {}\n", finding.fault.kind, printable_line(finding.fault.place),
-               counted(trace.events.size() - 1, "turn"), printable_line(path));
+               counted(finding.trace.events.size() - 1, "turn"), printable_line(path));
   }
 
   const Outcome& problem() const { return problem_; }
@@ -91,6 +89,7 @@ Result<SearchSummary> explore(const ExploreTracesOptions& options) {
   Keeper keeper(options, path);
   SearchOptions search;
   search.seed = options.seed;
+  search.guided = options.guided;
   search.enough = enough_after(options);
   search.tell = [&](const SearchFinding& finding) { keeper.keep(finding); };
   auto found = search_traces(*kinematic, physics ? &*physics : nullptr, search);
@@ -117,6 +116,8 @@ void describe_explore_traces(CLI::App& command, ExploreTracesOptions& options) {
   command.add_option("-o,--output", options.output,
                      "a folder for a trace of each finding, KIND-1.trace.jsonl, …; otherwise the current one");
   command.add_option("--seed", options.seed, "of the search");
+  command.add_flag("--guided,!--no-guided", options.guided,
+                   "go on from conversations that reach something new; otherwise each is drawn anew");
   command.add_flag("--compare,!--no-compare", options.compare,
                    "replay conversations that reach something new with physics too");
   add_set_option(command, options.replay.settings);

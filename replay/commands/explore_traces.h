@@ -13,6 +13,7 @@ struct ExploreTracesOptions {
   double time_s = 60;
   int runs = 0;  ///< so many instead; 0: as many as there is time for
   std::uint64_t seed = 0;
+  bool guided = true;    ///< by coverage
   bool compare = true;   ///< the two worlds
   ReplayOptions replay;  ///< with scene and machine
 };

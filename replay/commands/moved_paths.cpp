@@ -45,4 +45,9 @@ Outcome move_paths(TraceHeader& header, const std::string& trace, const std::str
   return std::nullopt;
 }
 
+Outcome write_moved(Trace trace, const std::string& from, const std::string& output, const std::string& knowledge) {
+  if (auto problem = move_paths(trace.header, from, output, knowledge)) return problem;
+  return write_file(output, write_trace(trace));
+}
+
 }  // namespace continua

@@ -61,15 +61,14 @@ Result<Robustness> robustness_of_all(const RobustCommandOptions& options, const 
   return sum;
 }
 
-Outcome write_breaks(const RobustCommandOptions& options, Robustness& robustness) {
+Outcome write_breaks(const RobustCommandOptions& options, const Robustness& robustness) {
   std::error_code problem;
   fs::create_directories(options.breaks, problem);
   if (problem) return Error{options.breaks, fmt::format("cannot be made a folder: {}", problem.message())};
-  for (auto& one : robustness.breaks) {
+  for (const auto& one : robustness.breaks) {
     const auto path =
         (fs::path(options.breaks) / fmt::format("{}.{}{}", trace_name(one.trace), one.kind, trace_ending)).string();
-    if (auto moved = move_paths(one.with.header, one.trace, path, options.replay.knowledge)) return moved;
-    if (auto written = write_file(path, write_trace(one.with))) return written;
+    if (auto unwritten = write_moved(one.with, one.trace, path, options.replay.knowledge)) return unwritten;
   }
   return std::nullopt;
 }
@@ -83,7 +82,7 @@ int run_robust(const RobustCommandOptions& options) {
   };
   const auto noise = wanted_noise(options);
   if (!noise) return fail(noise.error());
-  auto robustness = robustness_of_all(options, {*noise, options.strengths, options.count, options.seed});
+  const auto robustness = robustness_of_all(options, {*noise, options.strengths, options.count, options.seed});
   if (!robustness) return fail(robustness.error());
   if (options.json)
     fmt::print("{}\n", compact(robust_json(*robustness)));

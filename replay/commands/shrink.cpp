@@ -76,9 +76,8 @@ int run_shrink(const ShrinkCommandOptions& options) {
     report({options.trace, fmt::format("the whole trace never does {}: {}", in_quotes(goal->text), shrunk->instead)});
     return exit_no;
   }
-  if (const auto problem = move_paths(shrunk->trace.header, options.trace, output, options.replay.knowledge))
+  if (const auto problem = write_moved(shrunk->trace, options.trace, output, options.replay.knowledge))
     return fail(*problem);
-  if (const auto problem = write_file(output, write_trace(shrunk->trace))) return fail(*problem);
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
   fmt::print(output == "-" ? stderr : stdout, "{}: {} -> {}, {}, {:.2f} s -> {}\n",
              printable_line(fs::path(options.trace).filename().string()), counted(shrunk->events_before, "event"),

@@ -134,8 +134,7 @@ int run_trace(const TraceCommandOptions& options) {
   }
   auto trace = made(traces, options);
   if (!trace) return fail(trace.error());
-  if (const auto problem = move_paths(trace->header, options.traces.front(), options.output)) return fail(*problem);
-  if (const auto problem = write_file(options.output, write_trace(*trace))) return fail(*problem);
+  if (const auto problem = write_moved(*trace, options.traces.front(), options.output)) return fail(*problem);
   if (options.output != "-")
     fmt::print("{} -> {}\n", counted(trace->events.size(), "event"), printable_line(options.output));
   return exit_done;

@@ -31,8 +31,7 @@ Outcome vary(const VaryOptions& options) {
     const auto path =
         (fs::path(options.output) / fmt::format("{}.{:0{}}{}", trace_name(options.trace), i + 1, digits, trace_ending))
             .string();
-    if (auto moved = move_paths(varied.header, options.trace, path, options.knowledge)) return moved;
-    if (auto written = write_file(path, write_trace(varied))) return written;
+    if (auto unwritten = write_moved(varied, options.trace, path, options.knowledge)) return unwritten;
     fmt::print("{} -> {}\n", counted(edits.size(), "change"), printable_line(path));
     if (!options.changes) continue;
     for (const auto& edit : edits) fmt::print("  {}\n", printable_line(edit.sentence));

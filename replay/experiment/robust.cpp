@@ -183,14 +183,10 @@ class Trials {
   }
 
   Break smallest(const std::vector<Edit>& edits, const std::string& kind, double strength) {
-    const auto some = [&](const Indices& part) {
-      std::vector<Edit> kept;
-      for (const auto index : part) kept.push_back(edits[index]);
-      return kept;
+    const auto breaks = [&](const Indices& part) {
+      return end_of(edited_trace(trace_, part_of(edits, part))) == RunEnd::otherwise;
     };
-    const auto breaks = [&](const Trace& trace) { return end_of(trace) == RunEnd::otherwise; };
-    const auto least =
-        some(ddmin(edits.size(), [&](const Indices& part) { return breaks(edited_trace(trace_, some(part))); }));
+    const auto least = part_of(edits, ddmin(edits.size(), breaks));
     Break found{session_.trace().head().name, kind, strength, {}, {}, edited_trace(trace_, least)};
     for (const auto& edit : least) found.sentences.push_back(edit.sentence);
     const auto run = run_of(found.with);

@@ -16,13 +16,6 @@ namespace {
 
 bool is_expectation(const TraceEvent& event) { return std::holds_alternative<Expectation>(event.what); }
 
-template <class Element>
-std::vector<Element> part_of(const std::vector<Element>& all, const Indices& part) {
-  std::vector<Element> some;
-  for (const auto index : part) some.push_back(all[index]);
-  return some;
-}
-
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> words;

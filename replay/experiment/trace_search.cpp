@@ -82,10 +82,19 @@ class Search {
     return static_cast<std::size_t>(random_.uniform() * static_cast<double>(count));
   }
 
-  // Another talk, made of one that reached something new, or of none.
+  // A talk of any length.
+  Talk new_talk() {
+    Talk talk(1 + draw(static_cast<std::size_t>(options_.longest)));
+    for (auto& turn : talk) turn = turns_[draw(turns_.size())];
+    return talk;
+  }
+
+  // Another talk, made of one that reached something new, rather lately than long ago, or of none.
   Talk next_talk() {
+    if (!options_.guided) return new_talk();
     Talk talk;
-    if (!talks_.empty() && random_.uniform() < 0.8) talk = talks_[draw(talks_.size())];
+    if (!talks_.empty() && random_.uniform() < 0.8)
+      talk = talks_[std::max({draw(talks_.size()), draw(talks_.size()), draw(talks_.size())})];
     const auto changes = 1 + draw(3);
     for (std::size_t i = 0; i < changes; ++i) {
       const double which = random_.uniform();
@@ -93,8 +102,10 @@ class Search {
         talk.erase(talk.begin() + static_cast<std::ptrdiff_t>(draw(talk.size())));
       else if (which < 0.4 && !talk.empty())
         talk[draw(talk.size())] = turns_[draw(turns_.size())];
-      else
+      else if (which < 0.6)
         talk.insert(talk.begin() + static_cast<std::ptrdiff_t>(draw(talk.size() + 1)), turns_[draw(turns_.size())]);
+      else
+        talk.push_back(turns_[draw(turns_.size())]);
     }
     if (talk.empty()) talk.push_back(turns_[draw(turns_.size())]);
     if (talk.size() > static_cast<std::size_t>(options_.longest))
@@ -139,13 +150,8 @@ class Search {
   template <class Holds>
   void keep_if(const Fault& fault, const Talk& talk, const Holds& holds) {
     if (!known_.insert(fault).second) return;
-    const auto some = [&](const Indices& part) {
-      Talk less;
-      for (const auto index : part) less.push_back(talk[index]);
-      return less;
-    };
-    const auto least = ddmin(talk.size(), [&](const Indices& part) { return holds(some(part)); });
-    summary_.findings.push_back({fault, trace_of(some(least))});
+    const auto least = ddmin(talk.size(), [&](const Indices& part) { return holds(part_of(talk, part)); });
+    summary_.findings.push_back({fault, trace_of(part_of(talk, least))});
     if (options_.tell) options_.tell(summary_.findings.back());
   }
 

@@ -43,6 +43,7 @@ struct SearchFinding {
 struct SearchOptions {
   std::uint64_t seed = 0;
   int longest = 12;                                ///< turns of a conversation
+  bool guided = true;                              ///< by what is reached; otherwise each conversation is drawn anew
   std::function<bool()> enough;                    ///< asked before each run
   std::function<void(const SearchFinding&)> tell;  ///< of each, at once
 };

@@ -34,9 +34,23 @@ const char* trap = R"json({"machine":1,"name":"trap","start":"A",
   {"id":"shake","from":["A","B"],"on":"speech shake","to":"A","do":[{"act":"HEAD_SHAKE"},{"say":"There."}]},
   {"id":"nod","from":"A","on":"speech nod","to":"A","do":[{"act":"HEAD_NOD"}]}]})json";
 
+// An act without a word after seven words in their order; any other word, and it begins anew.
+const char* lock = R"json({"machine":1,"name":"lock","start":"0","programs":{"HEAD_NOD":"t"},
+  "states":{"0":{},"1":{},"2":{},"3":{},"4":{},"5":{},"6":{}},
+  "transitions":[
+  {"id":"one","from":"0","on":"speech one","to":"1"},
+  {"id":"two","from":"1","on":"speech two","to":"2"},
+  {"id":"three","from":"2","on":"speech three","to":"3"},
+  {"id":"four","from":"3","on":"speech four","to":"4"},
+  {"id":"five","from":"4","on":"speech five","to":"5"},
+  {"id":"six","from":"5","on":"speech six","to":"6"},
+  {"id":"seven","from":"6","on":"speech seven","to":"0","do":[{"act":"HEAD_NOD"}]},
+  {"id":"wrong","from":["0","1","2","3","4","5","6"],"rank":-1,"to":"0",
+   "on":["speech one","speech two","speech three","speech four","speech five","speech six","speech seven"]}]})json";
+
 struct Lab {
-  Lab() {
-    folder.file("trap.json", trap);
+  explicit Lab(const char* machine = trap) {
+    folder.file("trap.json", machine);
     ReplayOptions options;
     options.physics = false;
     const auto path = folder.file(
@@ -46,10 +60,11 @@ struct Lab {
     session = std::move(*loaded);
   }
 
-  SearchSummary search(std::uint64_t seed) {
+  SearchSummary search(std::uint64_t seed, int runs = 300, bool guided = true) {
     SearchOptions options;
     options.seed = seed;
-    options.enough = [left = 300]() mutable { return left-- <= 0; };
+    options.guided = guided;
+    options.enough = [left = runs]() mutable { return left-- <= 0; };
     auto found = search_traces(*session, nullptr, options);
     if (!found) FAIL(found.error().text());
     return *std::move(found);
@@ -79,6 +94,16 @@ TEST_CASE("A search finds the dead state and the act without a word, each with t
   CHECK(of_kind("wordless", "HEAD_SHAKE") == "none");
   CHECK(of_kind("dead", "Shut") == "come go ");
   CHECK(of_kind("refusals", "Shut").starts_with("come go "));
+}
+
+// By chance a conversation has seven given words in a row with a probability below 6 / 7^7, one in 137,000.
+TEST_CASE("A search that goes on from what reached something new finds what needs many turns in their order") {
+  Lab lab(lock);
+  const auto is_found = [&](bool guided) {
+    return !lab.search(3, 4000, guided).findings.empty();
+  };
+  CHECK_FALSE(is_found(false));
+  CHECK(is_found(true));
 }
 
 TEST_CASE("The same seed finds the same") {
