@@ -99,9 +99,7 @@ TEST_CASE("A search finds the dead state and the act without a word, each with t
 // By chance a conversation has seven given words in a row with a probability below 6 / 7^7, one in 137,000.
 TEST_CASE("A search that goes on from what reached something new finds what needs many turns in their order") {
   Lab lab(lock);
-  const auto is_found = [&](bool guided) {
-    return !lab.search(3, 4000, guided).findings.empty();
-  };
+  const auto is_found = [&](bool guided) { return !lab.search(3, 4000, guided).findings.empty(); };
   CHECK_FALSE(is_found(false));
   CHECK(is_found(true));
 }
