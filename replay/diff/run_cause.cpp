@@ -10,6 +10,7 @@
 #include "continua/replay/diff/run_diff_words.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/run_words.h"
 #include "continua/term/written_term.h"
 
 namespace continua {
@@ -355,13 +356,15 @@ class Inquiry {
     if (!referents.is_array() || !ruled_out.is_array()) return;
     for (const auto& each : ruled_out)
       if (std::find(referents.begin(), referents.end(), member_of(each, "object")) != referents.end())
-        diff_.evidence.push_back(fmt::format("{} is ruled out for “{}” in {}: {}", text_of(each, "object"),
-                                             text_of(other, "words"), where, text_of(each, "reason")));
+        diff_.evidence.push_back(fmt::format("{} is ruled out for “{}” in {}: {}",
+                                             words_.thing(text_of(each, "object")), text_of(other, "words"), where,
+                                             text_of(each, "reason")));
   }
 
   const RunIndex &a_, &b_;
   RunDiff& diff_;
   Pivot pivot_;
+  const RunWords words_{a_};
   GivenDifference word_;
 };
 

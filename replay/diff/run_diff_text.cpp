@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "continua/replay/diff/run_diff_words.h"
+#include "continua/replay/log/brief_in_words.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/time_text.h"
 
@@ -20,9 +21,9 @@ std::string shortened(std::string text, std::size_t longest) {
 }
 
 // "#16 transition Ask → Compose"
-std::string line_of(const RunIndex& run, std::size_t n) {
+std::string line_of(const RunIndex& run, const RunWords& words, std::size_t n) {
   const auto record = run.record(n);
-  const auto told = record ? brief(*record) : record.error().sentence;
+  const auto told = record ? brief_in_words(words, *record) : record.error().sentence;
   return fmt::format("#{} {} {} {}", n, time_text(run.entry(n).t.seconds()), run.kind(n),
                      shortened(told, longest_brief));
 }
@@ -30,7 +31,7 @@ std::string line_of(const RunIndex& run, std::size_t n) {
 class Text {
  public:
   Text(const RunIndex& a, const RunIndex& b, const RunDiff& diff, const DiffTextOptions& options)
-      : a_(a), b_(b), diff_(diff), options_(options) {}
+      : a_(a), b_(b), words_a_(a), words_b_(b), diff_(diff), options_(options) {}
 
   std::string written() {
     text_ = coloured("1", diff_.sentence) + "\n";
@@ -64,20 +65,20 @@ class Text {
   void led() {
     if (diff_.led_a.empty() && diff_.led_b.empty()) return;
     heading("What led there");
-    for (const auto n : diff_.led_a) line("A", "0", line_of(a_, n));
+    for (const auto n : diff_.led_a) line("A", "0", line_of(a_, words_a_, n));
     if (diff_.led_a != diff_.led_b)
-      for (const auto n : diff_.led_b) line("B", "0", line_of(b_, n));
+      for (const auto n : diff_.led_b) line("B", "0", line_of(b_, words_b_, n));
   }
 
   void difference(const RunDifference& one) {
     constexpr std::size_t most = 8;
-    const auto records = [&](const char* mark, const char* code, const RunIndex& run,
+    const auto records = [&](const char* mark, const char* code, const RunIndex& run, const RunWords& words,
                              const std::vector<std::size_t>& all) {
-      for (std::size_t i = 0; i < std::min(all.size(), most); ++i) line(mark, code, line_of(run, all[i]));
+      for (std::size_t i = 0; i < std::min(all.size(), most); ++i) line(mark, code, line_of(run, words, all[i]));
       if (all.size() > most) line(mark, code, fmt::format("and {} more", all.size() - most));
     };
-    records("-", "31", a_, one.a);
-    records("+", "32", b_, one.b);
+    records("-", "31", a_, words_a_, one.a);
+    records("+", "32", b_, words_b_, one.b);
     for (const auto& value : diff_.evidence)
       if (&one == &diff_.differences[diff_.first]) line(" ", "33", value);
   }
@@ -96,8 +97,8 @@ class Text {
     }
     if (!diff_.meet) return;
     heading("They meet again");
-    line("A", "0", line_of(a_, diff_.meet->first));
-    line("B", "0", line_of(b_, diff_.meet->second));
+    line("A", "0", line_of(a_, words_a_, diff_.meet->first));
+    line("B", "0", line_of(b_, words_b_, diff_.meet->second));
   }
 
   void givens() {
@@ -107,19 +108,20 @@ class Text {
   }
 
   const RunIndex &a_, &b_;
+  const RunWords words_a_, words_b_;
   const RunDiff& diff_;
   const DiffTextOptions& options_;
   std::string text_;
 };
 
-Json json_of(const RunIndex& run, const std::vector<std::size_t>& records) {
+// `raw`: as the log has it, where `brief` has other words.
+Json json_of(const RunIndex& run, const RunWords& words, const std::vector<std::size_t>& records) {
   Json all = Json::array();
   for (const auto n : records) {
     const auto record = run.record(n);
-    all.push_back({{"n", n},
-                   {"t", run.entry(n).t.seconds()},
-                   {"kind", run.kind(n)},
-                   {"brief", record ? brief(*record) : record.error().sentence}});
+    const auto told = record ? brief_in_words(words, *record) : record.error().sentence;
+    all.push_back({{"n", n}, {"t", run.entry(n).t.seconds()}, {"kind", run.kind(n)}, {"brief", told}});
+    if (const auto raw = record ? brief(*record) : told; raw != told) all.back()["raw"] = raw;
   }
   return all;
 }
@@ -143,11 +145,12 @@ std::string diff_markdown(const RunIndex& a, const RunIndex& b, const RunDiff& d
 
 Json diff_json(const RunIndex& a, const RunIndex& b, const RunDiff& diff) {
   Json differences = Json::array(), givens = Json::array();
+  const RunWords words_a(a), words_b(b);
   for (const auto& one : diff.differences)
     differences.push_back({{"kind", name_of(one.kind)},
                            {"t", one.t.seconds()},
-                           {"a", json_of(a, one.a)},
-                           {"b", json_of(b, one.b)},
+                           {"a", json_of(a, words_a, one.a)},
+                           {"b", json_of(b, words_b, one.b)},
                            {"change", one.input ? Json(name_of(one.input->kind)) : Json(nullptr)}});
   for (const auto& given : diff.givens)
     givens.push_back(
@@ -163,7 +166,7 @@ Json diff_json(const RunIndex& a, const RunIndex& b, const RunDiff& diff) {
             {"sentence", diff.cause.sentence}}},
           {"evidence", diff.evidence},
           {"first", diff.differences.empty() ? Json(nullptr) : Json(diff.first)},
-          {"led", {{"a", json_of(a, diff.led_a)}, {"b", json_of(b, diff.led_b)}}},
+          {"led", {{"a", json_of(a, words_a, diff.led_a)}, {"b", json_of(b, words_b, diff.led_b)}}},
           {"differences", std::move(differences)},
           {"count", diff.count},
           {"meet", diff.meet ? Json{{"a", diff.meet->first}, {"b", diff.meet->second}} : Json(nullptr)},

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "continua/replay/log/brief_in_words.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/time_text.h"
@@ -59,21 +60,31 @@ std::string value_text(const Json& value) {
   return value.is_string() ? value.get<std::string>() : compact(value);
 }
 
-RootCause changed_in_words(const Json& a, const Json& b) {
+// Of a member of an event: a place and the name of a gesture or a thing in words.
+std::string value_text(const RunWords& words, const std::string& of, const Json& value) {
+  if (of == "name") return words.gesture(value_text(value), "");
+  if (of != "target" || !value.is_array()) return of == "target" ? words.thing(value_text(value)) : value_text(value);
+  std::vector<std::string> numbers;
+  for (const auto& number : value) numbers.push_back(compact(number));
+  return words.term(fmt::format("<{}>", fmt::join(numbers, ", ")));
+}
+
+RootCause changed_in_words(const RunWords& words, const Json& a, const Json& b) {
   const auto one = event_of(a), other = event_of(b);
-  RootCause cause{"input", event_words(a), one, other, ""};
+  RootCause cause{"input", event_words(words, a), one, other, ""};
   const auto text_a = text_of(one, "text"), text_b = text_of(other, "text");
   if (text_a != text_b) {
-    cause.sentence = fmt::format("at {} A has {}, B {}{}", place_of(a), event_words(a), event_words(b),
+    cause.sentence = fmt::format("at {} A has {}, B {}{}", place_of(a), event_words(words, a), event_words(words, b),
                                  changed_words(text_a, text_b));
     return cause;
   }
   std::vector<std::string> fields;
   for (const auto& difference : document_differences("input", one, other))
     if (difference.what != "t" && difference.what != "row" && difference.what != "n" && difference.what != "line")
-      fields.push_back(
-          fmt::format("{} {} in A, {} in B", difference.what, value_text(difference.a), value_text(difference.b)));
-  cause.sentence = fmt::format("{} at {}: {}", event_words(a), place_of(a), fmt::join(fields, "; "));
+      fields.push_back(fmt::format("{} {} in A, {} in B", difference.what,
+                                   value_text(words, difference.what, difference.a),
+                                   value_text(words, difference.what, difference.b)));
+  cause.sentence = fmt::format("{} at {}: {}", event_words(words, a), place_of(a), fmt::join(fields, "; "));
   return cause;
 }
 
@@ -93,15 +104,23 @@ bool same_step(const Json& a, const Json& b) {
   return true;
 }
 
-std::string brief_of(const Json& record) { return fmt::format("{} {}", text_of(record, "kind"), brief(record)); }
+// The words of the two runs, whose scenes may differ.
+struct BothWords {
+  RunWords a, b;
+};
+
+std::string brief_of(const RunWords& words, const Json& record) {
+  return fmt::format("{} {}", text_of(record, "kind"), brief_in_words(words, record));
+}
 
 // Which numbers decided the same step otherwise.
-std::string decided_in_words(const Json& a, const Json& b) {
+std::string decided_in_words(const BothWords& words, const Json& a, const Json& b) {
   for (const char* key : {"weight", "forced", "draw", "operation", "gates", "refused", "candidates", "probability",
                           "depth", "parses", "unknown", "unused", "found", "reason", "confidence", "types", "rule"})
     if (const auto& one = member_of(a, key), &other = member_of(b, key); one != other) {
-      const auto subject =
-          log::is<log::Transition>(text_of(a, "kind")) ? fmt::format("transition '{}'", text_of(a, "id")) : brief_of(a);
+      const auto subject = log::is<log::Transition>(text_of(a, "kind"))
+                               ? fmt::format("transition '{}'", text_of(a, "id"))
+                               : brief_of(words.a, a);
       const auto was = value_text(one), is = value_text(other);
       if (was.size() + is.size() > 120) return fmt::format("{} is the same, with other {}", subject, key);
       return fmt::format("{} is the same, with {} {} in A, {} in B", subject, key, was, is);
@@ -109,39 +128,41 @@ std::string decided_in_words(const Json& a, const Json& b) {
   return fmt::format("{} is decided otherwise", text_of(a, "kind"));
 }
 
-std::string happened_in_words(const Json& a, const Json& b) {
-  if (a.is_null()) return fmt::format("only B has: {}", brief_of(b));
-  if (b.is_null()) return fmt::format("only A has: {}", brief_of(a));
+std::string happened_in_words(const BothWords& words, const Json& a, const Json& b) {
+  if (a.is_null()) return fmt::format("only B has: {}", brief_of(words.b, b));
+  if (b.is_null()) return fmt::format("only A has: {}", brief_of(words.a, a));
   const auto kind = text_of(a, "kind");
-  if (kind != text_of(b, "kind")) return fmt::format("A has {}, B {}", brief_of(a), brief_of(b));
-  if (log::is<log::Reading>(kind))
-    return fmt::format("“{}” means {} in A, {} in B", text_of(a, "words"), brief(a), brief(b));
-  if (log::is<log::Utterance>(kind)) return fmt::format("A says {}, B {}", brief(a), brief(b));
-  return fmt::format("{} {} in A, {} in B", kind, brief(a), brief(b));
+  if (kind != text_of(b, "kind")) return fmt::format("A has {}, B {}", brief_of(words.a, a), brief_of(words.b, b));
+  const auto one = brief_in_words(words.a, a), other = brief_in_words(words.b, b);
+  if (log::is<log::Reading>(kind)) return fmt::format("“{}” means {} in A, {} in B", text_of(a, "words"), one, other);
+  if (log::is<log::Utterance>(kind)) return fmt::format("A says {}, B {}", one, other);
+  return fmt::format("{} {} in A, {} in B", kind, one, other);
 }
 
 std::string how(const RunIndex& run_a, const RunIndex& run_b, const RunDiff& diff, const Json& a, const Json& b,
                 const Json& transition_a, const Json& transition_b) {
   const auto& first = diff.differences[diff.first];
+  const BothWords words{RunWords(run_a), RunWords(run_b)};
   switch (first.kind) {
     case RunDifference::Kind::input:
       return input_cause(run_a, run_b, first).sentence;
     case RunDifference::Kind::decided:
-      return decided_in_words(a, b);
+      return decided_in_words(words, a, b);
     case RunDifference::Kind::timing:
-      return fmt::format("{} comes at {} in A, at {} in B", brief_of(a), place_of(a), place_of(b));
+      return fmt::format("{} comes at {} in A, at {} in B", brief_of(words.a, a), place_of(a), place_of(b));
     case RunDifference::Kind::outcome:
-      return fmt::format("{} is {} in A, {} in B", text_of(a, "program"), text_of(a, "status"), text_of(b, "status"));
+      return fmt::format("“{}” is {} in A, {} in B", words.a.term(text_of(a, "program")), text_of(a, "status"),
+                         text_of(b, "status"));
     case RunDifference::Kind::poses:
-      return fmt::format("{} is elsewhere, up to {:.1f} mm from where it is in the other run", diff.farthest,
-                         1000 * diff.largest_distance_m);
+      return fmt::format("{} is elsewhere, up to {:.1f} mm from where it is in the other run",
+                         words.a.thing(diff.farthest), 1000 * diff.largest_distance_m);
     case RunDifference::Kind::happened:
       break;
   }
   const bool stepped = !transition_a.is_null() && !transition_b.is_null();
   if (stepped && !same_step(transition_a, transition_b) && !log::is<log::Reading>(text_of(a, "kind")))
     return transitions_in_words(transition_a, transition_b);
-  return happened_in_words(a, b);
+  return happened_in_words(words, a, b);
 }
 
 std::string effect(const RunIndex& a, const RunIndex& b, const RunDiff& diff) {
@@ -171,23 +192,23 @@ std::string numbers(const RunDifference& first) {
 
 }  // namespace
 
-std::string event_words(const Json& record) {
+std::string event_words(const RunWords& words, const Json& record) {
   const auto event = event_of(record);
-  Json input{{"kind", "input"}, {"event", event}};
   const auto kind = text_of(event, "kind");
   if (kind == "expect") {
     Json fields = event;
     for (const char* key : {"kind", "n", "t", "line", "met", "found", "expected"}) fields.erase(key);
     return fmt::format("the expectation {}", compact(event.contains("expected") ? event["expected"] : fields));
   }
-  if (kind == "observed") return fmt::format("observed {} {}", text_of(event, "channel"), text_of(event, "content"));
-  return brief(input);
+  if (kind == "observed") return "observed " + brief_in_words(words, event);
+  return input_text(words, {{"kind", "input"}, {"event", event}});
 }
 
-RootCause change_in_words(EventChange::Kind kind, const Json& a, const Json& b, const Json& other_a) {
+RootCause change_in_words(const RunWords& words, EventChange::Kind kind, const Json& a, const Json& b,
+                          const Json& other_a) {
   using Kind = EventChange::Kind;
-  if (kind == Kind::changed) return changed_in_words(a, b);
-  RootCause cause{"input", event_words(a.is_null() ? b : a), a.is_null() ? Json() : event_of(a),
+  if (kind == Kind::changed) return changed_in_words(words, a, b);
+  RootCause cause{"input", event_words(words, a.is_null() ? b : a), a.is_null() ? Json() : event_of(a),
                   b.is_null() ? Json() : event_of(b), ""};
   const auto kind_of = [](const Json& record) { return text_of(event_of(record), "kind"); };
   if (kind == Kind::dropped)
@@ -201,7 +222,7 @@ RootCause change_in_words(EventChange::Kind kind, const Json& a, const Json& b, 
             : fmt::format("{} ({}) comes at {} in A, at {} in B", cause.what, kind_of(a), place_of(a), place_of(b));
   if (kind == Kind::swapped)
     cause.sentence = fmt::format("{} (at {} in A) and {} (at {}) change places", cause.what, place_of(a),
-                                 event_words(other_a), place_of(other_a));
+                                 event_words(words, other_a), place_of(other_a));
   return cause;
 }
 
@@ -212,7 +233,7 @@ RootCause input_cause(const RunIndex& a, const RunIndex& b, const RunDifference&
     return read ? *read : Json();
   };
   const auto other = input.other ? std::optional(input.other->first) : std::nullopt;
-  return change_in_words(input.kind, record(a, input.a), record(b, input.b), record(a, other));
+  return change_in_words(RunWords(a), input.kind, record(a, input.a), record(b, input.b), record(a, other));
 }
 
 std::string sentence_of(const RunIndex& a, const RunIndex& b, const RunDiff& diff, const Json& transition_a,

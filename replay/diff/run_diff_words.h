@@ -4,15 +4,17 @@
 #include <string>
 
 #include "continua/replay/diff/run_diff.h"
+#include "continua/replay/log/run_words.h"
 
 namespace continua {
 
-/// Of an event of a trace, as a record of a run or a line of the trace has it: “The plate.”, right point stroke.
-std::string event_words(const Json& record);
+/// Of an event of a trace, as a record of a run or a line of the trace has it: “The plate.”, gesture “points”.
+std::string event_words(const RunWords& words, const Json& record);
 
 /// The change of an event from one trace to the other. The records (lines) are those of the change; null where it has
 /// none, `other_a` the second one under `swapped`.
-RootCause change_in_words(EventChange::Kind kind, const Json& a, const Json& b, const Json& other_a);
+RootCause change_in_words(const RunWords& words, EventChange::Kind kind, const Json& a, const Json& b,
+                          const Json& other_a);
 
 /// The cause of a difference that begins with an input. REQUIRES difference.input
 RootCause input_cause(const RunIndex& a, const RunIndex& b, const RunDifference& difference);

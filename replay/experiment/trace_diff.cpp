@@ -43,8 +43,9 @@ TraceDiff diff_traces(const Trace& a, const Trace& b) {
   const auto aligned = align_events(events_of(a), events_of(b));
   for (const auto& change : aligned.changes) {
     const auto other = change.other ? record_of(a, change.other->first) : Json();
-    diff.changes.push_back({change.kind, line_of(a, change.a), line_of(b, change.b),
-                            change_in_words(change.kind, record_of(a, change.a), record_of(b, change.b), other)});
+    diff.changes.push_back(
+        {change.kind, line_of(a, change.a), line_of(b, change.b),
+         change_in_words(RunWords(""), change.kind, record_of(a, change.a), record_of(b, change.b), other)});
   }
   diff.same = diff.header.empty() && diff.changes.empty();
   const auto count = diff.header.size() + diff.changes.size();

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/line_scan.h"
-#include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_sources.h"
 
 namespace continua {
@@ -99,24 +96,6 @@ Json header_member(const RunIndex& run, std::string_view name) {
   if (member.empty()) return nullptr;
   const auto value = parse_json_line(member, run.path(), 1);
   return value ? *value : Json();
-}
-
-std::string input_text(const RunWords& words, const Json& input, std::size_t alternative) {
-  const auto& event = member_of(input, "event");
-  const auto kind = text_of(event, "kind");
-  const bool has_own = member_of(event, kind == "speech" ? "text" : "name").is_string();
-  const auto& others = member_of(event, "alternatives");
-  if (const auto place = alternative - (has_own ? 1 : 0);
-      others.is_array() && !(has_own && alternative == 0) && place < others.size())
-    return fmt::format("{}“{}”", kind == "speech" ? "" : kind + " ", text_of(others[place], "text"));
-  if (kind == "act")
-    return fmt::format("act {}, “{}”, {}", text_of(event, "act"), words.term(text_of(event, "program")),
-                       text_of(event, "status"));
-  if (kind != "gesture" || !has_own) return kind == "gesture" ? "gesture " + brief(input) : brief(input);
-  const auto phase = text_of(event, "phase");
-  const bool whole = phase.empty() || phase == "stroke";
-  return fmt::format("gesture “{}”{}", words.gesture(text_of(event, "name"), text_of(event, "direction")),
-                     whole ? "" : fmt::format(" ({})", phase));
 }
 
 }  // namespace continua

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "continua/core/located_json.h"
+#include "continua/replay/log/brief_in_words.h"
 #include "continua/replay/log/run_index.h"
-#include "continua/replay/log/run_words.h"
 #include "continua/replay/log/time_text.h"
 
 namespace continua {
@@ -61,9 +61,5 @@ std::vector<std::size_t> record_numbers(const Json& object, const char* key, std
 /// A member of the log's header, null where it has none. The header carries the whole machine, so that reading all of
 /// it takes most of the time of an explanation.
 Json header_member(const RunIndex& run, std::string_view name);
-
-/// The input as a reader knows it: “Put it there.”, gesture “yes”, pointing right [0.1,0.2], act 1, “puts the cup
-/// back”, missed. Of an n-best list the alternative of this number, as in RUNLOG.md.
-std::string input_text(const RunWords& words, const Json& input, std::size_t alternative = 0);
 
 }  // namespace continua

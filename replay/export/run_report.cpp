@@ -10,7 +10,9 @@
 #include "continua/replay/export/graph_svg.h"
 #include "continua/replay/export/run_dialogue.h"
 #include "continua/replay/export/run_html.h"
+#include "continua/replay/log/brief_in_words.h"
 #include "continua/replay/log/run_brief.h"
+#include "continua/replay/log/time_text.h"
 
 namespace continua {
 namespace {
@@ -18,7 +20,7 @@ namespace {
 // Longest list of records that differ, and longest record, in bytes; all are in the diff in the same folder.
 constexpr std::size_t most_rows = 400, longest_record = 4000;
 
-std::string seconds(SimTime t) { return fmt::format("{:.2f} s", t.seconds()); }
+std::string seconds(SimTime t) { return time_text(t.seconds()); }
 // Both times where they differ as told.
 std::string seconds(SimTime a, SimTime b) {
   const auto in_a = seconds(a), in_b = seconds(b);
@@ -108,7 +110,7 @@ std::string both_dialogues(const RunIndex& approved, const RunIndex& now) {
   return html + end_of_table;
 }
 
-std::string of_record(const RunIndex& run, std::size_t n) {
+std::string of_record(const RunIndex& run, const RunWords& words, std::size_t n) {
   const auto record = run.record(n);
   if (!record) return in_html(record.error().text());
   auto text = compact(*record);
@@ -118,13 +120,14 @@ std::string of_record(const RunIndex& run, std::size_t n) {
     text = text.substr(0, end) + "…";
   }
   return fmt::format("<b>{}</b> {}<details><summary>record {}</summary><span class=\"record\">{}</span></details>",
-                     in_html(run.kind(n)), in_html(brief(*record)), n, in_html(text));
+                     in_html(run.kind(n)), in_html(brief_in_words(words, *record)), n, in_html(text));
 }
 
 // Each difference under its kind; its records side by side, first against first.
 std::string differing_records(const RunIndex& approved, const RunIndex& now, const RunDiff& diff) {
   if (diff.differences.empty()) return "<p>None.</p>\n";
   std::string html = two_columns;
+  const RunWords words_a(approved), words_b(now);
   std::size_t rows = 0, shown = 0;
   for (const auto& one : diff.differences) {
     if (rows >= most_rows) break;
@@ -134,7 +137,8 @@ std::string differing_records(const RunIndex& approved, const RunIndex& now, con
       const auto* in_a = i < one.a.size() ? &approved.entry(one.a[i]) : nullptr;
       const auto* in_b = i < one.b.size() ? &now.entry(one.b[i]) : nullptr;
       html += differing_row(seconds((in_a ? in_a : in_b)->t, (in_b ? in_b : in_a)->t),
-                            in_a ? of_record(approved, one.a[i]) : "", in_b ? of_record(now, one.b[i]) : "");
+                            in_a ? of_record(approved, words_a, one.a[i]) : "",
+                            in_b ? of_record(now, words_b, one.b[i]) : "");
     }
   }
   html += end_of_table;

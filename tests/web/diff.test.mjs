@@ -52,6 +52,14 @@ test('a comparison opens at the first difference; n and p go on and back, and th
   assert.equal(await visitor.n(), 22);
 });
 
+test('things, gestures and programs are told in words, with the log’s own form on hover', async () => {
+  await visitor.visit(both);
+  const gesture = visitor.page.locator('.hunk .line', {hasText: 'gesture “no”'});
+  assert.equal(await gesture.getAttribute('title'), 'negack stroke');
+  for (const told of await visitor.page.locator('.hunk .line').allInnerTexts())
+    if (/ (act|gesture|expect) /.test(told)) assert.doesNotMatch(told, /block\d/);
+});
+
 test('differences are told with what each run has, and why', async () => {
   await visitor.visit(both);
   const text = await at('panel-differences').innerText();

@@ -20,7 +20,7 @@ const copied_ms = 1200; // how long the button says so
 const line = (mark, side, record) =>
   h(
     'li',
-    {class: `line ${side}`},
+    {class: `line ${side}`, title: record.raw ?? null},
     h('span', {class: 'sign', 'aria-hidden': 'true'}, mark),
     h('span', {class: 'unseen'}, side === 'a' ? 'in A ' : 'in B '),
     h('span', {class: 'n'}, `#${record.n}`),

@@ -156,7 +156,7 @@ TEST_CASE("what an act came to counts, whenever it did") {
   const auto diff = diff_of(a, b);
   REQUIRE(diff.count == 1);
   CHECK(diff.differences[0].kind == RunDifference::Kind::outcome);
-  CHECK(diff.sentence.find("grasp(cup) is done in A, missed in B") != std::string::npos);
+  CHECK(diff.sentence.find("“takes cup” is done in A, missed in B") != std::string::npos);
 }
 
 TEST_CASE("the value that refused a transition is told where nothing else differs") {
@@ -213,7 +213,8 @@ TEST_CASE("two traces are held against each other event by event") {
            Row{R"({"t":2,"kind":"speech","text":"the big cup"})", R"({"t":2,"kind":"speech","text":"the small cup"})",
                "at 0:02 A has “the big cup”, B “the small cup” (big → small)."},
            Row{R"({"t":2,"kind":"gesture","name":"point","confidence":0.9})",
-               R"({"t":2,"kind":"gesture","name":"point"})", "point at 0:02: confidence 0.9 in A, none in B."},
+               R"({"t":2,"kind":"gesture","name":"point"})",
+               "gesture “points” at 0:02: confidence 0.9 in A, none in B."},
            Row{R"({"t":2,"kind":"speech","text":"yes"})", "", "“yes” (speech at 0:02) is left out in B."},
            Row{"", R"({"t":2,"kind":"expect","state":"Ask"})",
                "the expectation {\"state\":\"Ask\"} (expect at 0:02) is only in B."},

@@ -68,8 +68,8 @@ TEST_CASE("a run is told as a dialogue") {
   CHECK(told(dialogue_of(index_of(small_log()))) ==
         "human says “Put it there.”\n"
         "avatar says “Which block?”\n"
-        "human shows right point start\n"
-        "avatar does put(block2, on(block1))\n"
+        "human shows “points” (start)\n"
+        "avatar does “puts block2 on block1”\n"
         "avatar did not take x in Wait: no transition takes x\n");
   struct Case {
     const char* kind;
@@ -86,7 +86,7 @@ TEST_CASE("a run is told as a dialogue") {
       {"expect", R"({"met": true})", ""},
       {"input", R"({"event": {"kind": "pointing"}})", ""},
       {"input", R"({"event": 7})", ""},
-      {"gesture", R"json({"gesture": "look_at(x)"})json", "avatar shows look_at(x)\n"},
+      {"gesture", R"json({"gesture": "look_at(x)"})json", "avatar shows “looks at x”\n"},
       {"utterance", R"({"text": ["no text"]})", "avatar says “[\"no text\"]”\n"},
       {"act", R"({"status": 3})", "avatar did not : 3\n"},
   };
@@ -131,7 +131,7 @@ TEST_CASE("the same at another time has both times") {
   };
   const auto page = page_of(log_of(3.3), log_of(4.1));
   check_page(page);
-  CHECK_THAT(page, Contains("<td>A 4.10 s<br/>B 3.30 s</td><td class=\"both\">"));
+  CHECK_THAT(page, Contains("<td>A 0:04.1<br/>B 0:03.3</td><td class=\"both\">"));
   CHECK_THAT(page, Contains("<main>"));
 }
 

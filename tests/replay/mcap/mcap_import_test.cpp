@@ -117,7 +117,7 @@ TEST_CASE("A run's channels tell its states, its stack, its words, its scene and
   CHECK(topics["/avatar/say"].size() == run->of_kind("utterance").size());
   CHECK(topics["/avatar/say"].at(0).json == Json{{"data", "Hello."}});
   CHECK(topics["/humans/voices/human/speech"].size() == topics["/human/speech"].size());
-  CHECK(topics["/dialogue"].at(0).json["message"] == "shows engage start");
+  CHECK(topics["/dialogue"].at(0).json["message"] == "shows “steps up” (start)");
   REQUIRE(topics["/scene"].size() == 1);
   for (const auto& entity : topics["/scene"][0].json["entities"]) CHECK(entity["frame_id"] == entity["id"]);
   CHECK(topics["/tf"].size() == 1 + run->of_kind("pose").size());

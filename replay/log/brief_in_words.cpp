@@ -1,0 +1,73 @@
+#include "continua/replay/log/brief_in_words.h"
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
+
+namespace continua {
+namespace {
+
+// The member in words, quoted where it has any.
+void tell(const RunWords& words, Json& object, std::string_view key) {
+  const auto found = object.is_object() ? object.find(std::string(key)) : object.end();
+  if (found == object.end() || !found->is_string()) return;
+  const auto term = found->get<std::string>();
+  if (const auto told = words.term(term); told != term) *found = "“" + told + "”";
+}
+
+void tell_each(const RunWords& words, Json& record, std::string_view member) {
+  const auto values = record.find(std::string(member));
+  if (values == record.end() || !values->is_object()) return;
+  for (const auto& [name, value] : Json(*values).items()) tell(words, *values, name);
+}
+
+void tell_referents(const RunWords& words, Json& reading) {
+  const auto referents = reading.find(std::string(log::name_of(&log::Reading::referents)));
+  if (referents == reading.end() || !referents->is_array()) return;
+  for (auto& one : *referents)
+    if (one.is_string()) one = words.thing(one.get<std::string>());
+}
+
+}  // namespace
+
+std::string input_text(const RunWords& words, const Json& input, std::size_t alternative) {
+  const auto& event = member_of(input, "event");
+  const auto kind = text_of(event, "kind");
+  const bool has_own = member_of(event, kind == "speech" ? "text" : "name").is_string();
+  const auto& others = member_of(event, "alternatives");
+  if (const auto place = alternative - (has_own ? 1 : 0);
+      others.is_array() && !(has_own && alternative == 0) && place < others.size())
+    return fmt::format("{}“{}”", kind == "speech" ? "" : kind + " ", text_of(others[place], "text"));
+  if (kind == "act")
+    return fmt::format("act {}, “{}”, {}", text_of(event, "act"), words.term(text_of(event, "program")),
+                       text_of(event, "status"));
+  if (kind != "gesture" || !has_own) return kind == "gesture" ? "gesture " + brief(input) : brief(input);
+  const auto phase = text_of(event, "phase");
+  const bool whole = phase.empty() || phase == "stroke";
+  return fmt::format("gesture “{}”{}", words.gesture(text_of(event, "name"), text_of(event, "direction")),
+                     whole ? "" : fmt::format(" ({})", phase));
+}
+
+std::string brief_in_words(const RunWords& words, const Json& record) {
+  const auto kind = text_of(record, "kind");
+  if (log::is<log::Input>(kind)) return input_text(words, record);
+  auto told = record;
+  if (log::is<log::AvatarGesture>(kind)) tell(words, told, log::name_of(&log::AvatarGesture::gesture));
+  if (log::is<log::Act>(kind)) tell(words, told, log::name_of(&log::Act::program));
+  if (log::is<log::Memory>(kind)) tell(words, told, log::name_of(&log::Memory::value));
+  if (log::is<log::Observed>(kind)) tell(words, told, log::name_of(&log::Observed::content));
+  if (log::is<log::Symbol>(kind)) tell_each(words, told, log::name_of(&log::Symbol::slots));
+  if (log::is<log::Expect>(kind))
+    for (const auto part : {log::name_of(&log::Expect::expected), log::name_of(&log::Expect::found)})
+      if (const auto fields = told.find(std::string(part)); fields != told.end()) tell(words, *fields, "act");
+  if (log::is<log::Reading>(kind)) {
+    tell(words, told, log::name_of(&log::Reading::meaning));
+    tell_referents(words, told);
+  }
+  return brief(told);
+}
+
+}  // namespace continua
