@@ -95,6 +95,11 @@ export function orbit(element, {get, set, click, grab = () => null, pointing = f
   element.addEventListener('pointerup', up);
   element.addEventListener('pointercancel', up);
   element.addEventListener('contextmenu', (event) => event.preventDefault());
+  approach(element, {get, set, pointing});
+}
+
+// Approaching by wheel and keys, turning and shifting by keys.
+function approach(element, {get, set, pointing}) {
   element.addEventListener(
     'wheel',
     (event) => {
