@@ -36,7 +36,7 @@ TEST_CASE("a run's log tells of the observed answers what its replay does") {
 
 TEST_CASE("an answer where nothing was observed is a miss, told by itself") {
   LogBuilder log;
-  log.add("run", 0);
+  log.add("run", 0, {{"version", 1}});
   const auto first = log.add("input", 1, {{"event", {{"kind", "speech"}, {"text", "Yes."}}}});
   log.add("utterance", 1, {{"text", "Okay."}}, static_cast<int>(first));
   log.add("observed", 1.5, {{"channel", "speech"}, {"content", "Okay."}});
@@ -49,7 +49,7 @@ TEST_CASE("an answer where nothing was observed is a miss, told by itself") {
 
 TEST_CASE("of a run with nothing observed there is nothing to tell") {
   LogBuilder log;
-  log.add("run", 0);
+  log.add("run", 0, {{"version", 1}});
   const auto run = RunIndex::of_text(log.text(), "run");
   REQUIRE(run.ok());
   CHECK(run_agreement(*run)->is_null());
