@@ -109,10 +109,11 @@ class Client:
 
 
 class Stream:
-    """The stream of a session, read by a thread: (event, data) pairs."""
+    """The stream of a session, read by a thread: (event, data) pairs, unless it is long and none is kept."""
 
-    def __init__(self, server, session, heard=None):
+    def __init__(self, server, session, heard=None, keeps=True):
         self.heard = heard or (lambda event, data: None)
+        self.keeps, self.last = keeps, None
         self.events, self.over = [], threading.Event()
         self.connection = http.client.HTTPConnection(server.host, server.port, timeout=PATIENCE_S)
         self.connection.request("GET", f"/api/live?session={session}", headers={"Accept": "text/event-stream"})
@@ -130,7 +131,9 @@ class Stream:
                     event = value
                 elif field == "data":
                     self.heard(event, value)
-                    self.events.append((event, value))
+                    self.last = event
+                    if self.keeps:
+                        self.events.append((event, value))
         self.connection.close()
         self.over.set()
 

@@ -2,8 +2,9 @@
 """Load for as long as you like, and figures of it: sessions in a row, a long one, many viewers, many requests of each
 kind, slow readers and half-open connections. Memory, files and threads stay flat, and others are answered as before.
 
-soak.py PROGRAM [MINUTES [PART…]]      10 minutes if left out; PART: long, sessions, viewers, requests, slow
+soak.py PROGRAM [MINUTES [PART…]]      10 minutes if left out; PART: long, wall, sessions, viewers, requests, slow
 
+A part has its share of the time, or ends when it has done what it is to: to have it done, give a part time enough.
 Prints a row of a table for each part. Exit status 1 where something grew.
 """
 import multiprocessing
@@ -16,22 +17,32 @@ import tempfile
 import time
 
 from leak_test import GIVES_BACK, held
-from live_server import Server
+from live_server import Server, Stream
 
 WORDS = ["The plate.", "Put the knife in the white cup.", "Yes.", "Never mind."]
 MOST_MORE_MB, MOST_MORE_FILES, MOST_MORE_THREADS = 20, 8, 4
 VIEWERS, SLOW = 50, 200
 HOURS_OF_SESSION = 12
+SESSIONS, FIRST = 1000, 20  # as many as a server begins; of which the first ones make what is made once
+REQUESTS = 10_000  # of each kind
+VIEWS = ("", "/records?from=0&to=50", "/columns", "/labels?from=0&limit=50", "/find?text=plate", "/stack?n=5",
+         "/derivation?n=5", "/explain?n=5", "/account?n=5", "/graph", "/scene", "/poses?from=0&to=1", "/notes", "/media")
 SOME_TIME_S = 0.02  # a delay that nobody notices
 
 
+def time_s(ask):
+    begun = time.monotonic()
+    ask()
+    return time.monotonic() - begun
+
+
 def p99_s(client, path="/api/sessions", count=200):
-    times = []
-    for _ in range(count):
-        begun = time.monotonic()
-        client.get(path)
-        times.append(time.monotonic() - begun)
-    return statistics.quantiles(times, n=100)[98]
+    return statistics.quantiles([time_s(lambda: client.get(path)) for _ in range(count)], n=100)[98]
+
+
+def in_ms(times):
+    cuts = statistics.quantiles(times, n=100)
+    return f"p50 {cuts[49] * 1000:.1f} ms, p99 {cuts[98] * 1000:.1f} ms"
 
 
 def run_long(server, client, until):
@@ -45,14 +56,31 @@ def run_long(server, client, until):
     return f"a session of {t / 3600:.1f} h by its clock"
 
 
-def run_sessions(server, client, until):
-    count = 0
-    while count < 900 and time.monotonic() < until:  # a server begins 1000
+def run_wall(server, client, until):
+    """A session by the wall's clock with physics and a viewer, in which somebody says something every two seconds."""
+    begun = time.monotonic()
+    session = client.begin(clock="wall", physics=True, scene="place_setting")
+    viewer, times = Stream(server, session["id"], keeps=False), []
+    while time.monotonic() < until:
+        said = {"kind": "speech", "text": WORDS[len(times) % len(WORDS)]}
+        times.append(time_s(lambda: client.send(session["id"], said)))
+        time.sleep(2)
+    client.end(session["id"])
+    if not viewer.over.wait(60) or viewer.last != "ended":
+        raise AssertionError("the viewer is not told of the session's end")
+    minutes = (time.monotonic() - begun) / 60
+    return f"a session of {minutes:.0f} minutes with physics, {len(times)} events: {in_ms(times)}"
+
+
+def run_sessions(server, client, until, most=SESSIONS - FIRST):
+    times = []
+    while len(times) < most and time.monotonic() < until:
+        begun = time.monotonic()
         session = client.begin(clock="events", physics=False, scene="place_setting")
         client.send(session["id"], [{"t": 1 + n, "kind": "speech", "text": text} for n, text in enumerate(WORDS)])
         client.end(session["id"])
-        count += 1
-    return f"{count} sessions in a row"
+        times.append(time.monotonic() - begun)
+    return f"{len(times)} sessions in a row, after {FIRST}; one: {in_ms(times)}"
 
 
 def follow(server, session, attending, told):
@@ -115,15 +143,27 @@ def run_viewers(server, client, until):
 
 
 def run_requests(server, client, until):
-    run = (client.get("/api/runs").must()["runs"] or [{"id": "none"}])[0]["id"]
-    paths = ["/", "/api/runs", "/api/sessions", f"/api/runs/{run}", f"/api/runs/{run}/records?from=0&to=50",
-             "/api/nothing", "/no page"]
-    counts = dict.fromkeys(paths, 0)
-    while time.monotonic() < until and min(counts.values()) < 10_000:
-        for path in paths:
-            client.get(path.replace(" ", "%20"))
-            counts[path] += 1
-    return f"{sum(counts.values())} requests of {len(paths)} kinds"
+    """Each kind of request in turn; events are said to a session of their own."""
+    run = client.get("/api/runs").must()["runs"][0]["id"]
+    session = client.begin(clock="events", physics=False, scene="place_setting")["id"]
+    paths = ["/", "/api/runs", "/api/sessions", f"/api/sessions/{session}", "/api/schema", f"/api/diff?a={run}&b={run}",
+             *(f"/api/runs/{run}{view}" for view in VIEWS), "/api/nothing", "/no%20page"]
+    asks = {path: lambda path=path: client.get(path) for path in paths}
+    pointing = {"kind": "pointing", "hand": "left", "target": [0.2, 0]}
+    asks["events"] = lambda: client.post(f"/api/sessions/{session}/events", pointing)
+    times, answers = {name: [] for name in asks}, {}
+    while time.monotonic() < until and len(times["events"]) < REQUESTS:
+        for name, ask in asks.items():
+            begun = time.monotonic()
+            status = ask().status
+            times[name].append(time.monotonic() - begun)
+            if answers.setdefault(name, status) != status:
+                raise AssertionError(f"{name} is answered by {answers[name]}, and then by {status}")
+    client.end(session)
+    slowest = max(times, key=lambda name: statistics.quantiles(times[name], n=100)[98])
+    everything = [t for some in times.values() for t in some]
+    return (f"{len(times['events'])} requests of each of {len(asks)} kinds: {in_ms(everything)};"
+            f" the slowest kind, {slowest.replace(run, 'RUN')}: {in_ms(times[slowest])}")
 
 
 def run_slow(server, client, until):
@@ -141,27 +181,29 @@ def run_slow(server, client, until):
     return f"{SLOW} slow connections at a time, p99 of others {worst * 1000:.1f} ms, quiet {quiet * 1000:.1f} ms"
 
 
-PARTS = {"long": run_long, "sessions": run_sessions, "viewers": run_viewers, "requests": run_requests, "slow": run_slow}
+PARTS = {"long": run_long, "wall": run_wall, "sessions": run_sessions, "viewers": run_viewers, "requests": run_requests,
+         "slow": run_slow}
 
 
 def soak(program, part, seconds):
     """A row, and whether nothing grew."""
     with tempfile.TemporaryDirectory() as folder, Server(program, folder, environment=GIVES_BACK) as server:
         client = server.client()
-        run_sessions(server, client, time.monotonic() + min(5.0, seconds / 4))  # what is made once
+        run_sessions(server, client, time.monotonic() + seconds, FIRST)  # what is made once
         before = held(server.pid)
         did = PARTS[part](server, client, time.monotonic() + seconds)
         time.sleep(12)  # connections that are left over are hung up on
         after = held(server.pid)
     more = [now - then for now, then in zip(after, before)]
     flat = all(now <= most for now, most in zip(more, (MOST_MORE_THREADS, MOST_MORE_FILES, MOST_MORE_MB)))
-    return f"| {part} | {did} | {more[0]:+d} | {more[1]:+d} | {more[2]:+.1f} MB |", flat
+    columns = [f"{then:.4g}, {now:.4g}" for then, now in zip(before, after)]
+    return f"| {part} | {did} | {' | '.join(columns)} MB |", flat
 
 
 def main(program, minutes="10", *parts):
     program, failed = pathlib.Path(program).resolve(), False
     parts = parts or tuple(PARTS)
-    print("| part | load | threads | files | memory |\n| --- | --- | --- | --- | --- |", flush=True)
+    print("| part | load | threads before, after | files | memory |\n| --- | --- | --- | --- | --- |", flush=True)
     for part in parts:
         try:
             row, flat = soak(program, part, 60 * float(minutes) / len(parts))
