@@ -10,8 +10,8 @@ seconds=${1:-600}
 shift || true
 build=build/fuzz
 cmake -S . -B "$build" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-  -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" -DCONTINUA_FUZZ=ON -DCONTINUA_SANITIZE=ON -DCMAKE_UNITY_BUILD=ON \
-  -DCMAKE_UNITY_BUILD_BATCH_SIZE=12 > /dev/null
+  -DCONTINUA_FUZZ=ON -DCONTINUA_SANITIZE=address,undefined -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12 \
+  > /dev/null
 cmake --build "$build" --target fuzz_libfuzzer fuzz_mutate
 mkdir -p "$build/found"
 targets=("$@")
