@@ -10,18 +10,22 @@
 namespace continua {
 namespace {
 
-// The member in words, quoted where it has any.
+// A text in words, quoted where it has any.
+void tell(const RunWords& words, Json& value) {
+  if (!value.is_string()) return;
+  const auto term = value.get<std::string>();
+  if (const auto told = words.term(term); told != term) value = "“" + told + "”";
+}
+
 void tell(const RunWords& words, Json& object, std::string_view key) {
-  const auto found = object.is_object() ? object.find(std::string(key)) : object.end();
-  if (found == object.end() || !found->is_string()) return;
-  const auto term = found->get<std::string>();
-  if (const auto told = words.term(term); told != term) *found = "“" + told + "”";
+  if (!object.is_object()) return;
+  if (const auto found = object.find(std::string(key)); found != object.end()) tell(words, *found);
 }
 
 void tell_each(const RunWords& words, Json& record, std::string_view member) {
   const auto values = record.find(std::string(member));
   if (values == record.end() || !values->is_object()) return;
-  for (const auto& [name, value] : Json(*values).items()) tell(words, *values, name);
+  for (auto& value : *values) tell(words, value);
 }
 
 void tell_referents(const RunWords& words, Json& reading) {

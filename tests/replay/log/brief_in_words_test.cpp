@@ -22,6 +22,8 @@ TEST_CASE("a record in brief names things, places and gestures as people do, and
   CHECK(told(R"json({"kind":"observed","channel":"speech","content":"Okay."})json") == "speech Okay.");
   CHECK(told(R"json({"kind":"application","function":"grasp","argument":"block6","result":"grasp(block6)"})json") ==
         "grasp @ block6 = grasp(block6)");
+  CHECK(told(R"json({"kind":"symbol","id":1,"slots":{"theme":"point(block6)","sure":"1"}})json") ==
+        "#1 theme “points at the red block”, sure 1");
   CHECK(told(R"json({"kind":"utterance","text":"Okay."})json") == "“Okay.”");
   CHECK(told(R"json({"kind":"act","act":1,"program":"\\x. grasp(x)","status":"asked"})json") == "asked \\x. grasp(x)");
 }
