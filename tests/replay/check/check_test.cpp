@@ -111,7 +111,7 @@ TEST_CASE("a trace is held against the run beside it") {
       {"how an act ends",
        in_run(R"json("program":"put(knife, in(cup_blue))","status":"done")json",
               R"json("program":"put(knife, in(cup_blue))","status":"dropped")json"),
-       "changed: They part at 0:01.4 (A #n, B #n): put(knife, in(cup_blue)) is dropped in A, done in B"},
+       "changed: They part at 0:01.4 (A #n, B #n): “puts the knife in the blue cup” is dropped in A, done in B"},
       {"a record fewer", in_run(R"("kind":"expect")", R"("kind":"other")"),
        "changed: They part at 0:02 (B #n): the expectation"},
       {"a record more",
