@@ -1,7 +1,6 @@
 #include "continua/replay/live/live_tail.h"
 
 #include <algorithm>
-#include <thread>
 
 namespace continua {
 namespace {
@@ -13,15 +12,10 @@ constexpr std::uint64_t most_bytes = 1 << 20;  // bytes
 LiveTail::LiveTail(std::shared_ptr<const LiveSession> session, std::uint64_t from)
     : session_(std::move(session)), log_(session_->setting().options.log_path, std::ios::binary), from_(from) {}
 
-std::vector<std::string> LiveTail::next(std::chrono::milliseconds patience,
-                                        std::chrono::steady_clock::time_point earliest) {
+std::vector<std::string> LiveTail::next(std::chrono::milliseconds patience) {
   // A log that was cut meanwhile has no more, whatever was announced.
   state_ =
       read_ < state_.log_bytes && !is_cut_ ? session_->audience().state() : session_->audience().wait(state_, patience);
-  if (state_.live && std::chrono::steady_clock::now() < earliest) {
-    std::this_thread::sleep_until(earliest);
-    state_ = session_->audience().state();
-  }
   std::vector<std::string> lines;
   // The announced bytes are whole lines.
   for (const auto most = read_ + most_bytes; read_ < std::min(state_.log_bytes, most);) {

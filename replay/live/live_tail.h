@@ -18,9 +18,8 @@ class LiveTail {
   LiveTail(std::shared_ptr<const LiveSession> session, std::uint64_t from);
 
   /// The lines written since, without their newline, after waiting for them at most so long; a part of them where there
-  /// are many. Never before `earliest`, unless the session has ended, so that one call tells what comes close together.
-  std::vector<std::string> next(std::chrono::milliseconds patience,
-                                std::chrono::steady_clock::time_point earliest = {});
+  /// are many.
+  std::vector<std::string> next(std::chrono::milliseconds patience);
   /// Number of the record that is next.
   std::uint64_t next_record() const { return next_; }
   /// The state at the last call of `next`.

@@ -17,9 +17,6 @@ namespace {
 
 constexpr std::chrono::milliseconds ask_every{250};  // whether the listener is still there
 constexpr int most_silent = 40;                      // such times
-// A listener is told at most so often: shorter than a picture of a page lasts, and long enough for one message to tell
-// what came close together. Many listeners that were woken for each record would take the processor from all others.
-constexpr std::chrono::milliseconds least_between{15};
 
 std::string event_text(std::string_view name, std::string_view data) {
   return fmt::format("event: {}\ndata: {}\n\n", name, data);
@@ -41,7 +38,7 @@ class RecordStream {
   // The next text to send; a comment if nothing happened.
   std::string next() {
     const int known = tail_.state().changes;
-    const auto lines = tail_.next(ask_every, told_ + least_between);
+    const auto lines = tail_.next(ask_every);
     auto number = tail_.next_record() - lines.size();
     std::string text;
     for (const auto& line : lines)
@@ -54,7 +51,6 @@ class RecordStream {
     }
     // Now and then, so that proxies on the way do not take the connection for dead.
     silent_ = text.empty() ? silent_ + 1 : 0;
-    if (!text.empty()) told_ = std::chrono::steady_clock::now();
     return silent_ % most_silent == most_silent - 1 ? ": nothing new\n\n" : text;
   }
 
@@ -73,7 +69,6 @@ class RecordStream {
   LiveTail tail_;
   const bool is_recorder_;
   bool first_ = true, done_ = false;
-  std::chrono::steady_clock::time_point told_;
   int silent_ = 0;  // times that there was nothing to tell
 };
 
