@@ -63,7 +63,8 @@ std::string value_text(const Json& value) {
 // Of a member of an event: a place and the name of a gesture or a thing in words.
 std::string value_text(const RunWords& words, const std::string& of, const Json& value) {
   if (of == "name") return words.gesture(value_text(value), "");
-  if (of != "target" || !value.is_array()) return of == "target" ? words.thing(value_text(value)) : value_text(value);
+  if (of != "target") return value_text(value);
+  if (!value.is_array()) return words.thing(value_text(value));
   std::vector<std::string> numbers;
   for (const auto& number : value) numbers.push_back(compact(number));
   return words.term(fmt::format("<{}>", fmt::join(numbers, ", ")));
