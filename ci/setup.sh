@@ -11,7 +11,7 @@ packages=(
   catch2 librapidcheck-dev libbenchmark-dev
 )
 if [[ "${1:-}" == --tests ]]; then
-  packages+=(clang libclang-rt-14-dev chromium chromium-headless-shell locales lintian mmdebstrap zsh fish mypy praat libxml2-utils
+  packages+=(ccache clang libclang-rt-14-dev chromium chromium-headless-shell locales lintian mmdebstrap zsh fish mypy praat libxml2-utils
     slurm-wlm munge espeak-ng pocketsphinx pocketsphinx-en-us
     python3-jsonschema python3-pytest python3-pandas python3-setuptools python3-wheel)
 fi

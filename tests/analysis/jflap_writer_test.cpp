@@ -6,6 +6,7 @@
 #include "continua/analysis/acceptance.h"
 #include "continua/core/characters.h"
 #include "continua/machine_file/jflap.h"
+#include "support/folders.h"
 #include "support/jflap_files.h"
 #include "support/machines.h"
 
@@ -58,7 +59,7 @@ TEST_CASE("a range of symbols stays one transition") {
 
 TEST_CASE("a machine of characters accepts the same words as its JFLAP file") {
   for (const auto* name : {"multiples_of_three", "third_from_the_end", "palindromes"}) {
-    const auto text = read_file(std::string(CONTINUA_SOURCE_DIR "/engine/knowledge/machines/") + name + ".json");
+    const auto text = read_file(std::string(source_dir() + "/engine/knowledge/machines/") + name + ".json");
     REQUIRE(text);
     const auto machine = machine_of(*text);
     const auto file = jflap_of(*machine);

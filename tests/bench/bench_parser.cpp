@@ -8,13 +8,14 @@
 
 #include "continua/facts/world_facts.h"
 #include "continua/language/parser.h"
+#include "support/folders.h"
 
 namespace continua {
 namespace {
 
 const Vocabulary& vocabulary() {
   static const Vocabulary words = [] {
-    auto lexicon = load_lexicon(CONTINUA_SOURCE_DIR "/engine/knowledge/lexicon/english", WorldFacts::signature());
+    auto lexicon = load_lexicon(source_dir() + "/engine/knowledge/lexicon/english", WorldFacts::signature());
     if (!lexicon) {
       std::fprintf(stderr, "bench_parser: %s\n", lexicon.error().text().c_str());
       std::exit(2);

@@ -11,6 +11,7 @@
 #include "continua/replay/trace/session_import.h"
 #include "continua/simulation/mujoco_model.h"
 #include "continua/simulation/scene.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
@@ -64,7 +65,7 @@ int main(int argc, char** argv) {
     std::ofstream log(folder.at("session.run.jsonl"), std::ios::binary);
     const auto summary = session->run(log);
     const double replay_s = processor_s() - before;
-    const auto scene = load_scene(fmt::format("{}/mjcf/scenes/{}.xml", CONTINUA_SOURCE_DIR, trace->header.scene));
+    const auto scene = load_scene(fmt::format("{}/mjcf/scenes/{}.xml", source_dir(), trace->header.scene));
     if (!scene) return fail(scene.error());
     const double alone_s = plain_steps_s(*scene, summary.end.seconds());
     fmt::print("| {} | {:.0f} | {:.1f} | {:.1f} | {:.2f} | {} of {} |\n", trace->header.source, summary.end.seconds(),

@@ -11,13 +11,14 @@
 #include "continua/simulation/mujoco_model.h"
 #include "continua/simulation/physics.h"
 #include "simulation/random_puts.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
 
 namespace {
 
-const std::string scenes = CONTINUA_SOURCE_DIR "/mjcf/scenes/";
+const std::string scenes = source_dir() + "/mjcf/scenes/";
 
 /// Processor time of this program alone.
 double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }

@@ -7,6 +7,7 @@
 
 #include "continua/core/located_json.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
@@ -52,7 +53,7 @@ TEST_CASE("words of the log name the objects and terms of a reason") {
 TEST_CASE("every language words every code, and no other") {
   std::set<std::string> codes;
   for (const auto code : all_reasons()) codes.insert(name_of(code));
-  const std::filesystem::path folder = CONTINUA_SOURCE_DIR "/engine/knowledge/phrases";
+  const std::filesystem::path folder = source_dir() + "/engine/knowledge/phrases";
   int languages = 0;
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
     INFO(file.path());

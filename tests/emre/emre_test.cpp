@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "continua/core/located_json.h"
+#include "support/folders.h"
 #include "support/small_talk.h"
 
 namespace continua {
@@ -15,7 +16,7 @@ struct Expression {
 };
 
 std::vector<Expression> read_expressions() {
-  const auto path = std::filesystem::path(CONTINUA_SOURCE_DIR) / "../shared/data/emre/references.jsonl";
+  const auto path = std::filesystem::path(source_dir()) / "../shared/data/emre/references.jsonl";
   if (!std::filesystem::exists(path)) return {};
   std::istringstream lines(read_file(path.string()).value());
   std::vector<Expression> expressions;

@@ -7,6 +7,7 @@
 #include "continua/term/term_text.h"
 #include "continua/world/world_snapshot.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
@@ -27,7 +28,7 @@ WorldSnapshot cubes(std::size_t count, double depth_m = 0.8) {
 }
 
 const Catalogue& shipped() {
-  static const Catalogue catalogue = read_catalogue(CONTINUA_SOURCE_DIR "/engine/knowledge/voxemes").catalogue;
+  static const Catalogue catalogue = read_catalogue(source_dir() + "/engine/knowledge/voxemes").catalogue;
   return catalogue;
 }
 

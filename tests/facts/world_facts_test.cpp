@@ -8,12 +8,13 @@
 #include "continua/learning/learning.h"
 #include "continua/voxml/catalogue.h"
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/markdown_table.h"
 
 namespace continua {
 namespace {
 
-std::string facts_page() { return read_file(CONTINUA_SOURCE_DIR "/engine/facts/FACTS.md").value(); }
+std::string facts_page() { return read_file(source_dir() + "/engine/facts/FACTS.md").value(); }
 
 Vec3 read_vector(const std::string& text) {
   std::istringstream stream(text);
@@ -41,7 +42,7 @@ WorldSnapshot documented_world() {
 }
 
 const Catalogue& voxemes() {
-  static const Catalogue catalogue = read_catalogue(CONTINUA_SOURCE_DIR "/engine/knowledge/voxemes").catalogue;
+  static const Catalogue catalogue = read_catalogue(source_dir() + "/engine/knowledge/voxemes").catalogue;
   return catalogue;
 }
 

@@ -22,6 +22,7 @@
 #include "continua/replay/server/http_head.h"
 #include "continua/term/term_text.h"
 #include "continua/term/written_term.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 namespace continua {
@@ -73,7 +74,7 @@ void read_term(std::string_view bytes) {
 void read_sentence(std::string_view bytes) {
   static const Vocabulary words(
       std::make_shared<const Lexicon>(
-          load_lexicon(CONTINUA_SOURCE_DIR "/engine/knowledge/lexicon/english", WorldFacts::signature()).value()),
+          load_lexicon(source_dir() + "/engine/knowledge/lexicon/english", WorldFacts::signature()).value()),
       WorldSnapshot());
   (void)read(bytes.substr(0, 400), words);
 }
@@ -85,7 +86,7 @@ void read_annotations(std::string_view bytes) {
 
 void read_recogniser(std::string_view bytes) {
   for (const auto& format : recogniser_formats())
-    (void)read_output(format, bytes, {.name = "x", .knowledge = CONTINUA_SOURCE_DIR "/engine/knowledge"});
+    (void)read_output(format, bytes, {.name = "x", .knowledge = source_dir() + "/engine/knowledge"});
 }
 
 void read_mcap(std::string_view bytes) {
@@ -140,7 +141,7 @@ const FuzzTarget* fuzz_target(std::string_view name) {
 }
 
 std::vector<std::string> fuzz_seeds(const FuzzTarget& target) {
-  const fs::path source = CONTINUA_SOURCE_DIR;
+  const fs::path source = source_dir();
   auto files = files_in(source / target.folder, target.ending);
   for (auto& row : files_in(source / "tests/corpus" / target.name, "")) files.push_back(std::move(row));
   std::vector<std::string> seeds;

@@ -8,10 +8,11 @@
 #include "continua/language/parser.h"
 #include "continua/term/term_text.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 namespace continua {
 
-inline const std::string english_folder = CONTINUA_SOURCE_DIR "/engine/knowledge/lexicon/english";
+inline const std::string english_folder = source_dir() + "/engine/knowledge/lexicon/english";
 
 inline std::shared_ptr<const Lexicon> english() {
   static const auto lexicon = [] {

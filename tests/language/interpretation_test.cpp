@@ -7,6 +7,7 @@
 
 #include "continua/term/raising_file.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 namespace continua {
 namespace {
@@ -83,7 +84,7 @@ struct Scene {
   Operators operators = words_with_context();
   std::map<std::string, Term> definitions;
   Rules facts;
-  RaisingRules raising = load_raising(CONTINUA_SOURCE_DIR "/engine/knowledge/raising.json", names).value();
+  RaisingRules raising = load_raising(source_dir() + "/engine/knowledge/raising.json", names).value();
   Context context;
 
   Scene() {

@@ -13,6 +13,7 @@
 #include "continua/language/segment.h"
 #include "language/english.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
@@ -393,7 +394,7 @@ TEST_CASE("numbers in digits are words") {
 }
 
 TEST_CASE("the descriptions of the EMRE data set are single noun phrases, with commas or with and") {
-  const auto path = std::string(CONTINUA_SOURCE_DIR) + "/../shared/data/emre/references.jsonl";
+  const auto path = source_dir() + "/../shared/data/emre/references.jsonl";
   const auto file = read_file(path);
   if (!file) {
     WARN("skipped: there is no " << path);

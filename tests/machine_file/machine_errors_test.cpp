@@ -12,13 +12,14 @@
 #include "continua/machine_file/machine_keys.h"
 #include "continua/machine_file/machine_loader.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
 
 namespace {
 
-const auto source = fs::path(CONTINUA_SOURCE_DIR);
+const auto source = fs::path(source_dir());
 
 struct Row {
   std::vector<std::pair<std::string, std::string>> edits;

@@ -4,6 +4,7 @@
 
 #include "continua/core/located_json.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
@@ -110,7 +111,7 @@ TEST_CASE("what is wrong with a file of gestures is told with its place") {
 }
 
 TEST_CASE("the gestures of the knowledge folder are sound and have an example each") {
-  const std::string path = std::string(CONTINUA_SOURCE_DIR) + "/engine/knowledge/gestures/tabletop.json";
+  const std::string path = source_dir() + "/engine/knowledge/gestures/tabletop.json";
   const auto text = read_file(path).value();
   const auto gestures = read_gestures(text, path);
   if (!gestures) FAIL(gestures.error().text());

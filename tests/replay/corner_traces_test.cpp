@@ -3,6 +3,7 @@
 
 #include "continua/replay/trace/trace_file.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
@@ -10,7 +11,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Trace corner(const std::string& name) {
-  auto trace = read_trace((fs::path(CONTINUA_SOURCE_DIR) / "traces/corner" / (name + ".trace.jsonl")).string());
+  auto trace = read_trace((fs::path(source_dir()) / "traces/corner" / (name + ".trace.jsonl")).string());
   INFO((trace ? "" : trace.error().text()));
   REQUIRE(trace);
   return std::move(trace).value();
@@ -20,7 +21,7 @@ Trace corner(const std::string& name) {
 
 TEST_CASE("every trace of the repository can be read") {
   std::size_t traces = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(CONTINUA_SOURCE_DIR) / "traces")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_dir()) / "traces")) {
     const auto name = entry.path().filename().string();
     if (!name.ends_with(".jsonl") || name.ends_with(".run.jsonl")) continue;
     ++traces;

@@ -7,6 +7,7 @@
 #include "continua/machine_file/machine_loader.h"
 #include "continua/replay/check/examples.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
@@ -70,7 +71,7 @@ TEST_CASE("every gesture of the knowledge folder means a term of its lexicon's w
 }
 
 TEST_CASE("the example of the format's page is a sound machine") {
-  const auto page = read_file((fs::path(CONTINUA_SOURCE_DIR) / "engine/automaton/FORMAT.md").string()).value();
+  const auto page = read_file((fs::path(source_dir()) / "engine/automaton/FORMAT.md").string()).value();
   const std::string begin = "```json\n";
   const auto from = page.find(begin) + begin.size();
   const auto machine =
@@ -80,7 +81,7 @@ TEST_CASE("the example of the format's page is a sound machine") {
 }
 
 TEST_CASE("the machine of the recorded system has its states and transitions") {
-  const auto path = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge/machines/diana2018.json";
+  const auto path = fs::path(source_dir()) / "engine/knowledge/machines/diana2018.json";
   const auto machine = load_machine(path.string(), WorldFacts::signature());
   REQUIRE(machine.ok());
   CHECK(machine->states.size() == 29);

@@ -8,6 +8,7 @@
 #include "continua/replay/session/session.h"
 #include "continua/simulation/scene.h"
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path source = CONTINUA_SOURCE_DIR;
+const fs::path source = source_dir();
 
 std::string content(const fs::path& path) {
   std::ifstream file(path);

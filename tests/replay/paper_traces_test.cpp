@@ -4,6 +4,7 @@
 #include <set>
 
 #include "replay/played.h"
+#include "support/folders.h"
 #include "support/sources.h"
 
 using namespace continua;
@@ -11,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const auto folder = fs::path(CONTINUA_SOURCE_DIR) / "traces/paper";
+const auto folder = fs::path(source_dir()) / "traces/paper";
 
 }  // namespace
 

@@ -6,11 +6,12 @@
 #include "continua/replay/session/session.h"
 #include "continua/simulation/physics.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
 TEST_CASE("a staircase of three steps is built by commands, and stands for ten seconds after the last") {
-  const std::string source = CONTINUA_SOURCE_DIR;
+  const std::string source = source_dir();
   auto session = Session::load(source + "/traces/talk/staircase.trace.jsonl", {});
   if (!session) FAIL(session.error().text());
   std::stringstream log;

@@ -5,6 +5,7 @@
 #include "continua/knowledge_files/named_machine.h"
 #include "continua/replay/commands/accept.h"
 #include "replay/played.h"
+#include "support/folders.h"
 #include "support/sources.h"
 #include "support/temporary_folder.h"
 
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const auto traces = fs::path(CONTINUA_SOURCE_DIR) / "traces";
+const auto traces = fs::path(source_dir()) / "traces";
 
 // The human says one thing after the other over a scene.
 Played talk(const std::vector<std::string>& says, const std::string& scene = "place_setting",

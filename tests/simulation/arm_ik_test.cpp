@@ -4,13 +4,14 @@
 #include "continua/simulation/hand_path.h"
 #include "continua/simulation/physics.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
 namespace {
 
 Arm staircase_arm() {
-  const auto scene = load_scene(CONTINUA_SOURCE_DIR "/mjcf/scenes/staircase.xml");
+  const auto scene = load_scene(source_dir() + "/mjcf/scenes/staircase.xml");
   REQUIRE(scene.ok());
   const auto physics = Physics::create(*scene);
   REQUIRE(physics.ok());

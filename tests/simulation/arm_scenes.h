@@ -10,11 +10,12 @@
 
 #include "continua/core/located_json.h"
 #include "continua/simulation/scene.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 namespace continua {
 
-inline const std::string root = CONTINUA_SOURCE_DIR;
+inline const std::string root = source_dir();
 inline const std::string others = root + "/tests/simulation/arms/";
 inline const std::array arms = {root + "/mjcf/avatar/arm7.xml",
                                 root + "/mjcf/avatar/arm6.xml",

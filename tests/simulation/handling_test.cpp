@@ -6,6 +6,7 @@
 #include "continua/simulation/scene.h"
 #include "continua/simulation/stacks.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
@@ -143,7 +144,7 @@ TEST_CASE("nothing is set down beyond the table's edge") {
 }
 
 TEST_CASE("a thing is held by the component that its voxeme names, where there is room") {
-  const auto scene = load_scene(CONTINUA_SOURCE_DIR "/mjcf/scenes/place_setting.xml").value();
+  const auto scene = load_scene(source_dir() + "/mjcf/scenes/place_setting.xml").value();
   const auto knife = std::find_if(scene.objects().begin(), scene.objects().end(),
                                   [](const SceneObject& object) { return object.name == "knife"; });
   WorldSnapshot world = scene.initial_snapshot();

@@ -4,6 +4,7 @@
 
 #include "continua/core/random.h"
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
@@ -12,7 +13,7 @@ using Status = ActReport::Status;
 namespace {
 
 const Scene& staircase() {
-  static const Scene scene = load_scene(CONTINUA_SOURCE_DIR "/mjcf/scenes/staircase.xml").value();
+  static const Scene scene = load_scene(source_dir() + "/mjcf/scenes/staircase.xml").value();
   return scene;
 }
 

@@ -8,6 +8,7 @@
 #include "continua/core/random.h"
 #include "continua/simulation/physics_body.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 using Status = ActReport::Status;
@@ -21,7 +22,7 @@ const Scene& scene_named(const std::string& name) {
   static std::map<std::string, Scene> scenes;
   const auto found = scenes.find(name);
   if (found != scenes.end()) return found->second;
-  return scenes.emplace(name, load_scene(CONTINUA_SOURCE_DIR "/mjcf/scenes/" + name + ".xml").value()).first->second;
+  return scenes.emplace(name, load_scene(source_dir() + "/mjcf/scenes/" + name + ".xml").value()).first->second;
 }
 
 struct Stage {

@@ -1,6 +1,7 @@
 // Two hundred puts at random, judged from outside: random_puts.h. More of them, seed by seed: tests/bench/bench_puts.
 #include "random_puts.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
@@ -8,7 +9,7 @@ TEST_CASE("of two hundred random puts nearly all are done, millimetres from wher
   std::vector<PutTrial> trials;
   for (const auto& [scene, puts] :
        {std::pair("staircase", 110), std::pair("place_setting", 40), std::pair("emre_table", 50)}) {
-    const auto of_scene = random_puts(std::string(CONTINUA_SOURCE_DIR "/mjcf/scenes/") + scene + ".xml", 1, puts);
+    const auto of_scene = random_puts(std::string(source_dir() + "/mjcf/scenes/") + scene + ".xml", 1, puts);
     trials.insert(trials.end(), of_scene.begin(), of_scene.end());
   }
   const PutFigures figures = figures_of(trials);

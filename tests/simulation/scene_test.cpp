@@ -4,13 +4,14 @@
 
 #include "continua/simulation/world_pace.h"
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
 
 namespace {
 
-const std::string staircase = CONTINUA_SOURCE_DIR "/mjcf/scenes/staircase.xml";
+const std::string staircase = source_dir() + "/mjcf/scenes/staircase.xml";
 
 /// A scene file with that text, in a folder of the test program's own.
 std::string written(const std::string& name, const std::string& text) {

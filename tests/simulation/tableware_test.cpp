@@ -2,6 +2,7 @@
 #include "continua/simulation/physics_body.h"
 #include "continua/simulation/scene.h"
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
@@ -9,7 +10,7 @@ using Status = ActReport::Status;
 
 namespace {
 
-const std::string scenes = CONTINUA_SOURCE_DIR "/mjcf/scenes/";
+const std::string scenes = source_dir() + "/mjcf/scenes/";
 
 Scene loaded(const std::string& name, const std::vector<ObjectOverride>& overrides = {}) {
   auto scene = load_scene(scenes + name + ".xml", overrides);

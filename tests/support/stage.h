@@ -8,6 +8,7 @@
 
 #include "continua/simulation/physics_body.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 namespace continua {
 
@@ -16,7 +17,7 @@ inline Goal at(double x, double y) { return {{}, {}, Perspective::avatar, {x, y,
 inline Goal by(Relation relation, const std::string& landmark) { return {relation, {landmark}}; }
 
 inline Scene shipped_scene(const std::string& name, const std::vector<ObjectOverride>& overrides = {}) {
-  return load_scene(CONTINUA_SOURCE_DIR "/mjcf/scenes/" + name + ".xml", overrides).value();
+  return load_scene(source_dir() + "/mjcf/scenes/" + name + ".xml", overrides).value();
 }
 
 struct Stage {

@@ -1,4 +1,5 @@
 #include "continua/term/raising.h"
+#include "support/folders.h"
 
 #include "continua/term/raising_file.h"
 #include "read_terms.h"
@@ -36,7 +37,7 @@ const Rules& facts() {
 }
 
 const RaisingRules& shipped() {
-  static const RaisingRules rules = load_raising(CONTINUA_SOURCE_DIR "/engine/knowledge/raising.json", names()).value();
+  static const RaisingRules rules = load_raising(source_dir() + "/engine/knowledge/raising.json", names()).value();
   return rules;
 }
 

@@ -1,6 +1,7 @@
 #include "continua/voxml/program_check.h"
 
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
@@ -81,7 +82,7 @@ TEST_CASE("A program that points extends a finger and names the things that its 
 }
 
 TEST_CASE("The project's own voxemes load without a note, and their programs name what exists") {
-  const auto read = read_catalogue(CONTINUA_SOURCE_DIR "/engine/knowledge/voxemes");
+  const auto read = read_catalogue(source_dir() + "/engine/knowledge/voxemes");
   CHECK(read.documents > 0);
   for (const auto& problem : read.problems) FAIL_CHECK(problem.text());
   for (const auto& note : read.notes) FAIL_CHECK(note.text());

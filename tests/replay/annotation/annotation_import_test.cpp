@@ -3,6 +3,7 @@
 #include "continua/replay/annotation/textgrid.h"
 #include "continua/replay/annotation/tier_import.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 namespace continua {
 namespace {
@@ -153,7 +154,7 @@ TEST_CASE("Words make utterances, or belong to those of another tier") {
 }
 
 TEST_CASE("A map is guessed from the names of tiers") {
-  const auto names = parse_tier_names(*read_file(CONTINUA_SOURCE_DIR "/engine/knowledge/tier_names.json"), "names");
+  const auto names = parse_tier_names(*read_file(source_dir() + "/engine/knowledge/tier_names.json"), "names");
   REQUIRE(names);
   Annotations annotations;
   for (const auto* name : {"P1_speech", "P1_hand", "Wizard speech", "RobotGesture", "robot_actions", "Eye gaze",

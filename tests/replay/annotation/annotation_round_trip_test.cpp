@@ -6,6 +6,7 @@
 #include "continua/replay/annotation/textgrid.h"
 #include "continua/replay/annotation/tier_import.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 namespace continua {
 namespace {
@@ -42,7 +43,7 @@ const Tier* tier(const Annotations& annotations, const std::string& name) {
 
 TEST_CASE("A trace comes back from ELAN and Praat as it was") {
   std::size_t traces = 0;
-  for (const auto& file : fs::recursive_directory_iterator(fs::path(CONTINUA_SOURCE_DIR) / "traces")) {
+  for (const auto& file : fs::recursive_directory_iterator(fs::path(source_dir()) / "traces")) {
     if (!file.path().string().ends_with(".trace.jsonl")) continue;
     const auto trace = read_trace(file.path().string());
     REQUIRE(trace);
@@ -109,7 +110,7 @@ TEST_CASE("A map may use exported tiers otherwise") {
 }
 
 TEST_CASE("A run's annotations lead back to its records") {
-  const auto run = RunIndex::open(CONTINUA_SOURCE_DIR "/traces/building_blocks.run.jsonl");
+  const auto run = RunIndex::open(source_dir() + "/traces/building_blocks.run.jsonl");
   REQUIRE(run);
   const auto annotations = annotations_of_run(*run, {{4, 6, "look here"}});
   REQUIRE(annotations);
@@ -128,8 +129,8 @@ TEST_CASE("A run's annotations lead back to its records") {
 }
 
 TEST_CASE("The human's side of a run is that of its trace") {
-  const auto run = RunIndex::open(CONTINUA_SOURCE_DIR "/traces/building_blocks.run.jsonl");
-  const auto trace = read_trace(CONTINUA_SOURCE_DIR "/traces/building_blocks.trace.jsonl");
+  const auto run = RunIndex::open(source_dir() + "/traces/building_blocks.run.jsonl");
+  const auto trace = read_trace(source_dir() + "/traces/building_blocks.trace.jsonl");
   REQUIRE(run);
   REQUIRE(trace);
   const auto back = imported(read_eaf(eaf_of(*annotations_of_run(*run, {})), "b.eaf"));

@@ -10,6 +10,7 @@
 #include "continua/replay/commands/validate.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
@@ -82,7 +83,7 @@ TEST_CASE("validate tells what is wrong with a file of a lexicon and with raisin
 }
 
 TEST_CASE("validate tells what is wrong with what live sessions begin with") {
-  const auto path = std::string(CONTINUA_SOURCE_DIR) + "/engine/knowledge/live.json";
+  const auto path = source_dir() + "/engine/knowledge/live.json";
   CHECK(run_validate({{path}}) == exit_done);
   const std::string sound = read_file(path).value();
   const auto told = [&](const std::string& was, const std::string& is) {

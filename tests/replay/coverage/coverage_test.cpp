@@ -9,6 +9,7 @@
 #include "continua/replay/coverage/coverage_phrases.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/standard_output.h"
 #include "support/temporary_folder.h"
 
@@ -250,9 +251,7 @@ TEST_CASE("coverage is told with bars, and the first few of what was never reach
 
 TEST_CASE("the project's traces reach what they are there for") {
   CoverageOptions options;
-  options.paths = {std::string(CONTINUA_SOURCE_DIR) + "/traces/paper",
-                   std::string(CONTINUA_SOURCE_DIR) + "/traces/mechanisms",
-                   std::string(CONTINUA_SOURCE_DIR) + "/traces/talk"};
+  options.paths = {source_dir() + "/traces/paper", source_dir() + "/traces/mechanisms", source_dir() + "/traces/talk"};
   options.json = true;
   const auto [status, text] = told([&] { return run_coverage(options); });
   REQUIRE(status == exit_done);
@@ -271,7 +270,7 @@ TEST_CASE("the project's traces reach what they are there for") {
     CHECK(kinds[kind]["reached"] > 0);
   }
   CHECK(kinds["states"]["reached"] == kinds["states"]["of"]);
-  const auto rules = read_file(std::string(CONTINUA_SOURCE_DIR) + "/engine/knowledge/raising.json").value();
+  const auto rules = read_file(source_dir() + "/engine/knowledge/raising.json").value();
   CHECK(kinds["raising rules"]["of"] == Json::parse(rules)["rules"].size());
   // The parts of a reading are the lexicon's, letter for letter; taught words follow.
   std::string taught;

@@ -9,6 +9,7 @@
 #include "continua/replay/diff/run_diff_text.h"
 #include "continua/replay/log/time_text.h"
 #include "replay/diff/edited_example.h"
+#include "support/folders.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
@@ -152,7 +153,7 @@ std::optional<Named> drop_entry(EditedExample& example, const RunIndex& original
   const auto has_category = [](const Json& senses, const Json& category) {
     return std::any_of(senses.begin(), senses.end(), [&](const Json& sense) { return sense[0] == category; });
   };
-  const auto folder = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge/lexicon/english";
+  const auto folder = fs::path(source_dir()) / "engine/knowledge/lexicon/english";
   for (const auto& file : fs::directory_iterator(folder)) {
     auto content = Json::parse(*read_file(file.path().string()));
     if (!content.contains("words")) continue;
@@ -225,7 +226,7 @@ std::string wrong(const RunDiff& diff, const Named& named) {
 
 TEST_CASE("diff names the edit as the first divergence and its cause") {
   std::vector<fs::path> traces;
-  for (const auto& file : fs::directory_iterator(fs::path(CONTINUA_SOURCE_DIR) / "traces/paper"))
+  for (const auto& file : fs::directory_iterator(fs::path(source_dir()) / "traces/paper"))
     if (file.path().string().ends_with(".trace.jsonl")) traces.push_back(file.path());
   std::sort(traces.begin(), traces.end());
   REQUIRE(traces.size() >= 12);

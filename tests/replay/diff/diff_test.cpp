@@ -8,13 +8,14 @@
 #include "continua/replay/log/log_file.h"
 #include "replay/diff/edited_example.h"
 #include "replay/inspector/inspector_log.h"
+#include "support/folders.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
 
 namespace {
 
-const auto traces = fs::path(CONTINUA_SOURCE_DIR) / "traces";
+const auto traces = fs::path(source_dir()) / "traces";
 
 RunIndex index_of(const std::string& log) {
   auto index = RunIndex::of_text(log, "log");

@@ -15,6 +15,7 @@
 #include "continua/replay/session/session.h"
 #include "continua/replay/session/shelf.h"
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 namespace continua {
@@ -26,7 +27,7 @@ class EditedExample {
     std::istringstream text(*read_file(trace.string()));
     for (std::string line; std::getline(text, line);) lines.push_back(Json::parse(line));
     header()["machine"] = header().value("machine", std::string("interaction"));
-    const auto known = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge";
+    const auto known = fs::path(source_dir()) / "engine/knowledge";
     machine =
         Json::parse(*read_file((known / "machines" / (header()["machine"].get<std::string>() + ".json")).string()));
   }
@@ -87,7 +88,7 @@ class EditedExample {
   // The program's knowledge with another content of one file.
   static std::string knowledge_with(const LexiconFile& file, const TemporaryFolder& folder) {
     namespace fs = std::filesystem;
-    const auto from = fs::path(CONTINUA_SOURCE_DIR) / "engine/knowledge", to = fs::path(folder.at("knowledge"));
+    const auto from = fs::path(source_dir()) / "engine/knowledge", to = fs::path(folder.at("knowledge"));
     fs::create_directories(to / "lexicon/english");
     for (const auto& part : fs::directory_iterator(from))
       if (part.path().filename() != "lexicon") fs::create_symlink(part.path(), to / part.path().filename());

@@ -11,6 +11,7 @@
 #include "continua/replay/commands/shrink.h"
 #include "continua/replay/experiment/ddmin.h"
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
@@ -259,7 +260,7 @@ TEST_CASE("in a trace with planted events, these remain") {
 }
 
 TEST_CASE("of the paper's examples remains a trace that still does it, and of which no event can go") {
-  const fs::path folder = fs::path(CONTINUA_SOURCE_DIR) / "traces/paper";
+  const fs::path folder = fs::path(source_dir()) / "traces/paper";
   for (const std::string name :
        {"correction", "dialogue_gesture", "disambiguation", "never_mind", "one_shot_learning"}) {
     CAPTURE(name);

@@ -9,6 +9,7 @@
 #include "continua/replay/commands/replay.h"
 #include "continua/replay/session/session.h"
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path traces = fs::path(CONTINUA_SOURCE_DIR) / "traces";
+const fs::path traces = fs::path(source_dir()) / "traces";
 
 // Counts its inputs, on the stack and in a register; `back` returns to the state of the last question.
 const char* counter = R"json({"machine":1,"name":"counter","start":"Idle",

@@ -12,13 +12,14 @@
 #include "continua/replay/log/run_brief.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
 
 namespace {
 
-const auto traces = fs::path(CONTINUA_SOURCE_DIR) / "traces";
+const auto traces = fs::path(source_dir()) / "traces";
 
 RunIndex opened(const fs::path& path) {
   auto run = RunIndex::open(path.string());

@@ -4,6 +4,7 @@
 #include "continua/replay/export/chrome.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
@@ -62,7 +63,7 @@ TEST_CASE("steps are spans inside of their act, and end with it") {
 }
 
 TEST_CASE("slices of a lane nest or follow one another, and arrows lead from causes to what came of them") {
-  const auto run = RunIndex::open(CONTINUA_SOURCE_DIR "/traces/building_blocks.run.jsonl");
+  const auto run = RunIndex::open(source_dir() + "/traces/building_blocks.run.jsonl");
   REQUIRE(run);
   std::ostringstream out;
   REQUIRE_FALSE(export_chrome(*run, out));

@@ -6,6 +6,7 @@
 
 #include "continua/replay/log/schema.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 namespace continua {
 namespace {
@@ -20,13 +21,13 @@ std::vector<std::string> lines_of(const fs::path& file) {
 }
 
 TEST_CASE("Every record of two runs is a row under its kind, with the run's name") {
-  const auto folder = fs::path(CONTINUA_BINARY_DIR) / "tables_test";
+  const auto folder = fs::path(binary_dir()) / "tables_test";
   fs::remove_all(folder);
   fs::create_directories(folder);
   TableWriter tables(folder.string(), {});
   std::map<std::string, std::size_t> expected;
   for (const auto* name : {"building_blocks", "talk/speech_only"}) {
-    const auto run = RunIndex::open(std::string(CONTINUA_SOURCE_DIR "/traces/") + name + ".run.jsonl");
+    const auto run = RunIndex::open(std::string(source_dir() + "/traces/") + name + ".run.jsonl");
     REQUIRE(run);
     REQUIRE_FALSE(tables.add(*run, name));
     for (const auto& kind : run->kinds()) expected[kind] += run->of_kind(kind).size();

@@ -12,13 +12,14 @@
 #include "continua/replay/session/session.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path paper = fs::path(CONTINUA_SOURCE_DIR) / "traces/paper";
+const fs::path paper = fs::path(source_dir()) / "traces/paper";
 
 struct Asked {
   explicit Asked(const fs::path& logs) : api({logs.string()}, nullptr, replayed_what_if()) {}
@@ -214,7 +215,7 @@ TEST_CASE("machine, phrases, scene and places of the log are replayed, whatever 
 }
 
 TEST_CASE("objects begin where the log has them") {
-  const auto trace = fs::path(CONTINUA_SOURCE_DIR) / "traces/paper/correction.trace.jsonl";
+  const auto trace = fs::path(source_dir()) / "traces/paper/correction.trace.jsonl";
   std::ifstream file(trace);
   std::string text, line;
   std::getline(file, line);

@@ -8,6 +8,7 @@
 #include "continua/replay/log/run_log_file.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
@@ -44,7 +45,7 @@ TEST_CASE("a run and the page become one file that names nothing elsewhere") {
 
 TEST_CASE("the page of a run whose documents are kept beside it is that of the whole run") {
   const ScratchFolder folder;
-  const auto whole = read_run_log(std::string(CONTINUA_SOURCE_DIR) + "/traces/paper/correction.run.jsonl").value();
+  const auto whole = read_run_log(source_dir() + "/traces/paper/correction.run.jsonl").value();
   const auto path = folder.write("a.run.jsonl", whole);
   const auto written = std::filesystem::last_write_time(path);
   const auto page = page_of(path);

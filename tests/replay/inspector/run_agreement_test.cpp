@@ -7,11 +7,12 @@
 #include "continua/replay/session/session.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
 TEST_CASE("a run's log tells of the observed answers what its replay does") {
-  const auto trace = std::filesystem::path(CONTINUA_SOURCE_DIR) / "traces/talk/wizard.trace.jsonl";
+  const auto trace = std::filesystem::path(source_dir()) / "traces/talk/wizard.trace.jsonl";
   ReplayOptions options;
   options.physics = false;
   options.episodes = true;

@@ -15,6 +15,7 @@
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
 #include "support/columns.h"
+#include "support/folders.h"
 
 using namespace continua;
 
@@ -177,7 +178,7 @@ void check_find(const std::string& text, const std::string& words) {
 
 std::vector<std::string> paper_logs() {
   std::vector<std::string> texts;
-  for (const auto& file : std::filesystem::directory_iterator(std::string(CONTINUA_SOURCE_DIR) + "/traces/paper")) {
+  for (const auto& file : std::filesystem::directory_iterator(source_dir() + "/traces/paper")) {
     if (!file.path().string().ends_with(".run.jsonl")) continue;
     texts.push_back(read_run_log(file.path().string()).value());
   }

@@ -6,13 +6,14 @@
 #include "continua/replay/log/log_file.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
 
 namespace {
 
-const std::string source = CONTINUA_SOURCE_DIR;
+const std::string source = source_dir();
 
 // The folder's files by their paths below it.
 std::map<std::string, std::string> files_of(const std::string& folder) {

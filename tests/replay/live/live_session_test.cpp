@@ -10,6 +10,7 @@
 #include "continua/replay/trace/trace_file.h"
 #include "replay/played.h"
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
@@ -17,7 +18,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-const auto traces = std::filesystem::path(CONTINUA_SOURCE_DIR) / "traces";
+const auto traces = std::filesystem::path(source_dir()) / "traces";
 
 LiveOptions options_in(const TemporaryFolder& folder, std::optional<LiveTiming> timing, bool physics = false) {
   LiveOptions options;

@@ -11,6 +11,7 @@
 #include "continua/replay/log/run_log_file.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 using namespace continua;
@@ -216,7 +217,7 @@ TEST_CASE("the index of a long log fits it with its documents") {
 }
 
 TEST_CASE("a worked example is the same run with its documents beside it") {
-  const auto path = std::string(CONTINUA_SOURCE_DIR) + "/traces/paper/correction.run.jsonl";
+  const auto path = source_dir() + "/traces/paper/correction.run.jsonl";
   const Lean lean(read_run_log(path).value());
   CHECK(fs::file_size(lean.path) * 2 < lean.whole.size());
   const auto diff = diff_runs(RunIndex::open(path).value(), RunIndex::open(lean.path).value()).value();

@@ -7,6 +7,7 @@
 #include "continua/core/located_json.h"
 #include "continua/replay/log/log_file.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
@@ -35,7 +36,7 @@ void find_alike(const Json& value, const std::string& place, std::string& found)
 
 TEST_CASE("no shipped log has members of one object that differ only in case") {
   std::string found;
-  for (const auto& file : fs::recursive_directory_iterator(CONTINUA_SOURCE_DIR "/traces")) {
+  for (const auto& file : fs::recursive_directory_iterator(source_dir() + "/traces")) {
     if (!file.path().string().ends_with(".run.jsonl")) continue;
     const auto log = read_run_log(file.path().string()).value();
     for (std::size_t from = 0; from < log.size(); from = log.find('\n', from) + 1)
@@ -46,7 +47,7 @@ TEST_CASE("no shipped log has members of one object that differ only in case") {
 
 TEST_CASE("no shipped machine gives a log such members") {
   std::string found;
-  for (const auto& file : fs::recursive_directory_iterator(CONTINUA_SOURCE_DIR "/engine/knowledge/machines")) {
+  for (const auto& file : fs::recursive_directory_iterator(source_dir() + "/engine/knowledge/machines")) {
     if (file.path().extension() != ".json") continue;
     std::ifstream in(file.path());
     find_alike(Json::parse(in), file.path().filename().string(), found);

@@ -13,13 +13,14 @@
 #include "continua/replay/log/schema.h"
 #include "log/line_of.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path page_path = fs::path(CONTINUA_SOURCE_DIR) / "replay/log/RECORDS.md";
+const fs::path page_path = fs::path(source_dir()) / "replay/log/RECORDS.md";
 // The page is printed from here on; prose stands above.
 const std::string first_heading = "\n## Members of every record\n";
 
@@ -100,7 +101,7 @@ std::string kind_in(const Json& line) { return line.at("kind").get<std::string>(
 // Of each kind the line of the approved runs with the most members that is not too long.
 Examples approved_examples() {
   std::vector<fs::path> paths;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(CONTINUA_SOURCE_DIR) / "traces"))
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_dir()) / "traces"))
     if (entry.path().string().ends_with(".run.jsonl")) paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   std::map<std::string, Json> best;

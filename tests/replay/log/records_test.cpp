@@ -13,12 +13,13 @@
 #include "continua/replay/log/run_log.h"
 #include "log/line_of.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
 namespace {
 
-const std::filesystem::path source_dir = CONTINUA_SOURCE_DIR;
+const std::filesystem::path project = source_dir();
 
 log::Record record_of(const Json& line) {
   auto record = log::read_record(line);
@@ -68,7 +69,7 @@ void each_member(const std::string& above, const Use& use) {
 
 TEST_CASE("every line of the approved runs goes through its record unchanged, and brief() reads what it says") {
   std::map<std::string, int> lines_of;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(source_dir / "traces")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(project / "traces")) {
     if (!entry.path().string().ends_with(".run.jsonl")) continue;
     std::istringstream file(read_run_log(entry.path().string()).value());
     for (std::string line; std::getline(file, line);) {
@@ -94,7 +95,7 @@ TEST_CASE("every line of the approved runs goes through its record unchanged, an
 }
 
 TEST_CASE("a log of an earlier version of the program can be read") {
-  std::ifstream file(source_dir / "tests/replay/frozen/run_version_1.run.jsonl");
+  std::ifstream file(project / "tests/replay/frozen/run_version_1.run.jsonl");
   int lines = 0;
   for (std::string line; std::getline(file, line); ++lines) {
     const auto record = log::read_record(Json::parse(line), "line");

@@ -11,6 +11,7 @@
 #include "continua/replay/log/run_log.h"
 #include "continua/replay/trace/trace_file.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 namespace fs = std::filesystem;
@@ -112,7 +113,7 @@ TEST_CASE("what the last line states has to be so") {
 }
 
 TEST_CASE("logs and traces of every version that was written can be read") {
-  const auto folder = fs::path(CONTINUA_SOURCE_DIR) / "tests/replay/frozen";
+  const auto folder = fs::path(source_dir()) / "tests/replay/frozen";
   int logs = 0, recorded = 0;
   for (const auto& file : fs::directory_iterator(folder)) {
     if (file.path().string().ends_with(".trace.jsonl")) {

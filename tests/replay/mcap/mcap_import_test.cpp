@@ -12,6 +12,7 @@
 #include "continua/replay/mcap/ros_message.h"
 #include "continua/replay/mcap/run_channels.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 namespace continua {
 namespace {
@@ -56,7 +57,7 @@ std::string trace_path(const fs::path& run) {
 TEST_CASE(
     "Speech, gestures and pointing of a run come back from MCAP, and the file is no longer than 1.5 times the log") {
   std::size_t runs = 0;
-  for (const auto& file : fs::recursive_directory_iterator(fs::path(CONTINUA_SOURCE_DIR) / "traces")) {
+  for (const auto& file : fs::recursive_directory_iterator(fs::path(source_dir()) / "traces")) {
     if (!file.path().string().ends_with(".run.jsonl")) continue;
     const auto run = RunIndex::open(file.path().string());
     REQUIRE(run);
@@ -108,7 +109,7 @@ std::vector<Message> messages_of(const std::string& bytes) {
 }
 
 TEST_CASE("A run's channels tell its states, its stack, its words, its scene and its notes") {
-  const auto run = RunIndex::open(CONTINUA_SOURCE_DIR "/traces/building_blocks.run.jsonl");
+  const auto run = RunIndex::open(source_dir() + "/traces/building_blocks.run.jsonl");
   REQUIRE(run);
   std::map<std::string, std::vector<Message>> topics;
   for (auto& message : messages_of(mcap_of(*run, "{}"))) topics[message.topic].push_back(std::move(message));

@@ -2,12 +2,13 @@
 #include "continua/replay/noise/noise.h"
 
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/temporary_folder.h"
 
 namespace continua {
 namespace {
 
-const std::filesystem::path knowledge = std::filesystem::path(CONTINUA_SOURCE_DIR) / "engine/knowledge";
+const std::filesystem::path knowledge = std::filesystem::path(source_dir()) / "engine/knowledge";
 
 std::string fault_of(const std::string& text) {
   TemporaryFolder folder;

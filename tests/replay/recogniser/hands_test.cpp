@@ -6,6 +6,7 @@
 #include "continua/replay/recogniser/hand_forms.h"
 #include "continua/replay/recogniser/recogniser_output.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 namespace continua {
 namespace {
@@ -37,7 +38,7 @@ std::string frame(const std::vector<Vec3>& hand, const Vec3& p_C, bool mirrored)
 }
 
 std::shared_ptr<const Camera> camera(const std::string& more) {
-  const auto file = std::string(CONTINUA_BINARY_DIR) + "/hands_test.camera.json";
+  const auto file = binary_dir() + "/hands_test.camera.json";
   REQUIRE_FALSE(
       replace_file(file, R"({"position": [0, 1, 0.5], "looks_at": [0, 0, 0.5], "size": [800, 400], )" + more));
   const auto read = named_camera(file);
@@ -46,7 +47,7 @@ std::shared_ptr<const Camera> camera(const std::string& more) {
   return *read;
 }
 
-constexpr const char* knowledge = CONTINUA_SOURCE_DIR "/engine/knowledge";
+const std::string knowledge = source_dir() + "/engine/knowledge";
 
 Json ray(const char* format, const std::string& output, std::shared_ptr<const Camera> seen_by) {
   const auto events = read_output(*recogniser_format(format), output, {"hands", false, std::move(seen_by), knowledge});
@@ -78,7 +79,7 @@ TEST_CASE("A hand that does not point, or that no camera is told of, is no ray")
 }
 
 TEST_CASE("A finger's tip is on the table where the picture shows it, if the table's corners are known") {
-  const auto file = std::string(CONTINUA_BINARY_DIR) + "/hands_test.camera.json";
+  const auto file = binary_dir() + "/hands_test.camera.json";
   const auto seen = [&](const std::string& text, double across, double down) {
     REQUIRE_FALSE(replace_file(file, text));
     const auto read = read_camera(file);
@@ -129,7 +130,7 @@ std::string told_of(const std::string& frames) {
 }
 
 TEST_CASE("A hand whose gesture nobody tells has that of its form, once for as long as it is held") {
-  const auto path = std::string(knowledge) + "/hand_forms.json";
+  const auto path = knowledge + "/hand_forms.json";
   const auto examples = LocatedJson::read(path)->root()["examples"];
   REQUIRE(examples.size() > 3);
   for (const auto& example : examples) {
@@ -142,7 +143,7 @@ TEST_CASE("A hand whose gesture nobody tells has that of its form, once for as l
 }
 
 TEST_CASE("Slow frames show a gesture that two in a row have") {
-  const auto hand = LocatedJson::read(std::string(knowledge) + "/hand_forms.json")->root()["examples"][2]["hand"];
+  const auto hand = LocatedJson::read(knowledge + "/hand_forms.json")->root()["examples"][2]["hand"];
   const auto none = Json::array();
   CHECK(told_of(landmarks(0, hand) + landmarks(1500, none) + landmarks(3000, hand) + landmarks(4500, hand) +
                 landmarks(6000, hand) + landmarks(7500, none)) == "4.25 stop start 0.75; 7.25 stop stop 0.75; ");
@@ -181,7 +182,7 @@ TEST_CASE("A forearm of ROS4HRI is a ray, through all frames up to the camera's"
 }
 
 TEST_CASE("A camera's file is checked") {
-  const auto file = std::string(CONTINUA_BINARY_DIR) + "/hands_test.camera.json";
+  const auto file = binary_dir() + "/hands_test.camera.json";
   const std::pair<const char*, const char*> faults[] = {
       {R"({"position": [0, 1], "looks_at": [0, 0, 0], "field_of_view": 1})", "expected a point [x, y, z]"},
       {R"({"position": [0, 1, 0], "looks_at": [0, 1, 0], "field_of_view": 1})", "another point than"},

@@ -6,6 +6,7 @@
 #include "continua/core/replaced_file.h"
 #include "continua/replay/recogniser/recogniser_import.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 namespace continua {
 namespace {
@@ -129,7 +130,7 @@ TEST_CASE("Messages of ROS4HRI are speech and gestures; words that may change ar
 }
 
 TEST_CASE("Several recognisers make one trace, from the first event on") {
-  const auto folder = std::filesystem::path(CONTINUA_BINARY_DIR) / "recogniser_test";
+  const auto folder = std::filesystem::path(binary_dir()) / "recogniser_test";
   std::filesystem::create_directories(folder);
   const auto speech = (folder / "s.xml").string(), ros = (folder / "r.jsonl").string();
   REQUIRE_FALSE(

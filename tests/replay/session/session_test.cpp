@@ -14,6 +14,7 @@
 #include "continua/replay/trace/session_import.h"
 #include "continua/replay/trace/trace_file.h"
 #include "support/catch.h"
+#include "support/folders.h"
 #include "support/sources.h"
 
 using namespace continua;
@@ -337,7 +338,7 @@ TEST_CASE("what cannot be replayed is told in a line that names file, line and e
 }
 
 TEST_CASE("real sessions replay to their last event, the same twice") {
-  const fs::path sessions = fs::path(CONTINUA_SOURCE_DIR) / "../shared/data/pilot2018";
+  const fs::path sessions = fs::path(source_dir()) / "../shared/data/pilot2018";
   if (!fs::exists(sessions)) {
     WARN("skipped: no recorded sessions at " << sessions);
     return;

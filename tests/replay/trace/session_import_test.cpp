@@ -7,6 +7,7 @@
 
 #include "continua/replay/trace/session_notation.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 using namespace continua;
 
@@ -213,7 +214,7 @@ TEST_CASE("session logs are told from other files") {
 }
 
 TEST_CASE("the pilot study's logs are imported whole") {
-  const std::filesystem::path folder = std::filesystem::path(CONTINUA_SOURCE_DIR) / "../shared/data/pilot2018";
+  const std::filesystem::path folder = std::filesystem::path(source_dir()) / "../shared/data/pilot2018";
   if (!std::filesystem::is_directory(folder)) {
     std::cout << "skipped: " << folder.lexically_normal().string() << " is not here\n";
     return;

@@ -8,6 +8,7 @@
 #include "continua/replay/trace/trace_event.h"
 #include "continua/replay/trace/trace_names.h"
 #include "support/catch.h"
+#include "support/folders.h"
 
 namespace continua {
 namespace {
@@ -30,8 +31,7 @@ const std::string four =
 
 std::vector<Trace> all_traces() {
   std::vector<Trace> traces;
-  for (const auto& file :
-       std::filesystem::recursive_directory_iterator(std::filesystem::path(CONTINUA_SOURCE_DIR) / "traces"))
+  for (const auto& file : std::filesystem::recursive_directory_iterator(std::filesystem::path(source_dir()) / "traces"))
     if (file.path().string().ends_with(".trace.jsonl")) traces.push_back(*read_trace(file.path().string()));
   return traces;
 }
