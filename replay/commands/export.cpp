@@ -6,10 +6,13 @@
 #include <iostream>
 
 #include "continua/core/replaced_file.h"
+#include "continua/core/scratch_space.h"
 #include "continua/replay/annotation/cues.h"
 #include "continua/replay/annotation/eaf.h"
 #include "continua/replay/annotation/textgrid.h"
 #include "continua/replay/commands/export_annotations.h"
+#include "continua/replay/commands/replayed_run.h"
+#include "continua/replay/commands/setting_options.h"
 #include "continua/replay/export/chrome.h"
 #include "continua/replay/export/csv.h"
 #include "continua/replay/export/graph_dot.h"
@@ -97,8 +100,6 @@ Outcome export_annotations(const Exporter& exporter, const ExportOptions& option
 }
 
 Outcome export_run(const Exporter& exporter, const ExportOptions& options, std::ostream& out) {
-  if (is_trace_file(options.runs.front()))
-    return Error{options.runs.front(), "found a trace; expected a run log, or --to eaf, textgrid, vtt or srt"};
   if (!exporter.write) return export_html(options, out);
   const auto run = RunIndex::open(options.runs.front());
   if (!run) return run.error();
@@ -106,7 +107,19 @@ Outcome export_run(const Exporter& exporter, const ExportOptions& options, std::
 }
 
 Outcome write(const Exporter& exporter, const ExportOptions& options, std::ostream& out) {
-  return exporter.annotate ? export_annotations(exporter, options, out) : export_run(exporter, options, out);
+  const auto& input = options.runs.front();
+  const bool changed = !options.replay.settings.empty();
+  const bool trace = is_trace_file(input);
+  if (changed && !trace) return Error{"--set", fmt::format("changes a replay; {} is a run; expected its trace", input)};
+  if (exporter.annotate && !changed) return export_annotations(exporter, options, out);
+  if (!trace) return export_run(exporter, options, out);
+  const auto space = ScratchSpace::make();
+  if (!space) return space.error();
+  const auto run = replayed_run(input, options.replay, space->path());
+  if (!run) return run.error();
+  auto of_run = options;
+  of_run.runs = {*run};
+  return exporter.annotate ? export_annotations(exporter, of_run, out) : export_run(exporter, of_run, out);
 }
 
 Outcome written(const Exporter& exporter, const ExportOptions& options) {
@@ -118,6 +131,7 @@ Outcome written(const Exporter& exporter, const ExportOptions& options) {
 
 Outcome written_site(const ExportOptions& options) {
   if (options.output == "-") return Error{"-o", "is missing; expected a folder for the site"};
+  if (!options.replay.settings.empty()) return Error{"--set", "changes a replay; --to site shows runs as they are"};
   SiteRequest request{options.runs};
   for (std::size_t i = 0; i + 1 < options.pairs.size(); i += 2)
     request.pairs.push_back({options.pairs[i], options.pairs[i + 1]});
@@ -150,8 +164,8 @@ int run_export(const ExportOptions& options) {
 void describe_export(CLI::App& command, ExportOptions& options) {
   command
       .add_option("RUN", options.runs,
-                  "a run log (.run.jsonl, .run.jsonl.gz); for annotations also a trace; for a site run logs, or "
-                  "folders of them")
+                  "a run log (.run.jsonl, .run.jsonl.gz); or a trace, which is replayed, except that annotations are "
+                  "made of a trace itself; for a site run logs, or folders of them")
       ->required();
   std::vector<std::string> formats;
   std::string described;
@@ -171,6 +185,10 @@ void describe_export(CLI::App& command, ExportOptions& options) {
       ->type_size(2);
   command.add_flag("--embed-media", options.embed_media,
                    "puts the recordings of the run's trace into the page of html, which otherwise links them");
+  add_set_option(command, options.replay.settings);
+  command.add_flag_callback(
+      "--no-physics", [&options] { options.replay.physics = false; },
+      "a trace is replayed in the kinematic world, in which acts succeed at once");
   command.footer(
       "Examples: continua export talk.run.jsonl --to json -o talk.json\n"
       "          continua export talk.run.jsonl --to svg -o talk.svg\n"
@@ -179,6 +197,7 @@ void describe_export(CLI::App& command, ExportOptions& options) {
       "          continua export runs/talk.run.jsonl --to jsonl -o talk.run.jsonl\n"
       "          continua export talk.run.jsonl --to mcap -o talk.mcap\n"
       "          continua export talk.run.jsonl --to html -o talk.html\n"
+      "          continua export talk.trace.jsonl --set surer_by=0.1 --to html -o talk.html\n"
       "          continua export talk.run.jsonl --to eaf --media talk.mp4 -o talk.eaf\n"
       "          continua export runs --to site -o site");
 }

@@ -1,10 +1,11 @@
-// continua export: a run, or a trace, in another format; many runs as a site.
+// continua export: a run, a trace, or a replay of a trace, in another format; many runs as a site.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "continua/replay/commands/command.h"
+#include "continua/replay/session/session.h"
 
 namespace continua {
 
@@ -15,6 +16,7 @@ struct ExportOptions {
   std::vector<std::string> media = {};  ///< recordings that annotations link
   std::vector<std::string> pairs = {};  ///< of a site: runs to be compared, the first with the second, and so on
   bool embed_media = false;             ///< into the page, which otherwise links them
+  ReplayOptions replay = {};            ///< of a trace, where a run is exported
 };
 
 int run_export(const ExportOptions& options);

@@ -219,7 +219,11 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
     const auto n = record_number(query, log);
     if (!n) return api_error(400, n.error().sentence);
     const auto cell = query.find("cell");
-    if (cell == query.end()) return answer(explain(log, *n));
+    if (cell == query.end()) {
+      auto told = explain(log, *n);
+      if (told) (*told)["run"] = id;  // pages are given away, and paths are this machine's
+      return answer(told);
+    }
     const auto told = explain_cell(log, *n, cell->second);
     return told ? answer(*told) : api_error(404, told.error().sentence);
   }
