@@ -54,7 +54,7 @@ Json session_json(const ListedSession& listed, const LiveSessions& sessions) {
             {"machine", session.setting().machine},
             {"state", state.machine_state},
             {"viewers", session.audience().viewers()},
-            {"gestures", session.setting().palette},
+            {"gestures", *session.setting().palette},
             {"buttons", sessions.setup()["buttons"]},
             {"hands", sessions.setup()["hands"]}};
   if (session.setting().warning) json["warning"] = session.setting().warning->text();

@@ -24,6 +24,9 @@ class LiveRecognisers {
   /// anew.
   Result<std::vector<Json>> known_by(const std::vector<Json>& events);
 
+  /// Nothing more is heard: what was heard so far is forgotten.
+  void end() { heard_.clear(); }
+
  private:
   struct Heard {
     std::string camera;

@@ -26,6 +26,19 @@ std::string knowledge_folder(const std::string& asked) {
   return data ? data->knowledge.string() : "";
 }
 
+// A server keeps every session that has ended, and most of them have the same palette.
+std::shared_ptr<const Json> shared(Json palette) {
+  static std::mutex mutex;
+  static std::vector<std::weak_ptr<const Json>> known;  // guarded by the mutex
+  const std::lock_guard lock(mutex);
+  std::erase_if(known, [](const auto& one) { return one.expired(); });
+  for (const auto& one : known)
+    if (auto same = one.lock(); same && *same == palette) return same;
+  auto made = std::make_shared<const Json>(std::move(palette));
+  known.push_back(made);
+  return made;
+}
+
 }  // namespace
 
 Result<std::shared_ptr<LiveSession>> LiveSession::start(LiveOptions options, const std::vector<LiveEvent>& before) {
@@ -51,7 +64,7 @@ Result<std::shared_ptr<LiveSession>> LiveSession::start(LiveOptions options, con
 
 LiveSession::LiveSession(LiveOptions options, Session session)
     : setting_{options, std::filesystem::path(options.header.scene).stem().string(), session.machine().name,
-               gesture_palette(session.machine(), session.gestures()), session.warning()},
+               shared(gesture_palette(session.machine(), session.gestures())), session.warning()},
       media_(setting_.options.trace_path),
       session_(std::move(session)),
       recognisers_(knowledge_folder(options.replay.knowledge)),
@@ -156,9 +169,10 @@ Result<LiveReply> LiveSession::receive(const std::vector<Json>& events, const st
     (void)can_go_on();
   }
   if (broke_) return *broke_;
+  LiveReply reply{events.size(), loop_ ? loop_->now() : audience_.state().t, log_->take_moves()};
   last_batch_ = batch;
-  last_reply_ = {events.size(), loop_ ? loop_->now() : audience_.state().t, log_->take_moves()};
-  return last_reply_;
+  last_reply_ = batch.empty() ? LiveReply() : reply;
+  return reply;
 }
 
 void LiveSession::take(const std::vector<LiveEvent>& events) {
@@ -259,6 +273,7 @@ void LiveSession::close(std::optional<SimTime> end) {
   tell();
   loop_.reset();
   session_.reset();
+  recognisers_.end();
   const bool kept = !trace_->close();
   log_->close();
   if (!kept && !broke_) broke_ = trace_->fault();

@@ -39,8 +39,9 @@ struct LiveOptions {
 /// The parts of a session that stay the same.
 struct LiveSetting {
   LiveOptions options;
-  std::string scene, machine;    ///< the names by which the log has them
-  Json palette;                  ///< the gestures that a human may make (live_setup.h, gesture_palette)
+  std::string scene, machine;  ///< the names by which the log has them
+  /// The gestures that a human may make (live_setup.h, gesture_palette); one for all sessions that have the same ones.
+  std::shared_ptr<const Json> palette;
   std::optional<Error> warning;  ///< the unknown things of the scene; it can be used all the same
 };
 

@@ -122,18 +122,15 @@ std::variant<LiveOptions, LiveRefusal> LiveSessions::options_of(const Json& aske
   return options;
 }
 
-// Where so many are live as may be, those that wait for a recorder who has gone away end now.
+// Those that ended by themselves leave a thread, which takes memory until it is joined. Where so many are live as may
+// be, those that wait for a recorder who has gone away end now.
 void LiveSessions::make_room() {
-  std::vector<std::shared_ptr<LiveSession>> left;
-  {
-    const std::lock_guard lock(mutex_);
-    std::size_t live = 0;
-    for (const auto& one : sessions_) live += one.session->audience().state().live ? 1 : 0;
-    if (live < most_live) return;
-    for (const auto& one : sessions_)
-      if (one.session->is_left()) left.push_back(one.session);
-  }
-  for (const auto& session : left) session->end();
+  std::vector<std::shared_ptr<LiveSession>> ended, live;
+  for (const auto& one : all()) (one.session->audience().state().live ? live : ended).push_back(one.session);
+  for (const auto& session : ended) session->end();
+  if (live.size() < most_live) return;
+  for (const auto& session : live)
+    if (session->is_left()) session->end();
 }
 
 // Of scene and machine, which may be paths, as the trace is to name them. Gives the session's id.

@@ -1,9 +1,14 @@
 #!/usr/bin/env python3
-"""Twenty live sessions in a row on one server: it keeps no thread, no open file and little memory of any.
+"""Live sessions in a row on one server: it keeps no thread, no open file and little memory of any.
 
-leak_test.py PROGRAM
+leak_test.py PROGRAM TOLD_MEMORY
+
+TOLD_MEMORY is tests/support/told_memory.cpp as a library. A program with another allocator than jemalloc cannot tell how
+much it has, and that part is left out.
 """
+import os
 import pathlib
+import resource
 import sys
 import tempfile
 import time
@@ -16,6 +21,10 @@ MOST_GROWN_MB = 10       # between those two; ten sessions that were kept would 
 # Freed memory goes back to the system at once, and threads share one heap: else memory tells most of what happened
 # to be made when, and in which thread.
 GIVES_BACK = {"MALLOC_CONF": "narenas:1,dirty_decay_ms:0,muzzy_decay_ms:0,tcache:false"}
+SMALL, FIRST_SMALL = 32, 8     # sessions of a few words, half of which end by an event
+MOST_KEPT_KB = 10              # of each of those: its name, where its files are, how it ended
+MOST_MORE_STACKS = 8           # in all: the C library keeps five for its next threads; one that nobody joined has its own
+ALL_BYTES = {"MALLOC_CONF": "tcache:false"}  # freed bytes do not wait in threads for their next use
 SPEECH = ["The plate.", "Put the knife in the white cup.", "Yes."]
 
 
@@ -43,6 +52,14 @@ def held(pid):
     return len(list((process / "task").iterdir())), len(list((process / "fd").iterdir())), int(kilobytes) / 1024
 
 
+def stacks_of(pid):
+    """The stacks of threads, also of those that have ended and that nobody has joined."""
+    size = resource.getrlimit(resource.RLIMIT_STACK)[0]
+    mapped = [line.split() for line in pathlib.Path("/proc", str(pid), "maps").read_text().splitlines()]
+    ends = [(part[0].split("-"), part[1]) for part in mapped]
+    return sum(access == "rw-p" and int(end, 16) - int(begin, 16) == size for (begin, end), access in ends)
+
+
 def held_soon(pid, most):
     """The same, once threads and files are no more than that, or when it has been waited long enough."""
     until = time.monotonic() + PATIENCE_S / 4
@@ -57,9 +74,48 @@ def least_memory(measured):
     return min(megabytes for _, _, megabytes in measured)
 
 
-def main(program):
+def use_shortly(client, number):
+    """One small session, which somebody ends, or whose last event does."""
+    session = client.begin(scene="place_setting", machine="interaction", clock="events", physics=False)["id"]
+    client.send(session, {"t": 1, "kind": "speech", "text": SPEECH[number % len(SPEECH)]})
+    if number % 2:
+        client.end(session)
+    else:
+        client.send(session, {"t": 2, "kind": "end"})
+
+
+def allocated(fifo):
+    """Kilobytes; none if the program does not know."""
+    with open(fifo, encoding="ascii") as told:
+        text = told.readline().strip()
+    return None if text == "unknown" else int(text) / 1024
+
+
+def check_small(program, library):
+    """What is kept of each session that has ended, however it did."""
+    with tempfile.TemporaryDirectory() as folder:
+        fifo = str(pathlib.Path(folder, "told"))
+        os.mkfifo(fifo)
+        loads = {"LD_PRELOAD": str(library), "CONTINUA_TOLD_MEMORY": fifo}
+        with Server(program, folder, environment=ALL_BYTES | loads) as server:
+            client = server.client()
+            for number in range(FIRST_SMALL):
+                use_shortly(client, number)
+            memory, stacks = allocated(fifo), stacks_of(server.pid)
+            for number in range(SMALL):
+                use_shortly(client, number)
+            more = stacks_of(server.pid) - stacks
+            kept = 0 if memory is None else (allocated(fifo) - memory) / SMALL
+    print(f"{SMALL} small sessions: {kept:.1f} kB of each, {more} stacks more", flush=True)
+    if kept > MOST_KEPT_KB:
+        yield f"{kept:.1f} kB are kept of each session that has ended"
+    if more > MOST_MORE_STACKS:
+        yield f"{SMALL} sessions that have ended keep {more} stacks of threads"
+
+
+def check_large(program):
+    """Twenty sessions with physics and a viewer."""
     measured = []
-    program = pathlib.Path(program).resolve()
     with tempfile.TemporaryDirectory() as folder, Server(program, folder, environment=GIVES_BACK) as server:
         client = server.client()
         for number in range(1, SESSIONS + 1):
@@ -68,12 +124,16 @@ def main(program):
             print("session {}: {} threads, {} files, {:.1f} MB".format(number, *measured[-1]), flush=True)
     # At any one look work in the background may be under way.
     grown = least_memory(measured[-LAST:]) - least_memory(measured[SESSIONS // 2 - LAST : SESSIONS // 2])
-    failures = []
     for column, what in enumerate(["threads", "open files"]):
         if measured[-1][column] > measured[FIRST - 1][column]:
-            failures.append(f"{measured[-1][column]} {what}, after {FIRST} sessions {measured[FIRST - 1][column]}")
+            yield f"{measured[-1][column]} {what}, after {FIRST} sessions {measured[FIRST - 1][column]}"
     if grown > MOST_GROWN_MB:
-        failures.append(f"memory has grown by {grown:.1f} MB over {SESSIONS - SESSIONS // 2} sessions")
+        yield f"memory has grown by {grown:.1f} MB over {SESSIONS - SESSIONS // 2} sessions"
+
+
+def main(program, library):
+    program, library = pathlib.Path(program).resolve(), pathlib.Path(library).resolve()
+    failures = [*check_small(program, library), *check_large(program)]
     print(*failures, sep="\n", file=sys.stderr)
     return 1 if failures else 0
 
