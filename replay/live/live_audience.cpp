@@ -9,7 +9,17 @@ void LiveAudience::tell(const std::function<void(LiveState&)>& change) {
   change(state_);
   const bool changed = ran != state_.clock.runs() || was_live != state_.live;
   if (changed) ++state_.changes;
-  if (changed || bytes != state_.log_bytes) changed_.notify_all();
+  if (changed || bytes != state_.log_bytes) wake();
+}
+
+void LiveAudience::wake() {
+  changed_.notify_all();
+  if (wake_) wake_();
+}
+
+void LiveAudience::wake_by(std::function<void()> wake) {
+  const std::lock_guard lock(mutex_);
+  wake_ = std::move(wake);
 }
 
 LiveState LiveAudience::state() const {
@@ -28,7 +38,7 @@ void LiveAudience::attend(bool is_recorder, int more) {
   const std::lock_guard lock(mutex_);
   (is_recorder ? recorders_ : viewers_) += more;
   ++state_.changes;
-  changed_.notify_all();
+  wake();
 }
 
 int LiveAudience::viewers() const {

@@ -38,6 +38,9 @@ class LiveAudience {
   /// Waits until there is more to tell than in `known`, at most so long.
   LiveState wait(const LiveState& known, std::chrono::milliseconds patience) const;
 
+  /// Calls this as well wherever those who wait are woken; it must neither block nor ask this object.
+  void wake_by(std::function<void()> wake);
+
   /// The one that records the session, or somebody else, listens from now on (`more` 1) or has gone (-1).
   void attend(bool is_recorder, int more);
   /// The listeners, without the one that records the session.
@@ -46,8 +49,11 @@ class LiveAudience {
   bool is_present() const;
 
  private:
+  void wake();
+
   mutable std::mutex mutex_;  // guards the members below
   mutable std::condition_variable changed_;
+  std::function<void()> wake_;
   LiveState state_;
   int viewers_ = 0, recorders_ = 0;
 };

@@ -76,6 +76,7 @@ void HttpDoor::run(int listening) {
   }
   std::erase_if(connections_, [](const auto& one) { return one.second->stage != Connection::Stage::answering; });
   pool_->shutdown();
+  rules_.finish();
   connections_.clear();
 }
 
@@ -205,15 +206,21 @@ void HttpDoor::hand_on(Connection& connection) {
   connection.in.erase(0, connection.head->body);
   connection.stage = Connection::Stage::answering;
   look_at(connection.socket, false);
+  if (rules_.follow(*connection.head, connection.socket,
+                    [this, socket = connection.socket] { give_back(socket, false); }))
+    return;
   pool_->enqueue([this, socket = connection.socket, last = !connection.head->keeps_alive, text = std::move(request)] {
     HttpStream stream(socket, text, stopping_);
-    const bool written = rules_.answer(stream, last);
-    {
-      const std::lock_guard lock(mutex_);
-      answered_.emplace_back(socket, written && !last);
-    }
-    wake();
+    give_back(socket, rules_.answer(stream, last) && !last);
   });
+}
+
+void HttpDoor::give_back(int socket, bool kept) {
+  {
+    const std::lock_guard lock(mutex_);
+    answered_.emplace_back(socket, kept);
+  }
+  wake();
 }
 
 void HttpDoor::take_back() {

@@ -39,6 +39,11 @@ class HttpDoor {
     /// answer could not be written.
     std::function<bool(HttpStream&, bool last)> answer;
     int threads = 1;
+    /// Takes the connection of a request for an answer without end, and calls `done` when nothing more is sent on it,
+    /// from any thread. False: it is a request like others.
+    std::function<bool(const HttpHead&, int socket, std::function<void()> done)> follow;
+    /// Waits until all that `follow` took is done. The door stops.
+    std::function<void()> finish;
   };
 
   explicit HttpDoor(Rules rules);
@@ -66,6 +71,7 @@ class HttpDoor {
   bool take_head(Connection& connection);
   void hand_on(Connection& connection);
   void refuse(Connection& connection, const HttpAnswer& answer);
+  void give_back(int socket, bool kept);
   void hang_up(Connection& connection);
   void look_at_time(Connection& connection);
   void wake();

@@ -11,13 +11,9 @@
 namespace continua {
 namespace {
 
-using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto patience = 10s;                    // with a piece of an answer, and longer for a large one:
-constexpr std::size_t least_bytes_per_s = 65536;  // so that slow readers do not keep the threads that answer
-constexpr auto patience_at_the_end = 1s;          // of the program
-constexpr int look_every_ms = 100;                // whether the program ends
+constexpr int look_every_ms = 100;  // whether the program ends
 
 bool can_be_written(int socket, int wait_ms) {
   pollfd waiting{socket, POLLOUT, 0};
@@ -53,7 +49,7 @@ ssize_t HttpStream::read(char* into, size_t size) {
 
 ssize_t HttpStream::write(const char* text, size_t size) {
   const auto begun = Clock::now();
-  const auto most = patience + std::chrono::seconds(size / least_bytes_per_s);
+  const auto most = ReaderPatience::with(size);
   for (std::size_t sent = 0; sent < size;) {
     const auto part = ::send(socket_, text + sent, size - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (part > 0) {
@@ -61,7 +57,7 @@ ssize_t HttpStream::write(const char* text, size_t size) {
       continue;
     }
     if (part == 0 || (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR)) return -1;
-    if (Clock::now() - begun > (stopping_ ? patience_at_the_end : most)) return -1;
+    if (Clock::now() - begun > (stopping_ ? ReaderPatience::at_the_end : most)) return -1;
     can_be_written(socket_, look_every_ms);
   }
   return static_cast<ssize_t>(size);

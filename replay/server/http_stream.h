@@ -2,12 +2,23 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <string>
 
 // After Eigen, whose names are macros of a header of the library's.
 #include <httplib.h>
 
 namespace continua {
+
+/// With whoever reads an answer, or a piece of one without end.
+struct ReaderPatience {
+  static constexpr std::chrono::seconds usual{10};         ///< and longer for much:
+  static constexpr std::size_t least_bytes_per_s = 65536;  ///< so that slow readers do not keep the threads that answer
+  static constexpr std::chrono::seconds at_the_end{1};     ///< of the program
+  static std::chrono::seconds with(std::size_t bytes) {
+    return usual + std::chrono::seconds(bytes / least_bytes_per_s);
+  }
+};
 
 class HttpStream : public httplib::Stream {
  public:
@@ -19,7 +30,7 @@ class HttpStream : public httplib::Stream {
   /// Whether the other side is still there. One that has not read all so far gets the patience of `write`.
   bool is_writable() const override;
   ssize_t read(char* into, size_t size) override;
-  /// All of it, or -1: the other side is gone, or takes less than least_bytes_per_s.
+  /// All of it, or -1: the other side is gone, or takes less than ReaderPatience.
   ssize_t write(const char* text, size_t size) override;
   void get_remote_ip_and_port(std::string& ip, int& port) const override;
   void get_local_ip_and_port(std::string& ip, int& port) const override;

@@ -126,11 +126,25 @@ std::string free_port_after(const std::string& address, int port) {
   return "";
 }
 
+std::string always_lines() {
+  std::string lines;
+  for (const auto& [name, value] : always) lines += fmt::format("{}: {}\r\n", name, value);
+  return lines;
+}
+
+// Of an answer in chunks, after which the connection ends.
+std::string head_of_stream() {
+  return fmt::format(
+      "HTTP/1.1 200 OK\r\n{}Cache-Control: no-store\r\nContent-Type: text/event-stream\r\n"
+      "Transfer-Encoding: chunked\r\nConnection: close\r\n\r\n",
+      always_lines());
+}
+
 // An answer that the library has no part in.
 std::string written(const HttpAnswer& answer) {
   const auto body = answer.sentence.empty() ? std::string() : api_error(answer.status, answer.sentence).body;
-  auto text = fmt::format("HTTP/1.1 {} {}\r\n", answer.status, answer.status < 400 ? "See Other" : "Refused");
-  for (const auto& [name, value] : always) text += fmt::format("{}: {}\r\n", name, value);
+  auto text =
+      fmt::format("HTTP/1.1 {} {}\r\n{}", answer.status, answer.status < 400 ? "See Other" : "Refused", always_lines());
   for (const auto& [name, value] : answer.headers) text += fmt::format("{}: {}\r\n", name, value);
   return text + fmt::format(
                     "Cache-Control: no-store\r\nContent-Type: application/json\r\nContent-Length: {}\r\n"
@@ -150,7 +164,7 @@ class InspectorServer::Impl {
     server_.set_default_headers(always);
     server_.Get("/api/live", [this](const httplib::Request& request, httplib::Response& response) {
       if (live_ && !request.has_param("run"))
-        send_records(request, response, *live_, seats_, stopping_);
+        send_no_records(request, response);
       else
         send_growth(request, response);
     });
@@ -159,6 +173,7 @@ class InspectorServer::Impl {
       api_.ask_whether_open([this](const std::string& log) { return sessions_->is_live(log); });
       live_ = std::make_unique<LiveApi>(sessions_);
       add_live_routes(server_, *live_);
+      streams_ = std::make_unique<RecordStreams>(sessions_, stopping_);
     }
     server_.Get(R"(/api/runs/[^/]+/media/[^/]+)", [this](const httplib::Request& request, httplib::Response& response) {
       const auto found = api_.media_file(request.target);
@@ -238,14 +253,37 @@ class InspectorServer::Impl {
   }
 
  private:
+  // Whoever asks for the records of a session, and can have them, is served by the streams.
+  bool follow(const HttpHead& head, int socket, std::function<void()> done) {
+    const auto [path, query] = split_target(head.target);
+    if (!streams_ || head.method != "GET" || path != "/api/live" || query.contains("run")) return false;
+    auto wish = record_wish(head.target, head.value("Last-Event-ID"), *sessions_);
+    if (!std::holds_alternative<RecordWish>(wish)) return false;
+    auto seat = seats_.take();
+    if (!seat) return false;
+    streams_->add(socket, head_of_stream(), std::get<RecordWish>(std::move(wish)),
+                  [seat, done = std::move(done)]() mutable {
+                    seat.reset();
+                    done();
+                  });
+    return true;
+  }
+
+  // Whoever cannot have them, or wants the head of the answer alone.
+  void send_no_records(const httplib::Request& request, httplib::Response& response) {
+    const auto wish = record_wish(request.target, request.get_header_value("Last-Event-ID"), *sessions_);
+    if (const auto* refused = std::get_if<ApiResponse>(&wish)) return send_answer(request, response, *refused);
+    if (request.method != "HEAD") return send_answer(request, response, no_seat());
+    response.set_header("Cache-Control", "no-store");
+    response.set_header("Content-Type", "text/event-stream");
+  }
+
   // Tells how far a run has come whenever it has come further, until it is complete or nobody listens.
   void send_growth(const httplib::Request& request, httplib::Response& response) {
     const auto id = request.get_param_value("run");
     if (const auto first = api_.growth(id); first.status != 200) return send_answer(request, response, first);
     const auto seat = seats_.take();
-    if (!seat)
-      return send_answer(request, response,
-                         api_error(503, fmt::format("{} runs are being followed already", StreamSeats::most)));
+    if (!seat) return send_answer(request, response, no_seat());
     response.set_header("Cache-Control", "no-store");
     response.set_chunked_content_provider(
         "text/event-stream", [this, id, seat, told = std::string()](std::size_t, httplib::DataSink& sink) mutable {
@@ -266,7 +304,13 @@ class InspectorServer::Impl {
     return {.check = [this](const HttpHead& head) { return access_->check(head); },
             .written = written,
             .answer = [this](HttpStream& stream, bool last) { return server_.answer(stream, last); },
-            .threads = StreamSeats::most + other_threads};
+            .threads = StreamSeats::most + other_threads,
+            .follow = [this](const HttpHead& head, int socket,
+                             std::function<void()> done) { return follow(head, socket, std::move(done)); },
+            .finish =
+                [this] {
+                  if (streams_) streams_->finish();
+                }};
   }
 
   InspectorApi api_;
@@ -276,6 +320,7 @@ class InspectorServer::Impl {
   std::optional<Access> access_;
   StreamSeats seats_;
   std::atomic<bool> running_ = false, stopping_ = false;
+  std::unique_ptr<RecordStreams> streams_;  // of live sessions
   HttpDoor door_{rules()};
 };
 

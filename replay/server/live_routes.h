@@ -3,18 +3,19 @@
 
 #include <atomic>
 #include <memory>
+#include <string_view>
+#include <variant>
 
 #include "continua/replay/live/live_api.h"
+#include "continua/replay/server/record_streams.h"
 
 namespace httplib {
 class Server;
-struct Request;
-struct Response;
 }  // namespace httplib
 
 namespace continua {
 
-/// Streams that may be open at a time: each has a thread.
+/// Streams that may be open at a time.
 class StreamSeats {
  public:
   static constexpr int most = 64;
@@ -31,8 +32,10 @@ void add_live_routes(httplib::Server& server, LiveApi& api);
 /// "/api/live?session=ID&after=N": every record of the session's log as it is written, with N < `n` or after that in
 /// the header Last-Event-ID (event `record`, its `id` the number); how its time goes whenever that changes (event
 /// `clock`, {"t", "running", "speed", "viewers"}); its end (event `ended`, as of the session's address). Without
-/// `session` the live one that was begun last, or will be begun next.
-void send_records(const httplib::Request& request, httplib::Response& response, const LiveApi& api, StreamSeats& seats,
-                  const std::atomic<bool>& stopping);
+/// `session` the live one that was begun last, or will be begun next. `last_id`: that header; or the refusal.
+std::variant<RecordWish, ApiResponse> record_wish(std::string_view target, std::string_view last_id,
+                                                  const LiveSessions& sessions);
+/// The refusal where no seat is left.
+ApiResponse no_seat();
 
 }  // namespace continua
