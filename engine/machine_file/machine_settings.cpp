@@ -8,6 +8,7 @@
 
 #include "continua/machine_file/machine_parameters.h"
 #include "continua/machine_file/machine_weights.h"
+#include "continua/machine_file/unknown_setting.h"
 #include "continua/term/substitution.h"
 #include "continua/term/term_text.h"
 
@@ -98,9 +99,7 @@ Outcome set_number(Machine& machine, const std::string& name, const Json& value,
   const auto numbers = numbers_of(machine);
   const auto found =
       std::find_if(numbers.begin(), numbers.end(), [&](const Number& number) { return number.name == name; });
-  if (found == numbers.end())
-    return Error{where, fmt::format("the machine {} has no value {} that can be set{}", machine.name, in_quotes(name),
-                                    did_you_mean(name, names_of_settings(machine)))};
+  if (found == numbers.end()) return Error{where, unknown_setting(machine, name, names_of_settings(machine))};
   if (!value.is_number() || !found->allows(value.get<double>()))
     return Error{where, fmt::format("the value {} of the machine {} is {}; expected {}", in_quotes(name), machine.name,
                                     compact(value), found->bounds())};

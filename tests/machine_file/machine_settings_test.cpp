@@ -43,9 +43,8 @@ TEST_CASE("each number of a machine has a name by which it is set") {
 TEST_CASE("a value that a machine does not have, or cannot have, is told") {
   CHECK(problem_with({{"patienc", 1}}) == "--set: the machine m has no parameter 'patienc' (did you mean 'patience'?)");
   CHECK(problem_with({{"weights.wat", 1}}) ==
-        "--set: the machine m has no value 'weights.wat' that can be set (did you mean 'weights.wait'?)");
-  CHECK(problem_with({{"gate.C", 1}}) ==
-        "--set: the machine m has no value 'gate.C' that can be set (did you mean 'gate.B'?)");
+        "--set: the machine m has no value 'weights.wat' that can be set: there is no transition 'wat' (did you mean "
+        "'weights.wait'?)");
   CHECK(problem_with({{"weights.wait", 0}}) ==
         "--set: the value 'weights.wait' of the machine m is 0; expected a number above 0 and up to 1000000000");
   CHECK(problem_with({{"belief.1.2", 0.25}}) ==
@@ -53,6 +52,48 @@ TEST_CASE("a value that a machine does not have, or cannot have, is told") {
   CHECK(problem_with({{"gate.B", "high"}}) ==
         "--set: the value 'gate.B' of the machine m is \"high\"; expected a number from -1000000000 and up to "
         "1000000000");
+}
+
+TEST_CASE("a name of a value that cannot be set is told with the nearest one of its kind") {
+  struct Case {
+    const char *name, *told;
+  };
+  const Case cases[] = {
+      {"gate.A", "has no value 'gate.A' that can be set: the state 'A' has no gate (did you mean 'gate.B'?)"},
+      {"gate.C",
+       "has no value 'gate.C' that can be set: the gate of 'C' has not one number alone (did you mean 'gate.B'?)"},
+      {"gate.Compose",
+       "has no value 'gate.Compose' that can be set: there is no state 'Compose' (did you mean 'gate.B'?)"},
+      {"weights.entirely_other",
+       "has no value 'weights.entirely_other' that can be set: there is no transition "
+       "'entirely_other' (did you mean 'weights.wait'?)"},
+      {"belief.7.2",
+       "has no value 'belief.7.2' that can be set: there is 1 row of evidence (did you mean 'belief.1.2'?)"},
+      {"belief.1.9",
+       "has no value 'belief.1.9' that can be set: row 1 of the evidence has 2 levels (did you mean 'belief.1.2'?)"},
+      {"belief.0.0",
+       "has no value 'belief.0.0' that can be set: there is 1 row of evidence (did you mean 'belief.1.1'?)"},
+      {"belief.first",
+       "has no value 'belief.first' that can be set: it is no belief.ROW.LEVEL (did you mean "
+       "'belief.1.1'?)"},
+      {"belief.overherd",
+       "has no value 'belief.overherd' that can be set: it is no belief.ROW.LEVEL (did you mean "
+       "'belief.overheard'?)"},
+      {"wieghts.wait", "has no value 'wieghts.wait' that can be set (did you mean 'weights.wait'?)"},
+  };
+  for (const auto& [name, told] : cases)
+    CHECK(problem_with({{name, 1}}) == std::string("--set: the machine m ") + told);
+}
+
+TEST_CASE("a machine without gates and beliefs says so where one is to be set") {
+  const std::string plain = R"json({"machine":1,"name":"p","start":"A",
+    "transitions":[{"id":"go","from":"A","on":"x","to":"A"}]})json";
+  const auto told = [&](const char* name) {
+    Machine machine = *machine_of(plain);
+    return apply_settings(machine, {{name, 1}}, "--set")->sentence;
+  };
+  CHECK(told("gate.A") == "the machine p has no value 'gate.A' that can be set: the state 'A' has no gate");
+  CHECK(told("belief.1.1") == "the machine p has no value 'belief.1.1' that can be set: there are 0 rows of evidence");
 }
 
 TEST_CASE("a setting is a name and a value, which is JSON or else a text") {
