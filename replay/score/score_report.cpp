@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "continua/replay/log/time_text.h"
 #include "continua/replay/terminal/shell_word.h"
 #include "continua/replay/terminal/text_table.h"
 
@@ -84,8 +85,8 @@ std::string told(const TraceScore& of, const Episode& miss) {
   const auto look = of.run.empty() ? fmt::format("record {}", miss.n)
                                    : fmt::format("continua explain {} --record {}", shell_word(of.run), miss.n);
   const auto level = miss.level == AgreementLevel::same_template ? " (same template)" : "";
-  return fmt::format("{}:{}  {:.2f} s  {}\n  observed: {}\n  came out: {}{}\n  {}\n", of.trace, miss.line,
-                     miss.t.seconds(), miss.symbol, told(miss.observed), told(miss.produced), level, look);
+  return fmt::format("{}:{}  {}  {}\n  observed: {}\n  came out: {}{}\n  {}\n", of.trace, miss.line,
+                     time_text(miss.t.seconds()), miss.symbol, told(miss.observed), told(miss.produced), level, look);
 }
 
 std::string told_misses(const TraceScore& of, bool all) {

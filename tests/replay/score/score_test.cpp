@@ -142,23 +142,23 @@ Yes?                 1  0   0.0 %
 put(_, _)            1  1 100.0 %
 
 Misses
-some traces/first.jsonl:3  1.50 s  speech yes
+some traces/first.jsonl:3  0:01.5  speech yes
   observed: “The red block?”
   came out: “The black block?” (same template)
   continua explain 'runs/first one.run.jsonl' --record 7
-some traces/first.jsonl:3  1.50 s  speech yes
+some traces/first.jsonl:3  0:01.5  speech yes
   observed: “Yes?”
   came out: silence
   continua explain 'runs/first one.run.jsonl' --record 7
-some traces/first.jsonl:3  1.50 s  speech yes
+some traces/first.jsonl:3  0:01.5  speech yes
   observed: silence
   came out: “Yes?”
   continua explain 'runs/first one.run.jsonl' --record 7
-some traces/first.jsonl:3  1.50 s  pointing
+some traces/first.jsonl:3  0:01.5  pointing
   observed: silence
   came out: gesture look_at(block1)
   continua explain 'runs/first one.run.jsonl' --record 7
-some traces/first.jsonl:3  1.50 s  pointing
+some traces/first.jsonl:3  0:01.5  pointing
   observed: “Hello.”
   came out: silence
   continua explain 'runs/first one.run.jsonl' --record 7
