@@ -16,7 +16,7 @@
 #include "continua/replay/export/chrome.h"
 #include "continua/replay/export/csv.h"
 #include "continua/replay/export/graph_dot.h"
-#include "continua/replay/export/graph_svg.h"
+#include "continua/replay/export/graph_part.h"
 #include "continua/replay/export/json.h"
 #include "continua/replay/inspector/page_file.h"
 #include "continua/replay/inspector/site_files.h"
@@ -27,20 +27,32 @@
 namespace continua {
 namespace {
 
-Outcome export_dot(const RunIndex& run, std::ostream& out) {
+Result<StateGraph> wanted_graph(const RunIndex& run, const ExportOptions& options) {
   const auto graph = state_graph_of(run);
+  if (!graph) return graph;
+  return part_with_states(options.only_visited ? visited_part(*graph) : *graph, options.picture.states);
+}
+
+Outcome export_dot(const RunIndex& run, const ExportOptions& options, std::ostream& out) {
+  const auto graph = wanted_graph(run, options);
   if (!graph) return graph.error();
   out << dot_of(*graph);
   return std::nullopt;
 }
 
-Outcome export_svg(const RunIndex& run, std::ostream& out) {
-  const auto graph = state_graph_of(run);
+Outcome export_svg(const RunIndex& run, const ExportOptions& options, std::ostream& out) {
+  const auto graph = wanted_graph(run, options);
   if (!graph) return graph.error();
-  const auto picture = svg_of(*graph);
+  const auto picture = picture_of(*graph, options.picture);
   if (!picture) return picture.error();
   out << *picture;
   return std::nullopt;
+}
+
+// An exporter without options.
+template <auto write_it>
+Outcome plainly(const RunIndex& run, const ExportOptions&, std::ostream& out) {
+  return write_it(run, out);
 }
 
 Outcome export_html(const ExportOptions& options, std::ostream& out) {
@@ -72,18 +84,20 @@ Outcome export_channels(const RunIndex& run, std::ostream& out) {
 struct Exporter {
   const char* format;
   const char* what;
-  Outcome (*write)(const RunIndex& run, std::ostream& out);           // null: a page, which depends on the options
+  Outcome (*write)(const RunIndex& run, const ExportOptions& options, std::ostream& out);  // null: a page
   std::string (*annotate)(const Annotations& annotations) = nullptr;  // instead of `write`; of a trace, too
 };
 constexpr std::array exporters = {
     Exporter{"json", "one document, every stack snapshot expanded",
-             [](const RunIndex& run, std::ostream& out) { return export_json(run, out); }},
+             [](const RunIndex& run, const ExportOptions&, std::ostream& out) { return export_json(run, out); }},
     Exporter{"dot", "the state graph with what the run visited, for Graphviz", export_dot},
     Exporter{"svg", "the same as a picture", export_svg},
-    Exporter{"csv", "a table: a row a record, a column for all that records have", export_csv},
-    Exporter{"chrome", "trace events on a time line, for Perfetto, chrome://tracing and speedscope", export_chrome},
-    Exporter{"jsonl", "the log with its documents in it, byte for byte as a whole log was written", export_log},
-    Exporter{"mcap", "channels of messages for Foxglove and ROS 2, with the log attached", export_channels},
+    Exporter{"csv", "a table: a row a record, a column for all that records have", plainly<export_csv>},
+    Exporter{"chrome", "trace events on a time line, for Perfetto, chrome://tracing and speedscope",
+             plainly<export_chrome>},
+    Exporter{"jsonl", "the log with its documents in it, byte for byte as a whole log was written",
+             plainly<export_log>},
+    Exporter{"mcap", "channels of messages for Foxglove and ROS 2, with the log attached", plainly<export_channels>},
     Exporter{"html", "the inspector's page with this run in it, one file that opens offline", nullptr},
     Exporter{"eaf", "annotations for ELAN; also of a trace, as the next three", nullptr, eaf_of},
     Exporter{"textgrid", "annotations for Praat", nullptr, textgrid_of},
@@ -103,7 +117,7 @@ Outcome export_run(const Exporter& exporter, const ExportOptions& options, std::
   if (!exporter.write) return export_html(options, out);
   const auto run = RunIndex::open(options.runs.front());
   if (!run) return run.error();
-  return exporter.write(*run, out);
+  return exporter.write(*run, options, out);
 }
 
 Outcome write(const Exporter& exporter, const ExportOptions& options, std::ostream& out) {
@@ -148,6 +162,10 @@ Outcome exported(const ExportOptions& options) {
   if (options.format == site_format) return written_site(options);
   if (options.runs.size() != 1) return Error{options.runs[1], "found a second run; expected one, or --to site"};
   if (!options.pairs.empty()) return Error{"--compare", "is of --to site alone"};
+  const bool is_graph = options.format == "svg" || options.format == "dot";
+  if (!is_graph && !options.picture.states.empty()) return Error{"--states", "is of --to svg and dot alone"};
+  if (!is_graph && options.only_visited) return Error{"--visited", "is of --to svg and dot alone"};
+  if (options.format != "svg" && !options.picture.width.empty()) return Error{"--width", "is of --to svg alone"};
   const auto exporter =
       std::find_if(exporters.begin(), exporters.end(), [&](const auto& one) { return one.format == options.format; });
   return options.output == "-" ? write(*exporter, options, std::cout) : written(*exporter, options);
@@ -189,9 +207,12 @@ void describe_export(CLI::App& command, ExportOptions& options) {
   command.add_flag_callback(
       "--no-physics", [&options] { options.replay.physics = false; },
       "a trace is replayed in the kinematic world, in which acts succeed at once");
+  add_graph_options(command, options.picture);
+  command.add_flag("--visited", options.only_visited,
+                   "of svg and dot, the states and arrows alone that the run visited");
   command.footer(
       "Examples: continua export talk.run.jsonl --to json -o talk.json\n"
-      "          continua export talk.run.jsonl --to svg -o talk.svg\n"
+      "          continua export talk.run.jsonl --to svg --visited --width 85 -o talk.svg\n"
       "          continua export talk.run.jsonl --to csv -o talk.csv\n"
       "          continua export talk.run.jsonl --to chrome -o talk.trace.json\n"
       "          continua export runs/talk.run.jsonl --to jsonl -o talk.run.jsonl\n"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "continua/replay/commands/command.h"
+#include "continua/replay/commands/graph_options.h"
 #include "continua/replay/session/session.h"
 
 namespace continua {
@@ -17,6 +18,8 @@ struct ExportOptions {
   std::vector<std::string> pairs = {};  ///< of a site: runs to be compared, the first with the second, and so on
   bool embed_media = false;             ///< into the page, which otherwise links them
   ReplayOptions replay = {};            ///< of a trace, where a run is exported
+  GraphOptions picture = {};
+  bool only_visited = false;  ///< svg and dot have what the run visited alone
 };
 
 int run_export(const ExportOptions& options);

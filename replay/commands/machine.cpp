@@ -20,7 +20,7 @@
 #include "continua/knowledge_files/named_machine.h"
 #include "continua/machine_file/jflap_writer.h"
 #include "continua/replay/export/graph_dot.h"
-#include "continua/replay/export/graph_svg.h"
+#include "continua/replay/export/graph_part.h"
 #include "continua/replay/log/record_json.h"
 #include "continua/replay/recogniser/speech_grammar.h"
 #include "continua/replay/recorder/machine_graph.h"
@@ -183,13 +183,29 @@ Result<std::string> jsgf_of(const MachineOptions& options, const Machine& machin
   return grammar.text;
 }
 
+// The machine, or its part, of a picture.
+Result<StateGraph> wanted_graph(const MachineOptions& options, const Machine& machine) {
+  if (options.visited.empty()) {
+    const auto graph = state_graph_of(log::to_json(graph_of(machine)), machine.name);
+    return graph ? part_with_states(*graph, options.picture.states) : graph;
+  }
+  const auto run = RunIndex::open(options.visited);
+  if (!run) return run.error();
+  const auto graph = visits_of_machine(machine.name, *run);
+  return graph ? part_with_states(visited_part(*graph), options.picture.states) : graph;
+}
+
 Result<std::string> answer(const MachineOptions& options, const std::shared_ptr<const Machine>& machine) {
   if (options.jff) return jflap_of(*machine);
   if (options.jsgf) return jsgf_of(options, *machine);
-  if (!options.dot && !options.svg) return printable(description_of(machine));
-  const auto graph = state_graph_of(log::to_json(graph_of(*machine)), machine->name);
+  const bool is_part = !options.picture.states.empty() || !options.visited.empty() || !options.picture.width.empty();
+  if (!options.dot && !options.svg) {
+    if (is_part) return Error{options.machine, "has no picture to be cut down; expected --svg or --dot"};
+    return printable(description_of(machine));
+  }
+  const auto graph = wanted_graph(options, *machine);
   if (!graph) return graph.error();
-  return options.svg ? svg_of(*graph) : dot_of(*graph);
+  return options.dot ? dot_of(*graph) : picture_of(*graph, options.picture);
 }
 
 }  // namespace
@@ -207,7 +223,10 @@ int run_machine(const MachineOptions& options) {
 void describe_machine(CLI::App& command, MachineOptions& options) {
   command.add_option("MACHINE", options.machine, "a name of the knowledge folder, or a path")->required();
   auto* dot = command.add_flag("--dot", options.dot, "its state graph for Graphviz");
-  auto* svg = command.add_flag("--svg", options.svg, "its state graph as a picture")->excludes(dot);
+  auto* svg = command.add_flag("--svg", options.svg, "its state graph as a picture, for a page")->excludes(dot);
+  add_graph_options(command, options.picture);
+  command.add_option("--visited", options.visited,
+                     "of a picture, the states and arrows alone that this run visited, thick where it did so often");
   command.add_flag("--jff", options.jff, "a JFLAP file, if it is a finite or pushdown machine of characters")
       ->excludes(dot)
       ->excludes(svg);
@@ -232,6 +251,7 @@ void describe_machine(CLI::App& command, MachineOptions& options) {
   command.add_option("-o,--output", options.output, "a file, or '-'");
   command.footer(
       "Examples: continua machine diana2018 --svg -o diana2018.svg\n"
+      "          continua machine diana2018 --svg --visited talk.run.jsonl --width 85 -o column.svg\n"
       "          continua machine interaction --jsgf --scene workbench --dictionary cmudict-en-us.dict -o said.jsgf");
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "continua/replay/commands/command.h"
+#include "continua/replay/commands/graph_options.h"
 
 namespace continua {
 
@@ -17,6 +18,8 @@ struct MachineOptions {
   std::string scene = {};       ///< whose words the grammar has; empty: that of live sessions
   std::string dictionary = {};  ///< a recogniser's pronouncing dictionary; empty: the grammar has all words
   std::size_t patterns = 100;   ///< the most sentence patterns of the grammar
+  GraphOptions picture = {};
+  std::string visited = {};  ///< a run, whose visits a picture shows alone
 };
 
 /// A description on standard output, or a picture to `output`.

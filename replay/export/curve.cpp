@@ -9,6 +9,7 @@ namespace {
 
 constexpr int samples = 32;  ///< of a piece, where its crossing is looked for
 constexpr int halvings = 20;
+constexpr double largest_radius = 12;
 
 PagePoint between(const PagePoint& a, const PagePoint& b, double t) {
   return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
@@ -23,11 +24,21 @@ std::array<PagePoint, 4> rest_of(const PagePoint* piece, double t) {
 
 }  // namespace
 
+double Pill::radius() const { return std::min({width / 2, height / 2, largest_radius}); }
+
 double Pill::distance(const PagePoint& p) const {
-  const double radius = std::min(width, height) / 2;
-  const double x = std::abs(p.x - centre.x) - (width / 2 - radius),
-               y = std::abs(p.y - centre.y) - (height / 2 - radius);
-  return std::hypot(std::max(x, 0.0), std::max(y, 0.0)) + std::min(std::max(x, y), 0.0) - radius;
+  const double x = std::abs(p.x - centre.x) - (width / 2 - radius()),
+               y = std::abs(p.y - centre.y) - (height / 2 - radius());
+  return std::hypot(std::max(x, 0.0), std::max(y, 0.0)) + std::min(std::max(x, y), 0.0) - radius();
+}
+
+std::vector<PagePoint> points_along(const Curve& curve, std::size_t count) {
+  if (curve.empty()) return {};
+  std::vector<PagePoint> points = {curve.front()};
+  for (std::size_t first = 0; first + 3 < curve.size(); first += 3)
+    for (std::size_t i = 1; i <= count; ++i)
+      points.push_back(rest_of(&curve[first], static_cast<double>(i) / static_cast<double>(count))[0]);
+  return points;
 }
 
 Curve after_leaving(const Curve& curve, const Pill& pill, double distance) {

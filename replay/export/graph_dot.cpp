@@ -66,7 +66,7 @@ std::string dot_of(const StateGraph& graph) {
       break;
     }
   for (std::size_t i = 0; i < graph.states.size(); ++i) text += state_line(graph, i);
-  text += fmt::format("  nowhere -> s{}\n", graph.start);
+  if (graph.start) text += fmt::format("  nowhere -> s{}\n", *graph.start);
   for (const auto& arrow : arrows) text += arrow_line(arrow);
   return text + "}\n";
 }

@@ -53,10 +53,11 @@ std::vector<bool> turned_edges(std::size_t node_count, const std::vector<LayoutE
 
 // A label is a cell without text, since Graphviz would measure text with any fonts there are.
 std::string document_of(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& edges,
-                        const char* effort) {
-  std::string text =
-      "digraph { rankdir=LR nodesep=0.15 ranksep=0.2 node [shape=box fixedsize=true label=\"\"]"
-      " edge [arrowhead=none headclip=false tailclip=false]\n";
+                        const LayoutStyle& style, const char* effort) {
+  auto text = fmt::format(
+      "digraph {{ rankdir={} nodesep={:.4f} ranksep={:.4f} node [shape=box fixedsize=true label=\"\"]"
+      " edge [arrowhead=none headclip=false tailclip=false]\n",
+      style.downward ? "TB" : "LR", style.between_nodes / points_per_inch, style.between_ranks / points_per_inch);
   text += fmt::format("graph [{}]\n", effort);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     text += fmt::format("{} [width={:.4f} height={:.4f}]\n", i, nodes[i].width / points_per_inch,
@@ -132,14 +133,15 @@ long ranks_passed(Agraph_t* graph) {
 
 }  // namespace
 
-Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& given, std::size_t first) {
+Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& given, std::size_t first,
+                       const LayoutStyle& style) {
   auto edges = given;
   const auto turned = turned_edges(nodes.size(), edges, first);
   for (std::size_t i = 0; i < edges.size(); ++i)
     if (turned[i]) std::swap(edges[i].from, edges[i].to);
   graphviz_message.clear();
   agseterrf(keep_message);
-  const Work ranking(document_of(nodes, edges, " phase=1 nslimit1=2"));
+  const Work ranking(document_of(nodes, edges, style, " phase=1 nslimit1=2"));
   if (!ranking.graph()) return Error{"", "Graphviz could not rank its states: " + graphviz_message};
   const auto effort = ranks_passed(ranking.graph());
   if (effort > most)
@@ -147,7 +149,7 @@ Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<L
                  fmt::format("is too entangled to be drawn: its arrows pass {} ranks of states, expected at most {}; "
                              "as dot text it can be given to other layouts",
                              effort, most)};
-  const Work work(document_of(nodes, edges, effort > most_in_full_quality ? draft : ""));
+  const Work work(document_of(nodes, edges, style, effort > most_in_full_quality ? draft : ""));
   if (!work.graph()) return Error{"", "Graphviz could not lay it out: " + graphviz_message};
   auto layout = layout_of(work.graph(), nodes.size(), edges);
   for (std::size_t i = 0; i < edges.size(); ++i)

@@ -1,4 +1,4 @@
-// Places for the parts of a graph: Graphviz's layout `dot`, from left to right. Graphviz is used only here, and only
+// Places for the parts of a graph: Graphviz's layout `dot`. Graphviz is used only here, and only
 // its layout, so that neither its configuration nor the fonts of a machine have a say in it.
 #pragma once
 
@@ -31,9 +31,16 @@ struct Layout {
   std::vector<PlacedEdge> edges;
 };
 
-/// All arrows of `first` are laid to its right. Large graphs get straight lines; a graph that would take minutes is an
-/// error. The same input gives the same layout. Not to be called from two threads at once: Graphviz keeps its state in
-/// variables of its own.
-Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& edges, std::size_t first);
+/// The way in which ranks follow one another, and the room between boxes, in pixels.
+struct LayoutStyle {
+  bool downward = false;  ///< else from left to right
+  double between_ranks = 14.4, between_nodes = 10.8;
+};
+
+/// All arrows of `first` are laid onward from it. Large graphs get straight lines; a graph that would take minutes is
+/// an error. The same input gives the same layout. Not to be called from two threads at once: Graphviz keeps its state
+/// in variables of its own.
+Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& edges, std::size_t first,
+                       const LayoutStyle& style = {});
 
 }  // namespace continua

@@ -232,10 +232,11 @@ std::vector<Arrow> arrows_of(const StateGraph& graph) {
     const bool epsilon_loop = edge.epsilon && edge.from == edge.to;
     const auto [found, is_new] =
         index.emplace(std::tuple(edge.from, edge.to, epsilon_loop, edge.rejected), arrows.size());
-    if (is_new) arrows.push_back({edge.from, edge.to, epsilon_loop, edge.rejected, {}, {}, std::nullopt});
+    if (is_new) arrows.push_back({edge.from, edge.to, epsilon_loop, edge.rejected, {}, {}, {}, std::nullopt});
     auto& arrow = arrows[found->second];
     arrow.lines.push_back(short_label_of(edge));
-    arrow.full.push_back((edge.id.empty() ? "" : edge.id + ": ") + label_of(edge));
+    arrow.labels.push_back(label_of(edge));
+    arrow.full.push_back((edge.id.empty() ? "" : edge.id + ": ") + arrow.labels.back());
     add(arrow.visits, edge.visits);
   }
   return arrows;

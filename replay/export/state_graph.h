@@ -34,7 +34,7 @@ struct StateGraph {
   };
 
   std::string name;
-  std::size_t start = 0;  ///< REQUIRES less than states.size() to be drawn
+  std::optional<std::size_t> start = 0;  ///< REQUIRES less than states.size() to be drawn; nullopt: not among them
   std::vector<State> states;
   std::vector<Edge> edges;
 };
@@ -53,8 +53,9 @@ struct Arrow {
   std::size_t to = 0;
   bool epsilon = false;  ///< of a loop: consumes no input
   bool rejected = false;
-  std::vector<std::string> lines;  ///< one for each edge, as short as a label must be
-  std::vector<std::string> full;   ///< the same at full length
+  std::vector<std::string> lines;   ///< one for each edge, as short as a label of dot text must be
+  std::vector<std::string> labels;  ///< the same at full length
+  std::vector<std::string> full;    ///< with the transition's id before
   std::optional<std::size_t> visits;
 
   bool loops() const { return from == to; }

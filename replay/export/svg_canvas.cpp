@@ -7,15 +7,22 @@
 namespace continua {
 namespace {
 
-constexpr double margin = 12, head_width = 6;
+constexpr double head_width = 6;
+constexpr double line_height = 12;          ///< of a line of text
+constexpr std::size_t points_of_piece = 8;  ///< of a curve, by which its extent is found
 
 constexpr const char* drawing_style = R"(<style>
   svg { color: #1b1f24; }
   .paper { fill: #ffffff; }
   text { fill: currentColor; text-anchor: middle; }
-  .state text { font: 13px Helvetica, Arial, "DejaVu Sans", sans-serif; }
-  .label text { font: 10px "DejaVu Sans Mono", Menlo, Consolas, "Liberation Mono", monospace; }
+  .state text { font: 12px Helvetica, Arial, "DejaVu Sans", sans-serif; }
+  .small text { font-size: 9.6px; }
+  .label text, .told { font: 9.4px "DejaVu Sans Mono", Menlo, Consolas, "Liberation Mono", monospace; }
   .label text { stroke: #ffffff; stroke-width: 3px; stroke-linejoin: round; paint-order: stroke; }
+  .number text, .heading { font: bold 9.4px Helvetica, Arial, "DejaVu Sans", sans-serif; }
+  .number text { stroke: none; }
+  .number .badge { fill: #ffffff; stroke: currentColor; stroke-width: 0.8px; }
+  .heading, .told { text-anchor: start; white-space: pre; }
   .box { fill: #f3f5f8; stroke: currentColor; stroke-width: 1.2px; }
   .ring { fill: none; stroke: currentColor; stroke-width: 1.2px; }
   .everywhere .box { fill: none; stroke-dasharray: 2 3; }
@@ -30,6 +37,7 @@ constexpr const char* drawing_style = R"(<style>
     svg { color: #e3e6ea; }
     .paper { fill: #15181c; }
     .label text { stroke: #15181c; }
+    .number .badge { fill: #15181c; }
     .box { fill: #23282f; }
     .taken .line { stroke: #6ea8fe; }
     .taken .head { fill: #6ea8fe; }
@@ -71,14 +79,17 @@ void SvgCanvas::begin_group(std::string_view kind, std::string_view title) {
 
 void SvgCanvas::end_group() { body_ += "</g>\n"; }
 
-void SvgCanvas::arrow(const Curve& line, const PagePoint& tip) {
+void SvgCanvas::arrow(const Curve& line, const PagePoint& tip, double thickness) {
   if (line.empty()) return;
-  body_ += "<path class=\"line\" d=\"M" + pair(line[0]);
+  body_ += "<path class=\"line\"";
+  if (thickness > 0) body_ += fmt::format(" style=\"stroke-width:{}px\"", number(thickness));
+  body_ += " d=\"M" + pair(line[0]);
   for (std::size_t i = 1; i < line.size(); ++i) body_ += (i % 3 == 1 ? " C" : " ") + pair(line[i]);
-  for (const auto& point : line) reach(point);
+  for (const auto& point : points_along(line, points_of_piece)) reach(point);
   const auto& base = line.back();
   const double length = std::max(std::hypot(tip.x - base.x, tip.y - base.y), 1e-6);
-  const double x = (tip.x - base.x) / length * head_width / 2, y = (tip.y - base.y) / length * head_width / 2;
+  const double half_width = head_width / 2 + thickness / 2;
+  const double x = (tip.x - base.x) / length * half_width, y = (tip.y - base.y) / length * half_width;
   body_ += fmt::format("\"/><path class=\"head\" d=\"M{} L{} L{} Z\"/>", pair(tip), pair({base.x - y, base.y + x}),
                        pair({base.x + y, base.y - x}));
 }
@@ -87,7 +98,7 @@ void SvgCanvas::pill(std::string_view kind, const Pill& pill, double grown) {
   const double width = pill.width + 2 * grown, height = pill.height + 2 * grown;
   const PagePoint corner{pill.centre.x - width / 2, pill.centre.y - height / 2};
   body_ += fmt::format(R"(<rect class="{}" x="{}" y="{}" width="{}" height="{}" rx="{}"/>)", kind, number(corner.x),
-                       number(corner.y), number(width), number(height), number(height / 2));
+                       number(corner.y), number(width), number(height), number(pill.radius() + grown));
   reach(corner);
   reach({corner.x + width, corner.y + height});
 }
@@ -103,13 +114,31 @@ void SvgCanvas::text(const std::vector<std::string>& lines, const PagePoint& cen
   reach({centre.x + width / 2, top + height});
 }
 
-std::string SvgCanvas::document(std::string_view title) const {
+void SvgCanvas::line_of_text(std::string_view kind, std::string_view text, const PagePoint& from, double width) {
+  body_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", kind, number(from.x), number(from.y),
+                       escaped(text));
+  reach({from.x, from.y - line_height});
+  reach({from.x + width, from.y});
+}
+
+std::string SvgCanvas::document(std::string_view title, const std::vector<Layer>& layers) {
+  double width = 0, height = picture_margin;
+  std::string body;
+  for (const auto& [canvas, scale] : layers) width = std::max(width, canvas.width() * scale);
+  for (const auto& [canvas, scale] : layers) {
+    if (canvas.is_empty()) continue;
+    const PagePoint corner{picture_margin + (width - canvas.width() * scale) / 2 - canvas.low_.x * scale,
+                           height - canvas.low_.y * scale};
+    body += fmt::format("<g transform=\"translate({} {}) scale({:.4f})\">\n{}</g>\n", number(corner.x),
+                        number(corner.y), scale, canvas.body_);
+    height += canvas.height() * scale + picture_margin;
+  }
+  width += 2 * picture_margin;
   return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\" "
-      "role=\"img\">\n<title>{4}</title>\n{5}<rect class=\"paper\" x=\"{0}\" y=\"{1}\" width=\"{2}\" "
-      "height=\"{3}\"/>\n{6}</svg>\n",
-      number(low_.x - margin), number(low_.y - margin), number(high_.x - low_.x + 2 * margin),
-      number(high_.y - low_.y + 2 * margin), escaped(title), drawing_style, body_);
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.1f}mm\" height=\"{:.1f}mm\" viewBox=\"0 0 {} {}\" "
+      "role=\"img\">\n<title>{}</title>\n{}<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n{}</svg>\n",
+      width / pixels_per_mm, height / pixels_per_mm, number(width), number(height), escaped(title), drawing_style,
+      number(width), number(height), body);
 }
 
 void SvgCanvas::reach(const PagePoint& p) {

@@ -1,0 +1,105 @@
+#include "continua/replay/export/badge_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace continua {
+namespace {
+
+constexpr double air = 1.5;  ///< between a badge and all else, in pixels
+// Costs, in shares of a line's length: of a foreign line below the badge, of a place beside the line for each step.
+constexpr double of_line_below = 0.3, of_step_aside = 2;
+constexpr double aside_px = 5;
+constexpr int most_aside = 8;
+
+double length_of(const std::vector<PagePoint>& line) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    length += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+  return length;
+}
+
+class Places {
+ public:
+  Places(const std::vector<Badge>& badges, std::vector<PageBox> boxes,
+         const std::vector<std::vector<PagePoint>>& others)
+      : badges_(badges), boxes_(std::move(boxes)), others_(others) {}
+
+  BadgePlaces found() {
+    BadgePlaces places{std::vector<PagePoint>(badges_.size()), true};
+    // Short lines first: they have the fewest places.
+    std::vector<std::size_t> order(badges_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return std::lround(length_of(badges_[a].line)) < std::lround(length_of(badges_[b].line));
+    });
+    for (const auto badge : order) {
+      best_ = {};
+      for (int aside = 0; aside <= most_aside && best_.cost > of_step_aside * aside; ++aside) look_at(badge, aside);
+      places.centres[badge] = best_.centre.value_or(badges_[badge].line[badges_[badge].line.size() / 2]);
+      places.apart = places.apart && best_.centre;
+      boxes_.push_back({places.centres[badge], badges_[badge].width, badges_[badge].height});
+    }
+    return places;
+  }
+
+ private:
+  struct Best {
+    std::optional<PagePoint> centre;
+    double cost = 1e9;
+  };
+
+  // All places of a badge that are so many steps beside its line.
+  void look_at(std::size_t badge, int aside) {
+    const auto& [line, width, height] = badges_[badge];
+    const auto middle_place = line.size() / 2;
+    for (std::size_t step = 0; step < line.size(); ++step) {
+      // From the middle outward: middle, middle - 1, middle + 1, …
+      const auto i = step % 2 == 1 ? middle_place - (step + 1) / 2 : middle_place + step / 2;
+      const auto &before = line[i == 0 ? 0 : i - 1], &after = line[std::min(i + 1, line.size() - 1)];
+      const double dx = after.x - before.x, dy = after.y - before.y, length = std::max(std::hypot(dx, dy), 1e-6);
+      for (const double side : {1.0, -1.0}) {
+        const double shift = side * aside * aside_px;
+        const PageBox box{{line[i].x - dy / length * shift, line[i].y + dx / length * shift}, width, height};
+        const double middle = std::abs(static_cast<double>(2 * i + 1) / static_cast<double>(line.size()) - 1) / 2;
+        consider(badge, box, middle + of_step_aside * aside);
+        if (aside == 0) break;
+      }
+    }
+  }
+
+  void consider(std::size_t badge, const PageBox& box, double cost) {
+    if (cost >= best_.cost) return;
+    const PageBox wide{box.centre, box.width + 2 * air, box.height + 2 * air};
+    if (std::any_of(boxes_.begin(), boxes_.end(), [&](const auto& one) { return one.meets(wide); })) return;
+    const auto passes = [&](const std::vector<PagePoint>& line) {
+      return std::any_of(line.begin(), line.end(), [&](const PagePoint& p) { return wide.meets({p, 0, 0}); });
+    };
+    for (std::size_t i = 0; i < badges_.size(); ++i)
+      if (i != badge && passes(badges_[i].line)) cost += of_line_below;
+    for (const auto& line : others_)
+      if (passes(line)) cost += of_line_below;
+    if (cost < best_.cost) best_ = {box.centre, cost};
+  }
+
+  const std::vector<Badge>& badges_;
+  std::vector<PageBox> boxes_;
+  const std::vector<std::vector<PagePoint>>& others_;
+  Best best_;
+};
+
+}  // namespace
+
+bool PageBox::meets(const PageBox& other) const {
+  return std::abs(centre.x - other.centre.x) < (width + other.width) / 2 &&
+         std::abs(centre.y - other.centre.y) < (height + other.height) / 2;
+}
+
+BadgePlaces badge_places(const std::vector<Badge>& badges, std::vector<PageBox> boxes,
+                         const std::vector<std::vector<PagePoint>>& others) {
+  return Places(badges, std::move(boxes), others).found();
+}
+
+}  // namespace continua
