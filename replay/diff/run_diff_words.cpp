@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "continua/replay/log/brief_in_words.h"
+#include "continua/replay/log/expectation_words.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/time_text.h"
@@ -199,7 +200,8 @@ std::string event_words(const RunWords& words, const Json& record) {
   if (kind == "expect") {
     Json fields = event;
     for (const char* key : {"kind", "n", "t", "line", "met", "found", "expected"}) fields.erase(key);
-    return fmt::format("the expectation {}", compact(event.contains("expected") ? event["expected"] : fields));
+    return fmt::format("the expectation ({})",
+                       wanted_text(words, event.contains("expected") ? event["expected"] : fields));
   }
   if (kind == "observed") return "observed " + brief_in_words(words, event);
   return input_text(words, {{"kind", "input"}, {"event", event}});

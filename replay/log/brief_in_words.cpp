@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "continua/replay/log/expectation_words.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
 
@@ -58,15 +59,13 @@ std::string input_text(const RunWords& words, const Json& input, std::size_t alt
 std::string brief_in_words(const RunWords& words, const Json& record) {
   const auto kind = text_of(record, "kind");
   if (log::is<log::Input>(kind)) return input_text(words, record);
+  if (log::is<log::Expect>(kind)) return expectation_text(words, record);
   auto told = record;
   if (log::is<log::AvatarGesture>(kind)) tell(words, told, log::name_of(&log::AvatarGesture::gesture));
   if (log::is<log::Act>(kind)) tell(words, told, log::name_of(&log::Act::program));
   if (log::is<log::Memory>(kind)) tell(words, told, log::name_of(&log::Memory::value));
   if (log::is<log::Observed>(kind)) tell(words, told, log::name_of(&log::Observed::content));
   if (log::is<log::Symbol>(kind)) tell_each(words, told, log::name_of(&log::Symbol::slots));
-  if (log::is<log::Expect>(kind))
-    for (const auto part : {log::name_of(&log::Expect::expected), log::name_of(&log::Expect::found)})
-      if (const auto fields = told.find(std::string(part)); fields != told.end()) tell(words, *fields, "act");
   if (log::is<log::Reading>(kind)) {
     tell(words, told, log::name_of(&log::Reading::meaning));
     tell_referents(words, told);

@@ -150,4 +150,24 @@ std::string RunWords::gesture(std::string_view name, std::string_view direction)
   return text;
 }
 
+std::string RunWords::expectation(std::string_view field) const {
+  const auto* known = word("expectations", field);
+  return known ? *known : std::string(field);
+}
+
+std::string RunWords::expected(std::string_view field, const Json& value) const {
+  if (value.is_array()) {
+    std::string all;
+    for (const auto& one : value) all += (all.empty() ? "" : " or ") + expected(field, one);
+    return all.empty() ? expectation("null") : all;
+  }
+  if (!value.is_string()) return value.is_null() ? expectation("null") : compact(value);
+  const auto text = value.get<std::string>();
+  if (text == "null") return expectation(text);
+  if (field == "says") return "“" + text + "”";
+  if (field == "state") return text;
+  const auto told = term(text);
+  return field == "act" ? "“" + told + "”" : told;
+}
+
 }  // namespace continua

@@ -28,6 +28,9 @@ class RunWords {
   std::string term(std::string_view term) const;
   /// The human's gesture of this name: "yes"; `direction` as logged, or empty.
   std::string gesture(std::string_view name, std::string_view direction) const;
+  /// The name of an expectation's field: "the avatar says"; and its value as people tell it: “Okay.”, the white cup.
+  std::string expectation(std::string_view field) const;
+  std::string expected(std::string_view field, const Json& value) const;
 
  private:
   const std::string* word(const char* list, std::string_view name) const;

@@ -218,7 +218,7 @@ TEST_CASE("two traces are held against each other event by event") {
                "gesture “points” at 0:02: confidence 0.9 in A, none in B."},
            Row{R"({"t":2,"kind":"speech","text":"yes"})", "", "“yes” (speech at 0:02) is left out in B."},
            Row{"", R"({"t":2,"kind":"expect","state":"Ask"})",
-               "the expectation {\"state\":\"Ask\"} (expect at 0:02) is only in B."},
+               "the expectation (the state Ask) (expect at 0:02) is only in B."},
            Row{"", "", "The traces are the same."},
        }) {
     const auto diff = diff_traces(trace_of(put + "\n" + a), trace_of(put + "\n" + b));

@@ -16,7 +16,17 @@ TEST_CASE("a record in brief names things, places and gestures as people do, and
   CHECK(told(R"json({"kind":"input","event":{"kind":"act","act":1,"program":"grasp(block6)","status":"done"}})json") ==
         "act 1, “takes the red block”, done");
   CHECK(told(R"json({"kind":"expect","met":true,"expected":{"act":"grasp(block6)"}})json") ==
-        "met: act “takes the red block”");
+        "met: the avatar does “takes the red block”");
+  CHECK(told(R"json({"kind":"expect","met":false,"expected":{"state":"Ask","act":"grasp(block6)","says":"Okay."},
+                     "found":{"state":"Ask","act":"grasp(cup)","says":"null"}})json") ==
+        "not met: the avatar does “takes the red block”, found “takes the white cup”; the avatar says “Okay.”, found "
+        "nothing");
+  CHECK(
+      told(R"json({"kind":"expect","met":false,"expected":{"referents":["cup","block6"],"holding":"cup","stack_depth":2,
+                     "indicated":"<0.1, 0, 0>"},"found":{"referents":[],"holding":"null","stack_depth":1,
+                     "indicated":"null"}})json") ==
+      "not met: meant may be the white cup or the red block, found nothing; the avatar holds the white cup, found "
+      "nothing; symbols on the stack 2, found 1; indicated is 10 cm right of the table's middle, found nothing");
   CHECK(told(R"json({"kind":"observed","channel":"action","content":"grasp(block6)"})json") ==
         "action “takes the red block”");
   CHECK(told(R"json({"kind":"observed","channel":"speech","content":"Okay."})json") == "speech Okay.");

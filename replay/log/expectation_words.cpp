@@ -1,0 +1,43 @@
+#include "continua/replay/log/expectation_words.h"
+
+#include <fmt/format.h>
+
+#include "continua/replay/log/kinds.h"
+
+namespace continua {
+
+std::vector<ToldField> told_fields(const RunWords& words, const Json& expect) {
+  const auto member = [&](auto part) -> const Json& {
+    return member_of(expect, std::string(log::name_of(part)).c_str());
+  };
+  const auto &expected = member(&log::Expect::expected), &found = member(&log::Expect::found);
+  std::vector<ToldField> fields;
+  if (!expected.is_object()) return fields;
+  for (const auto& [name, value] : expected.items()) {
+    const auto& seen = member_of(found, name.c_str());
+    const bool met = member(&log::Expect::met) == true || seen == value;
+    fields.push_back({words.expectation(name), words.expected(name, value), words.expected(name, met ? value : seen),
+                      compact({{name, value}}), compact({{name, met ? value : seen}}), met});
+  }
+  return fields;
+}
+
+std::string wanted_text(const RunWords& words, const Json& expected) {
+  std::string text;
+  for (const auto& [name, value] : expected.items())
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", words.expectation(name), words.expected(name, value));
+  return text;
+}
+
+std::string expectation_text(const RunWords& words, const Json& expect) {
+  const bool met = member_of(expect, std::string(log::name_of(&log::Expect::met)).c_str()) == true;
+  std::string text;
+  for (const auto& field : told_fields(words, expect)) {
+    if (field.met && !met) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", field.name, field.expected);
+    if (!field.met) text += ", found " + field.found;
+  }
+  return (met ? "met: " : "not met: ") + text;
+}
+
+}  // namespace continua
