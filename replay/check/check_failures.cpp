@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "continua/replay/check/world_pictures.h"
 #include "continua/replay/diff/run_diff_text.h"
 #include "continua/replay/export/run_report.h"
 #include "continua/replay/terminal/shell_word.h"
@@ -67,6 +68,8 @@ Result<std::string> write_failure(const FailureReport& report, const TraceCheck&
   } else {
     page.run = &**alone;
   }
+  if (check.compared && report.frames) page.worlds = pictures_of(*check.compared, report.frames);
+  page.commands.push_back(fmt::format("continua serve {}", shell_word(report.folder)));
   files.emplace_back(at("report.html"), report_page(page));
   for (const auto& [path, content] : files)
     if (auto unwritten = write_file(path, content)) return *unwritten;

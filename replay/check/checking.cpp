@@ -159,6 +159,7 @@ Result<std::string> Checking::keep_failure(std::size_t index, const TraceCheck& 
   report.folder = (fs::path(options_.failures) / items_[index].name).string();
   report.name = items_[index].name;
   report.trace = items_[index].path.string();
+  report.frames = frames_;
   report.replay_options = options_.physics.value_or(true) ? "" : " --no-physics";
   if (!options_.knowledge.empty()) report.replay_options += " --knowledge " + shell_word(options_.knowledge);
   if (!options_.language.empty()) report.replay_options += " --language " + shell_word(options_.language);

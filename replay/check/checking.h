@@ -11,6 +11,7 @@
 #include "continua/replay/check/check.h"
 #include "continua/replay/check/check_items.h"
 #include "continua/replay/check/check_report.h"
+#include "continua/replay/pictures/frame_cache.h"
 #include "continua/replay/session/shelf.h"
 #include "continua/replay/terminal/progress.h"
 
@@ -60,6 +61,7 @@ class Checking {
   const CheckOptions& options_;
   const DataPaths& data_;
   const std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
+  const std::shared_ptr<RunFrames> frames_ = drawn_frames();
   std::vector<CheckItem> items_;
   std::mutex mutex_;
   std::vector<std::optional<Finding>> findings_;

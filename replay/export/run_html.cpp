@@ -28,6 +28,15 @@ table { border-collapse: collapse; width: 100%; table-layout: fixed; }
 th, td { text-align: left; vertical-align: top; padding: .3rem .5rem; border-top: 1px solid var(--line); }
 th { font-weight: 600; border-top: 0; }
 th.time { width: 5.5rem; }
+th.field { width: 11rem; }
+h3 { font-size: 1rem; margin: 1rem 0 .4rem; }
+.worlds { display: grid; grid-template-columns: 1fr 1fr; gap: .8rem; }
+figure { margin: 0; }
+figcaption { color: var(--quiet); font-size: .85rem; }
+.worlds img { display: block; width: 100%; height: auto; border: 1px solid var(--line); border-radius: 6px; }
+.no_picture { margin: 0; padding: 2rem 1rem; text-align: center; color: var(--quiet); background: var(--soft);
+  border: 1px dashed var(--line); border-radius: 6px; }
+.unmet td[title] { cursor: help; }
 td.gone { background: var(--gone); box-shadow: inset 3px 0 var(--gone-line); }
 td.come { background: var(--come); box-shadow: inset 3px 0 var(--come-line); }
 td.both { color: var(--quiet); }
@@ -44,6 +53,7 @@ summary { cursor: pointer; color: var(--accent); }
   tr { border-top: 1px solid var(--line); padding: .2rem 0; }
   td { border-top: 0; padding: .15rem .5rem; }
   td:empty, td.again { display: none; }
+  .worlds { grid-template-columns: 1fr; }
   td[data-of]::before { content: attr(data-of) ": "; color: var(--quiet); font-size: .85rem; }
 }
 )css";
@@ -75,7 +85,7 @@ std::string html_page(std::string_view title, std::string_view body) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
-      "base-uri 'none'; form-action 'none'\"/>\n"
+      "img-src data:; base-uri 'none'; form-action 'none'\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
       "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
       in_html(title), page_style, body);

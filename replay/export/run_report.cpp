@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "continua/replay/diff/sequence_alignment.h"
+#include "continua/replay/export/expectation_table.h"
 #include "continua/replay/export/graph_svg.h"
 #include "continua/replay/export/run_dialogue.h"
 #include "continua/replay/export/run_html.h"
@@ -167,18 +168,44 @@ std::string made_with(const RunIndex& run) {
                              text_of(*header, "seed"), text_of(*header, "continua")));
 }
 
+std::string of_worlds(const std::vector<WorldPictures>& worlds) {
+  std::string html;
+  for (const auto& [title, sides] : worlds) {
+    html += fmt::format("<h3>{}</h3>\n<div class=\"worlds\">\n", in_html(title));
+    for (const auto& side : sides) {
+      const auto picture = side.png.empty()
+                               ? fmt::format("<p class=\"no_picture\">No picture: {}</p>", in_html(side.trouble))
+                               : fmt::format("<img alt=\"the scene, {0}\" src=\"data:image/png;base64,{1}\"/>",
+                                             in_html(side.title), side.png);
+      html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture, in_html(side.title));
+    }
+    html += "</div>\n";
+  }
+  return html.empty() ? html : "<h2>The scene</h2>\n" + html;
+}
+
+// The sentence, unless the table of unmet expectations tells the same.
+std::string cause_of(const RunReport& report, const std::string& unmet) {
+  std::string html;
+  const auto add = [&](const std::string& text) { html += fmt::format("<p class=\"cause\">{}</p>\n", in_html(text)); };
+  if (unmet.empty())
+    add(report.sentence);
+  else
+    add("The run does not do what its trace expects.");
+  if (report.diff && report.diff->sentence != report.sentence) add(report.diff->sentence);
+  return html + unmet;
+}
+
 }  // namespace
 
 std::string report_page(const RunReport& report) {
   const bool good = report.verdict == "same" || report.verdict == "same decisions" || report.verdict == "new";
-  std::string body =
-      fmt::format("<h1>{} <span class=\"verdict {}\">{}</span></h1>\n<p class=\"cause\">{}</p>\n",
-                  in_html(report.trace), good ? "good" : "bad", in_html(report.verdict), in_html(report.sentence));
-  if (report.diff && report.diff->sentence != report.sentence)
-    body += fmt::format("<p class=\"cause\">{}</p>\n", in_html(report.diff->sentence));
+  auto body = fmt::format("<h1>{} <span class=\"verdict {}\">{}</span></h1>\n", in_html(report.trace),
+                          good ? "good" : "bad", in_html(report.verdict));
+  body += cause_of(report, unmet_table(*report.run));
   body += fmt::format("<p class=\"quiet\">now: {}", made_with(*report.run));
   if (report.approved) body += fmt::format("<br/>approved: {}", made_with(*report.approved));
-  body += "</p>\n<h2>The dialogue</h2>\n";
+  body += "</p>\n" + of_worlds(report.worlds) + "<h2>The dialogue</h2>\n";
   if (report.approved && report.diff) {
     body += both_dialogues(*report.approved, *report.run);
     body += "<h2>Records that differ</h2>\n" + differing_records(*report.approved, *report.run, *report.diff);
