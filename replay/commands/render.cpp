@@ -24,7 +24,7 @@ namespace {
 
 enum class Output { picture, film, folder };
 
-constexpr ImageSize large{960, 540}, small{400, 300};
+constexpr ImageSize of_film{1280, 720}, of_picture{960, 540}, of_several{400, 300};
 
 Result<Output> output_of(const std::string& path) {
   const auto ending = fs::path(path).extension().string();
@@ -116,8 +116,8 @@ Result<std::string> render(const RenderOptions& options) {
   if (!output) return output.error();
   if (options.at_s && *output != Output::picture)
     return Error{options.output, "--at gives one picture; expected a file that ends in .png"};
-  const bool single = *output == Output::film || options.at_s;
-  auto size = options.size.empty() ? Result<ImageSize>(single ? large : small) : picture_size(options.size);
+  const auto usual = *output == Output::film ? of_film : options.at_s ? of_picture : of_several;
+  auto size = options.size.empty() ? Result<ImageSize>(usual) : picture_size(options.size);
   if (!size) return Error{"--size", size.error().sentence};
   if (*output == Output::film && (size->width % 2 != 0 || size->height % 2 != 0))
     return Error{"--size", fmt::format("found {}; a film needs even sides", options.size)};
@@ -154,8 +154,9 @@ void describe_render(CLI::App& command, RenderOptions& options) {
           "one picture; a folder: the key moments as a file each, and the sheet")
       ->required();
   takes_instants(command.add_option("--at", options.at_s, "the instant to draw, from the start"));
-  command.add_option("--size", options.size,
-                     "of a picture in pixels, WxH; otherwise 960x540, and 400x300 for each of several");
+  command.add_option(
+      "--size", options.size,
+      "of a picture in pixels, WxH; otherwise 1280x720 of a film, 960x540 of one picture, 400x300 of each of several");
   command.add_option("--fps", options.frames_per_second, "a film's frames a second")
       ->check(CLI::Range(1, 120))
       ->capture_default_str();

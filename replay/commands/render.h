@@ -14,7 +14,7 @@ struct RenderOptions {
   std::optional<double> at_s;
   std::string size;    ///< "WxH"; empty: what suits the output
   std::string camera;  ///< RenderView::camera
-  int frames_per_second = 15;
+  int frames_per_second = 24;
   bool text = true;
   bool real_time = false;  ///< a film does not shorten waits
 };
