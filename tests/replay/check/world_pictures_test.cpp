@@ -1,6 +1,8 @@
 // Pictures of both scenes on the page of a failure.
 #include "continua/replay/check/world_pictures.h"
 
+#include <fmt/format.h>
+
 #include "replay/inspector/inspector_log.h"
 
 using namespace continua;

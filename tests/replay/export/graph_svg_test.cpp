@@ -111,7 +111,9 @@ TEST_CASE("nothing of a machine's picture is cut or covered, on a page or in a c
 
 TEST_CASE("an arrow with a number has it in the legend, with its states and its labels") {
   auto graph = three_states();
-  graph.edges[0].condition = "size(options) > 1 and not some(options, \\x. near(x, region)) and region != null";
+  graph.edges[0].condition =
+      "size(options) > 1 and size(candidates) > 1 and not some(options, \\x. near(x, region)) and region != null and "
+      "shown_places = null";
   const auto svg = parsed(*svg_of(graph, 60));
   CHECK(svg.select_nodes("//rect[@class='badge']").size() == 1);
   const auto text = told(svg);

@@ -214,13 +214,13 @@ TEST_CASE("the picture has each state and each arrow, whatever they are called")
   REQUIRE(svg.ok());
   const auto titles = titles_of(*svg);
   std::multiset<std::string> found, expected;
-  for (const auto& [kind, title] : titles) found.insert(kind + " " + title);
+  for (const auto& [kind, title] : titles) found.insert(kind.substr(0, kind.find(' ')) + " " + title);
   for (const auto& state : graph->states) expected.insert("state " + in_xml(state.name));
   for (const auto& arrow : arrows_of(*graph))
     for (const std::string part : {"arrow ", "label "})
       expected.insert(in_xml(part + graph->states[*arrow.from].name + " → " + graph->states[arrow.to].name + "\n" +
                              arrow.full.at(0)));
-  expected.insert("arrow start start");
+  expected.insert("arrow start");
   CHECK(found == expected);
 }
 
