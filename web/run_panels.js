@@ -1,6 +1,7 @@
 // The panels of a run, or of two that are compared, and where they stand.
-import {h, tabs} from './dom.js';
+import {h, clock, tabs} from './dom.js';
 import {copy} from './announce.js';
+import {download} from './download.js';
 import {helpDialog} from './keys.js';
 import {compareDialog} from './panels/compare.js';
 import {whatIfDialog} from './panels/what_if.js';
@@ -60,7 +61,14 @@ function mountAll(page, before) {
         other: comparison && otherRun(comparison, model),
         elsewhere: served && !comparison ? (asked) => page.dialogs.what_if.open(asked) : null,
       }),
-    lanes: mountLanes({data, model, cursor, comparison, note: (records) => noteOn(page, records)}),
+    lanes: mountLanes({
+      data,
+      model,
+      cursor,
+      comparison,
+      note: (records) => noteOn(page, records),
+      save: served ? (span) => saveStretch(page, span) : null,
+    }),
     stack: mountStack({data, client, model, jump}),
     derivation: mountDerivation({client, model, jump}),
     why: mountWhy({data, client, jump}),
@@ -83,6 +91,12 @@ function noteOn(page, [from, to]) {
   page.parts.notes.mark(from);
   page.cursor.jump(to);
   page.parts.notes.write();
+}
+
+// Hands over the records of a stretch of time as a file whose name tells the times: talk_0m12.50s-0m20.00s.jsonl.
+async function saveStretch({client, title}, span) {
+  const times = span.map((t) => `${clock(t, 2).replace(':', 'm')}s`).join('-');
+  download(await client.linesOf(span), `${title.replaceAll('/', '_')}_${times}.jsonl`, 'application/jsonl');
 }
 
 // The panels of B next to those of A, each with its differences from the other marked.

@@ -1,7 +1,7 @@
 // The page tells how a run went, when, and how often, in one way everywhere; and nothing is cut, hidden or lost on the way.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {mkdirSync, writeFileSync} from 'node:fs';
+import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 import {roundsLog} from './logs.mjs';
@@ -331,13 +331,34 @@ test('the pointer over the timeline tells the instant, and a stretch is selected
   const box = await at('timeline').boundingBox();
   await visitor.page.mouse.move(box.x + 300, box.y + 6);
   assert.match(await visitor.page.locator('.tip').innerText(), /^0:\d\d\.\d\d, /);
-  await visitor.page.keyboard.down('Shift');
-  await visitor.page.mouse.move(box.x + 120, box.y + 40);
-  await visitor.page.mouse.down();
-  await visitor.page.mouse.move(box.x + box.width - 40, box.y + 40, {steps: 4});
-  await visitor.page.mouse.up();
-  await visitor.page.keyboard.up('Shift');
+  const select = async () => {
+    await visitor.page.keyboard.down('Shift');
+    await visitor.page.mouse.move(box.x + 120, box.y + 40);
+    await visitor.page.mouse.down();
+    await visitor.page.mouse.move(box.x + box.width - 40, box.y + 40, {steps: 4});
+    await visitor.page.mouse.up();
+    await visitor.page.keyboard.up('Shift');
+  };
+  await select();
   assert.match(await at('stretch').innerText(), /0:\d\d.* s: [23] sentences of the human.*act/);
+  const [from, to] = (await at('stretch').innerText()).match(/\d+:\d\d\.\d\d/g);
+  const [file] = await Promise.all([
+    visitor.page.waitForEvent('download'),
+    at('stretch').locator('button', {hasText: 'Export this stretch'}).click(),
+  ]);
+  const name = (t) => t.replace(':', 'm');
+  assert.equal(file.suggestedFilename(), `three rounds_${name(from)}s-${name(to)}s.jsonl`);
+  const linesOf = (text) =>
+    text
+      .trimEnd()
+      .split('\n')
+      .map((line) => JSON.parse(line));
+  const told = linesOf(readFileSync(await file.path(), 'utf8'));
+  const [begin, end] = [from, to].map((t) => t.split(':').reduce((sum, part) => 60 * sum + Number(part), 0));
+  const expected = linesOf(roundsLog()).filter(({t}) => t > begin - 0.005 && t < end + 0.005);
+  assert.ok(told.length > 300);
+  assert.deepEqual(told, expected);
+  await select();
   const before_zoom = await at('span').innerText();
   await at('stretch').locator('button', {hasText: 'Zoom'}).click();
   assert.notEqual(await at('span').innerText(), before_zoom);

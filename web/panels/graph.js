@@ -1,5 +1,6 @@
 // The automaton: its states and transitions, how often each was used, and where it stands.
 import {h, s, panel, counted} from '../dom.js';
+import {download} from '../download.js';
 import {GraphCard} from '../graph/graph_card.js';
 import {drawCount, drawEdge, drawNode, visitsText} from '../graph/graph_draw.js';
 import {graphFile} from '../graph/graph_file.js';
@@ -148,10 +149,7 @@ class Graph {
     this.#card.pin(null);
   }
   #save() {
-    const file = new Blob([graphFile(this.#view, this.#placed)], {type: 'image/svg+xml'});
-    const link = h('a', {href: URL.createObjectURL(file), download: 'state_graph.svg'});
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href));
+    download(graphFile(this.#view, this.#placed), 'state_graph.svg', 'image/svg+xml');
   }
 
   // Goes to the next time after the cursor that the automaton entered this state; after the last, to the first.

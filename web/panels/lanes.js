@@ -40,8 +40,9 @@ class Lanes {
 
   /**
    * `comparison`: with the run that this one is compared with, or null. Each lane is then drawn twice, this run's above.
+   * `note(records)`, `save(span)`: the uses of a selected stretch; `save` may be null.
    */
-  constructor({data, model, cursor, comparison, note}) {
+  constructor({data, model, cursor, comparison, note, save}) {
     this.#data = data;
     this.#cursor = cursor;
     this.#comparison = comparison;
@@ -60,6 +61,7 @@ class Lanes {
         this.#paint();
         copyLink();
       },
+      save,
     });
     this.#slider = this.#mountSlider();
     this.#gaps.addEventListener('change', () => model.go({gaps: !this.#gaps.checked}));

@@ -100,6 +100,7 @@ export function listenTo(id, grown) {
 }
 
 const most_kept = 400;
+const at_once = 5000; // records of a stretch in one answer
 
 /** Answers about a run, the latest few hundred kept: a log does not change under its index. */
 export class RecordClient {
@@ -117,6 +118,16 @@ export class RecordClient {
     return this.#keep(`records?kind=${encodeURIComponent(kind)}&after=${after}&limit=${limit}`).then(
       (answer) => answer.records,
     );
+  }
+  /** The records of a stretch, in seconds, as lines of JSON. */
+  async linesOf([from, to]) {
+    const lines = [];
+    for (let after = 0; after !== null; ) {
+      const part = await get(`${run(this.id)}/records?from=${from}&to=${to}&after=${after}&limit=${at_once}`);
+      for (const record of part.records) lines.push(`${JSON.stringify(record)}\n`);
+      after = part.next;
+    }
+    return lines.join('');
   }
   /** `branch`: of that of several configurations; null: of the leading one. */
   stack(n, branch = null) {

@@ -24,7 +24,7 @@ export class Stretch {
   #acts;
   #span = null; // [from, to], seconds
 
-  /** `acts`: {zoom(span), note(span), link(span)} */
+  /** `acts`: {zoom(span), note(span), link(span), save(span): null where there is no server} */
   constructor(lanes, acts) {
     this.#lanes = lanes;
     this.#acts = acts;
@@ -59,13 +59,15 @@ export class Stretch {
         text,
       );
     const [from, to] = span.map((t) => clock(t, 2));
-    this.card.replaceChildren(
+    const parts = [
       h('span', {}, `${from} – ${to}, ${(span[1] - span[0]).toFixed(1)} s: ${contentOf(this.#lanes, span)}`),
       button('Zoom', this.#acts.zoom),
       button('Note', this.#acts.note),
       button('Copy link', this.#acts.link),
+      this.#acts.save && button('Export this stretch', this.#acts.save),
       h('button', {type: 'button', 'aria-label': 'Put away', onclick: () => this.clear()}, '×'),
-    );
+    ];
+    this.card.replaceChildren(...parts.filter(Boolean));
     this.card.hidden = false;
   }
   clear() {
