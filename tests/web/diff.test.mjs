@@ -148,6 +148,28 @@ test('the whole cause is on top of the differences, and the end of both runs bel
   }
 });
 
+for (const colorScheme of ['light', 'dark'])
+  test(`the cause and the end of both runs are in sight at 1280 × 720, ${colorScheme}`, async () => {
+    for (const [a, b] of [
+      ['disambiguation', 'disambiguation_exhausted'],
+      ['correction', 'disambiguation'],
+      ['correction', 'correction.physics'],
+      ['dialogue_gesture', 'dialogue_language'],
+    ]) {
+      await visitor.visit(`/diff/${a}/${b}`, {viewport: {width: 1280, height: 720}, colorScheme});
+      await visitor.page.evaluate(() => window.continua.page.settled());
+      for (const part of ['cause', 'ending']) {
+        const place = await at(part).evaluate((one) => {
+          const [own, body] = [one, one.closest('.body')].map((each) => each.getBoundingClientRect());
+          const whole = one.scrollHeight <= one.clientHeight + 1 && one.scrollWidth <= one.clientWidth + 1;
+          const seen = own.height > 0 && own.top >= body.top && own.bottom <= Math.min(body.bottom, innerHeight);
+          return {whole, seen, own: own.toJSON(), body: body.toJSON()};
+        });
+        assert.ok(place.whole && place.seen, `${part} of ${a} and ${b}: ${JSON.stringify(place)}`);
+      }
+    }
+  });
+
 test('the stacks of both stand side by side, and what differs is marked', async () => {
   const parted = numberOf('paper/disambiguation', ({kind, t}) => kind === 'memory' && t > 6);
   await visitor.visit(`${both}?n=${parted}`);

@@ -114,8 +114,8 @@ class Differences {
     const list = [h('h3', {}, counted(count, 'difference')), h('ol', {class: 'hunks'}, this.#rows)];
     const parts = [
       h('p', {class: `cause-box${same ? '' : ' bad'}`, 'data-testid': 'cause'}, brief(sentence)),
-      changeOf(cause),
       this.#ending,
+      changeOf(cause),
       section('What speaks for the cause', 'evidence', evidence.map(brief)),
       this.#rows.length ? list : h('p', {class: 'empty'}, 'Nothing that happened differs.'),
       meet && this.#meeting(meet),
