@@ -64,6 +64,16 @@ test('a lane is hidden, tall or first by choice, also at the next visit; what is
     visitor.page.evaluate(() => window.continua.page.parts.lanes.rows.map(({name, tall}) => [name, Boolean(tall)]));
   const before = await rows();
   await at('lane-choice').locator('summary').click();
+  // None is behind another panel or cut off by its own.
+  const hidden = await at('lane-choice').evaluate((list) => {
+    const boxes = [...list.querySelectorAll('input')];
+    const reached = (box) => {
+      const {x, y, width, height} = box.getBoundingClientRect();
+      return document.elementFromPoint(x + width / 2, y + height / 2) === box;
+    };
+    return boxes.filter((box) => !reached(box)).map((box) => box.getAttribute('aria-label'));
+  });
+  assert.deepEqual(hidden, []);
   const boxOf = (lane, way) => visitor.page.getByLabel(`${lane}: ${way}`).first();
   await boxOf('stack depth', 'shown').uncheck();
   await boxOf('acts', 'first').check();
