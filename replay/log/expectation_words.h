@@ -22,7 +22,10 @@ std::vector<ToldField> told_fields(const RunWords& words, const Json& expect);
 /// The fields of an expectation, in words: "the state Ask; the avatar says “Which block?”".
 std::string wanted_text(const RunWords& words, const Json& expected);
 
-/// "not met: the avatar says “Okay.”, found “Why?”": of an unmet one the fields that differ.
+/// The fields of an `expect` record, of an unmet one those that differ: "the avatar says “Okay.”, found “Why?”".
+std::string differences_text(const RunWords& words, const Json& expect);
+
+/// The same with the verdict before it: "not met: the avatar says “Okay.”, found “Why?”".
 std::string expectation_text(const RunWords& words, const Json& expect);
 
 }  // namespace continua

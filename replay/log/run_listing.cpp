@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "continua/replay/log/act_outcome.h"
+#include "continua/replay/log/expectation_words.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_brief.h"
@@ -44,11 +45,23 @@ bool is_failure(std::string_view act) {
 }
 bool is_question(std::string_view utterance) { return text_in(member_in(utterance, "text")).ends_with('?'); }
 
-std::size_t count_unmet(const RunIndex& run) {
+// How many expectations were not met; of the first its record, and the difference in words.
+struct Unmet {
   std::size_t count = 0;
+  Json first;
+};
+
+Unmet unmet_of(const RunIndex& run) {
+  Unmet unmet;
+  std::optional<std::size_t> first;
   run.read_lines([&](std::size_t n) { return log::is<log::Expect>(run.kind(n)); },
-                 [&](std::size_t, std::string_view line) { return count += is_unmet(line), true; });
-  return count;
+                 [&](std::size_t n, std::string_view line) {
+                   if (is_unmet(line) && unmet.count++ == 0) first = n;
+                   return true;
+                 });
+  if (const auto record = first ? run.record(*first) : Result<Json>(Json()); first && record)
+    unmet.first = {{"n", *first}, {"text", differences_text(RunWords(run), *record)}};
+  return unmet;
 }
 
 // How the acts ended; of the first that failed its record and the reason.
@@ -107,6 +120,7 @@ Result<Json> run_listing(const RunIndex& run) {
   std::set<std::int64_t> acts;  // an act has a record for each of its states
   for (const auto& act : run.act_marks()) acts.insert(act.act);
   const auto totals = act_totals(run);
+  const auto unmet = unmet_of(run);
   const auto first = record_of_interest(run);
   const auto& scene = member_of(*header, "scene");
   const bool drawable = member_of(scene, "mjcf").is_string() && member_of(scene, "bodies").is_object();
@@ -122,7 +136,8 @@ Result<Json> run_listing(const RunIndex& run) {
               {"refused_samples", count_refused_samples(run)},
               {"problems", count(log::Problem::kind.name)},
               {"expected", count(log::Expect::kind.name)},
-              {"met", count(log::Expect::kind.name) - count_unmet(run)},
+              {"met", count(log::Expect::kind.name) - unmet.count},
+              {"first_unmet", unmet.first},
               {"counts", counts},
               {"machine", name_of(*header, "machine")},
               {"scene", name_of(*header, "scene")},
@@ -144,6 +159,7 @@ Result<Json> run_summary(const RunIndex& run) {
   for (const auto& [part, key] : {std::pair{"scene", "mjcf"}, {"machine", "document"}})
     if (header->contains(part) && (*header)[part].is_object()) (*header)[part].erase(key);
   header->erase("graph");
+  (*summary)["titles"] = RunWords(run).things();
   (*summary)["header"] = *std::move(header);
   return summary;
 }

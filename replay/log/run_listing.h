@@ -18,7 +18,7 @@ Result<Json> run_listing(const RunIndex& run);
 /// had to ask, else the act that was asked for last, else the first utterance, refusal or decision.
 std::size_t record_of_interest(const RunIndex& run);
 
-/// The header without its long texts, and the listing's numbers.
+/// The header without its long texts, the listing's numbers, and in `titles` the words for things, by their names.
 Result<Json> run_summary(const RunIndex& run);
 
 }  // namespace continua

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_text.h"
@@ -47,8 +48,8 @@ std::optional<Applied> applied(std::string_view term) {
   int depth = 0;
   auto from = end + 1;
   for (auto at = from; at + 1 < term.size(); ++at) {
-    if (term[at] == '(' || term[at] == '<') ++depth;
-    if (term[at] == ')' || term[at] == '>') --depth;
+    if (term[at] == '(' || term[at] == '<' || term[at] == '[') ++depth;
+    if (term[at] == ')' || term[at] == '>' || term[at] == ']') --depth;
     if (depth < 0) return std::nullopt;
     if (term[at] != ',' || depth != 0) continue;
     found.arguments.push_back(trimmed(term.substr(from, at - from)));
@@ -81,7 +82,10 @@ RunWords::RunWords(std::string_view mjcf) : table_(Json::parse(words_table())) {
     if (times[told] > 1) told += fmt::format(" ({})", name);
 }
 
+RunWords RunWords::raw() { return {}; }
+
 const std::string* RunWords::word(const char* list, std::string_view name) const {
+  if (table_.is_null()) return nullptr;
   const auto& words = table_.at(list);
   const auto found = words.find(std::string(name));
   return found == words.end() ? nullptr : found->get_ptr<const std::string*>();
@@ -112,15 +116,25 @@ std::string RunWords::place(std::string_view point) const {
   return across + (across.empty() || along.empty() ? "" : *word("table", "and")) + along + *word("table", "of");
 }
 
+std::string RunWords::elements(std::string_view list) const {
+  const auto as_arguments = fmt::format("list({})", list.substr(1, list.size() - 2));
+  const auto read = applied(as_arguments);
+  if (!read) return std::string(list);
+  std::vector<std::string> all;
+  for (const auto one : read->arguments) all.push_back(told(one, {}));
+  return fmt::format("[{}]", fmt::join(all, ", "));
+}
+
 // `about`: the thing that the program around the term is about, or empty.
 std::string RunWords::told(std::string_view term, std::string_view about) const {
   term = trimmed(term);
+  if (table_.is_null()) return std::string(term);
   if (term.starts_with('<') && term.ends_with('>')) return place(term);
   const auto found = applied(term);
-  if (!found) return std::string(term);
+  if (!found) return term.starts_with('[') && term.ends_with(']') ? elements(term) : std::string(term);
   if (found->arguments.empty()) {
     for (const char* list : {"names", "programs"})
-      if (const auto* name = word(list, found->name)) return *name;
+      if (const auto* name = word(list, found->name); name && name->find('{') == name->npos) return *name;
     return thing(found->name);
   }
   const auto* itself = found->arguments.front() == about && !about.empty() ? word("itself", found->name) : nullptr;
@@ -141,6 +155,20 @@ std::string RunWords::told(std::string_view term, std::string_view about) const 
 }
 
 std::string RunWords::term(std::string_view term) const { return told(term, {}); }
+
+Json RunWords::each(const Json& list) const {
+  if (!list.is_array()) return list;
+  Json told = Json::array();
+  for (const auto& one : list) {
+    if (!one.is_string()) {
+      told.push_back(one);
+      continue;
+    }
+    const auto text = one.get<std::string>();
+    told.push_back(text.find_first_of("(<") == text.npos ? thing(text) : term(text));
+  }
+  return told;
+}
 
 std::string RunWords::gesture(std::string_view name, std::string_view direction) const {
   const auto* known = word("gestures", name);
@@ -168,6 +196,29 @@ std::string RunWords::expected(std::string_view field, const Json& value) const 
   if (field == "state") return text;
   const auto told = term(text);
   return field == "act" ? "“" + told + "”" : told;
+}
+
+std::string RunWords::reason(std::string_view reason, std::string_view thing) const {
+  const auto of = fmt::format("({})", thing);
+  if (table_.is_null() || !reason.ends_with(of) || reason.find('(') + of.size() != reason.size())
+    return std::string(reason);
+  auto text = std::string(reason.substr(0, reason.size() - of.size()));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::string RunWords::all() const {
+  std::string text;
+  for (const auto& [name, told] : things_) text += told + "\n";
+  for (const auto& list : table_)
+    if (list.is_object())
+      for (const auto& told : list) text += told.get<std::string>() + "\n";
+  return text;
+}
+
+std::string RunWords::missing(std::string_view type) const {
+  const auto* known = word("missing", type);
+  return known ? *known : std::string();
 }
 
 }  // namespace continua

@@ -19,22 +19,37 @@ class RunWords {
   /// The words of a run whose objects have the attributes that its scene's XML gives them.
   explicit RunWords(const RunIndex& run);
   explicit RunWords(std::string_view mjcf);
+  /// Words that leave all as the log has it.
+  static RunWords raw();
 
   /// "the red block" for an object's name; of several that look the same with the name behind it. A name that the scene
   /// does not have is shown as it is.
   std::string thing(std::string_view name) const;
+  /// Each text of a list, a name or a program, in words.
+  Json each(const Json& list) const;
   /// A program, a place or an avatar's gesture: "puts the red block on the orange block". A term that it does not know
-  /// is shown as it is.
+  /// is shown as it is. Of a list each element.
   std::string term(std::string_view term) const;
   /// The human's gesture of this name: "yes"; `direction` as logged, or empty.
   std::string gesture(std::string_view name, std::string_view direction) const;
   /// The name of an expectation's field: "the avatar says"; and its value as people tell it: “Okay.”, the white cup.
   std::string expectation(std::string_view field) const;
   std::string expected(std::string_view field, const Json& value) const;
+  /// Why a thing was ruled out: "not white" for "not white(cup)" of the cup.
+  std::string reason(std::string_view reason, std::string_view thing) const;
+  /// A gap of this type: "the place" for `loc`; empty for a type that has no words.
+  std::string missing(std::string_view type) const;
+
+  /// The things that have words, by their names.
+  const std::map<std::string, std::string, std::less<>>& things() const { return things_; }
+  /// All words that may stand for something of the log, in one text.
+  std::string all() const;
 
  private:
+  RunWords() = default;
   const std::string* word(const char* list, std::string_view name) const;
   std::string place(std::string_view point) const;
+  std::string elements(std::string_view list) const;
   std::string told(std::string_view term, std::string_view about) const;
 
   Json table_;

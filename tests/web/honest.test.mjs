@@ -13,6 +13,7 @@ serveFolder(() => {
   mkdirSync(join(folder, 'older'));
   writeFileSync(join(folder, 'rounds.run.jsonl'), roundsLog());
   writeFileSync(join(folder, 'failing.run.jsonl'), roundsLog({fails: true}));
+  writeFileSync(join(folder, 'worst.run.jsonl'), roundsLog({worst: true}));
   writeFileSync(join(folder, `older/${long_name}.run.jsonl`), roundsLog());
   for (const name of ['correction', 'dialogue_gesture', 'special_dpda'])
     writeFileSync(join(folder, `${name}.run.jsonl`), logOf(`paper/${name}`));
@@ -35,6 +36,29 @@ test('a failed act is told in red on both pages, opened at, and stopped at', asy
   await visitor.page.keyboard.press('n');
   assert.equal(await visitor.n(), failed);
 });
+
+for (const colorScheme of ['light', 'dark'])
+  for (const run of ['worst', 'failing', 'wizard'])
+    test(`the verdict of ${run} is whole at 1280 × 720, ${colorScheme}`, async () => {
+      await visitor.visit(`/r/${run}`, {colorScheme});
+      const told = await at('verdict').evaluate((one) => {
+        const range = document.createRange();
+        range.selectNodeContents(one);
+        const [text, top] = [range, one.closest('header')].map((each) => each.getBoundingClientRect());
+        return {
+          text: one.innerText,
+          within: text.left >= top.left && text.right <= top.right && text.top >= top.top && text.bottom <= top.bottom,
+          cut: one.scrollWidth > one.clientWidth || one.scrollHeight > one.clientHeight,
+          fits: document.documentElement.scrollHeight <= innerHeight,
+        };
+      });
+      assert.deepEqual({...told, text: ''}, {text: '', within: true, cut: false, fits: true}, told.text);
+      if (run === 'worst')
+        assert.match(
+          told.text,
+          /2 of 2 expectations not met: the avatar does “puts the green block on the red block”, found “takes the green block”; the avatar says “Which block\?”, found “Which block do you mean\?”, 0 of 3 acts done: /,
+        );
+    });
 
 test('answers that were recorded otherwise are counted, marked and stopped at', async () => {
   const told = execFileSync(program, ['score', join(root, 'traces/talk/wizard.trace.jsonl'), '--json'], {

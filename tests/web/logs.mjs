@@ -76,13 +76,24 @@ function addRound(log, round, t, id, outcome) {
 const done = {status: 'done', result: {position_error_m: 0.001}};
 const blocked = {status: 'blocked', result: {reason: 'block1 is in the way'}};
 
-/** A run of three rounds of asking and agreeing, with more records than a table can hold. `fails`: its last act does. */
-export function roundsLog({fails = false} = {}) {
+const block = (name, color) => `<text name="${name}" data="type=block color=${color}"/>`;
+const named = `<mujoco><custom>${block('block1', 'red')}${block('block2', 'green')}</custom></mujoco>`;
+const unmet = [
+  {expected: {act: program, says: 'Which block?'}, found: {act: 'grasp(block2)', says: 'Which block do you mean?'}},
+  {expected: {state: 'Wait'}, found: {state: 'Act'}},
+];
+
+/**
+ * A run of three rounds of asking and agreeing, with more records than a table can hold. `fails`: its last act does;
+ * `worst`: all do, expectations are not met, and its blocks have colours.
+ */
+export function roundsLog({fails = false, worst = false} = {}) {
   const log = new Log();
-  log.add('run', 0, header);
+  log.add('run', 0, worst ? {...header, scene: {name: 'table', mjcf: named}} : header);
   log.add('symbol', 0, {id: 1, below: null, slots: {}}, 0);
   for (let round = 0; round < 3; ++round)
-    addRound(log, round, 5 + round * 20, 1 + 2 * round, fails && round === 2 ? blocked : done);
+    addRound(log, round, 5 + round * 20, 1 + 2 * round, worst || (fails && round === 2) ? blocked : done);
+  if (worst) for (const one of unmet) log.add('expect', 60, {line: 9, met: false, ...one});
   const refused = [{id: 'ask', reason: 'the input is not P'}];
   log.add('refusal', 60, {state: 'Wait', input: 'z', reason: 'no transition takes z', refused});
   log.add('end', 61, {counts: {}, decisions: '', physics: '', digest: ''});

@@ -3,9 +3,23 @@ import {counted, grouped} from '../dom.js';
 
 /** The parts of a run's verdict that are bad, in words: unmet expectations, failed acts, problems. */
 export function failuresOf(run) {
-  const {expected = 0, met = 0, acts = 0, acts_done = 0, acts_failed = 0, first_failed, problems = 0} = run;
+  const {
+    expected = 0,
+    met = 0,
+    first_unmet,
+    acts = 0,
+    acts_done = 0,
+    acts_failed = 0,
+    first_failed,
+    problems = 0,
+  } = run;
   const parts = [];
-  if (met < expected) parts.push(`${expected - met} of ${counted(expected, 'expectation')} not met`);
+  if (met < expected) {
+    const difference = first_unmet?.text;
+    parts.push(
+      `${expected - met} of ${counted(expected, 'expectation')} not met${difference ? `: ${difference}` : ''}`,
+    );
+  }
   if (acts_failed) {
     const reason = first_failed?.reason || first_failed?.status;
     parts.push(`${acts_done} of ${counted(acts, 'act')} done${reason ? `: ${reason}` : ''}`);

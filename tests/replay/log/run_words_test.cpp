@@ -28,6 +28,11 @@ TEST_CASE("programs, places and gestures are told in words, and what is not know
       {"HEAD_NOD", "nods"},
       {"zork(b3)", "zork(b3)"},
       {"\\x. grasp(x)", "\\x. grasp(x)"},
+      {"[b3, mug]", "[the black block, the cup]"},
+      {"[[b3, mug], [b1]]", "[[the black block, the cup], [the red block (b1)]]"},
+      {"[]", "[]"},
+      {"put", "put"},
+      {"stop", "stops"},
       {"put(b3, <a, b>)", "puts the black block <a, b>"},
       {"", ""},
   };
@@ -38,4 +43,11 @@ TEST_CASE("programs, places and gestures are told in words, and what is not know
   CHECK(words.gesture("posack", "") == "yes");
   CHECK(words.gesture("grab_move", "left") == "carry left");
   CHECK(words.gesture("two_fingers", "") == "two fingers");
+  CHECK(words.reason("not white(b3)", "b3") == "not white");
+  CHECK(words.reason("not white(b3)", "mug") == "not white(b3)");
+  CHECK(words.reason("not on(b3, mug)", "mug") == "not on(b3, mug)");
+  CHECK(words.missing("loc") == "the place");
+  const auto raw = RunWords::raw();
+  CHECK(raw.term("put(b3, on(mug))") == "put(b3, on(mug))");
+  CHECK(raw.gesture("posack", "") == "posack");
 }
