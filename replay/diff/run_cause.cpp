@@ -358,7 +358,7 @@ class Inquiry {
       if (std::find(referents.begin(), referents.end(), member_of(each, "object")) != referents.end())
         diff_.evidence.push_back(fmt::format("{} is ruled out for “{}” in {}: {}",
                                              words_.thing(text_of(each, "object")), text_of(other, "words"), where,
-                                             text_of(each, "reason")));
+                                             words_.reason(text_of(each, "reason"), text_of(each, "object"))));
   }
 
   const RunIndex &a_, &b_;

@@ -138,7 +138,15 @@ Json brief_json(ExplainScope& scope, std::size_t n) {
   return {{"n", n},
           {"t", scope.run().entry(n).t.seconds()},
           {"kind", scope.run().kind(n)},
-          {"brief", brief(scope.record(n))}};
+          {"brief", brief(scope.record(n))},
+          {"told", brief_in_words(scope.words(), scope.record(n))}};
+}
+
+// The headline; that of an expectation goes on with the one of the record it was held against.
+std::string sentence_about(ExplainScope& own, ExplainScope& about, const Json& act) {
+  auto text = headline(own, act);
+  return own.n() != about.n() && log::is<log::Expect>(own.run().kind(own.n())) ? text + " " + headline(about, act)
+                                                                               : text;
 }
 
 }  // namespace
@@ -168,10 +176,8 @@ Result<Json> explain(const RunIndex& run, std::size_t n) {
             {"t", run.entry(n).t.seconds()},
             {"kind", run.kind(n)},
             {"brief", brief(*record)},
-            {"headline", headline(own, act)},
+            {"headline", sentence_about(own, scope, act)},
             {"about", about}};
-  if (log::is<log::Expect>(run.kind(n)) && about != n)
-    told["headline"] = told["headline"].get<std::string>() + " " + headline(scope, act);
   auto& chain = told["chain"] = Json::array();
   for (const auto at : own.chain()) chain.push_back(brief_json(own, at));
   told["inputs"] = explained_inputs(scope);
@@ -191,6 +197,8 @@ Result<Json> explain(const RunIndex& run, std::size_t n) {
   std::erase_if(told["along"].get_ref<Json::array_t&>(), [&](const Json& one) { return one["n"] == about; });
   told["fragile"] = fragile_among(run, scope);
   told["trouble"] = run.trouble();
+  for (auto* each : {&own, &scope}) each->tell_raw();
+  told["raw"] = sentence_about(own, scope, explained_act(scope, about));
   return told;
 }
 

@@ -26,10 +26,10 @@ Result<std::size_t> asked_record(const RunIndex& run, const ExplainQuestion& que
 
 /// Why record n, as one object:
 /// - "run": path; "n", "t", "kind", "brief": the record
-/// - "headline": the event and its reason, a sentence; of an act also its outcome
+/// - "headline": the event and its reason, a sentence; of an act also its outcome; "raw": with the log's own names
 /// - "about": n of the record that the rest is about: n itself; of an expectation the record it was held against; of a
 ///   state of an act the record that asked for it
-/// - "chain": [{"n", "t", "kind", "brief"}] from the record up through its causes
+/// - "chain": [{"n", "t", "kind", "brief", "told": the same in words}] from the record up through its causes
 /// - "inputs": the inputs that contributed (explained_inputs)
 /// - "steps": the transitions that led here (explained_steps); "choice": the policy that chose among candidates
 /// - "refused": of a refusal the reasons of its transitions (explained_refusals), else null
@@ -37,7 +37,8 @@ Result<std::size_t> asked_record(const RunIndex& run, const ExplainQuestion& que
 /// - "cells": the cells of the stack at n, since when and where from (explained_cells)
 /// - "derivation": the term behind it (derivation_of) or null
 /// - "act": the course of the act (explained_act) or null
-/// - "brought_about": the immediate consequences, [{"n", "kind", "brief"}]; "along": the other consequences of its
+/// - "brought_about": the immediate consequences, [{"n", "kind", "brief", "told"}]; "along": the other consequences of
+/// its
 ///   cause
 /// - "fragile": [{"n", "margin"}] of the readings and transitions behind it that the log's end lists as fragile
 /// - "trouble": the fault of the log's end, or empty

@@ -76,10 +76,9 @@ std::string left_open(ExplainScope& scope, std::size_t input) {
   if (reading.contains("move") && reading["move"].is_null()) return "nothing of it was understood";
   if (const auto& missing = member_of(reading, "missing"); missing.is_array() && !missing.empty()) {
     const auto& first = missing.front();
-    const bool unsaid = text_of(first, "why") == "unsaid";
-    return unsaid ? fmt::format("{} leaves its argument of type {} unsaid", text_of(reading, "meaning"),
-                                text_of(first, "type"))
-                  : missing_text(first);
+    if (text_of(first, "why") != "unsaid") return missing_text(scope.words(), first);
+    if (const auto gap = scope.words().missing(text_of(first, "type")); !gap.empty()) return gap + " is left unsaid";
+    return fmt::format("{} leaves its argument of type {} unsaid", text_of(reading, "meaning"), text_of(first, "type"));
   }
   return {};
 }
@@ -95,6 +94,12 @@ struct Happened {
   std::string deed(const std::string& term, const char* otherwise) const {
     const auto told = run_words.term(term);
     return fmt::format("{}{}", told == term ? otherwise : "", told);
+  }
+
+  // Quoted where there are words for it.
+  std::string in_words(const std::string& term) const {
+    const auto told = run_words.term(term);
+    return told == term ? term : "“" + told + "”";
   }
 
   std::string operator()(const log::Utterance& said) const {
@@ -133,9 +138,9 @@ struct Happened {
     if (!reading.move || reading.move->empty()) return what + " is not understood";
     auto meaning = reading.meaning.value_or("");
     if (meaning.empty() && reading.referents && !reading.referents->empty())
-      meaning = alternatives_text(Json(*reading.referents));
+      meaning = alternatives_text(run_words.each(Json(*reading.referents)));
     return meaning.empty() ? fmt::format("{} is taken as {}", what, *reading.move)
-                           : fmt::format("{} is taken to mean {}, as {}", what, meaning, *reading.move);
+                           : fmt::format("{} is taken to mean {}, as {}", what, in_words(meaning), *reading.move);
   }
   std::string operator()(const log::Input& input) const {
     const bool speech = text_of(input.event, "kind") == "speech";
@@ -151,7 +156,7 @@ struct Happened {
     return fmt::format("the avatar forgets the {} {}", forgotten.of, forgotten.name);
   }
   std::string operator()(const log::Memory& memory) const {
-    return fmt::format("the register {} becomes {}", memory.register_name, memory.value);
+    return fmt::format("the register {} becomes {}", memory.register_name, in_words(memory.value));
   }
   std::string operator()(const log::Belief& belief) const {
     return fmt::format("{} is certain to {}, before {}", belief.concept_name, text_of(record, "value"),
@@ -189,7 +194,7 @@ std::string led_to(ExplainScope& scope, std::size_t input) {
       told.push_back("it " + happened_of(scope, record).deed(text_of(record, "program"), "does "));
     if (log::is<log::Refusal>(kind)) told.push_back(fmt::format("{} refuses it", text_of(record, "state")));
     if (log::is<log::Reading>(kind) && !text_of(record, "meaning").empty() && member_of(record, "taken") != false)
-      told.push_back("it is taken to mean " + text_of(record, "meaning"));
+      told.push_back("it is taken to mean " + happened_of(scope, record).in_words(text_of(record, "meaning")));
   }
   // A pointing that only came along with another input is bound to that one's words.
   const auto percepts = run.of_kind(log::Percept::kind.name);
@@ -203,16 +208,9 @@ std::string led_to(ExplainScope& scope, std::size_t input) {
 }
 
 std::string expectation(ExplainScope& scope, const Json& expect) {
-  const auto& expected = member_of(expect, "expected");
-  const auto& found = member_of(expect, "found");
-  std::string differs;
-  if (expected.is_object())
-    for (const auto& [key, value] : expected.items())
-      if (const auto& seen = member_of(found, key.c_str()); seen != value || member_of(expect, "met") == true)
-        differs += fmt::format("{}{} {}{}", differs.empty() ? "" : "; ", key, compact(value),
-                               seen == value ? "" : ", found " + compact(seen));
   return fmt::format("At {} the expectation of line {} is {}: {}", time_text(scope.run().entry(scope.n()).t.seconds()),
-                     text_of(expect, "line"), member_of(expect, "met") == false ? "not met" : "met", differs);
+                     text_of(expect, "line"), member_of(expect, "met") == false ? "not met" : "met",
+                     expectation_in_words(scope.words(), expect));
 }
 
 }  // namespace
@@ -256,6 +254,7 @@ Json explained_act(ExplainScope& scope, std::size_t n) {
     const Json& record = scope.record(at);
     records.push_back({{"n", at}, {"t", run.entry(at).t.seconds()}});
     for (const char* part : {"status", "step", "program", "result"}) records.back()[part] = member_of(record, part);
+    records.back()["told"] = scope.words().term(text_of(record, "program"));
     const auto status = text_of(record, "status");
     if (record.contains("step") || status == "asked" || status == "started") continue;
     outcome = status;
@@ -277,7 +276,7 @@ Json explained_act(ExplainScope& scope, std::size_t n) {
                               retries.size() == 1 ? "one attempt" : fmt::format("{} attempts", retries.size()),
                               alternatives_text(retries, "; "));
     if (const auto& aside = member_of(result, "moved_aside"); aside.is_array() && !aside.empty())
-      sentence += fmt::format("; {} had to make room", alternatives_text(aside, " and "));
+      sentence += fmt::format("; {} had to make room", alternatives_text(scope.words().each(aside), " and "));
     sentence += ".";
   }
   return {

@@ -139,7 +139,7 @@ Found found_open(ExplainScope& scope, const Json& reading, const std::string& na
   const auto& missing = member_of(reading, "missing");
   std::string why = "left open";
   if (missing.is_array() && index < missing.size())
-    if (const auto told = missing_text(missing[index]); !told.empty()) why += ": " + told;
+    if (const auto told = missing_text(scope.words(), missing[index]); !told.empty()) why += ": " + told;
   return origin(scope, "open", fmt::format("{}, in {}", why, told_input(scope, input)), n);
 }
 
@@ -154,8 +154,8 @@ Found found_in_reading(ExplainScope& scope, const std::string& value, std::size_
     for (const auto& one : resolved)
       if (const auto& referents = member_of(one, "referents"); lists(referents, value) && referents.size() > 1)
         return origin(scope, "choice",
-                      fmt::format("{}, which “{}” in {} may mean", alternatives_text(referents), text_of(one, "words"),
-                                  told_input(scope, input)),
+                      fmt::format("{}, which “{}” in {} may mean", alternatives_text(scope.words().each(referents)),
+                                  text_of(one, "words"), told_input(scope, input)),
                       n);
   if (auto open = found_open(scope, reading, value, n, input)) return open;
   if (const auto& entries = member_of(reading, "entries"); entries.is_array())
@@ -258,13 +258,13 @@ std::string alternatives_text(const Json& names, std::string_view before_last, s
   return told == names.size() ? text : text + fmt::format(" … ({} in all)", names.size());
 }
 
-std::string missing_text(const Json& missing) {
-  const auto why = text_of(missing, "why"), words = text_of(missing, "words");
+std::string missing_text(const RunWords& words, const Json& missing) {
+  const auto why = text_of(missing, "why"), said = text_of(missing, "words");
   if (why == "unsaid") return "it was not said";
   if (why == "several")
-    return fmt::format("{} may mean {}", words.empty() ? "it" : "“" + words + "”",
-                       alternatives_text(member_of(missing, "choices")));
-  if (why == "none") return words.empty() ? "nothing is meant" : fmt::format("there is no “{}”", words);
+    return fmt::format("{} may mean {}", said.empty() ? "it" : "“" + said + "”",
+                       alternatives_text(words.each(member_of(missing, "choices"))));
+  if (why == "none") return said.empty() ? "nothing is meant" : fmt::format("there is no “{}”", said);
   return why;
 }
 

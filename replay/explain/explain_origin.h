@@ -28,7 +28,8 @@ bool is_of_reading(const Json& entry, const Json& reading);
 /// "a", "a or b", "a, b or c"; of more than `most` the first, and their number.
 std::string alternatives_text(const Json& names, std::string_view before_last = " or ", std::size_t most = 6);
 
-/// A gap of a reading (an element of `missing`) in words: "it was not said", "“block” may mean block1 or block4".
-std::string missing_text(const Json& missing);
+/// A gap of a reading (an element of `missing`) in words: "it was not said", "“block” may mean the red block or the
+/// blue block".
+std::string missing_text(const RunWords& words, const Json& missing);
 
 }  // namespace continua

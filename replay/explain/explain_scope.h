@@ -29,8 +29,9 @@ class ExplainScope {
   /// The record, or an empty object where its line cannot be read.
   const Json& record(std::size_t n);
 
-  /// The words for the run's ids, places, gestures and programs.
+  /// The words for the run's ids, places, gestures and programs; after tell_raw() the ids themselves.
   const RunWords& words();
+  void tell_raw() { words_.emplace(RunWords::raw()); }
 
   /// n, its cause, the cause of that, and so on.
   const std::vector<std::size_t>& chain() const { return chain_; }

@@ -118,7 +118,10 @@ Json brought_about(ExplainScope& scope, std::size_t n) {
   Json records = Json::array();
   for (std::size_t at = n + 1; at < run.size(); ++at)
     if (run.cause(at) == n && !log::is<log::Symbol>(run.kind(at)))
-      records.push_back({{"n", at}, {"kind", run.kind(at)}, {"brief", brief(scope.record(at))}});
+      records.push_back({{"n", at},
+                         {"kind", run.kind(at)},
+                         {"brief", brief(scope.record(at))},
+                         {"told", brief_in_words(scope.words(), scope.record(at))}});
   return records;
 }
 

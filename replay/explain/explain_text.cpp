@@ -142,7 +142,7 @@ class Teller {
       tell("not " + ruled_out_text(ruled_out, options_.all), 3);
     for (const auto& one : list_of(reading, "missing"))
       if (text_of(one, "why") == "unsaid" || list_of(reading, "resolved").empty())  // else told with its phrase
-        tell(fmt::format("lacks its {}: {}", text_of(one, "type"), missing_text(one)), 3);
+        tell(fmt::format("lacks its {}: {}", text_of(one, "type"), missing_text(RunWords::raw(), one)), 3);
     if (const auto& unknown = list_of(reading, "unknown"); !unknown.empty())
       tell(fmt::format("nobody knows “{}”", alternatives_text(unknown, " and ")), 3);
     if (const auto& unused = list_of(reading, "unused"); !unused.empty())

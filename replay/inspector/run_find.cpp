@@ -47,8 +47,9 @@ bool shows_as_written(std::string_view value, std::string_view type) {
 // Finds words in records of a kind. A label is made only where its sources hold the words.
 class Finder {
  public:
-  Finder(std::string kind, const std::vector<std::string>& words)
-      : kind_(std::move(kind)), schema_(log::schema_of(kind_)), words_(words) {
+  /// `in_words`: the words of the run, where some of those that are searched may stand among them; else null.
+  Finder(std::string kind, const std::vector<std::string>& words, const RunWords* in_words)
+      : kind_(std::move(kind)), schema_(log::schema_of(kind_)), words_(words), in_words_(in_words) {
     const auto told = folded(kind_);
     const auto adds = folded(schema_ ? schema_->kind.brief_adds : "");
     for (const auto& word : words_) {
@@ -84,7 +85,9 @@ class Finder {
     if (!may_tell_of_words(as_written)) return false;
     // Many records of a run say the same.
     if (const auto known = told_.find(shown_); known != told_.end()) return known->second;
-    const bool tells = all_in(folded(kind_ + " " + label_of(kind_, line)), words_);
+    auto label = kind_ + " " + label_of(kind_, line);
+    if (in_words_) label += "\n" + label_in_words(*in_words_, kind_, line);
+    const bool tells = all_in(folded(label), words_);
     if (told_.size() < most_told) told_.emplace(shown_, tells);
     return tells;
   }
@@ -92,7 +95,7 @@ class Finder {
  private:
   // False only if the label cannot. Letters stay the same even where a value is shown otherwise than written.
   bool may_tell_of_words(bool as_written) const {
-    if (plain_.empty()) return true;
+    if (plain_.empty() || in_words_) return true;
     if (!as_written && (letters_.empty() || shown_.find("\\u") != std::string::npos)) return true;
     return all_in(folded(shown_), as_written ? plain_ : letters_);
   }
@@ -100,6 +103,7 @@ class Finder {
   std::string kind_;
   const log::KindSchema* schema_;
   std::vector<std::string> words_;
+  const RunWords* in_words_;
   bool told_by_kind_ = true;
   std::string shown_;                           // of the record at hand, the sources of its label
   std::unordered_map<std::string, bool> told_;  // by that
@@ -112,7 +116,11 @@ class Finder {
 Result<std::vector<std::uint32_t>> run_find(const RunIndex& run, const std::string& text, const std::string& kind) {
   const auto words = words_in(folded(text));
   std::vector<Finder> finders;
-  for (const auto& one : run.kinds()) finders.emplace_back(one, words);
+  const RunWords run_words(run);
+  const auto known = folded(run_words.all());
+  const bool in_words =
+      std::any_of(words.begin(), words.end(), [&](const auto& one) { return known.find(one) != known.npos; });
+  for (const auto& one : run.kinds()) finders.emplace_back(one, words, in_words ? &run_words : nullptr);
   std::vector<std::uint32_t> found;
   const auto stops = kind.empty() ? records_worth_stopping_at(run) : std::vector<std::uint32_t>();
   auto stop = stops.begin();

@@ -9,8 +9,9 @@
 
 namespace continua {
 
-/// Numbers of the records whose kind and label (label_of) contain every word of `text`, whatever the case. Among all
-/// records of `kind`; of all kinds if it is "*"; among those worth stopping at if it is empty.
+/// Numbers of the records whose kind and label, as logged or in words (run_labels.h), contain every word of `text`,
+/// whatever the case. Among all records of `kind`; of all kinds if it is "*"; among those worth stopping at if it is
+/// empty.
 Result<std::vector<std::uint32_t>> run_find(const RunIndex& run, const std::string& text, const std::string& kind);
 
 }  // namespace continua

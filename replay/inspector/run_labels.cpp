@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "continua/replay/log/brief_in_words.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_text.h"
-#include "continua/replay/log/run_words.h"
 #include "continua/replay/log/schema.h"
 
 namespace continua {
@@ -33,15 +33,11 @@ std::string shown_text(const RunWords& words, const std::string& kind, std::stri
   return {};
 }
 
-}  // namespace
-
-std::string label_of(const std::string& kind, std::string_view line) {
-  if (log::is<log::Pose>(kind)) return {};
+// The members of the record that brief() reads; null for poses and for a line that is no JSON.
+Json told_part(const std::string& kind, std::string_view line) {
+  if (log::is<log::Pose>(kind)) return nullptr;
   const auto* schema = log::schema_of(kind);
-  if (!schema) {
-    const auto record = Json::parse(line, nullptr, false);
-    return record.is_object() ? brief(record) : std::string();
-  }
+  if (!schema) return Json::parse(line, nullptr, false);
   // Only the members that are read become a tree.
   thread_local std::string part;
   part = "{\"kind\":" + compact(kind);
@@ -50,8 +46,19 @@ std::string label_of(const std::string& kind, std::string_view line) {
     if (std::any_of(schema->members.begin(), schema->members.end(), shown))
       part.append(",\"").append(key).append("\":").append(value);
   });
-  const auto record = Json::parse(part += '}', nullptr, false);
+  return Json::parse(part += '}', nullptr, false);
+}
+
+}  // namespace
+
+std::string label_of(const std::string& kind, std::string_view line) {
+  const auto record = told_part(kind, line);
   return record.is_object() ? brief(record) : std::string();
+}
+
+std::string label_in_words(const RunWords& words, const std::string& kind, std::string_view line) {
+  const auto record = told_part(kind, line);
+  return record.is_object() ? brief_in_words(words, record) : std::string();
 }
 
 Result<Json> run_labels(const RunIndex& run, const std::vector<std::size_t>& numbers) {
@@ -64,7 +71,9 @@ Result<Json> run_labels(const RunIndex& run, const std::vector<std::size_t>& num
         return next != numbers.end() && *next == n;
       },
       [&](std::size_t n, std::string_view line) {
-        labels[std::to_string(n)] = Json{label_of(run.kind(n), line), shown_text(words, run.kind(n), line)};
+        auto& told = labels[std::to_string(n)] = {label_of(run.kind(n), line), shown_text(words, run.kind(n), line)};
+        if (auto in_words = label_in_words(words, run.kind(n), line); in_words != told[0])
+          told.push_back(std::move(in_words));
         return true;
       });
   if (problem) return *problem;

@@ -9,15 +9,19 @@
 #include "continua/core/located_json.h"
 #include "continua/core/result.h"
 #include "continua/replay/log/run_index.h"
+#include "continua/replay/log/run_words.h"
 
 namespace continua {
 
 /// brief() of the record in this line, whose kind is known; empty for poses and for a line that is no JSON.
 std::string label_of(const std::string& kind, std::string_view line);
 
-/// {"labels": {"N": [LABEL, TEXT], …}} of these records: the label, and the text for a lane or a bubble of the
-/// dialogue: the words; the gesture, the act's program in words (run_words.h); the observed content; else "".
-/// REQUIRES that the numbers are in order and below run.size().
+/// The same in words (brief_in_words.h).
+std::string label_in_words(const RunWords& words, const std::string& kind, std::string_view line);
+
+/// {"labels": {"N": [LABEL, TEXT, IN_WORDS], …}} of these records: the label, the same in words where they differ, and
+/// the text for a lane or a bubble of the dialogue: the words; the gesture, the act's program in words (run_words.h);
+/// the observed content; else "". REQUIRES that the numbers are in order and below run.size().
 Result<Json> run_labels(const RunIndex& run, const std::vector<std::size_t>& numbers);
 
 }  // namespace continua

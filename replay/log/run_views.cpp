@@ -8,6 +8,7 @@
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_sources.h"
+#include "continua/replay/log/run_words.h"
 
 namespace continua {
 namespace {
@@ -94,6 +95,21 @@ Json slots_changed(const Json& was, const Json& now) {
   return changed;
 }
 
+// `told`: the values of slots, also of those before a change, for which there are words.
+void tell_slots(const RunWords& words, Json& symbol) {
+  Json told = Json::object();
+  const auto tell = [&](const Json& value) {
+    if (!value.is_string()) return;
+    const auto term = value.get<std::string>();
+    if (auto text = words.term(term); text != term) told[term] = std::move(text);
+  };
+  if (const auto& slots = member_of(symbol, "slots"); slots.is_object())
+    for (const auto& value : slots) tell(value);
+  if (const auto& changed = member_of(symbol, "slots_changed"); changed.is_object())
+    for (const auto& change : changed) tell(member_of(change, "was"));
+  if (!told.empty()) symbol["told"] = std::move(told);
+}
+
 constexpr std::int64_t no_symbol = -1;
 
 // From the stack with the top `was` to that with the top `top`.
@@ -126,6 +142,9 @@ Result<Json> stack_change(const RunIndex& run, std::int64_t was, std::int64_t to
   }
   Json gone = Json::array();
   for (std::size_t i = 0; i + added < removed; ++i) gone.push_back((*before)[i]);
+  const RunWords words(run);
+  for (auto* symbols : {&*now, &gone})
+    for (auto& symbol : *symbols) tell_slots(words, symbol);
   return Json{{"depth", now->size()},
               {"depth_before", before->size()},
               {"symbols", *std::move(now)},

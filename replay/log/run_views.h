@@ -28,8 +28,8 @@ Result<Json> run_records(const RunIndex& run, const RecordFilter& filter);
 Result<Json> run_graph(const RunIndex& run);
 
 /// The stack as it stood at record n, top first, and its last change. `change` of a symbol is `added`, `changed` (it
-/// took a removed one's place on the same tail) or `same`; `slots_changed` gives {slot: {was, now}}; `depth` and
-/// `depth_before` count symbols.
+/// took a removed one's place on the same tail) or `same`; `slots_changed` gives {slot: {was, now}}; `told` the words
+/// of values that have some; `depth` and `depth_before` count symbols.
 Result<Json> run_stack(const RunIndex& run, std::size_t n);
 
 /// Under `explore`: the stack of one of the configurations that the automaton may be in at record n, as the last

@@ -64,7 +64,7 @@ class DialoguePair {
         {
           type: 'button',
           class: how[move.how],
-          title: `${name.toUpperCase()} #${move.n}, ${instant(data.t[move.n])}: ${data.label(move.n)}`,
+          title: `${name.toUpperCase()} #${move.n}, ${instant(data.t[move.n])}: ${data.raw(move.n) ?? data.label(move.n)}`,
           onclick: jump,
         },
         h('span', {class: 'unseen'}, `${name.toUpperCase()}: ${who[move.how]} ${how[move.how]} `),

@@ -97,7 +97,7 @@ class Rows {
     const data = this.#data;
     const n = this.#numberAt(place);
     const name = data.kind(n);
-    const cell = (kind, content) => h('span', {class: kind, role: 'gridcell'}, content);
+    const cell = (kind, content, title) => h('span', {class: kind, role: 'gridcell', title}, content);
     return h(
       'div',
       {
@@ -112,7 +112,7 @@ class Rows {
       cell('n', `${n}`),
       cell('t', data.t[n].toFixed(3)),
       cell('kind', name),
-      cell('label', brief(data.label(n))),
+      cell('label', brief(data.label(n)), data.raw(n)),
     );
   }
 }

@@ -76,7 +76,9 @@ class StackPanel {
     const {rows, folded} = stackRows(stack);
     const open = this.#unfolded || this.#chosenAmong(rows.slice(rows.length - folded));
     const shown = folded && !open ? rows.slice(0, rows.length - folded) : rows;
-    const change = this.#link(stack.at, `#${stack.at} ${this.#data.label(stack.at)}`);
+    const change = this.#link(stack.at, `#${stack.at} ${this.#data.label(stack.at)}`, {
+      title: this.#data.raw(stack.at),
+    });
     return [
       h('p', {class: 'note', 'data-testid': 'operation'}, change, changeWords(record)),
       h('div', {class: 'heads', 'aria-hidden': 'true'}, h('span', {}, 'before'), h('span', {}, 'after')),

@@ -1,12 +1,16 @@
 // The rows of the stack panel: each symbol after the last change, and before it.
-import {h, brief, text} from '../dom.js';
+import {h, brief, shown, text} from '../dom.js';
 import {keyOf} from '../terms/cells.js';
 import {operationWords} from '../terms/stack_words.js';
 
 const sign = {added: '+', removed: '−', changed: '~', same: ''};
 const spoken = {added: 'added', removed: 'removed', changed: 'changed', same: 'unchanged'};
 const slotsOf = (symbol) => (symbol?.slots && typeof symbol.slots === 'object' ? symbol.slots : {});
-const valueText = (value) => brief(text(value));
+// A value in words, with the log's own form on hover.
+function valueShown(value, symbol) {
+  const told = typeof value === 'string' ? symbol?.told?.[value] : undefined;
+  return told === undefined ? h('span', {class: 'term'}, brief(text(value))) : h('span', {title: shown(value)}, told);
+}
 const missing = (value) => value === undefined || value === null;
 
 function changeOf(was, now) {
@@ -39,7 +43,11 @@ function before({change, before: symbol, after: next}) {
     ),
     list(
       Object.entries(slotsOf(symbol)).map(([slot, value]) =>
-        h('li', {class: `cell ${kindOf(slot, value)}`}, h('div', {class: 'pair'}, pair(slot, valueText(value)))),
+        h(
+          'li',
+          {class: `cell ${kindOf(slot, value)}`},
+          h('div', {class: 'pair'}, pair(slot, valueShown(value, symbol))),
+        ),
       ),
     ),
   );
@@ -89,9 +97,9 @@ function cell(view, symbol, {slot, was, now, marks}) {
     slot,
   ];
   const value = [
-    change !== 'same' && !missing(was) && h('del', {}, valueText(was)),
+    change !== 'same' && !missing(was) && h('del', {}, valueShown(was, symbol)),
     ' ',
-    !missing(now) && h('span', {class: 'now'}, valueText(now)),
+    !missing(now) && h('span', {class: 'now'}, valueShown(now, symbol)),
   ];
   const content =
     missing(now) || !known

@@ -1,6 +1,7 @@
 // The record at the cursor and its reasons, from one sentence to the record field by field, and its consequences.
 import {h, panel, shown, instant} from '../dom.js';
 import {Latest} from '../terms/latest.js';
+import {Words} from '../run/words.js';
 import {allFields, recordView} from '../terms/record_views.js';
 import {
   actRecords,
@@ -12,16 +13,21 @@ import {
   folded,
   fragile,
   lastDecision,
+  membersInWords,
   refusals,
   ruledOut,
 } from './why_parts.js';
 
 const sections = [causes, contributors, ruledOut, decisions, refusals, built, fragile, effects, actRecords];
 
+// The headline with the log's own names, where it has others.
+const rawOf = (explained) => (explained && explained.raw !== explained.headline ? shown(explained.raw) : null);
+
 export function mountWhy({data, client, jump}) {
   const title = h('span', {class: 'muted'});
   const label = 'The record and why it came about';
   const body = h('div', {class: 'record', tabindex: 0, role: 'region', 'aria-label': label});
+  const words = new Words(data.summary.titles);
   let shown_n = -1;
 
   const to = (n, words) => h('button', {type: 'button', class: 'link to', onclick: () => jump(n)}, words);
@@ -40,11 +46,11 @@ export function mountWhy({data, client, jump}) {
       ? shown(explained.headline)
       : [h('b', {}, record.kind), ` ${shown(data.label(n))}`];
     const parts = [
-      h('p', {class: 'sentence', 'data-testid': 'headline'}, headline),
+      h('p', {class: 'sentence', title: rawOf(explained), 'data-testid': 'headline'}, headline),
       explained && lastDecision(explained, to),
-      recordView(record, data.schema),
+      recordView(record, data.schema, words, explained ? membersInWords(explained, n) : {}),
       problem && h('p', {class: 'trouble'}, problem.message),
-      explained && sections.map((section) => section(explained, to)),
+      explained && sections.map((section) => section(explained, to, words)),
       explained?.trouble && h('p', {class: 'trouble'}, explained.trouble),
       folded('The record field by field', 'fields', false, allFields(record, data.schema)),
     ];

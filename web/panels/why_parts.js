@@ -18,11 +18,13 @@ const applications = (items) => h('ol', {class: 'applications'}, items);
 const names = (values) => [values].flat().map(text).join(', ');
 // "one step", "3 steps"
 const howMany = (number, one) => (number === 1 ? `one ${one}` : `${number} ${one}s`);
-const refusal = ({ids, reason}) => h('li', {}, h('b', {}, names(ids)), ' ', shown(reason));
+const refusal = ({ids, reason}) => h('li', {}, h('b', {}, names(ids)), ' ', h('span', {class: 'term'}, shown(reason)));
 
-function reference({n, t, kind, brief}, to) {
+function reference({n, t, kind, brief, told = brief}, to) {
   const time = Number.isFinite(t) ? h('span', {class: 't'}, ` ${instant(t)}`) : '';
-  const words = h('span', {}, to(n, [h('b', {}, kind), ' ', shown(brief)]), time);
+  const title = brief === undefined || told === brief ? null : shown(brief);
+  const what = kind === 'application' ? h('span', {class: 'term'}, shown(told)) : shown(told);
+  const words = h('span', {title}, to(n, [h('b', {}, kind), ' ', what]), time);
   return h('li', {class: `kind-${kind}`}, h('span', {class: 'n'}, `#${n}`), ' ', words);
 }
 const chain = (records, testid, to) =>
@@ -31,6 +33,13 @@ const chain = (records, testid, to) =>
     {class: 'chain', 'data-testid': testid},
     records.map((one) => reference(one, to)),
   );
+
+/** The members of record n that the server tells in words: name -> words. */
+export function membersInWords({act, inputs}, n) {
+  const of_act = listOf(act?.records).find((one) => one.n === n);
+  const of_input = listOf(inputs).find((one) => one.n === n);
+  return {...(of_act && {program: of_act.told}), ...(of_input && {event: of_input.told})};
+}
 
 export function causes({chain: links}, to) {
   const others = listOf(links).slice(1);
@@ -44,13 +53,14 @@ const withoutKind = ({told, kind}) => (told.startsWith(`${kind} `) ? told.slice(
 export function contributors({inputs}, to) {
   const told = listOf(inputs).map((one) => ({
     ...one,
-    brief: `${withoutKind(one)}${one.count > 1 ? `, ${one.count} samples` : ''}`,
+    told: `${withoutKind(one)}${one.count > 1 ? `, ${one.count} samples` : ''}`,
+    brief: undefined,
   }));
   return told.length > 0 && section('Who contributed', chain(told, 'inputs', to));
 }
 
 /** Who could have been meant and was not, in the readings that the record goes back to. */
-export function ruledOut({inputs}, to) {
+export function ruledOut({inputs}, to, in_words) {
   const readings = listOf(inputs).flatMap((input) => listOf(input.readings));
   const all = readings
     .flatMap((reading) => listOf(reading.resolved).map((one) => ({n: reading.n, ...one})))
@@ -58,13 +68,11 @@ export function ruledOut({inputs}, to) {
   if (!all.length) return false;
   const objects = new Set(all.flatMap((one) => listOf(one.ruled_out).map(({object}) => text(object))));
   const item = ({n, words, referents, value, ruled_out}) => {
-    const meaning = ` “${text(words ?? '')}” means ${names(referents ?? value ?? 'nothing')}`;
-    const others = listOf(ruled_out).map(({object, reason}) =>
-      h('li', {}, h('b', {}, text(object)), ' ', shown(reason)),
-    );
+    const meaning = [` “${text(words ?? '')}” means `, in_words.things(referents ?? value ?? 'nothing')];
+    const others = listOf(ruled_out).map((one) => in_words.ruledOut(one));
     return [h('p', {class: 'note'}, to(n, `#${n}`), meaning), bullets(others)];
   };
-  return folded(`Ruled out: ${[...objects].join(', ')}`, 'who-not', false, all.map(item));
+  return folded(['Ruled out: ', in_words.things([...objects])], 'who-not', false, all.map(item));
 }
 
 /** The last transition before the record: its condition, the change of the stack, and the nearest that were refused. */
@@ -155,6 +163,7 @@ export function actRecords({act}, to) {
     ...one,
     kind: 'act',
     brief: `${text(one.status)} ${text(one.program)}`,
+    told: `${text(one.status)} ${text(one.told ?? one.program)}`,
   }));
   if (!records.length) return false;
   return folded(

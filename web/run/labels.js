@@ -18,9 +18,15 @@ export class Labels {
     this.#arrived = arrived;
   }
 
-  /** The record in brief, '' until it has come. */
+  /** The record in brief, in words, '' until it has come. */
   label(n) {
-    return this.#pair(n)[0];
+    const [logged, , in_words] = this.#pair(n);
+    return in_words ?? logged;
+  }
+  /** The same as logged where that is something else, otherwise null. */
+  raw(n) {
+    const [logged, , in_words] = this.#pair(n);
+    return in_words === undefined ? null : logged;
   }
   /** The words alone of something said, shown, done or observed. */
   text(n) {

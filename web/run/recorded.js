@@ -84,7 +84,7 @@ export class Recorded {
     for (const n of numbers) {
       const name = kinds[columns.kind[n]];
       if (kind !== '' && kind !== '*' && name !== kind) continue;
-      const line = `${name} ${labels[n]?.[0] ?? ''}`.toLowerCase();
+      const line = `${name} ${labels[n]?.[0] ?? ''}\n${labels[n]?.[2] ?? ''}`.toLowerCase();
       if (words.every((word) => line.includes(word))) found.push(n);
     }
     return Uint32Array.from(found).buffer;

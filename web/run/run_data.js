@@ -6,7 +6,7 @@ import {Schema} from './schema.js';
 const most_effects = 50;
 
 export class RunData {
-  /** `columns` as readColumns gives them; `schema` as /api/schema does; `media`: the recordings; `labels` has label(n) and text(n), '' while they are not known. */
+  /** `columns` as readColumns gives them; `schema` as /api/schema does; `media`: the recordings; `labels`: as of labels.js. */
   constructor({
     summary,
     graph,
@@ -60,6 +60,10 @@ export class RunData {
   }
   label(n) {
     return this.labels.label(n);
+  }
+  /** The label as logged, where the words are others; else null. */
+  raw(n) {
+    return this.labels.raw(n);
   }
   text(n) {
     return this.labels.text(n);

@@ -82,6 +82,9 @@ export class LiveRun {
   label(n) {
     return this.labels.label(n);
   }
+  raw(n) {
+    return this.labels.raw(n);
+  }
   step(n) {
     return lastAtMost(this.steps.n, n);
   }

@@ -33,7 +33,9 @@ export const refusals = (refused, open = false) =>
     h(
       'ul',
       {class: 'candidates'},
-      objectsOf(refused).map((one) => h('li', {}, h('b', {}, text(one.id ?? '?')), ' ', shown(one.reason))),
+      objectsOf(refused).map((one) =>
+        h('li', {}, h('b', {}, text(one.id ?? '?')), ' ', h('span', {class: 'term'}, shown(one.reason))),
+      ),
     ),
   );
 
@@ -49,7 +51,7 @@ function transitionFields(record) {
   const gates = objectsOf(record.gates);
   const fields = [
     line('input', record.input === null || record.input === undefined ? 'ε' : text(record.input)),
-    line('operation', operationText(record.operation)),
+    line('operation', h('span', {class: 'term'}, operationText(record.operation))),
     line(
       'taken',
       h('b', {}, text(record.id)),
@@ -64,7 +66,9 @@ function transitionFields(record) {
     fields.push(
       line(
         'gate',
-        `${text(gate.state)}: ${shown(gate.condition)} `,
+        `${text(gate.state)}: `,
+        h('span', {class: 'term'}, shown(gate.condition)),
+        ' ',
         h('b', {class: gate.passed ? 'yes' : 'no'}, gate.passed ? 'passed' : 'not passed'),
       ),
     );
@@ -101,7 +105,7 @@ function refusalFields(record) {
       {},
       line('state', text(record.state ?? null)),
       line('input', text(record.input ?? null)),
-      line('reason', shown(record.reason)),
+      line('reason', h('span', {class: 'term'}, shown(record.reason))),
     ),
     refusals(record.refused, true),
   ];
@@ -131,35 +135,37 @@ const names = (value) =>
     .map((one) => text(one))
     .join(', ');
 
-function readingFields(record) {
+function readingFields(record, in_words) {
   const typed = (name, value, type) =>
     line(name, h('span', {class: 'term'}, shown(value)), type && h('span', {class: 'type'}, ` : ${type}`));
-  const missing = ({type, words, why, choices}) =>
-    `${text(type)}${words ? `, “${words}”` : ''}: ${whyMissing[why] ?? text(why ?? '')} ${names(choices)}`;
+  const missing = ({type, words, why, choices}) => [
+    `${text(type)}${words ? `, “${words}”` : ''}: ${whyMissing[why] ?? text(why ?? '')} `,
+    in_words.things(listOf(choices)),
+  ];
   const fields = [
     line('move', text(record.move ?? 'not understood')),
     record.words && line('words', `“${record.words}”`),
     record.reading && typed('says', record.reading),
     record.meaning && typed('means', record.meaning, record.type),
-    objectsOf(record.missing).map((gap) => line('missing', missing(gap))),
+    objectsOf(record.missing).map((gap) => line('missing', ...missing(gap))),
     record.shape && line('shape', text(record.shape.reason ?? record.shape.verdict ?? '')),
-    record.referents && line('referents', names(record.referents) || 'none'),
+    record.referents &&
+      line('referents', listOf(record.referents).length ? in_words.things(listOf(record.referents)) : 'none'),
     ['unknown', 'unused'].map((kind) => record[kind] && line(`${kind} words`, names(record[kind]))),
   ];
-  return [h('dl', {}, fields), phraseViews(record), parseList(record)];
+  return [h('dl', {}, fields), phraseViews(record, in_words), parseList(record)];
 }
 
 // Each noun phrase, and a pointing: who was meant, and who was not.
-function phraseViews({resolved, ruled_out, referents}) {
+function phraseViews({resolved, ruled_out, referents}, in_words) {
   const pointing = {words: 'pointing', by: 'pointed', referents, ruled_out};
   const phrases = [...objectsOf(resolved), ...(ruled_out ? [pointing] : [])];
-  return phrases.map((one) => phraseView(one, phrases.length < 3));
+  return phrases.map((one) => phraseView(one, phrases.length < 3, in_words));
 }
-function phraseView({words, phrase, referents, value, by, ruled_out}, open) {
-  const meaning = h('b', {}, referents ? names(referents) || 'nothing' : shown(value));
-  const others = objectsOf(ruled_out).map(({object, reason}) =>
-    h('li', {}, h('b', {}, text(object)), ' ruled out: ', shown(reason)),
-  );
+function phraseView({words, phrase, referents, value, by, ruled_out}, open, in_words) {
+  const meant = referents ? listOf(referents) : [value];
+  const meaning = h('b', {}, meant.length ? in_words.things(meant) : 'nothing');
+  const others = objectsOf(ruled_out).map((one) => in_words.ruledOut(one, ' ruled out: '));
   return h(
     'details',
     {open, 'data-testid': 'resolved'},
@@ -195,6 +201,20 @@ function shortened(value) {
     : objectText(value);
 }
 
+// The same with things in words where it lists some.
+function valueShown(value, in_words) {
+  if (Array.isArray(value) && value.length && value.every((one) => typeof one === 'string'))
+    return in_words.things(value);
+  if (
+    value === null ||
+    typeof value !== 'object' ||
+    Array.isArray(value) ||
+    JSON.stringify(value).length > most_letters
+  )
+    return shortened(value);
+  return Object.entries(value).map(([key, inner], i) => [`${i > 0 ? ', ' : ''}${key} `, valueShown(inner, in_words)]);
+}
+
 /** The whole record, each member with its meaning. */
 export function allFields(record, schema) {
   const fields = Object.entries(record).map(([name, value]) => {
@@ -205,13 +225,17 @@ export function allFields(record, schema) {
 }
 
 // The members of a kind that has no view of its own. Causes and refusals have sections of theirs.
-function ownFields(record, schema) {
+function ownFields(record, schema, in_words, told) {
   const shows = (name) => !schema.isStamp(name) && name !== 'because' && name !== 'refused';
   const own = Object.entries(record).filter(([name, value]) => shows(name) && value !== undefined);
   return h(
     'dl',
     {},
-    own.map(([name, value]) => line(name, shortened(value))),
+    own.map(([name, value]) =>
+      told[name] === undefined
+        ? line(name, ...[valueShown(value, in_words)].flat(Infinity).filter((one) => one !== false))
+        : line(name, h('span', {title: shortened(value)}, told[name])),
+    ),
   );
 }
 
@@ -222,8 +246,10 @@ const views = {
   refusal: refusalFields,
 };
 
-/** The view of the record's kind; null where the sentence above the view says it all. */
-export function recordView(record, schema) {
+/** The view of the record's kind, with things named by `in_words` (a Words) and the members `told` in words; null where the sentence above the view says it all. */
+export function recordView(record, schema, in_words, told) {
   if (record.kind === 'utterance' || record.kind === 'gesture') return null;
-  return views[record.kind]?.(record) ?? [ownFields(record, schema), refusals(record.refused)];
+  return (
+    views[record.kind]?.(record, in_words) ?? [ownFields(record, schema, in_words, told), refusals(record.refused)]
+  );
 }

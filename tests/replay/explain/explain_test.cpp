@@ -95,7 +95,7 @@ TEST_CASE("the headline tells what the avatar did and what it is due to") {
       {"paper/disambiguation",
        {},
        "At 0:01 the avatar asks “Which block do you mean? Should I take the yellow block?”, because the human "
-       "said “Take the block.” (0:01): “block” may mean block1, block4 or block6."},
+       "said “Take the block.” (0:01): “block” may mean the yellow block, the green block or the red block."},
       {"paper/disambiguation", at(6.5),
        "At 0:05.4 the avatar asks “Should I take the red block?”, because the human made the gesture “no” (0:05) "
        "after “Take the block.” (0:01)."},
@@ -113,7 +113,7 @@ TEST_CASE("the headline tells what the avatar did and what it is due to") {
        "(0:26). It was done at 0:30.4."},
       {"paper/one_shot_learning", at(27),
        "At 0:26 the avatar asks “What should I put there?”, because the human said “Put on the plate.” (0:26): "
-       "\\x. put(x, on(plate)) leaves its argument of type e unsaid."},
+       "the thing is left unsaid."},
       {"paper/correction.physics", act(1),
        "At 0:02.2 the avatar puts the white cup 5 cm left of and 18 cm before the table's middle, because the human "
        "said “Put the white cup "
@@ -132,7 +132,7 @@ TEST_CASE("the headline tells what the avatar did and what it is due to") {
       {"talk/n_best",
        {},
        "At 0:03 the avatar asks “Which cup do you mean? Should I put the knife in the white cup?”, because the human "
-       "said “but the knife in the cup” (0:01): “cup” may mean cup or cup_blue."},
+       "said “but the knife in the cup” (0:01): “cup” may mean the white cup or the blue cup."},
       {"paper/disambiguation", step(3),
        "At 0:03 Choose goes to Choose by the transition ‘no, the next’, step 3, because the human said “No.” (0:03) "
        "after “Take the block.” (0:01)."},
