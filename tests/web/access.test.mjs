@@ -1,4 +1,5 @@
-// Nothing stands in the way of access: axe, with targets of 24 px, on all pages, light and dark, on a phone and at 200 %.
+// Nothing stands in the way of access: axe, with targets of 24 px, on all pages and dialogs, on a desk, on a phone and at
+// 200 %, each light and dark.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {writeFileSync} from 'node:fs';
@@ -9,14 +10,15 @@ import {roundsLog} from './logs.mjs';
 import {logOf, program, root, serve, temporaryFolder, Visitor} from './support.mjs';
 
 const sizes = {
-  'light and dark': {viewport: {width: 1280, height: 720}},
-  'on a phone': {viewport: {width: 390, height: 780}, hasTouch: true},
+  'on a desk': {viewport: {width: 1280, height: 720}},
+  'on a phone': {viewport: {width: 390, height: 844}, hasTouch: true},
   'at 200 %': {viewport: {width: 640, height: 360}, deviceScaleFactor: 2},
 };
-// Colours are those of light or dark, whatever the size; and they alone differ in the dark.
+// Colours alone differ in the dark, and those of a page are the same at each size.
 const rules = {'target-size': {enabled: true}};
+const all_schemes = {light: {rules}, dark: {runOnly: ['color-contrast']}};
 const schemes = {
-  'light and dark': {light: {rules}, dark: {runOnly: ['color-contrast']}},
+  'on a desk': all_schemes,
   other: {light: {rules: {...rules, 'color-contrast': {enabled: false}}}},
 };
 const folder = temporaryFolder();
@@ -52,12 +54,60 @@ const served = [
   '/diff/correction/one_breath',
   '/live',
 ];
+const press = (key) => (page) => page.keyboard.press(key);
+/** [what is looked at, the page, how to get there from it]. */
+const further = [
+  ['the keys', '/r/correction?n=40', press('?')],
+  ['the keys of the start page', '/', press('?')],
+  ['the palette', '/r/correction?n=40', press('#')],
+  ['the choice of a run to compare', '/r/correction?n=40', press('c')],
+  ['what if', '/r/correction?n=40', press('x')],
+  ['a selected stretch', '/r/rounds', selectStretch],
+  ['a session', '/live', beginSession],
+  [
+    'an ended session',
+    '/live',
+    async (page) => {
+      await beginSession(page);
+      await visitor.at('live-end').click();
+      await visitor.at('live-summary').waitFor();
+    },
+  ],
+];
+async function selectStretch(page) {
+  await visitor.at('timeline').scrollIntoViewIfNeeded();
+  const {x, y, width} = await visitor.at('timeline').boundingBox();
+  await page.keyboard.down('Shift');
+  await page.mouse.move(x + 120, y + 40);
+  await page.mouse.down();
+  await page.mouse.move(x + width - 20, y + 40, {steps: 4});
+  await page.mouse.up();
+  await page.keyboard.up('Shift');
+  await visitor.at('stretch').waitFor();
+}
+async function beginSession(page) {
+  await visitor.at('live-start').click();
+  await page.waitForFunction(() => document.querySelector('.stage.map'));
+  await visitor.at('talk').fill('The plate.');
+  await visitor.at('talk').press('Enter');
+  await page.locator('[data-testid=conversation] li[data-who=avatar]').first().waitFor();
+  await visitor.at('live-machine-button').click();
+}
 const exported = ['/correction.html', '/site/index.html', '/site/index.html#/diff/correction/one_breath'];
 
 /** All details are opened: what they hide is looked at too. */
 const openAll = (page) => page.evaluate(() => document.querySelectorAll('details').forEach((one) => (one.open = true)));
 
-for (const [size, options] of Object.entries(sizes))
+async function look(browser, page, looks) {
+  await openAll(page);
+  for (const [colorScheme, looked] of Object.entries(looks)) {
+    await page.emulateMedia({colorScheme});
+    await page.waitForFunction(() => document.getAnimations().every((one) => !(one instanceof CSSTransition)));
+    assert.deepEqual(await browser.violations(looked), [], colorScheme);
+  }
+}
+
+for (const [size, options] of Object.entries(sizes)) {
   for (const [browser, paths] of [
     [() => visitor, served],
     [() => disk, exported],
@@ -65,10 +115,12 @@ for (const [size, options] of Object.entries(sizes))
     for (const path of paths)
       test(`${path} ${size}`, async () => {
         const page = await browser().visit(path, {...options, bypassCSP: true});
-        await openAll(page);
-        for (const [colorScheme, looked] of Object.entries(schemes[size] ?? schemes.other)) {
-          await page.emulateMedia({colorScheme});
-          await page.waitForFunction(() => document.getAnimations().every((one) => !(one instanceof CSSTransition)));
-          assert.deepEqual(await browser().violations(looked), [], colorScheme);
-        }
+        await look(browser(), page, schemes[size] ?? schemes.other);
       });
+  for (const [name, path, reach] of further)
+    test(`${name}, ${size}`, async () => {
+      const page = await visitor.visit(path, {...options, bypassCSP: true});
+      await reach(page);
+      await look(visitor, page, all_schemes);
+    });
+}
