@@ -9,6 +9,7 @@
 #include "continua/core/characters.h"
 #include "continua/replay/inspector/run_find.h"
 #include "continua/replay/inspector/run_labels.h"
+#include "continua/replay/log/brief_in_words.h"
 #include "continua/replay/log/log_file.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_listing.h"
@@ -161,10 +162,12 @@ void check_columns(const std::string& text) {
 void check_find(const std::string& text, const std::string& words) {
   INFO(words);
   const auto run = index_of(text);
+  const RunWords run_words(run);
   std::vector<std::uint32_t> expected;
   for (std::size_t n = 0; n < run.size(); ++n) {
     const auto record = *run.record(n);
-    const auto told = folded(run.kind(n) + " " + (run.kind(n) == "pose" ? "" : brief(record)));
+    const auto label = brief(record) + "\n" + brief_in_words(run_words, record);
+    const auto told = folded(run.kind(n) + " " + (run.kind(n) == "pose" ? "" : label));
     bool all = true;
     for (std::size_t from = 0; from < words.size();) {
       const auto end = std::min(words.find(' ', from), words.size());
