@@ -21,8 +21,9 @@ constexpr std::array looks = {
     GraphLook{{0, 0}, false, {false, 30, 12}},  GraphLook{{0, 0}, false, {true, 28, 12}},
     GraphLook{{0, 0}, true, {false, 26, 9}},    GraphLook{{0, 0}, true, {true, 24, 9}},
 };
-constexpr double highest_share = 1.35;  ///< of a drawing's height in its width: that of a page
-constexpr double densest = 0.5;         ///< share of a page that states and labels may cover
+constexpr double highest_share = 1.35;    ///< of a drawing's height in its width: that of a page
+constexpr std::size_t many_arrows = 200;  ///< from which on a layout takes seconds: only the densest look is tried
+constexpr double densest = 0.5;           ///< share of a page that states and labels may cover
 
 // How much too large a drawing is for its page; at most 1 if it fits.
 double excess_of(const GraphDrawing& drawing, double width) {
@@ -35,7 +36,7 @@ class BestDrawing {
       : graph_(graph), arrows_(arrows), width_(width) {}
 
   Result<std::unique_ptr<GraphDrawing>> find() {
-    for (std::size_t i = 0; i < looks.size(); i += 2) {
+    for (std::size_t i = arrows_.size() > many_arrows ? looks.size() - 2 : 0; i < looks.size(); i += 2) {
       if (looks[i].labels.lines > 0 && !has_room(looks[i])) continue;
       for (const auto& look : {looks[i], looks[i + 1]})
         if (!best_ || excess_ > 1) consider(look);
