@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "continua/replay/explain/explain_origin.h"
+#include "continua/replay/log/expectation_words.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
 
@@ -210,7 +211,7 @@ std::string led_to(ExplainScope& scope, std::size_t input) {
 std::string expectation(ExplainScope& scope, const Json& expect) {
   return fmt::format("At {} the expectation of line {} is {}: {}", time_text(scope.run().entry(scope.n()).t.seconds()),
                      text_of(expect, "line"), member_of(expect, "met") == false ? "not met" : "met",
-                     expectation_in_words(scope.words(), expect));
+                     differences_text(scope.words(), expect));
 }
 
 }  // namespace

@@ -207,7 +207,7 @@ TEST_CASE("an expectation that was not met comes first, and is traced to what wa
   CHECK(told["kind"] == "expect");
   CHECK(told["about"] == 6);
   CHECK(told["headline"] ==
-        "At 0:10 the expectation of line 9 is not met: the avatar's words: expected “Okay.”, found “Which block?”. At "
+        "At 0:10 the expectation of line 9 is not met: the avatar says “Okay.”, found “Which block?”. At "
         "0:01.5 the avatar asks "
         "“Which block?”, because the human said “Put it there.” (0:01.5).");
 }
