@@ -75,10 +75,9 @@ test('the stack shows symbols, slots and changes, with λ', async () => {
   assert.match(await at('symbol').first().innerText(), /\+[\s\S]*action[\s\S]*λb\. put\(b, on\(block1\)\)/);
   await at('graph').locator('[data-state=Act]').click();
   await visitor.page.waitForSelector('.symbol.changed:not(.was)');
-  assert.match(
-    await visitor.page.locator('.symbol.changed:not(.was)').innerText(),
-    /~[\s\S]*put\(block2, on\(block1\)\)/,
-  );
+  const changed = visitor.page.locator('.symbol.changed:not(.was)');
+  assert.match(await changed.innerText(), /~[\s\S]*λb\. put\(b, on\(block1\)\)[\s\S]*puts block2 on block1/);
+  assert.equal(await changed.locator('[title="put(block2, on(block1))"]').count(), 1, 'the log has the term');
 });
 
 test('arrow keys step, and the address follows', async () => {
