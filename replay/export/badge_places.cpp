@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace continua {
 namespace {
@@ -21,11 +24,60 @@ double length_of(const std::vector<PagePoint>& line) {
   return length;
 }
 
+// Boxes and points of lines by the squares of the page that they are in, so that a place asks its own squares alone.
+class Squares {
+ public:
+  void add(const PageBox& box) {
+    each_square(box, [&](Square& square) { square.boxes.push_back(box); });
+  }
+  void add(const std::vector<PagePoint>& line, std::size_t number) {
+    for (const auto& point : line)
+      each_square({point, 0, 0}, [&](Square& square) { square.points.emplace_back(point, number); });
+  }
+  bool is_taken(const PageBox& box) {
+    bool taken = false;
+    each_square(box, [&](const Square& square) {
+      taken = taken || std::any_of(square.boxes.begin(), square.boxes.end(), [&](auto& one) { return one.meets(box); });
+    });
+    return taken;
+  }
+  // How many lines but that of this number pass through the box.
+  std::size_t lines_in(const PageBox& box, std::size_t own) {
+    std::set<std::size_t> lines;
+    each_square(box, [&](const Square& square) {
+      for (const auto& [point, number] : square.points)
+        if (number != own && box.meets({point, 0, 0})) lines.insert(number);
+    });
+    return lines.size();
+  }
+
+ private:
+  struct Square {
+    std::vector<PageBox> boxes;
+    std::vector<std::pair<PagePoint, std::size_t>> points;
+  };
+  static constexpr double side_px = 32;
+
+  template <typename Act>
+  void each_square(const PageBox& box, const Act& act) {
+    const auto [x, y] = box.centre;
+    const auto index = [](double at) { return static_cast<int>(std::floor(at / side_px)); };
+    for (int i = index(x - box.width / 2); i <= index(x + box.width / 2); ++i)
+      for (int j = index(y - box.height / 2); j <= index(y + box.height / 2); ++j) act(squares_[{i, j}]);
+  }
+
+  std::map<std::pair<int, int>, Square> squares_;
+};
+
 class Places {
  public:
-  Places(const std::vector<Badge>& badges, std::vector<PageBox> boxes,
+  Places(const std::vector<Badge>& badges, const std::vector<PageBox>& boxes,
          const std::vector<std::vector<PagePoint>>& others)
-      : badges_(badges), boxes_(std::move(boxes)), others_(others) {}
+      : badges_(badges) {
+    for (const auto& box : boxes) squares_.add(box);
+    for (std::size_t i = 0; i < badges.size(); ++i) squares_.add(badges[i].line, i);
+    for (std::size_t i = 0; i < others.size(); ++i) squares_.add(others[i], badges.size() + i);
+  }
 
   BadgePlaces found() {
     BadgePlaces places{std::vector<PagePoint>(badges_.size()), true};
@@ -40,7 +92,7 @@ class Places {
       for (int aside = 0; aside <= most_aside && best_.cost > of_step_aside * aside; ++aside) look_at(badge, aside);
       places.centres[badge] = best_.centre.value_or(badges_[badge].line[badges_[badge].line.size() / 2]);
       places.apart = places.apart && best_.centre;
-      boxes_.push_back({places.centres[badge], badges_[badge].width, badges_[badge].height});
+      squares_.add(PageBox{places.centres[badge], badges_[badge].width, badges_[badge].height});
     }
     return places;
   }
@@ -73,20 +125,13 @@ class Places {
   void consider(std::size_t badge, const PageBox& box, double cost) {
     if (cost >= best_.cost) return;
     const PageBox wide{box.centre, box.width + 2 * air, box.height + 2 * air};
-    if (std::any_of(boxes_.begin(), boxes_.end(), [&](const auto& one) { return one.meets(wide); })) return;
-    const auto passes = [&](const std::vector<PagePoint>& line) {
-      return std::any_of(line.begin(), line.end(), [&](const PagePoint& p) { return wide.meets({p, 0, 0}); });
-    };
-    for (std::size_t i = 0; i < badges_.size(); ++i)
-      if (i != badge && passes(badges_[i].line)) cost += of_line_below;
-    for (const auto& line : others_)
-      if (passes(line)) cost += of_line_below;
+    if (squares_.is_taken(wide)) return;
+    cost += of_line_below * static_cast<double>(squares_.lines_in(wide, badge));
     if (cost < best_.cost) best_ = {box.centre, cost};
   }
 
   const std::vector<Badge>& badges_;
-  std::vector<PageBox> boxes_;
-  const std::vector<std::vector<PagePoint>>& others_;
+  Squares squares_;
   Best best_;
 };
 
@@ -97,9 +142,9 @@ bool PageBox::meets(const PageBox& other) const {
          std::abs(centre.y - other.centre.y) < (height + other.height) / 2;
 }
 
-BadgePlaces badge_places(const std::vector<Badge>& badges, std::vector<PageBox> boxes,
+BadgePlaces badge_places(const std::vector<Badge>& badges, const std::vector<PageBox>& boxes,
                          const std::vector<std::vector<PagePoint>>& others) {
-  return Places(badges, std::move(boxes), others).found();
+  return Places(badges, boxes, others).found();
 }
 
 }  // namespace continua

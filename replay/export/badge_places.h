@@ -27,7 +27,7 @@ struct BadgePlaces {
 
 /// On its own line each, as near to the middle as can be, where no other line passes if there is such a place; beside
 /// the line where there is no place on it. `others`: points along lines without badges.
-BadgePlaces badge_places(const std::vector<Badge>& badges, std::vector<PageBox> boxes,
+BadgePlaces badge_places(const std::vector<Badge>& badges, const std::vector<PageBox>& boxes,
                          const std::vector<std::vector<PagePoint>>& others);
 
 }  // namespace continua

@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "continua/replay/export/graph_drawing.h"
 #include "continua/replay/export/graph_legend.h"
 
@@ -23,6 +25,7 @@ constexpr std::array looks = {
 };
 constexpr double highest_share = 1.35;    ///< of a drawing's height in its width: that of a page
 constexpr std::size_t many_arrows = 200;  ///< from which on a layout takes seconds: only the densest look is tried
+constexpr std::size_t most_arrows = 600;  ///< of which places for numbers are found in some seconds
 constexpr double densest = 0.5;           ///< share of a page that states and labels may cover
 
 // How much too large a drawing is for its page; at most 1 if it fits.
@@ -76,6 +79,11 @@ class BestDrawing {
 Result<std::string> svg_of(const StateGraph& graph, double width_mm) {
   const double width = width_mm * pixels_per_mm - 2 * picture_margin;
   const auto arrows = arrows_of(graph);
+  if (arrows.size() > most_arrows)
+    return Error{graph.name,
+                 fmt::format("has {} arrows; expected at most {} in a picture; --states and --visited cut it "
+                             "down, and --dot gives it to other programs",
+                             arrows.size(), most_arrows)};
   const auto found = BestDrawing(graph, arrows, width).find();
   if (!found) return found.error();
   const auto& drawing = **found;
