@@ -37,9 +37,8 @@ Result<std::size_t> asked_record(const RunIndex& run, const ExplainQuestion& que
 /// - "cells": the cells of the stack at n, since when and where from (explained_cells)
 /// - "derivation": the term behind it (derivation_of) or null
 /// - "act": the course of the act (explained_act) or null
-/// - "brought_about": the immediate consequences, [{"n", "kind", "brief", "told"}]; "along": the other consequences of
-/// its
-///   cause
+/// - "brought_about": the immediate consequences, [{"n", "kind", "brief", "told"}]; "along": the other
+///   consequences of its cause
 /// - "fragile": [{"n", "margin"}] of the readings and transitions behind it that the log's end lists as fragile
 /// - "trouble": the fault of the log's end, or empty
 ///

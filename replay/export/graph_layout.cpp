@@ -16,7 +16,7 @@ constexpr double points_per_inch = 72;
 
 // Graphviz's effort grows with the number of ranks that all edges together pass: up to a second for 1,500 in full
 // quality, up to half a minute for 100,000 with straight lines and few attempts to make them cross less.
-constexpr long most_in_full_quality = 1500, most = 100'000;
+constexpr long most_in_full_quality = 1500;
 constexpr const char* draft = " nslimit=2 nslimit1=2 mclimit=0.1 splines=line";
 
 std::string graphviz_message;
@@ -144,11 +144,6 @@ Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<L
   const Work ranking(document_of(nodes, edges, style, " phase=1 nslimit1=2"));
   if (!ranking.graph()) return Error{"", "Graphviz could not rank its states: " + graphviz_message};
   const auto effort = ranks_passed(ranking.graph());
-  if (effort > most)
-    return Error{"",
-                 fmt::format("is too entangled to be drawn: its arrows pass {} ranks of states, expected at most {}; "
-                             "as dot text it can be given to other layouts",
-                             effort, most)};
   const Work work(document_of(nodes, edges, style, effort > most_in_full_quality ? draft : ""));
   if (!work.graph()) return Error{"", "Graphviz could not lay it out: " + graphviz_message};
   auto layout = layout_of(work.graph(), nodes.size(), edges);

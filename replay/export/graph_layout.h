@@ -37,9 +37,9 @@ struct LayoutStyle {
   double between_ranks = 14.4, between_nodes = 10.8;
 };
 
-/// All arrows of `first` are laid onward from it. Large graphs get straight lines; a graph that would take minutes is
-/// an error. The same input gives the same layout. Not to be called from two threads at once: Graphviz keeps its state
-/// in variables of its own.
+/// All arrows of `first` are laid onward from it. Large graphs get straight lines; their number of edges
+/// is the caller's to limit. The same input gives the same layout. Not to be called from two threads at once: Graphviz
+/// keeps its state in variables of its own.
 Result<Layout> lay_out(const std::vector<LayoutNode>& nodes, const std::vector<LayoutEdge>& edges, std::size_t first,
                        const LayoutStyle& style = {});
 

@@ -14,8 +14,8 @@ namespace continua {
 /// a run did not visit are pale, lines that it took often are thick. No label is cut: where the width has no room for
 /// it, its arrow has a number, and the label stands in a legend below; each arrow's labels stand in its tooltip too. At
 /// most `width_mm` wide; text has 7 points at least, except in the drawing of a graph that is too large for that. The
-/// same graph gives the same bytes. Graphs that cannot be laid out in reasonable time are refused. Not to be called
-/// from two threads at once.
+/// same graph gives the same bytes. Graphs of more than 600 arrows, which would take minutes, are refused. Not to be
+/// called from two threads at once.
 Result<std::string> svg_of(const StateGraph& graph, double width_mm = page_width_mm);
 
 }  // namespace continua
