@@ -15,7 +15,9 @@ namespace continua {
 namespace {
 
 constexpr std::size_t most_axes = 8;
-constexpr double cell_width = 52, cell_height = 26, gap = 14, margin = 16, label_width = 130, head_height = 54;
+constexpr double cell_width = 52, cell_height = 26, gap = 14, margin = 16, head_height = 54;
+constexpr double level_width = 44;   // of the names of levels beside the rows
+constexpr double name_column = 7.4;  // of a letter of a value's name
 constexpr double curve_width = 240, curve_height = 150, scale_width = 56, foot_height = 46;
 
 constexpr const char* style = R"(<style>
@@ -105,19 +107,26 @@ const char* words_of_interval(const std::vector<SweptPoint>& points) {
 
 double extent(const SweepAxis& axis, double of_level) { return static_cast<double>(axis.levels.size()) * of_level; }
 
+// The room beside the rows, in which their names are whole.
+double room_for_names(const std::vector<SweepAxis>& axes) {
+  std::size_t longest = 0;
+  for (std::size_t down = 1; down < axes.size(); ++down) longest = std::max(longest, axes[down].name.size());
+  return level_width + name_column * static_cast<double>(longest) + 6;
+}
+
 // Level names along the axes of a matrix of panels, and the cells of each panel.
 std::vector<Cell> lay_out(Picture& picture, const std::vector<SweptPoint>& points, const std::string& figure,
                           const std::vector<SweepAxis>& axes, double& width, double& height) {
   std::vector<Cell> cells;
+  const double left = margin + room_for_names(axes);
   double y = head_height;
   for (std::size_t down = 1; down < axes.size(); ++down) {
     const auto& rows = axes[down];
-    picture.text(margin + label_width - 44, y + extent(rows, cell_height) / 2 + 4, "name right",
-                 shortened(rows.name, 14));
+    picture.text(left - level_width, y + extent(rows, cell_height) / 2 + 4, "name right", rows.name);
     for (std::size_t row = 0; row < rows.levels.size(); ++row)
-      picture.text(margin + label_width - 6, y + cell_height * (static_cast<double>(row) + 0.5) + 4, "right",
+      picture.text(left - 6, y + cell_height * (static_cast<double>(row) + 0.5) + 4, "right",
                    shortened(rows.levels[row], 7));
-    double x = margin + label_width;
+    double x = left;
     for (std::size_t across = 0; across < down; ++across) {
       const auto& columns = axes[across];
       for (std::size_t row = 0; row < rows.levels.size(); ++row)
@@ -130,7 +139,7 @@ std::vector<Cell> lay_out(Picture& picture, const std::vector<SweptPoint>& point
     }
     y += extent(rows, cell_height) + gap;
   }
-  double x = margin + label_width;
+  double x = left;
   for (std::size_t across = 0; across + 1 < axes.size(); ++across) {
     const auto& columns = axes[across];
     for (std::size_t column = 0; column < columns.levels.size(); ++column)

@@ -109,6 +109,18 @@ TEST_CASE("means are over all other values, their interval over seeds") {
   CHECK(heat_maps({points[0], points[3]}, "f1").empty());
 }
 
+TEST_CASE("a heat map has the names of its rows whole, with room for them") {
+  std::vector<SweptPoint> points;
+  const std::string name = "weights.a_transition_with_a_long_name";
+  for (std::size_t i = 0; i < 4; ++i) points.push_back(point(i + 1, {{"a", i % 2}, {name, i / 2}}, "1", 0.5));
+  const auto heat = heat_maps(points, "f1");
+  const std::string begin = "<text class=\"name right\" x=\"";
+  const auto at = heat.find(begin);
+  REQUIRE(at != std::string::npos);
+  CHECK(heat.find(">" + name + "</text>", at) != std::string::npos);
+  CHECK(std::stod(heat.substr(at + begin.size())) > 7 * static_cast<double>(name.size()));
+}
+
 TEST_CASE("many numbers of an axis are put into equal parts of their range") {
   std::vector<SweptPoint> points;
   for (std::size_t i = 0; i < 24; ++i) points.push_back(point(i + 1, {{"a", static_cast<double>(i) / 2}}, "", 0.5));
