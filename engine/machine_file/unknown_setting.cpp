@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "continua/core/counted.h"
 #include "continua/core/located_json.h"
 
 namespace continua {
@@ -15,10 +16,6 @@ namespace {
 
 constexpr std::size_t longest_name = 200;  ///< of one that is compared; real names are shorter
 constexpr std::string_view of_weight = "weights.", of_gate = "gate.", of_belief = "belief.";
-
-std::string counted(std::size_t number, const char* noun) {
-  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
-}
 
 // The row and the level of "3.1", counted from 1.
 std::optional<std::pair<std::size_t, std::size_t>> row_and_level(std::string_view text) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "continua/core/counted.h"
 #include "continua/replay/explain/explain_lines.h"
 #include "continua/replay/log/act_outcome.h"
 #include "continua/replay/log/kinds.h"
@@ -25,9 +26,6 @@ constexpr std::size_t most_failures = 3;     // that the sentences tell
 std::string clock(double t) {
   const auto whole = static_cast<long>(t + 0.0005);
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
-}
-std::string counted(std::size_t count, const std::string& one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 std::string text_of_member(std::string_view line, std::string_view key) { return text_in(member_in(line, key)); }
 

@@ -71,10 +71,6 @@ std::string verdict_word(const std::string& word, bool good) {
   return fmt::format("\033[{}m{}\033[0m", good ? 32 : 31, word);
 }
 
-std::string counted(std::size_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 int jobs_at_a_time(int jobs, const std::string& learned) {
   if (learned.empty() || jobs <= 1) return std::max(1, jobs);
   report({"--learned", "each trace begins with what the ones before it taught: one at a time, whatever -j says"});

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 
+#include "continua/core/counted.h"
 #include "continua/core/result.h"
 
 namespace continua {
@@ -35,9 +36,6 @@ void report_warning(const Error& warning);
 /// The word of a verdict in green or, a bad one, in red, where standard output is a terminal and NO_COLOR is not set
 /// (no-color.org); otherwise the word.
 std::string verdict_word(const std::string& word, bool good);
-
-/// "1 event", "2 events".
-std::string counted(std::size_t count, const std::string& noun);
 
 /// The number of traces replayed at a time: with a file of lessons (`learned`, or empty) one, since each begins with
 /// the lessons of the ones before it; a request for another number is told.
