@@ -169,11 +169,12 @@ test('by keyboard alone: the cross points, and the avatar answers', async () => 
   assert.ok(await at('talk').evaluate((box) => box === document.activeElement));
 });
 
-test('who comes later watches, and cannot send', async () => {
+test('who comes later watches, and cannot send', async (t) => {
   await begin(flat);
   const id = await idOf();
   await answered(() => type('The plate.'), 'Okay, go on.');
   const guest = await Visitor.start(server.address);
+  t.after(() => guest.close());
   await guest.visit(`/live/${id}`);
   await guest.at('live-watching').waitFor();
   assert.equal(await guest.at('talk').count(), 0);
@@ -187,7 +188,6 @@ test('who comes later watches, and cannot send', async () => {
   await guest.page.locator('[data-testid=conversation] >> text=“The knife.”').waitFor();
   assert.equal(await guest.page.locator('[data-who=human]').count(), 2);
   assert.deepEqual(guest.complaints, []);
-  await guest.close();
 });
 
 test('while the server is gone the page says so at once, its clock stands, and words wait to be sent', async () => {

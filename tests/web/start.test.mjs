@@ -4,7 +4,7 @@ import {appendFileSync, existsSync, mkdirSync, readFileSync, utimesSync, writeFi
 import {join} from 'node:path';
 import {test} from 'node:test';
 import {at, folder, listed, serveFolder, server, visitor} from './served.mjs';
-import {logOf, root, serve, temporaryFolder, Visitor} from './support.mjs';
+import {guestOf, logOf, root, temporaryFolder} from './support.mjs';
 
 const lines = logOf('paper/disambiguation').split('\n').filter(Boolean);
 serveFolder(() => {
@@ -66,17 +66,14 @@ test('search narrows the list and is part of the address', async () => {
   assert.equal(await at('search').inputValue(), 'cut');
 });
 
-test('no runs: it says how to make one', async () => {
+test('no runs: it says how to make one', async (t) => {
   const empty = temporaryFolder();
-  const other = await serve(empty);
-  const guest = await Visitor.start(other.address);
+  const guest = await guestOf(t, empty);
   await guest.visit('/');
   assert.match(
     await guest.at('no-runs').innerText(),
     /Talk to the avatar[\s\S]*Drop a run log[\s\S]*continua replay TRACE/,
   );
-  await guest.close();
-  other.stop();
 });
 
 test('a note is kept beside the run, shown again, and taken away', async () => {
@@ -195,12 +192,11 @@ test('a trace or a log that is dropped on the page, or chosen, is opened', async
   assert.match(await at('drop-said').innerText(), /its scene is .*passwd.*one of the program's own/);
 });
 
-test('of very many runs those near the window are there, and the arrows reach all', async () => {
+test('of very many runs those near the window are there, and the arrows reach all', async (t) => {
   const many = temporaryFolder();
   const one = logOf('paper/special_dpda');
   for (let i = 0; i < 300; ++i) writeFileSync(join(many, `run_${String(i).padStart(3, '0')}.run.jsonl`), one);
-  const other = await serve(many);
-  const guest = await Visitor.start(other.address);
+  const guest = await guestOf(t, many);
   await guest.visit('/');
   await guest.page.waitForFunction(() => !/being read/.test(document.body.innerText));
   await guest.page.waitForFunction(() => /300 recorded runs/.test(document.body.innerText));
@@ -220,7 +216,10 @@ test('of very many runs those near the window are there, and the arrows reach al
   await guest.page.locator(box).evaluate((main) => {
     main.scrollTop = 0;
   });
-  await guest.page.waitForFunction(() => document.querySelector('a.name')?.getBoundingClientRect().top > 0);
+  await guest.page.waitForFunction(() => {
+    const {top} = document.querySelector('a.name').getBoundingClientRect();
+    return top > 0 && top < innerHeight;
+  });
   await guest.page.locator('a.name').first().focus();
   const reached = new Set();
   for (let i = 0; i < 100; ++i) {
@@ -228,6 +227,4 @@ test('of very many runs those near the window are there, and the arrows reach al
     await guest.page.keyboard.press('ArrowDown');
   }
   assert.equal(reached.size, 100);
-  await guest.close();
-  other.stop();
 });

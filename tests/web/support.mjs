@@ -152,3 +152,12 @@ export class Visitor {
     await this.browser?.close();
   }
 }
+
+/** A visitor of a server of its own for these runs, until test `t` ends, whichever way. */
+export async function guestOf(t, runs) {
+  const server = await serve(runs);
+  t.after(server.stop);
+  const guest = await Visitor.start(server.address);
+  t.after(() => guest.close());
+  return guest;
+}

@@ -4,7 +4,7 @@ import {writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 import {at, folder, listed, serveFolder, visitor} from './served.mjs';
-import {logOf, numberOf, recordsOf, root, serve, Visitor} from './support.mjs';
+import {guestOf, logOf, numberOf, recordsOf, root} from './support.mjs';
 
 serveFolder(
   () => {
@@ -106,11 +106,10 @@ test('what if it had come earlier', async () => {
   assert.ok(Math.abs(b.t[b.lanes.speech.n[1]] - (t - 0.5)) < 1e-3);
 });
 
-test('what if another transition had been taken', async () => {
+test('what if another transition had been taken', async (t) => {
   const path = join(root, 'traces/talk/n_best.run.jsonl');
   const rivals = ({kind, candidates}) => kind === 'transition' && new Set(candidates.map(({id}) => id)).size > 1;
-  const other = await serve(path);
-  const guest = await Visitor.start(other.address);
+  const guest = await guestOf(t, path);
   await guest.visit(`/r/n_best?n=${numberOf('talk/n_best', rivals)}`);
   await guest.at('what-if-open').click();
   await guest.at('what-if-run').click();
@@ -124,6 +123,4 @@ test('what if another transition had been taken', async () => {
   await guest.page.waitForURL(/\/diff\/n_best\/what-if/);
   await guest.at('verdict').waitFor();
   assert.match(await guest.at('verdict').innerText(), /^≠ /);
-  await guest.close();
-  other.stop();
 });
