@@ -1,12 +1,14 @@
 // The words of a language and their meanings: data, read from a folder of JSON files (language/LEXICON.md).
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -78,8 +80,14 @@ struct LexiconExample {
   std::vector<std::string> unknown;
 };
 
-/// Entries by their text; an entry of several words has single spaces between them.
-using WordTable = std::map<std::string, WordEntry, std::less<>>;
+/// The hash of a text, however it is held.
+struct TextHash {
+  using is_transparent = void;
+  std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
+};
+
+/// Entries by their text, in no order; an entry of several words has single spaces between them.
+using WordTable = std::unordered_map<std::string, WordEntry, TextHash, std::equal_to<>>;
 
 /// The single words of an entry.
 std::vector<std::string_view> parts_of_entry(std::string_view words);
@@ -106,21 +114,24 @@ struct Lexicon {
   std::vector<NameTemplate> taken;    ///< for known words in place of a new name: "call the block (cup)"
   std::vector<NameTemplate> nouns;    ///< for nouns that the human taught: "put (bob) on the plate"
   std::vector<NameTemplate> numbers;  ///< for numbers in digits: "(10) centimetres"
-  std::vector<LexiconExample> examples;
-  std::vector<ObjectState> sample;   ///< the objects of the scene in which the examples are read
-  std::string digest;                ///< of its files
-  std::vector<std::string> folders;  ///< of its files; that of the lexicon which another one is based on comes before
+  std::vector<ObjectState> sample;    ///< the objects of the scene in which the examples are read
+  std::string digest;                 ///< of its files
+  std::vector<std::string> folders;   ///< of its files; that of the lexicon which another one is based on comes before
 };
 
-/// Reads all *.json of the folder, after those of the lexicon that it is based on (LEXICON.md, Words of one's own).
-/// `facts`: the facts of the world, which terms may use besides the names of the term language and of the lexicon.
-/// `known`: the folder of the lexicons that have names. The error is the first problem.
+/// Reads all *.json of the folder but for their examples, after those of the lexicon that it is based on (LEXICON.md,
+/// Words of one's own). `facts`: the facts of the world, which terms may use besides the names of the term language and
+/// of the lexicon. `known`: the folder of the lexicons that have names. The error is the first problem.
 Result<Lexicon> load_lexicon(const std::string& folder, const Signature& facts, const std::string& known = "");
 
-/// Every problem of the folder, file by file, as "file:line:column: found …, expected …".
+/// Every problem of the folder, those of its examples too, file by file, as "file:line:column: found …, expected …".
 std::vector<Error> check_lexicon(const std::string& folder, const Signature& facts, const std::string& known = "");
 
-/// An error for each example sentence whose reading is not the expected one, with the place of the example.
-std::vector<Error> check_examples(const Lexicon& lexicon);
+/// The examples of a loaded lexicon, from the files of its folders. Only who checks or counts them needs them. The
+/// error is the first problem.
+Result<std::vector<LexiconExample>> load_examples(const Lexicon& lexicon);
+
+/// An error for each example sentence that the lexicon reads otherwise than expected, with the place of the example.
+std::vector<Error> check_examples(const std::vector<LexiconExample>& examples, const Lexicon& lexicon);
 
 }  // namespace continua

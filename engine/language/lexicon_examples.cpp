@@ -128,18 +128,22 @@ void LexiconReader::read_sample() {
     }
 }
 
-void LexiconReader::read_examples() {
-  const auto vocabulary = vocabulary_of(lexicon_);
-  for (const auto& item : elements_of("examples", "examples"))
-    if (item.expect_object("an example",
-                           {"say", "reading", "readings", "fragments", "none", "move", "missing", "unknown", "about"}))
-      lexicon_.examples.push_back(read_example(item, vocabulary.names()));
+std::vector<LexiconExample> read_examples(const std::vector<LocatedJson>& documents, const Lexicon& lexicon,
+                                          DocumentReader& reader) {
+  const auto vocabulary = vocabulary_of(lexicon);
+  std::vector<LexiconExample> examples;
+  for (const auto& document : documents)
+    for (const auto& item : reader.root(document).member("examples").elements("examples"))
+      if (item.expect_object(
+              "an example", {"say", "reading", "readings", "fragments", "none", "move", "missing", "unknown", "about"}))
+        examples.push_back(read_example(item, vocabulary.names()));
+  return examples;
 }
 
-std::vector<Error> check_examples(const Lexicon& lexicon) {
+std::vector<Error> check_examples(const std::vector<LexiconExample>& examples, const Lexicon& lexicon) {
   const auto vocabulary = vocabulary_of(lexicon);
   std::vector<Error> errors;
-  for (const auto& example : lexicon.examples)
+  for (const auto& example : examples)
     for (const auto& sentence : example.say)
       if (const auto wrong = fault(example, continua::read(sentence, vocabulary), lexicon); !wrong.empty())
         errors.push_back({example.where, fmt::format("'{}': {}", sentence, wrong)});

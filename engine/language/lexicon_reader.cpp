@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -63,19 +62,7 @@ Lexicon LexiconReader::read() {
   lexicon_.nouns = read_name_templates("nouns");
   lexicon_.numbers = read_name_templates("numbers");
   read_sample();
-  if (reader_.sound()) read_examples();
-  take_entries_apart();
   return std::move(lexicon_);
-}
-
-void LexiconReader::take_entries_apart() {
-  std::unordered_set<std::string_view> seen;
-  for (const auto& [words, entry] : lexicon_.words) {
-    const auto parts = parts_of_entry(words);
-    for (const auto part : parts)
-      if (seen.insert(part).second) lexicon_.parts.emplace(part);
-    lexicon_.most_words = std::max(lexicon_.most_words, parts.size());
-  }
 }
 
 std::vector<NamedItem> LexiconReader::members_of(const std::string& section, const char* what) const {
@@ -96,9 +83,28 @@ void problem_with_quote(const Item& item, const Error& error) {
   item.problem_in_text(byte_of_column(error), fmt::format("{}, in {}", error.sentence, in_quotes(item.text("a term"))));
 }
 
-namespace {
-
 namespace fs = std::filesystem;
+
+Result<std::vector<LocatedJson>> documents_in(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  std::error_code error;
+  for (fs::directory_iterator each(folder, error), end; !error && each != end; each.increment(error))
+    if (each->path().extension() == ".json") paths.push_back(each->path());
+  if (error)
+    return Error{folder.string(), fmt::format("cannot be read: {}; expected a folder of JSON files", error.message())};
+  if (paths.empty())
+    return Error{folder.string(), "there is no *.json in this folder; expected the files of a lexicon"};
+  std::sort(paths.begin(), paths.end());
+  std::vector<LocatedJson> documents;
+  for (const auto& path : paths) {
+    auto document = LocatedJson::read(path.string());
+    if (!document) return document.error();
+    documents.push_back(*std::move(document));
+  }
+  return documents;
+}
+
+namespace {
 
 // The folder of a lexicon that another one is based on: a name in `known`, or a path from the other's folder.
 fs::path base_folder(const std::string& name, const fs::path& folder, const std::string& known) {
@@ -119,25 +125,11 @@ class Documents {
   /// Those of the folder in the order of their names, after those of its base; or the first problem.
   Outcome read(const fs::path& folder) {
     begun_.push_back(folder);
-    std::vector<fs::path> paths;
-    std::error_code error;
-    for (fs::directory_iterator each(folder, error), end; !error && each != end; each.increment(error))
-      if (each->path().extension() == ".json") paths.push_back(each->path());
-    if (error)
-      return Error{folder.string(),
-                   fmt::format("cannot be read: {}; expected a folder of JSON files", error.message())};
-    if (paths.empty())
-      return Error{folder.string(), "there is no *.json in this folder; expected the files of a lexicon"};
-    std::sort(paths.begin(), paths.end());
-    std::vector<LocatedJson> own;
-    for (const auto& path : paths) {
-      auto document = LocatedJson::read(path.string());
-      if (!document) return document.error();
-      own.push_back(*std::move(document));
-    }
-    for (const auto& document : own)
+    auto own = documents_in(folder);
+    if (!own) return own.error();
+    for (const auto& document : *own)
       if (auto problem = read_base(document, folder)) return problem;
-    std::move(own.begin(), own.end(), std::back_inserter(all_));
+    std::move(own->begin(), own->end(), std::back_inserter(all_));
     folders_.push_back(folder.string());
     return std::nullopt;
   }
@@ -183,8 +175,24 @@ std::vector<Error> check_lexicon(const std::string& folder, const Signature& fac
   Documents documents(known);
   if (auto problem = documents.read(folder)) return {*std::move(problem)};
   LexiconReader reader(documents.all(), facts);
-  reader.read();
-  return reader.problems();
+  const auto lexicon = reader.read();
+  if (auto problems = reader.problems(); !problems.empty()) return problems;
+  DocumentReader of_examples;
+  read_examples(documents.all(), lexicon, of_examples);
+  return of_examples.problems();
+}
+
+Result<std::vector<LexiconExample>> load_examples(const Lexicon& lexicon) {
+  std::vector<LocatedJson> all;
+  for (const auto& folder : lexicon.folders) {
+    auto documents = documents_in(folder);
+    if (!documents) return documents.error();
+    std::move(documents->begin(), documents->end(), std::back_inserter(all));
+  }
+  DocumentReader reader;
+  auto examples = read_examples(all, lexicon, reader);
+  if (!reader.sound()) return reader.problems().front();
+  return examples;
 }
 
 }  // namespace continua

@@ -1,6 +1,7 @@
 // Reads a lexicon from the documents of its folder. Notes every problem with its place, and goes on.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,6 @@ class LexiconReader {
   void declare(const Item& at, const std::string& name, const Type& type);
 
   // lexicon_words.cpp
-  void take_entries_apart();
   void read_words();
   void read_attributes();
   void read_plurals();
@@ -43,7 +43,8 @@ class LexiconReader {
   void read_apostrophes();
   void read_rules();
   std::vector<NameTemplate> read_name_templates(const std::string& section);
-  WordEntry& entry(const Item& at, const std::string& word);
+  /// The entries that a key stands for.
+  std::vector<WordEntry*> entries(const Item& at, const std::string& key);
   std::optional<Category> read_category(const Item& item);
   std::optional<Term> read_term(const Item& item, const Type& expected);
   /// A term of the category's type; with `argument`, a function from `argument` to that type.
@@ -51,13 +52,19 @@ class LexiconReader {
 
   // lexicon_examples.cpp
   void read_sample();
-  void read_examples();
 
   DocumentReader reader_;
   std::vector<Item> roots_;  ///< one for each document
   const Signature& facts_;
   Lexicon lexicon_;
 };
+
+/// The *.json of the folder in the order of their names; or the first problem.
+Result<std::vector<LocatedJson>> documents_in(const std::filesystem::path& folder);
+
+/// The examples in the documents of this lexicon. `reader` notes their problems.
+std::vector<LexiconExample> read_examples(const std::vector<LocatedJson>& documents, const Lexicon& lexicon,
+                                          DocumentReader& reader);
 
 /// Notes the error of a parser that read the item's text; the sentence quotes the text.
 void problem_with_quote(const Item& item, const Error& error);

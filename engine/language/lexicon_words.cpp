@@ -1,4 +1,6 @@
 // Words, templates of words, and rules that change categories.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "continua/core/words.h"
@@ -13,14 +15,16 @@ double read_cost(const Item& item) { return item.number("a cost", 0, 0, 100); }
 
 bool is_small_letter(char c) { return 'a' <= c && c <= 'z'; }
 
-// Small Latin letters with single spaces between them, as most entries are. Such words are written as they are heard.
+// Small Latin letters, perhaps with an apostrophe inside a word, and single spaces between words, as most entries are.
+// Such words are written as they are heard.
 bool is_plain(std::string_view words) {
-  char before = ' ';
+  bool after_letter = false;
   for (const char c : words) {
-    if (!is_small_letter(c) && (c != ' ' || before == ' ')) return false;
-    before = c;
+    const bool letter = is_small_letter(c);
+    if (!letter && (!after_letter || (c != ' ' && c != '\''))) return false;
+    after_letter = letter;
   }
-  return before != ' ';
+  return after_letter;
 }
 
 // As words_of() would give them, with single spaces between them.
@@ -59,11 +63,19 @@ std::optional<Term> LexiconReader::read_term(const Item& item, const Category& c
   return read_term(item, expected(0));
 }
 
-WordEntry& LexiconReader::entry(const Item& at, const std::string& word) {
-  if (!is_plain(word) && !is_as_heard(word))
-    at.problem_at_key(
-        fmt::format("found {}, expected words in lower case with single spaces between them", in_quotes(word)));
-  return lexicon_.words[word];
+std::vector<WordEntry*> LexiconReader::entries(const Item& at, const std::string& key) {
+  for (const auto part : parts_of_spellings(key))
+    if (!lexicon_.parts.contains(part)) lexicon_.parts.emplace(part);
+  std::vector<WordEntry*> all;
+  for (auto& words : spellings(key)) {
+    if (!is_plain(words) && !is_as_heard(words))
+      at.problem_at_key(
+          fmt::format("found {}, expected words in lower case with single spaces between them", in_quotes(words)));
+    const auto count = 1 + static_cast<std::size_t>(std::count(words.begin(), words.end(), ' '));
+    lexicon_.most_words = std::max(lexicon_.most_words, count);
+    all.push_back(&lexicon_.words[std::move(words)]);
+  }
+  return all;
 }
 
 void LexiconReader::read_words() {
@@ -81,15 +93,12 @@ void LexiconReader::read_words() {
       if (const auto term = read_term(parts[1], *category, std::nullopt))
         read.push_back({*category, *term, read_cost(sense.element(2))});
     }
-    for (const auto& word : spellings(key)) {
-      auto& all = entry(senses, word).senses;
-      all.insert(all.end(), read.begin(), read.end());
-    }
+    for (auto* entry : entries(senses, key)) entry->senses.insert(entry->senses.end(), read.begin(), read.end());
   }
   for (const auto& [key, cost] : members_of("skip", "words that may be left out"))
-    for (const auto& word : spellings(key)) entry(cost, word).skip = read_cost(cost);
+    for (auto* entry : entries(cost, key)) entry->skip = read_cost(cost);
   for (const auto& [key, cost] : members_of("asides", "words that begin an aside"))
-    for (const auto& word : spellings(key)) entry(cost, word).aside = read_cost(cost);
+    for (auto* entry : entries(cost, key)) entry->aside = read_cost(cost);
 }
 
 void LexiconReader::read_attributes() {

@@ -10,6 +10,8 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
+constexpr std::string_view notation = " |()[]";
+
 void append(std::string& text, const std::string& more) {
   if (!text.empty() && !more.empty()) text += ' ';
   text += more;
@@ -60,7 +62,7 @@ class Reader {
     const char first = rest_.front();
     if (first == ' ') return rest_.remove_prefix(1), Texts{""};
     if (first != '(' && first != '[') {
-      const auto end = rest_.find_first_of(" |()[]");
+      const auto end = rest_.find_first_of(notation);
       const auto word = rest_.substr(0, end);
       rest_.remove_prefix(word.size());
       return Texts{std::string(word)};
@@ -77,6 +79,16 @@ class Reader {
 };
 
 }  // namespace
+
+std::vector<std::string_view> parts_of_spellings(std::string_view text) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; (begin = text.find_first_not_of(notation, begin)) != text.npos;) {
+    const auto end = std::min(text.find_first_of(notation, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end;
+  }
+  return parts;
+}
 
 std::vector<std::string> spellings(const std::string& text) {
   if (auto all = Reader(text).read()) return *std::move(all);

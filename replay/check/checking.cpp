@@ -41,7 +41,9 @@ CheckCase examples(std::size_t count, std::vector<Error> problems) {
 CheckCase check_lexicon_at(const fs::path& path, const DataPaths& data) {
   const auto lexicon = load_named_lexicon(data, path.string(), "");
   if (!lexicon) return cannot_be_used(lexicon.error());
-  return examples((*lexicon)->examples.size(), check_examples(**lexicon));
+  const auto all = load_examples(**lexicon);
+  if (!all) return cannot_be_used(all.error());
+  return examples(all->size(), check_examples(*all, **lexicon));
 }
 
 CheckCase check_voxemes_at(const fs::path& folder, const DataPaths&) {

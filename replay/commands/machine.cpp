@@ -178,9 +178,10 @@ Result<std::string> jsgf_of(const MachineOptions& options, const Machine& machin
     grammar_options.is_pronounced = [&known](std::string_view word) { return known.contains(word); };
   }
   const auto grammar = speech_grammar(language->lexicon, scene->initial_snapshot(), grammar_options);
-  if (grammar.patterns == 0) return Error{options.machine, "has no sentence for a grammar in this scene"};
-  tell_unpronounced(options, grammar.unpronounced);
-  return grammar.text;
+  if (!grammar) return grammar.error();
+  if (grammar->patterns == 0) return Error{options.machine, "has no sentence for a grammar in this scene"};
+  tell_unpronounced(options, grammar->unpronounced);
+  return grammar->text;
 }
 
 // The machine, or its part, of a picture.

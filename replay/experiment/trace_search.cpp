@@ -212,8 +212,11 @@ Result<std::vector<TraceEvent>> turns_for(Session& session) {
   std::vector<TraceEvent> turns;
   const auto& language = session.parts().language;
   std::set<std::string> said;
-  if (language && language->lexicon)
-    for (const auto& example : language->lexicon->examples) said.insert(example.say.begin(), example.say.end());
+  if (language && language->lexicon) {
+    const auto examples = load_examples(*language->lexicon);
+    if (!examples) return examples.error();
+    for (const auto& example : *examples) said.insert(example.say.begin(), example.say.end());
+  }
   for (const auto& text : said) {
     InputEvent input;
     input.text = text;

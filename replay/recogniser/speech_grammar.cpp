@@ -71,12 +71,12 @@ struct Counts {
   std::map<std::string, std::map<std::string, double>> words;  // by category
 };
 
-Counts counts_of(const std::shared_ptr<const Lexicon>& lexicon, WorldSnapshot world,
-                 const SpeechGrammarOptions& options) {
+Counts counts_of(const std::shared_ptr<const Lexicon>& lexicon, const std::vector<LexiconExample>& examples,
+                 WorldSnapshot world, const SpeechGrammarOptions& options) {
   world.objects.insert(world.objects.end(), lexicon->sample.begin(), lexicon->sample.end());
   const Vocabulary vocabulary(lexicon, world);
   Counts counts;
-  for (const auto& example : lexicon->examples)
+  for (const auto& example : examples)
     for (std::size_t i = 0; i < std::min(example.say.size(), most_read); ++i) {
       const auto utterance = read(example.say[i], vocabulary);
       const auto pattern = pattern_of(utterance, options);
@@ -212,9 +212,11 @@ class GrammarWriter {
 
 }  // namespace
 
-SpeechGrammar speech_grammar(const std::shared_ptr<const Lexicon>& lexicon, const WorldSnapshot& world,
-                             const SpeechGrammarOptions& options) {
-  const auto counts = counts_of(lexicon, world, options);
+Result<SpeechGrammar> speech_grammar(const std::shared_ptr<const Lexicon>& lexicon, const WorldSnapshot& world,
+                                     const SpeechGrammarOptions& options) {
+  const auto all = load_examples(*lexicon);
+  if (!all) return all.error();
+  const auto counts = counts_of(lexicon, *all, world, options);
   std::vector<std::pair<double, Pattern>> ranked;
   for (const auto& [pattern, examples] : counts.patterns) ranked.emplace_back(examples, pattern);
   std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {

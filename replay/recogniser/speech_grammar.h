@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "continua/core/result.h"
 #include "continua/language/lexicon.h"
 #include "continua/world/world_snapshot.h"
 
@@ -31,7 +32,8 @@ struct SpeechGrammar {
 /// An example's pattern is the sequence of its words' categories; a category stands for all of its words. So other
 /// sentences of the pattern are understood as well, and a new noun or verb needs no example. Words for values that
 /// nothing in the scene has are left out.
-SpeechGrammar speech_grammar(const std::shared_ptr<const Lexicon>& lexicon, const WorldSnapshot& world,
-                             const SpeechGrammarOptions& options);
+/// The error is the first problem of the examples.
+Result<SpeechGrammar> speech_grammar(const std::shared_ptr<const Lexicon>& lexicon, const WorldSnapshot& world,
+                                     const SpeechGrammarOptions& options);
 
 }  // namespace continua

@@ -36,13 +36,15 @@ class Sequences {
 }  // namespace
 
 TEST_CASE("the lexicon's examples are read as they say, and every word is in one") {
-  for (const auto& error : check_examples(*english())) FAIL_CHECK(error.text());
+  const auto examples = load_examples(*english());
+  REQUIRE(examples.ok());
+  for (const auto& error : check_examples(*examples, *english())) FAIL_CHECK(error.text());
   std::size_t longest = 0;
   for (const auto& [words, entry] : english()->words)
     longest = std::max(longest, static_cast<std::size_t>(std::count(words.begin(), words.end(), ' ')) + 1);
   Sequences all(longest);
   std::size_t count = 0;
-  for (const auto& example : english()->examples)
+  for (const auto& example : *examples)
     for (const auto& sentence : example.say) {
       all.add(sentence);
       ++count;

@@ -88,6 +88,17 @@ TEST_CASE("what is wrong with a lexicon is told with line and column") {
   CHECK_THAT(load_lexicon("/nowhere", {}).error().sentence, Catch::Contains("expected a folder"));
 }
 
+TEST_CASE("a wrong example does not keep the words from being used") {
+  const TemporaryFolder folder;
+  auto text = small;
+  text.replace(text.find("\"reading\": \"stop\""), 17, "\"reading\": \"stopp\"");
+  folder.file("a.json", text);
+  const auto lexicon = load_lexicon(folder.path().string(), WorldFacts::signature());
+  REQUIRE(lexicon.ok());
+  CHECK(lexicon->words.contains("stop it"));
+  CHECK_THAT(load_examples(*lexicon).error().text(), Catch::Contains("a.json:11:42: unknown name 'stopp'"));
+}
+
 TEST_CASE("whatever is done to a lexicon, it loads or is told where it is wrong") {
   Random random(3);
   for (int i = 0; i < 400; ++i) {

@@ -107,11 +107,10 @@ const Row sentences[] = {
 }  // namespace
 
 TEST_CASE("a wrong example is told with its place") {
-  auto lexicon = *english();
-  lexicon.examples.resize(1);
-  auto& example = lexicon.examples[0];
+  std::vector<LexiconExample> examples(1);
+  auto& example = examples[0];
   const auto wrong = [&] {
-    const auto errors = check_examples(lexicon);
+    const auto errors = check_examples(examples, *english());
     return errors.empty() ? std::string() : errors.front().text();
   };
   example = {"f.json:3:4", {"grab it"}, {}, {}, Term::entity("it"), {}, {}, {}};

@@ -1,7 +1,10 @@
 #include "continua/language/spellings.h"
 
+#include <set>
+
 #include "support/catch.h"
 
+using continua::parts_of_spellings;
 using continua::spellings;
 
 TEST_CASE("alternatives, groups and parts that may be left out") {
@@ -25,6 +28,19 @@ TEST_CASE("alternatives, groups and parts that may be left out") {
   for (const auto& [text, all] : table) {
     CAPTURE(text);
     CHECK(spellings(text) == all);
+  }
+}
+
+TEST_CASE("the words of a text are those of all that it stands for") {
+  for (const std::string text :
+       {"put", "put | place", "(can|could) you [please]", "i (would [really] like|want) to", ""}) {
+    CAPTURE(text);
+    std::set<std::string_view> parts;
+    const auto all = spellings(text);
+    for (const auto& one : all)
+      for (const auto part : parts_of_spellings(one)) parts.insert(part);
+    const auto written = parts_of_spellings(text);
+    CHECK(std::set(written.begin(), written.end()) == parts);
   }
 }
 
