@@ -15,13 +15,13 @@ import time
 
 from live_server import PATIENCE_S, Server, Stream
 
-SESSIONS, FIRST = 20, 2  # the first ones leave what is made once: threads of a pool, what was read and is kept
-LAST = 5                 # sessions at the middle and at the end that memory is compared of, by the least of each
-MOST_GROWN_MB = 10       # between those two; ten sessions that were kept would be over 50
+SESSIONS, FIRST = 12, 2  # the first ones leave what is made once: threads of a pool, what was read and is kept
+LAST = 4                 # sessions at the middle and at the end that memory is compared of, by the least of each
+MOST_GROWN_MB = 10       # between those two; six sessions that were kept would be over 30
 # Freed memory goes back to the system at once, and threads share one heap: else memory tells most of what happened
 # to be made when, and in which thread.
 GIVES_BACK = {"MALLOC_CONF": "narenas:1,dirty_decay_ms:0,muzzy_decay_ms:0,tcache:false"}
-SMALL, FIRST_SMALL = 32, 8     # sessions of a few words, half of which end by an event
+SMALL, FIRST_SMALL = 20, 6     # sessions of a few words, half of which end by an event
 MOST_KEPT_KB = 10              # of each of those: its name, where its files are, how it ended
 MOST_MORE_STACKS = 8           # in all: the C library keeps five for its next threads; one that nobody joined has its own
 ALL_BYTES = {"MALLOC_CONF": "tcache:false"}  # freed bytes do not wait in threads for their next use

@@ -33,8 +33,10 @@ const std::string conversation =
 )json";
 
 TraceCheck checked(const std::string& trace) {
+  static const auto shelf = std::make_shared<Shelf>();
   ReplayOptions options;
   options.physics = false;
+  options.shelf = shelf;
   return check_trace(trace, options);
 }
 

@@ -110,12 +110,14 @@ TEST_CASE("where nothing is changed, what if is what was, but for the header and
                                  "paper/one_shot_learning", "paper/special_npda", "talk/n_best", "talk/staircase"}) {
     CAPTURE(name);
     const auto path = (traces / (name + ".trace.jsonl")).string();
-    const auto plain = done(path);
+    ReplayOptions options;
+    options.shelf = std::make_shared<Shelf>();
+    const auto plain = done(path, options);
     std::vector<double> times;
     for (const auto& input : plain.records)
       if (input["kind"] == "input" && input["line"].is_number()) times.push_back(input["t"]);
     for (const double t : {0.0, times.front(), times[times.size() / 2], times.back()}) {
-      auto options = from(t);
+      options.from = t;
       if (t == times.back()) options.with = path;
       const auto what_if = done(path, options);
       REQUIRE(what_if.summary.changed);
