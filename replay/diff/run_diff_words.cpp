@@ -254,8 +254,11 @@ std::string sentence_of(const RunIndex& a, const RunIndex& b, const RunDiff& dif
                         how(a, b, diff, one, other, transition_a, transition_b))
           : fmt::format("They part at {}{}: {}.", time_text(first.t.seconds()), numbers(first),
                         how(a, b, diff, one, other, transition_a, transition_b));
-  if (!first.input || diff.cause.kind == "cut short")
-    text += fmt::format(" Cause ({}): {}.", diff.cause.kind, diff.cause.sentence);
+  if (!first.input || diff.cause.kind == "cut short") {
+    const auto& cause = diff.cause;
+    const bool tells_kind = cause.sentence.starts_with(cause.kind + ":");
+    text += fmt::format(" Cause{}: {}.", tells_kind ? "" : fmt::format(" ({})", cause.kind), cause.sentence);
+  }
   return diff.sameness == RunDiff::Sameness::unrelated ? text : text + " " + effect(a, b, diff);
 }
 

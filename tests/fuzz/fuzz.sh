@@ -10,7 +10,8 @@ seconds=${1:-600}
 shift || true
 build=build/fuzz
 cmake -S . -B "$build" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-  -DCONTINUA_FUZZ=ON -DCONTINUA_SANITIZE=address,undefined -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12 \
+  -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -gline-tables-only" -DCONTINUA_FUZZ=ON -DCONTINUA_SANITIZE=address,undefined \
+  -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12 \
   > /dev/null
 cmake --build "$build" --target fuzz_libfuzzer fuzz_mutate
 mkdir -p "$build/found"
