@@ -52,13 +52,15 @@ Outcome GrowingFile::add(std::string_view piece) {
 
 // Devices and pipes need none.
 Outcome GrowingFile::sync() {
+  const std::lock_guard lock(open_);
   if (file_ >= 0 && ::fdatasync(file_) != 0 && errno != EINVAL && errno != EROFS) problem_ = errno;
   return outcome();
 }
 
 Outcome GrowingFile::close() {
-  if (file_ < 0) return outcome();
   (void)sync();
+  const std::lock_guard lock(open_);
+  if (file_ < 0) return outcome();
   // Some file systems tell only now that they were full.
   if (::close(std::exchange(file_, -1)) != 0 && problem_ == 0) problem_ = errno;
   return outcome();

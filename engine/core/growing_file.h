@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <mutex>
 #include <string>
 #include <string_view>
 
@@ -31,8 +32,8 @@ class GrowingFile {
 
   /// Puts the piece behind the others. Error: nothing of it is in the file, and nothing comes after it any more.
   Outcome add(std::string_view piece);
-  /// Pieces added before are on the disk. May be called while another thread adds. Error: they are not, and as nobody
-  /// knows how much of it, nothing comes after it any more.
+  /// Pieces added before are on the disk. May be called while another thread adds, or closes the file. Error: they are
+  /// not, and as nobody knows how much of it, nothing comes after it any more.
   Outcome sync();
   /// Syncs, and is done with the file. Closing again does nothing.
   Outcome close();
@@ -50,6 +51,7 @@ class GrowingFile {
   const std::string path_;
   std::uint64_t begin_ = 0, bytes_ = 0;
   int file_ = -1;
+  std::mutex open_;  ///< held while the file must stay open, or is closed
   std::atomic<int> problem_ = 0;
 };
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "continua/core/result.h"
+#include "continua/simulation/box_contacts.h"
 
 namespace continua {
 
@@ -27,6 +28,17 @@ void on_error(const char* message) {
 
 // Warnings of the compiler are of no consequence for a scene that compiles; those of a step are counted in mjData.
 void on_warning(const char*) {}
+
+// MuJoCo's settings of the whole process are made once, before its first work: other threads read them at any time.
+void set_up_once() {
+  static const bool done = [] {
+    mju_user_error = on_error;
+    mju_user_warning = on_warning;
+    guard_box_contacts();
+    return true;
+  }();
+  static_cast<void>(done);
+}
 
 void put_file(mjVFS& files, const char* name, const std::string& content) {
 #if mjVERSION_HEADER >= 320
@@ -86,8 +98,7 @@ std::variant<ModelOwner, CompileError> compile_mjcf(const std::string& text, con
 }
 
 std::string fatal_error_of(const std::function<void()>& work) {
-  mju_user_error = on_error;
-  mju_user_warning = on_warning;
+  set_up_once();
   fatal_error.fill(0);
   std::jmp_buf here;
   way_back = &here;

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "continua/simulation/avatar_elements.h"
-#include "continua/simulation/box_contacts.h"
 #include "continua/simulation/mujoco_model.h"
 
 namespace continua {
@@ -141,7 +140,6 @@ Physics::~Physics() = default;
 Result<std::unique_ptr<Physics>> Physics::create(const Scene& scene) {
   auto avatar = find_avatar(scene.model(), scene.initial_qpos(), scene.path());
   if (!avatar) return avatar.error();
-  guard_box_contacts();
   auto state = std::make_unique<State>();
   state->model = ModelOwner(mj_copyModel(nullptr, &scene.model()));
   state->data = DataOwner(mj_makeData(state->model.get()));

@@ -4,8 +4,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "support/catch.h"
 #include "support/temporary_folder.h"
@@ -37,6 +41,25 @@ TEST_CASE("pieces are in the file as soon as they are added") {
   CHECK(text_of(path) == "one two three");
   CHECK(GrowingFile(path, Begin::anew).sound());
   CHECK(text_of(path).empty());
+}
+
+TEST_CASE("a file may be closed while another thread syncs it") {
+  const TemporaryFolder folder;
+  for (int i = 0; i < 50; ++i) {
+    GrowingFile file(folder.at(std::to_string(i)), Begin::first);
+    std::atomic<int> begun = 0;
+    std::atomic<bool> over = false;
+    std::vector<std::thread> others(4);
+    for (auto& other : others)
+      other = std::thread([&] {
+        for (++begun; !over;) (void)file.sync();
+      });
+    while (begun < 4) std::this_thread::yield();
+    CHECK_FALSE(file.close());
+    over = true;
+    for (auto& other : others) other.join();
+    CHECK(file.sound());
+  }
 }
 
 TEST_CASE("a file that is there is not begun again") {
