@@ -67,7 +67,7 @@ function mountAll(page, before) {
       cursor,
       comparison,
       note: (records) => noteOn(page, records),
-      save: served ? (span) => saveStretch(page, span) : null,
+      save: (span) => saveStretch(page, span),
     }),
     stack: mountStack({data, client, model, jump}),
     derivation: mountDerivation({client, model, jump}),

@@ -5,7 +5,7 @@ import {readFileSync, statSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
-import {program, root, temporaryFolder, Visitor} from './support.mjs';
+import {program, recordsOf, root, temporaryFolder, Visitor} from './support.mjs';
 
 const folder = temporaryFolder();
 const file = join(folder, 'correction.html');
@@ -62,6 +62,31 @@ test('keys, filters and links work as on the served page', async () => {
   await visitor.visit('/correction.html#/r/correction.physics?n=5&panel=stack');
   assert.equal(await visitor.n(), 5);
   assert.ok(await visitor.page.locator('.panel.stack.enlarged').isVisible());
+});
+
+test('a stretch of it is handed over as the records of the log', async () => {
+  await visitor.visit('/correction.html');
+  const {x, y, width} = await at('timeline').boundingBox();
+  await visitor.page.keyboard.down('Shift');
+  await visitor.page.mouse.move(x + 120, y + 40);
+  await visitor.page.mouse.down();
+  await visitor.page.mouse.move(x + width - 40, y + 40, {steps: 4});
+  await visitor.page.mouse.up();
+  await visitor.page.keyboard.up('Shift');
+  const [from, to] = (await at('stretch').innerText()).match(/\d+:\d\d\.\d\d/g).map((text) => Number(text.slice(2)));
+  const [file] = await Promise.all([
+    visitor.page.waitForEvent('download'),
+    at('stretch').locator('button', {hasText: 'Export this stretch'}).click(),
+  ]);
+  const told = readFileSync(await file.path(), 'utf8')
+    .trimEnd()
+    .split('\n');
+  const expected = recordsOf('paper/correction.physics').filter(({t}) => t > from - 0.005 && t < to + 0.005);
+  assert.ok(told.length > 200, `${told.length} records`);
+  assert.deepEqual(
+    told.map((line) => JSON.parse(line)),
+    expected,
+  );
 });
 
 test('it asks for nothing elsewhere, and holds no more than it must', () => {

@@ -383,6 +383,11 @@ test('the pointer over the timeline tells the instant, and a stretch is selected
   assert.ok(told.length > 300);
   assert.deepEqual(told, expected);
   await select();
+  await visitor.page.route('**/records?from=*', (route) => route.abort());
+  await at('stretch').locator('button', {hasText: 'Export this stretch'}).click();
+  await at('stretch').locator('text=Export this stretch did not work: ').waitFor();
+  await visitor.page.unroute('**/records?from=*');
+  await select();
   const before_zoom = await at('span').innerText();
   await at('stretch').locator('button', {hasText: 'Zoom'}).click();
   assert.notEqual(await at('span').innerText(), before_zoom);

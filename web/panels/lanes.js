@@ -40,7 +40,7 @@ class Lanes {
 
   /**
    * `comparison`: with the run that this one is compared with, or null. Each lane is then drawn twice, this run's above.
-   * `note(records)`, `save(span)`: the uses of a selected stretch; `save` may be null.
+   * `note(records)`, `save(span)`: the uses of a selected stretch.
    */
   constructor({data, model, cursor, comparison, note, save}) {
     this.#data = data;

@@ -33,7 +33,7 @@ export class Recorded {
       columns: () => this.#columns(),
       labels: () => ({labels: this.#labels(query)}),
       find: () => this.#find(query),
-      records: () => ({records: this.#records(query), next: null}),
+      records: () => this.#records(query),
       stack: () =>
         query.has('branch')
           ? this.#get(`branch ${this.branchings[lastAtMost(this.branchings, n)]} ${query.get('branch')}`)
@@ -94,13 +94,15 @@ export class Recorded {
     const kind = query.get('kind');
     const after = Number(query.get('after') ?? 0);
     const limit = Number(query.get('limit') ?? 500);
-    const found = [];
-    for (let n = after; found.length < limit; ++n) {
+    const from = Number(query.get('from') ?? -Infinity);
+    const to = Number(query.get('to') ?? Infinity);
+    const records = [];
+    for (let n = after; ; ++n) {
       const text = this.#answers.get(`record ${n}`);
-      if (text === undefined) break;
+      if (text === undefined) return {records, next: null};
+      if (records.length === limit) return {records, next: n};
       const record = JSON.parse(text);
-      if (!kind || record.kind === kind) found.push(record);
+      if ((!kind || record.kind === kind) && record.t >= from && record.t <= to) records.push(record);
     }
-    return found;
   }
 }

@@ -24,7 +24,7 @@ export class Stretch {
   #acts;
   #span = null; // [from, to], seconds
 
-  /** `acts`: {zoom(span), note(span), link(span), save(span): null where there is no server} */
+  /** `acts`: {zoom(span), note(span), link(span), save(span)}; `save` may take a while, and fail. */
   constructor(lanes, acts) {
     this.#lanes = lanes;
     this.#acts = acts;
@@ -51,23 +51,29 @@ export class Stretch {
         'button',
         {
           type: 'button',
-          onclick: () => {
+          onclick: async () => {
             this.clear();
-            act(span);
+            try {
+              await act(span);
+            } catch (problem) {
+              this.#tell(h('span', {class: 'trouble'}, `${text} did not work: ${problem.message}`));
+            }
           },
         },
         text,
       );
     const [from, to] = span.map((t) => clock(t, 2));
-    const parts = [
+    this.#tell(
       h('span', {}, `${from} – ${to}, ${(span[1] - span[0]).toFixed(1)} s: ${contentOf(this.#lanes, span)}`),
       button('Zoom', this.#acts.zoom),
       button('Note', this.#acts.note),
       button('Copy link', this.#acts.link),
-      this.#acts.save && button('Export this stretch', this.#acts.save),
-      h('button', {type: 'button', 'aria-label': 'Put away', onclick: () => this.clear()}, '×'),
-    ];
-    this.card.replaceChildren(...parts.filter(Boolean));
+      button('Export this stretch', this.#acts.save),
+    );
+  }
+  #tell(...parts) {
+    const away = h('button', {type: 'button', 'aria-label': 'Put away', onclick: () => this.clear()}, '×');
+    this.card.replaceChildren(...parts, away);
     this.card.hidden = false;
   }
   clear() {
