@@ -61,7 +61,7 @@ const further = [
   ['the palette', '/r/correction?n=40', press('#')],
   ['the choice of a run to compare', '/r/correction?n=40', press('c')],
   ['what if', '/r/correction?n=40', press('x')],
-  ['a selected stretch', '/r/rounds', selectStretch],
+  ['a selected stretch', '/r/rounds', () => visitor.selectStretch()],
   ['a session', '/live', beginSession],
   [
     'an ended session',
@@ -73,17 +73,6 @@ const further = [
     },
   ],
 ];
-async function selectStretch(page) {
-  await visitor.at('timeline').scrollIntoViewIfNeeded();
-  const {x, y, width} = await visitor.at('timeline').boundingBox();
-  await page.keyboard.down('Shift');
-  await page.mouse.move(x + 120, y + 40);
-  await page.mouse.down();
-  await page.mouse.move(x + width - 20, y + 40, {steps: 4});
-  await page.mouse.up();
-  await page.keyboard.up('Shift');
-  await visitor.at('stretch').waitFor();
-}
 async function beginSession(page) {
   await visitor.at('live-start').click();
   await page.waitForFunction(() => document.querySelector('.stage.map'));

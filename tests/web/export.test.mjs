@@ -66,13 +66,7 @@ test('keys, filters and links work as on the served page', async () => {
 
 test('a stretch of it is handed over as the records of the log', async () => {
   await visitor.visit('/correction.html');
-  const {x, y, width} = await at('timeline').boundingBox();
-  await visitor.page.keyboard.down('Shift');
-  await visitor.page.mouse.move(x + 120, y + 40);
-  await visitor.page.mouse.down();
-  await visitor.page.mouse.move(x + width - 40, y + 40, {steps: 4});
-  await visitor.page.mouse.up();
-  await visitor.page.keyboard.up('Shift');
+  await visitor.selectStretch();
   const [from, to] = (await at('stretch').innerText()).match(/\d+:\d\d\.\d\d/g).map((text) => Number(text.slice(2)));
   const [file] = await Promise.all([
     visitor.page.waitForEvent('download'),

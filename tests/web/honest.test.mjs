@@ -355,15 +355,7 @@ test('the pointer over the timeline tells the instant, and a stretch is selected
   const box = await at('timeline').boundingBox();
   await visitor.page.mouse.move(box.x + 300, box.y + 6);
   assert.match(await visitor.page.locator('.tip').innerText(), /^0:\d\d\.\d\d, /);
-  const select = async () => {
-    await visitor.page.keyboard.down('Shift');
-    await visitor.page.mouse.move(box.x + 120, box.y + 40);
-    await visitor.page.mouse.down();
-    await visitor.page.mouse.move(box.x + box.width - 40, box.y + 40, {steps: 4});
-    await visitor.page.mouse.up();
-    await visitor.page.keyboard.up('Shift');
-  };
-  await select();
+  await visitor.selectStretch();
   assert.match(await at('stretch').innerText(), /0:\d\d.* s: [23] sentences of the human.*act/);
   const [from, to] = (await at('stretch').innerText()).match(/\d+:\d\d\.\d\d/g);
   const [file] = await Promise.all([
@@ -382,12 +374,12 @@ test('the pointer over the timeline tells the instant, and a stretch is selected
   const expected = linesOf(roundsLog()).filter(({t}) => t > begin - 0.005 && t < end + 0.005);
   assert.ok(told.length > 300);
   assert.deepEqual(told, expected);
-  await select();
+  await visitor.selectStretch();
   await visitor.page.route('**/records?from=*', (route) => route.abort());
   await at('stretch').locator('button', {hasText: 'Export this stretch'}).click();
   await at('stretch').locator('text=Export this stretch did not work: ').waitFor();
   await visitor.page.unroute('**/records?from=*');
-  await select();
+  await visitor.selectStretch();
   const before_zoom = await at('span').innerText();
   await at('stretch').locator('button', {hasText: 'Zoom'}).click();
   assert.notEqual(await at('span').innerText(), before_zoom);

@@ -148,6 +148,19 @@ export class Visitor {
     const {violations} = await this.page.evaluate((those) => window.axe.run(those), options);
     return violations.map(({id, nodes}) => `${id}: ${nodes.map((node) => node.html).slice(0, 3)}`);
   }
+  /** Draws a stretch over most of the timeline, with Shift. */
+  async selectStretch() {
+    const {keyboard, mouse} = this.page;
+    await this.at('timeline').scrollIntoViewIfNeeded();
+    const {x, y, width} = await this.at('timeline').boundingBox();
+    await keyboard.down('Shift');
+    await mouse.move(x + 120, y + 40);
+    await mouse.down();
+    await mouse.move(x + width - 40, y + 40, {steps: 4});
+    await mouse.up();
+    await keyboard.up('Shift');
+    await this.at('stretch').waitFor();
+  }
   async close() {
     await this.browser?.close();
   }
