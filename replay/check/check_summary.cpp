@@ -1,34 +1,26 @@
 #include "continua/replay/check/check_summary.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>
+
+#include "continua/core/markup.h"
 
 namespace continua {
 namespace {
 
 // A line of text in HTML.
-std::string in_html(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '\n' || c == '\r')
-      out += ' ';
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else
-      out += c;
-  }
-  return out;
+std::string line_of(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return in_markup(text);
 }
 
 // A line of text that Markdown shows as it is.
 std::string plain(const std::string& text) {
   std::string out;
-  for (const char c : in_html(text)) {
+  for (const char c : line_of(text)) {
     if (std::string_view("\\`*_[]|~#").find(c) != std::string_view::npos) out += '\\';
     out += c;
   }
@@ -44,7 +36,7 @@ std::string fenced(const std::string& text) {
 
 std::string failure(const CheckCase& one) {
   std::string text =
-      fmt::format("<details><summary><b>{}</b>: {}</summary>\n\n", in_html(one.path), in_html(one.sentence));
+      fmt::format("<details><summary><b>{}</b>: {}</summary>\n\n", line_of(one.path), line_of(one.sentence));
   std::string problems;
   for (const auto& problem : one.problems) problems += problem.text() + "\n";
   if (!problems.empty()) text += fenced(problems) + "\n";

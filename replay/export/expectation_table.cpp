@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "continua/replay/export/run_html.h"
+#include "continua/core/markup.h"
 #include "continua/replay/log/expectation_words.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_told = 50;
 
 std::string cell(const char* kind, const char* of, const std::string& text, const std::string& raw) {
-  return fmt::format("<td class=\"{}\" data-of=\"{}\" title=\"{}\">{}</td>", kind, of, in_html(raw), in_html(text));
+  return fmt::format("<td class=\"{}\" data-of=\"{}\" title=\"{}\">{}</td>", kind, of, in_markup(raw), in_markup(text));
 }
 
 std::string rows_of(const RunIndex& run, const RunWords& words, std::size_t n, const Json& expect) {
@@ -23,7 +23,7 @@ std::string rows_of(const RunIndex& run, const RunWords& words, std::size_t n, c
                           text_of(expect, "line"), time_text(run.entry(n).t.seconds()));
   for (const auto& field : told_fields(words, expect))
     html +=
-        fmt::format("<tr><td>{}</td>{}{}</tr>\n", in_html(field.name),
+        fmt::format("<tr><td>{}</td>{}{}</tr>\n", in_markup(field.name),
                     cell(field.met ? "both" : "gone", "expected", field.expected, field.raw_expected),
                     cell(field.met ? "both" : "come", "found", field.met ? "the same" : field.found, field.raw_found));
   return html;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "continua/core/markup.h"
+
 namespace continua {
 namespace {
 
@@ -60,27 +62,6 @@ summary { cursor: pointer; color: var(--accent); }
 
 }  // namespace
 
-std::string in_html(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (c == '\'')
-      out += "&#39;";
-    else if (c >= 0 && c < ' ' && c != '\n')
-      out += {'\xE2', '\x90', static_cast<char>(0x80 + c)};  // U+2400 and on: pictures of control characters
-    else
-      out += c;
-  }
-  return out;
-}
-
 std::string html_page(std::string_view title, std::string_view body) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
@@ -88,7 +69,7 @@ std::string html_page(std::string_view title, std::string_view body) {
       "img-src data:; base-uri 'none'; form-action 'none'\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
       "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
-      in_html(title), page_style, body);
+      in_markup(title), page_style, body);
 }
 
 }  // namespace continua

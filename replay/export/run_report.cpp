@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "continua/core/markup.h"
 #include "continua/replay/diff/sequence_alignment.h"
 #include "continua/replay/export/expectation_table.h"
 #include "continua/replay/export/graph_svg.h"
@@ -47,7 +48,7 @@ const char* described(RunDifference::Kind kind) {
 }
 
 std::string of_line(const DialogueLine& line) {
-  return fmt::format("<span class=\"who\">{}</span> {} {}", line.who, in_html(line.how), in_html(line.what));
+  return fmt::format("<span class=\"who\">{}</span> {} {}", line.who, in_markup(line.how), in_markup(line.what));
 }
 
 std::string same_row(const std::string& time, const std::string& html) {
@@ -113,7 +114,7 @@ std::string both_dialogues(const RunIndex& approved, const RunIndex& now) {
 
 std::string of_record(const RunIndex& run, const RunWords& words, std::size_t n) {
   const auto record = run.record(n);
-  if (!record) return in_html(record.error().text());
+  if (!record) return in_markup(record.error().text());
   auto text = compact(*record);
   if (text.size() > longest_record) {
     auto end = longest_record;
@@ -121,7 +122,7 @@ std::string of_record(const RunIndex& run, const RunWords& words, std::size_t n)
     text = text.substr(0, end) + "…";
   }
   return fmt::format("<b>{}</b> {}<details><summary>record {}</summary><span class=\"record\">{}</span></details>",
-                     in_html(run.kind(n)), in_html(brief_in_words(words, *record)), n, in_html(text));
+                     in_markup(run.kind(n)), in_markup(brief_in_words(words, *record)), n, in_markup(text));
 }
 
 // Each difference under its kind; its records side by side, first against first.
@@ -161,23 +162,23 @@ std::string graph_of(const RunIndex& run, const std::string& what) {
 // "interaction 163a8db98e7e…, physics, seed 0"
 std::string made_with(const RunIndex& run) {
   const auto header = run.record(0);
-  if (!header) return in_html(header.error().text());
+  if (!header) return in_markup(header.error().text());
   const auto part = [&](const char* key) { return header->value(key, Json()); };
-  return in_html(fmt::format("machine {} {}, {} world, seed {}, continua {}", text_of(part("machine"), "name"),
-                             text_of(part("machine"), "digest").substr(0, 12), text_of(*header, "world"),
-                             text_of(*header, "seed"), text_of(*header, "continua")));
+  return in_markup(fmt::format("machine {} {}, {} world, seed {}, continua {}", text_of(part("machine"), "name"),
+                               text_of(part("machine"), "digest").substr(0, 12), text_of(*header, "world"),
+                               text_of(*header, "seed"), text_of(*header, "continua")));
 }
 
 std::string of_worlds(const std::vector<WorldPictures>& worlds) {
   std::string html;
   for (const auto& [title, sides] : worlds) {
-    html += fmt::format("<h3>{}</h3>\n<div class=\"worlds\">\n", in_html(title));
+    html += fmt::format("<h3>{}</h3>\n<div class=\"worlds\">\n", in_markup(title));
     for (const auto& side : sides) {
       const auto picture = side.png.empty()
-                               ? fmt::format("<p class=\"no_picture\">No picture: {}</p>", in_html(side.trouble))
+                               ? fmt::format("<p class=\"no_picture\">No picture: {}</p>", in_markup(side.trouble))
                                : fmt::format("<img alt=\"the scene, {0}\" src=\"data:image/png;base64,{1}\"/>",
-                                             in_html(side.title), side.png);
-      html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture, in_html(side.title));
+                                             in_markup(side.title), side.png);
+      html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture, in_markup(side.title));
     }
     html += "</div>\n";
   }
@@ -187,7 +188,9 @@ std::string of_worlds(const std::vector<WorldPictures>& worlds) {
 // The sentence, unless the table of unmet expectations tells the same.
 std::string cause_of(const RunReport& report, const std::string& unmet) {
   std::string html;
-  const auto add = [&](const std::string& text) { html += fmt::format("<p class=\"cause\">{}</p>\n", in_html(text)); };
+  const auto add = [&](const std::string& text) {
+    html += fmt::format("<p class=\"cause\">{}</p>\n", in_markup(text));
+  };
   if (unmet.empty())
     add(report.sentence);
   else
@@ -200,8 +203,8 @@ std::string cause_of(const RunReport& report, const std::string& unmet) {
 
 std::string report_page(const RunReport& report) {
   const bool good = report.verdict == "same" || report.verdict == "same decisions" || report.verdict == "new";
-  auto body = fmt::format("<h1>{} <span class=\"verdict {}\">{}</span></h1>\n", in_html(report.trace),
-                          good ? "good" : "bad", in_html(report.verdict));
+  auto body = fmt::format("<h1>{} <span class=\"verdict {}\">{}</span></h1>\n", in_markup(report.trace),
+                          good ? "good" : "bad", in_markup(report.verdict));
   body += cause_of(report, unmet_table(*report.run));
   body += fmt::format("<p class=\"quiet\">now: {}", made_with(*report.run));
   if (report.approved) body += fmt::format("<br/>approved: {}", made_with(*report.approved));
@@ -215,7 +218,7 @@ std::string report_page(const RunReport& report) {
   body += "<h2>The machine</h2>\n" + graph_of(*report.run, "what this run visited");
   if (report.approved) body += graph_of(*report.approved, "what the approved run visited");
   body += "<h2>How to reproduce</h2>\n<pre>";
-  for (const auto& command : report.commands) body += in_html(command) + "\n";
+  for (const auto& command : report.commands) body += in_markup(command) + "\n";
   return html_page(report.verdict + ": " + report.trace, body + "</pre>\n");
 }
 

@@ -1,8 +1,11 @@
 #include "continua/replay/export/svg_canvas.h"
 
-#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
+
+#include "continua/core/markup.h"
 
 namespace continua {
 namespace {
@@ -46,26 +49,6 @@ constexpr const char* drawing_style = R"(<style>
 </style>
 )";
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto character = text.substr(i, 3);
-    if (text[i] == '&') {
-      out += "&amp;";
-    } else if (text[i] == '<') {
-      out += "&lt;";
-    } else if (text[i] == '>') {
-      out += "&gt;";
-    } else if (character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF") {  // may not stand in XML
-      out += "\xEF\xBF\xBD";
-      i += 2;
-    } else {
-      out += text[i];
-    }
-  }
-  return out;
-}
-
 // To a tenth of a pixel.
 std::string number(double value) { return fmt::format("{}", std::round(value * 10) / 10 + 0.0); }
 
@@ -74,7 +57,7 @@ std::string pair(const PagePoint& p) { return number(p.x) + "," + number(p.y); }
 }  // namespace
 
 void SvgCanvas::begin_group(std::string_view kind, std::string_view title) {
-  body_ += fmt::format("<g class=\"{}\"><title>{}</title>", kind, escaped(title));
+  body_ += fmt::format("<g class=\"{}\"><title>{}</title>", kind, in_markup(title));
 }
 
 void SvgCanvas::end_group() { body_ += "</g>\n"; }
@@ -108,7 +91,7 @@ void SvgCanvas::text(const std::vector<std::string>& lines, const PagePoint& cen
   body_ += "<text>";
   for (std::size_t i = 0; i < lines.size(); ++i)
     body_ += fmt::format(R"(<tspan x="{}" y="{}">{}</tspan>)", number(centre.x),
-                         number(top + line_height * (static_cast<double>(i) + 0.78)), escaped(lines[i]));
+                         number(top + line_height * (static_cast<double>(i) + 0.78)), in_markup(lines[i]));
   body_ += "</text>";
   reach({centre.x - width / 2, top});
   reach({centre.x + width / 2, top + height});
@@ -116,7 +99,7 @@ void SvgCanvas::text(const std::vector<std::string>& lines, const PagePoint& cen
 
 void SvgCanvas::line_of_text(std::string_view kind, std::string_view text, const PagePoint& from, double width) {
   body_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", kind, number(from.x), number(from.y),
-                       escaped(text));
+                       in_markup(text));
   reach({from.x, from.y - line_height});
   reach({from.x + width, from.y});
 }
@@ -137,7 +120,7 @@ std::string SvgCanvas::document(std::string_view title, const std::vector<Layer>
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.1f}mm\" height=\"{:.1f}mm\" viewBox=\"0 0 {} {}\" "
       "role=\"img\">\n<title>{}</title>\n{}<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n{}</svg>\n",
-      width / pixels_per_mm, height / pixels_per_mm, number(width), number(height), escaped(title), drawing_style,
+      width / pixels_per_mm, height / pixels_per_mm, number(width), number(height), in_markup(title), drawing_style,
       number(width), number(height), body);
 }
 

@@ -6,7 +6,7 @@
 
 #include "continua/core/gzip.h"
 #include "continua/core/located_json.h"
-#include "continua/replay/export/run_html.h"
+#include "continua/core/markup.h"
 #include "continua/replay/inspector/page_parts.h"
 #include "continua/replay/inspector/run_answers.h"
 #include "continua/replay/log/run_index.h"
@@ -49,7 +49,7 @@ Outcome write_page(const std::string& run_path, std::ostream& out, const std::fu
       << "' blob:; style-src 'unsafe-inline'; img-src data:; media-src " << (media.embed ? "blob:" : "'self' file:")
       << "; base-uri 'none'; form-action 'none'\">\n"
       << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      << "<title>" << in_html(id) << " – Continua</title>\n"
+      << "<title>" << in_markup(id) << " – Continua</title>\n"
       << "<link rel=\"icon\" href=\"data:image/svg+xml;base64," << base64(gunzipped(page_asset("/icon.svg").gzip))
       << "\">\n"
       << "<style>" << style << "</style>\n</head>\n<body>\n"

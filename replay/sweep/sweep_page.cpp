@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "continua/replay/export/run_html.h"
+#include "continua/core/markup.h"
 #include "continua/replay/sweep/sweep_result.h"
 #include "continua/replay/terminal/shell_word.h"
 #include "continua/replay/trace/trace_name.h"
@@ -136,7 +136,8 @@ std::string sweep_page(const std::vector<Json>& lines, const std::string& folder
   std::string data;
   for (const char c : compact(sweep)) data += c == '<' ? "\\u003c" : std::string(1, c);
   std::string page = head;
-  for (const auto& picture : pictures) page += fmt::format("<p><img src=\"{0}\" alt=\"{0}\"></p>\n", in_html(picture));
+  for (const auto& picture : pictures)
+    page += fmt::format("<p><img src=\"{0}\" alt=\"{0}\"></p>\n", in_markup(picture));
   return page + "<script type=\"application/json\" id=\"sweep\">" + data + "</script>" + body;
 }
 

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "continua/replay/export/run_html.h"
+#include "continua/core/markup.h"
 #include "continua/replay/sweep/sweep_axes.h"
 #include "continua/replay/terminal/terminal.h"
 
@@ -57,7 +57,7 @@ class Picture {
  public:
   void text(double x, double y, const std::string& kind, const std::string& content) {
     body_ +=
-        fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", kind, number(x), number(y), in_html(content));
+        fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", kind, number(x), number(y), in_markup(content));
   }
   void add(const std::string& svg) { body_ += svg + "\n"; }
 
@@ -65,7 +65,7 @@ class Picture {
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\">\n"
         "<title>{2}</title>\n{3}<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n{4}</svg>\n",
-        number(width), number(height), in_html(title), style, body_);
+        number(width), number(height), in_markup(title), style, body_);
   }
 
  private:
@@ -171,8 +171,8 @@ void draw_curve(Picture& picture, const SweepAxis& axis, const std::vector<Sweep
     dots += fmt::format(
         "\n<circle class=\"dot\" cx=\"{}\" cy=\"{}\" r=\"3\"><title>{} = {}: {:.4g}, {:.4g} – {:.4g} "
         "({})</title></circle>",
-        x(level), number(y(mean.mean)), in_html(axis.name), in_html(axis.levels[level]), mean.mean, mean.low, mean.high,
-        counted(mean.points, "point"));
+        x(level), number(y(mean.mean)), in_markup(axis.name), in_markup(axis.levels[level]), mean.mean, mean.low,
+        mean.high, counted(mean.points, "point"));
   }
   picture.add(fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", number(left),
                           number(top), number(curve_width), number(curve_height)));
@@ -206,7 +206,7 @@ std::string heat_maps(const std::vector<SweptPoint>& points, const std::string& 
     picture.add(fmt::format(
         "<g><title>{}: {:.4g} ({})</title><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>"
         "<text class=\"{}\" x=\"{}\" y=\"{}\">{:.4g}</text></g>",
-        in_html(cell.where), cell.mean.mean, counted(cell.mean.points, "point"), number(cell.x), number(cell.y),
+        in_markup(cell.where), cell.mean.mean, counted(cell.mean.points, "point"), number(cell.x), number(cell.y),
         number(cell_width), number(cell_height), colour(part), part < 0.6 ? "on-dark" : "on-light",
         number(cell.x + cell_width / 2), number(cell.y + cell_height / 2 + 4), cell.mean.mean));
   }

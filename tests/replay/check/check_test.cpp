@@ -391,7 +391,8 @@ TEST_CASE("JUnit's XML of what holds and what does not") {
   <testsuite name="s" tests="2" failures="1" errors="0">
     <testcase classname="f" name="a&lt;b&gt;&amp;&quot;c&quot;"/>
     <testcase classname="f" name="d">
-      <failure message="x y"/>
+      <failure message="x
+y"/>
     </testcase>
   </testsuite>
 </testsuites>

@@ -4,7 +4,6 @@
 #include <pugixml.hpp>
 
 #include "continua/replay/export/run_dialogue.h"
-#include "continua/replay/export/run_html.h"
 #include "replay/inspector/inspector_log.h"
 
 using namespace continua;
@@ -46,23 +45,6 @@ void check_page(const std::string& page) {
 }
 
 }  // namespace
-
-TEST_CASE("text is shown in HTML as it is") {
-  struct Case {
-    const char* text;
-    const char* html;
-  };
-  const Case cases[] = {{"", ""},
-                        {"a < b && c > d", "a &lt; b &amp;&amp; c &gt; d"},
-                        {"\"quoted\" 'so'", "&quot;quoted&quot; &#39;so&#39;"},
-                        {"<script>", "&lt;script&gt;"},
-                        {"Grüße → ε", "Grüße → ε"},
-                        {"a\nb\tc\x01", "a\nb␉c␁"}};
-  for (const auto& [text, html] : cases) {
-    CAPTURE(text);
-    CHECK(in_html(text) == html);
-  }
-}
 
 TEST_CASE("a run is told as a dialogue") {
   CHECK(told(dialogue_of(index_of(small_log()))) ==
