@@ -18,7 +18,8 @@ std::vector<std::string> words_in(const std::string& text) {
   std::vector<std::string> words;
   std::string word;
   for (std::size_t i = 0; i <= text.size(); ++i) {
-    const bool letter = i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] < 0);
+    const bool letter = i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) ||
+                                            static_cast<unsigned char>(text[i]) >= 0x80);
     const bool hump = letter && i > 0 && std::isupper(static_cast<unsigned char>(text[i])) &&
                       std::islower(static_cast<unsigned char>(text[i - 1]));
     if ((!letter || hump) && !word.empty()) words.push_back(std::exchange(word, ""));

@@ -24,7 +24,7 @@ bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) !=
 std::string one_line(const std::string& text) {
   std::string line;
   for (const char c : text) {
-    if (c >= 0 && c < 0x20)
+    if (static_cast<unsigned char>(c) < 0x20)
       line += {'\xE2', '\x90', static_cast<char>(0x80 + c)};  // U+2400 and on: pictures of control characters
     else if (c == 0x7F)
       line += "\xE2\x90\xA1";
