@@ -110,9 +110,8 @@ std::vector<Finding> examine(const DoctorOptions& options) {
 }  // namespace
 
 int run_doctor(const DoctorOptions& options) {
-  auto version = version_text();
-  std::replace(version.begin(), version.end(), '\n', ',');
-  fmt::print("{}\n", version);
+  for (const char c : version_text()) fmt::print("{}", c == '\n' ? std::string(", ") : std::string(1, c));
+  fmt::print("\n");
   int status = exit_done;
   for (const auto& [part, state, needed] : examine(options)) {
     const auto told = state ? *state : state.error().text();
