@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the missing packages of the build on Debian 12; with --tests those of the tests too.
+# Installs the missing packages of the build on Debian 12; with --tests those of the tests too. --list names those of the build.
 set -euo pipefail
 
 packages=(
@@ -10,6 +10,10 @@ packages=(
   pybind11-dev python3-dev
   catch2 librapidcheck-dev libbenchmark-dev
 )
+if [[ "${1:-}" == --list ]]; then
+  echo "${packages[*]}"
+  exit 0
+fi
 if [[ "${1:-}" == --tests ]]; then
   packages+=(ccache clang libclang-rt-14-dev chromium chromium-headless-shell locales lintian mmdebstrap zsh fish mypy praat libxml2-utils
     slurm-wlm munge espeak-ng pocketsphinx pocketsphinx-en-us
