@@ -15,7 +15,7 @@ serveFolder(() => {
   writeFileSync(join(folder, 'failing.run.jsonl'), roundsLog({fails: true}));
   writeFileSync(join(folder, 'worst.run.jsonl'), roundsLog({worst: true}));
   writeFileSync(join(folder, `older/${long_name}.run.jsonl`), roundsLog());
-  for (const name of ['correction', 'dialogue_gesture', 'special_dpda'])
+  for (const name of ['correction', 'dialogue_gesture', 'special_dpda', 'disambiguation', 'disambiguation_exhausted'])
     writeFileSync(join(folder, `${name}.run.jsonl`), logOf(`paper/${name}`));
   writeFileSync(join(folder, 'wizard.run.jsonl'), logOf('talk/wizard'));
 });
@@ -142,12 +142,27 @@ const overlaps = () =>
     const boxes = (selector) => [...document.querySelectorAll(selector)].map((one) => one.getBoundingClientRect());
     const meet = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1;
     const counts = boxes('.graph .count');
+    const struck = [...document.querySelectorAll('.graph .count[data-edge]')].filter((one) => {
+      const {left, right, top, bottom} = one.getBoundingClientRect();
+      const way = document.querySelector(`.edge[data-edge="${CSS.escape(one.dataset.edge)}"] .stroke`);
+      const to_page = way.getScreenCTM();
+      return Array.from({length: 200}, (_, i) =>
+        way.getPointAtLength((way.getTotalLength() * i) / 199).matrixTransform(to_page),
+      ).some(({x, y}) => x > left + 1 && x < right - 1 && y > top + 2 && y < bottom - 3);
+    });
     const nodes = boxes('.graph .node .box');
     return (
+      struck.length +
       counts.filter((one) => nodes.some((node) => meet(one, node))).length +
       counts.filter((one, i) => counts.some((other, k) => k < i && meet(one, other))).length
     );
   });
+const meeting = (...selectors) =>
+  evaluate(([one, other]) => {
+    const boxes = (selector) => [...document.querySelectorAll(selector)].map((each) => each.getBoundingClientRect());
+    const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+    return boxes(one).filter((a) => boxes(other).some((b) => meet(a, b))).length;
+  }, selectors);
 const smallestLetter = () =>
   evaluate(() =>
     Math.min(
@@ -180,6 +195,22 @@ test('the graph can be read: letters of 11 px, counts that cover nothing, the cu
     }
     assert.ok((await smallestLetter()) >= 10.9, `${await smallestLetter()} px`);
     assert.equal(await overlaps(), 0);
+  }
+});
+
+test('the counts of both runs stand beside their arrows in a comparison', async () => {
+  for (const viewport of [
+    {width: 1440, height: 900},
+    {width: 1280, height: 720},
+    {width: 390, height: 844},
+  ]) {
+    await visitor.visit('/diff/disambiguation/disambiguation_exhausted', {viewport});
+    await visitor.page.waitForSelector('.graph .count', {state: 'attached'});
+    assert.equal(await overlaps(), 0);
+    await at('graph-refused').waitFor();
+    assert.equal(await meeting('.refused-list', '.graph .node .box'), 0);
+    const labels = await visitor.page.locator('.graph .count').allTextContents();
+    assert.equal(labels.length, await visitor.page.locator('.graph .edge.taken[data-edge]').count(), `${labels}`);
   }
 });
 

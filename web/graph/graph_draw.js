@@ -1,6 +1,6 @@
 // The parts of the state graph as elements: arrows, states, and the arrows of refused transitions.
 import {pressable, s, shown, counted} from '../dom.js';
-import {arrowHead, bent, loopPath, path} from './graph_paths.js';
+import {arrowHead, bent, curve, loopPath, path} from './graph_paths.js';
 import {freePlace} from './graph_labels.js';
 
 const badge_px = 8; // radius of the number on a refused transition
@@ -38,6 +38,7 @@ export function drawEdge(edge, {compared, tell, over}) {
     'g',
     {
       class: `edge ${used ? 'taken' : 'never'}${whose(edge, compared)}${diverted}`,
+      'data-edge': nameOf(edge),
       role: 'button',
       tabindex: used ? 0 : -1,
       'aria-label': `${from} to ${to}, taken ${visits} times; its transitions`,
@@ -56,7 +57,9 @@ function hoverable(group, over) {
 
 /** The count of an arrow's uses, where there is room for it. */
 export const drawCount = (edge, compared) =>
-  edge.label && word({class: 'count', x: edge.label.x, y: edge.label.y + 4}, visitsText(edge, compared));
+  edge.label &&
+  word({class: 'count', 'data-edge': nameOf(edge), x: edge.label.x, y: edge.label.y + 4}, visitsText(edge, compared));
+const nameOf = ({from, to}) => `${from} → ${to}`;
 
 /** A state. `begins`: the automaton starts in it; `jump()`: it was pressed. */
 export function drawNode(node, {compared, begins, jump, over}) {
@@ -105,7 +108,7 @@ export function drawRefused(a, b, refused, i, taken) {
   const points = loop ? loopBelow(a) : bent(a, b, 0.22 + 0.05 * i);
   const numbers = refused.map((one) => one.number).join(', ');
   const size = {w: Math.max(2 * badge_px, numbers.length * 6 + 8), h: 2 * badge_px};
-  const at = freePlace(loop ? [points[1], points[2]] : onCurve(points), size, taken);
+  const at = freePlace(loop ? [points[1], points[2]] : curve(points, false), size, taken);
   const reasons = refused.map((one) => `${one.id}, ${shown(one.reason)}`);
   return s(
     'g',
@@ -120,14 +123,6 @@ const badge = ({x, y}, {w, h}, text) => [
   s('rect', {class: 'badge-back', x: x - w / 2, y: y - h / 2, width: w, height: h, rx: badge_px}),
   word({class: 'count', x, y: y + 4}, text),
 ];
-const curve_parts = 20;
-// Points of the curve of bent(), as drawn.
-const onCurve = ([from, control, to]) =>
-  Array.from({length: curve_parts + 1}, (_, k) => {
-    const u = k / curve_parts;
-    const part = (name) => (1 - u) ** 2 * from[name] + 2 * u * (1 - u) * control[name] + u ** 2 * to[name];
-    return {x: part('x'), y: part('y')};
-  });
 
 function loopBelow({x, y, w, h}) {
   const left = x - w / 2;

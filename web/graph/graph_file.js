@@ -46,7 +46,8 @@ function styled(view) {
   copy.querySelectorAll('*').forEach((one, i) => {
     const style = getComputedStyle(originals[i]);
     for (const name of copied) one.setAttribute(name, style.getPropertyValue(name));
-    for (const name of ['class', 'style', 'tabindex', 'role', 'aria-label', 'data-state']) one.removeAttribute(name);
+    for (const name of ['class', 'style', 'tabindex', 'role', 'aria-label', 'data-state', 'data-edge'])
+      one.removeAttribute(name);
   });
   for (const unseen of hits) unseen.remove();
   return copy;

@@ -93,20 +93,34 @@ const airs = [
   {ranks: {LR: 26, TB: 22}, nodes: 14},
   {ranks: {LR: 16, TB: 12}, nodes: 10},
 ];
+// Distances with room for counts beside the arrows, and a number of arrows from which on counts are the lesser part.
+const wide_airs = [
+  {ranks: {LR: 44, TB: 30}, nodes: 20},
+  {ranks: {LR: 64, TB: 40}, nodes: 28},
+  {ranks: {LR: 90, TB: 60}, nodes: 44},
+];
+const many_edges = 40;
 
 /**
  * Places nodes and edges for a panel of this size: with air, if all of it is then in sight, else as dense as can be read.
+ * `misses(placed)`: the number of counts that lack room in it; more air is taken where all stays in sight and fewer lack room.
  * @returns {{nodes: Node[], edges: Edge[], width, height}}
  */
-export function layOut(merged, room) {
+export function layOut(merged, room, misses = () => 0) {
   const fit = ({width, height}) => Math.min(room.width / width, room.height / height);
+  const each = (air) => ['LR', 'TB'].map((direction) => place(structuredClone(merged), direction, air));
   let best = null;
   for (const air of airs) {
-    for (const direction of ['LR', 'TB']) {
-      const placed = place(structuredClone(merged), direction, air);
-      if (!best || fit(placed) > fit(best)) best = placed;
-    }
+    for (const placed of each(air)) if (!best || fit(placed) > fit(best)) best = placed;
     if (fit(best) >= 1) break;
+  }
+  let fewest = merged.edges.length > many_edges ? 0 : misses(best);
+  for (const air of wide_airs) {
+    if (!fewest) break;
+    for (const placed of each(air)) {
+      const lacking = fit(placed) >= 1 ? misses(placed) : fewest;
+      if (lacking < fewest) [best, fewest] = [placed, lacking];
+    }
   }
   return best;
 }

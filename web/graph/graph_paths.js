@@ -18,6 +18,32 @@ export const path = (points) => {
 /** From a node to itself, over four points. */
 export const loopPath = ([a, b, c, d]) => `M${a.x} ${a.y}C${b.x} ${b.y} ${c.x} ${c.y} ${d.x} ${d.y}`;
 
+const curve_parts = 8; // of each bend
+
+/** Points of the curve that path(), or loopPath() of a `loop`, draws. */
+export function curve(points, loop) {
+  if (loop) return sampled(points);
+  if (points.length < 3) return points;
+  const all = [points[0]];
+  for (let i = 1; i < points.length - 1; ++i) {
+    const next = points[i + 1];
+    const last = i === points.length - 2;
+    const end = last ? next : {x: (points[i].x + next.x) / 2, y: (points[i].y + next.y) / 2};
+    all.push(...sampled([all.at(-1), points[i], end]).slice(1));
+  }
+  return all;
+}
+// Points of the Bézier curve with these control points.
+const sampled = (controls) => Array.from({length: curve_parts + 1}, (_, k) => between(controls, k / curve_parts));
+function between(points, share) {
+  if (points.length === 1) return points[0];
+  const mixed = points.slice(1).map(({x, y}, i) => ({
+    x: points[i].x + (x - points[i].x) * share,
+    y: points[i].y + (y - points[i].y) * share,
+  }));
+  return between(mixed, share);
+}
+
 /** The place at this part of the way along. Less than half, so that the counts of an edge and its reverse keep apart. */
 export function along(points, part) {
   const lengths = points.slice(1).map((point, i) => Math.hypot(point.x - points[i].x, point.y - points[i].y));

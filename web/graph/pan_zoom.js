@@ -65,6 +65,15 @@ export class PanZoom {
     this.#y = placed(room.height, height * this.#scale, middle(down) * this.#scale);
     this.#glide(calmly);
   }
+  /** Whether the element, placed over the picture, covers one of the boxes in it, {x, y, w, h} about their middles. */
+  covered({offsetLeft: left, offsetTop: top, offsetWidth: width, offsetHeight: height}, boxes) {
+    const apart = (at, size, from, length) => at + size / 2 <= from || at - size / 2 >= from + length;
+    return boxes.some(
+      ({x, y, w, h}) =>
+        !apart(x * this.#scale + this.#x, w * this.#scale, left, width) &&
+        !apart(y * this.#scale + this.#y, h * this.#scale, top, height),
+    );
+  }
   /** Moves the picture until this point of it is in sight. */
   reveal({x, y}) {
     const {width, height} = this.#room;

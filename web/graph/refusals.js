@@ -12,13 +12,16 @@ export class Refusals {
   list = h('details', {class: 'refused-list', hidden: true, 'data-testid': 'graph-refused'});
   #data;
   #client;
+  #covers;
   #placed = null; // the graph as layOut() gives it
   #at = -1; // the record that is shown
   #told = {from: null, refused: []};
 
-  constructor(data, client) {
+  /** `covers(element)`: whether an element over the graph covers a state. */
+  constructor(data, client, covers) {
     this.#data = data;
     this.#client = client;
+    this.#covers = covers;
     this.list.addEventListener('toggle', () => this.#draw());
   }
 
@@ -47,7 +50,16 @@ export class Refusals {
     this.list.hidden = !refused.length;
     const items = refused.map((one) => h('li', {}, h('b', {}, one.id), ` ${shown(one.reason)}`));
     this.list.replaceChildren(h('summary', {}, `${counted(refused.length, 'candidate')} refused`), h('ol', {}, items));
+    if (refused.length && !this.list.open) this.#stand();
     this.#draw();
+  }
+  // The closed list stands in the corner where no state is, if there is one.
+  #stand() {
+    const {classList} = this.list;
+    classList.remove('right');
+    if (!this.#covers(this.list)) return;
+    classList.add('right');
+    classList.toggle('right', !this.#covers(this.list));
   }
   #draw() {
     const {from, refused} = this.#told;

@@ -42,7 +42,7 @@ class Graph {
     this.#model = model;
     this.#cursor = cursor;
     this.#comparison = comparison;
-    this.#refusals = new Refusals(data, client);
+    this.#refusals = new Refusals(data, client, (one) => this.#sight.covered(one, this.#placed.nodes));
     this.#card = new GraphCard(data);
     this.#trail = new Trail(data);
     const svg = s('svg', {role: 'group', 'aria-label': 'State graph', 'data-testid': 'graph'}, this.#view);
@@ -82,11 +82,10 @@ class Graph {
     const {graph} = this.#data;
     const compared = Boolean(this.#comparison);
     const merged = mergedGraph(graph, this.#only_taken.checked, this.#comparison?.side.data.graph);
-    const placed = (this.#placed = layOut(merged, {
-      width: Math.max(1, clientWidth),
-      height: Math.max(1, clientHeight),
-    }));
-    placeLabels(placed, (one) => visitsText(one, compared));
+    const room = {width: Math.max(1, clientWidth), height: Math.max(1, clientHeight)};
+    const label = (one) => placeLabels(one, (edge) => visitsText(edge, compared));
+    const placed = (this.#placed = layOut(merged, room, label));
+    label(placed);
     const edge = (one) =>
       drawEdge(one, {
         compared,
