@@ -80,6 +80,22 @@ test('lanes are doubled, and the graph tells whose way was whose', async () => {
   assert.ok((await visitor.page.locator('.graph .count').allTextContents()).includes('A 0 B 1'));
 });
 
+test('both stacks are told in one form, their values with room for words', async () => {
+  for (const width of [1280, 1440, 1920]) {
+    await visitor.visit(`${both}?n=47`, {viewport: {width, height: 900}});
+    await visitor.page.waitForSelector('[data-testid=panel-stack_b] .value', {state: 'attached'});
+    const [a, b] = await visitor.page.evaluate(() =>
+      ['stack', 'stack_b'].map((name) => {
+        const panel = document.querySelector(`[data-testid=panel-${name}]`);
+        const widths = [...panel.querySelectorAll('.value')].map((one) => one.clientWidth).filter((one) => one > 0);
+        return {aside: getComputedStyle(panel.querySelector('.heads')).display, least: Math.min(...widths)};
+      }),
+    );
+    assert.equal(a.aside, b.aside, `${width} px`);
+    assert.ok(Math.min(a.least, b.least) >= 140, `${width} px: ${a.least}, ${b.least}`);
+  }
+});
+
 test('B stands by meaning or by its own times, with a ruler, and the address holds which', async () => {
   const begins = () =>
     visitor.page.evaluate(() => {
