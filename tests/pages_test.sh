@@ -16,4 +16,7 @@ compare() {
 
 compare docs/commands.md ci/commands_page.sh "$build/continua"
 compare docs/architecture.svg /usr/bin/python3 ci/architecture.py
+for picture in docs/machines/*.svg; do
+  compare "$picture" "$build/continua" machine "$(basename "$picture" .svg)" --svg
+done
 exit "$failed"
