@@ -310,6 +310,8 @@ test('the machine’s graph and stack follow in a corner that covers nothing, an
   await at('talk').press('Escape');
   await visitor.page.keyboard.press('b');
   assert.ok((await size()) >= 20 && before < 20);
+  const unseen = () => at('conversation').evaluate((list) => list.scrollHeight - list.scrollTop - list.clientHeight);
+  await until(async () => (await unseen()) < 5, 'the latest line stays in sight in big type');
   assert.ok(await visitor.page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
   await at('live-machine-button').click();
   assert.ok(await at('live-machine').isHidden());

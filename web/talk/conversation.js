@@ -113,6 +113,16 @@ export function mountConversation(run) {
     {class: 'conversation', role: 'log', 'aria-live': 'polite', 'aria-label': 'What was said and done'},
     list,
   );
+  // Larger type, or a smaller list, leaves the latest line in sight.
+  let at_end = true;
+  const toEnd = () => {
+    if (at_end) list.scrollTop = list.scrollHeight;
+  };
+  list.addEventListener('scroll', () => {
+    at_end = list.scrollHeight - list.scrollTop - list.clientHeight < at_end_px;
+  });
+  const sizes = new ResizeObserver(toEnd);
+  sizes.observe(list);
   const inputs = new Map();
   const acts = new Map(); // record -> its input's event; act -> the line with its status
 
@@ -120,7 +130,6 @@ export function mountConversation(run) {
 
   const keepPassing = onePassing();
   function add(record, {who, how, text, end, raw, passing: passes}) {
-    const at_end = list.scrollHeight - list.scrollTop - list.clientHeight < at_end_px;
     const status = how === 'does' && h('span', {class: 'status asked'}, act_words.asked);
     if (status) acts.set(record.act, status);
     const words = h('span', {class: 'words'}, how === 'says' ? `“${text}”` : text);
@@ -139,8 +148,9 @@ export function mountConversation(run) {
       ),
     );
     if (who === 'human' && how !== 'shows') keepPassing(passes ? list.lastChild : null);
+    sizes.observe(list.lastChild);
     if (list.childElementCount > most_lines) list.firstChild.remove();
-    if (at_end) list.scrollTop = list.scrollHeight;
+    toEnd();
   }
 
   return {
