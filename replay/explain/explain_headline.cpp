@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "continua/replay/explain/explain_origin.h"
+#include "continua/replay/log/brief_in_words.h"
 #include "continua/replay/log/expectation_words.h"
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
@@ -99,7 +100,7 @@ struct Happened {
 
   // Quoted where there are words for it.
   std::string in_words(const std::string& term) const {
-    const auto told = run_words.term(term);
+    const auto told = run_words.meaning(term);
     return told == term ? term : "“" + told + "”";
   }
 
@@ -151,13 +152,18 @@ struct Happened {
     return fmt::format("{} is applied to {} and gives {}", made.function, made.argument, made.result);
   }
   std::string operator()(const log::Learned& learned) const {
-    return fmt::format("the avatar learns that the {} {} means {}", learned.of, learned.name, learned.value);
+    const auto name = learned.of == "gesture" ? run_words.gesture(learned.name, "") : learned.name;
+    return fmt::format("the avatar learns that the {} “{}” means {}", learned.of, name, in_words(learned.value));
   }
   std::string operator()(const log::Forgotten& forgotten) const {
-    return fmt::format("the avatar forgets the {} {}", forgotten.of, forgotten.name);
+    const auto name = forgotten.of == "gesture" ? run_words.gesture(forgotten.name, "") : forgotten.name;
+    return fmt::format("the avatar forgets the {} “{}”", forgotten.of, name);
   }
   std::string operator()(const log::Memory& memory) const {
     return fmt::format("the register {} becomes {}", memory.register_name, in_words(memory.value));
+  }
+  std::string operator()(const log::Percept&) const {
+    return "an input is attended to: " + brief_in_words(run_words, record);
   }
   std::string operator()(const log::Belief& belief) const {
     return fmt::format("{} is certain to {}, before {}", belief.concept_name, text_of(record, "value"),
@@ -256,6 +262,8 @@ Json explained_act(ExplainScope& scope, std::size_t n) {
     records.push_back({{"n", at}, {"t", run.entry(at).t.seconds()}});
     for (const char* part : {"status", "step", "program", "result"}) records.back()[part] = member_of(record, part);
     records.back()["told"] = scope.words().term(text_of(record, "program"));
+    if (const auto reason = text_of(member_of(record, "result"), "reason"); !reason.empty())
+      records.back()["why"] = scope.words().named(reason);
     const auto status = text_of(record, "status");
     if (record.contains("step") || status == "asked" || status == "started") continue;
     outcome = status;
@@ -271,11 +279,11 @@ Json explained_act(ExplainScope& scope, std::size_t n) {
                : status == "stopped" ? fmt::format("It was given up at {}", time_text(t))
                                      : fmt::format("It failed at {}: {}", time_text(t), status);
     if (const auto reason = text_of(result, "reason"); !reason.empty())
-      sentence += (status == "done" ? ": " : ", ") + reason;
+      sentence += (status == "done" ? ": " : ", ") + scope.words().named(reason);
     if (const auto& retries = member_of(result, "retries"); retries.is_array() && !retries.empty())
       sentence += fmt::format("; {} had failed before: {}",
                               retries.size() == 1 ? "one attempt" : fmt::format("{} attempts", retries.size()),
-                              alternatives_text(retries, "; "));
+                              scope.words().named(alternatives_text(retries, "; ")));
     if (const auto& aside = member_of(result, "moved_aside"); aside.is_array() && !aside.empty())
       sentence += fmt::format("; {} had to make room", alternatives_text(scope.words().each(aside), " and "));
     sentence += ".";

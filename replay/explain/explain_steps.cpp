@@ -65,6 +65,43 @@ Json explained_refusals(const Json& record, const Json& graph) {
   return told;
 }
 
+namespace {
+
+// Each thing that was ruled out with its words, `told`, and those of the reason, `why`.
+void tell_ruled_out(const RunWords& words, Json& of) {
+  const auto list = of.find("ruled_out");
+  if (list == of.end() || !list->is_array()) return;
+  for (auto& one : *list) {
+    if (!one.is_object()) continue;
+    one["told"] = words.thing(text_of(one, "object"));
+    one["why"] = words.reason(text_of(one, "reason"), text_of(one, "object"));
+  }
+}
+
+// A list of what a reading or a percept found, each with its meaning or its place in words as `told`.
+void tell_found(const RunWords& words, Json& record) {
+  if (!record.is_object()) return;
+  tell_ruled_out(words, record);
+  if (auto found = record.find("resolved"); found != record.end() && found->is_array())
+    for (auto& one : *found) {
+      if (!one.is_object()) continue;
+      tell_ruled_out(words, one);
+      if (const auto value = text_of(one, "value"); !value.empty() && value != "null") one["told"] = words.term(value);
+      if (member_of(one, "referents").is_array()) one["referents_told"] = words.each(one["referents"]);
+    }
+  if (auto bound = record.find("bound"); bound != record.end() && bound->is_array())
+    for (auto& one : *bound)
+      if (one.is_object() && member_of(one, "deixis").is_object())
+        one["deixis"]["told"] = words.spot(member_of(one["deixis"], "place"));
+}
+
+Json in_words(const RunWords& words, Json records) {
+  for (auto& one : records) tell_found(words, one);
+  return records;
+}
+
+}  // namespace
+
 Json explained_inputs(ExplainScope& scope) {
   Json inputs = Json::array();
   const auto here = scope.input_of(scope.n());
@@ -85,8 +122,8 @@ Json explained_inputs(ExplainScope& scope) {
                       {"told", input_text(scope.words(), record)},
                       {"symbol", member_of(record, "symbol")},
                       {"here", n == here},
-                      {"percepts", records_of(scope, n, log::Percept::kind.name)},
-                      {"readings", records_of(scope, n, log::Reading::kind.name)}});
+                      {"percepts", in_words(scope.words(), records_of(scope, n, log::Percept::kind.name))},
+                      {"readings", in_words(scope.words(), records_of(scope, n, log::Reading::kind.name))}});
     if (kind == "pointing") {
       inputs.back()["hand"] = text_of(event, "hand");
       inputs.back()["count"] = 1;

@@ -37,13 +37,19 @@ std::string value_text(const Json& value) {
   return value.is_null() ? "nothing" : value.is_string() ? value.get<std::string>() : compact(value);
 }
 
-// "cup (not plate(cup)), knife (not plate(knife))"
+// The member in words, or as it is logged.
+std::string told_of(const Json& object, const char* told, const char* logged) {
+  return text_of(object, member_of(object, told).is_null() ? logged : told);
+}
+
+// "the cup (not plate), the knife (not plate)"
 std::string ruled_out_text(const Json& ruled_out, bool all) {
   std::string text;
   std::size_t told = 0;
   for (const auto& one : ruled_out) {
     if (!all && told == few_objects) break;
-    text += fmt::format("{}{} ({})", told++ == 0 ? "" : ", ", text_of(one, "object"), text_of(one, "reason"));
+    text += fmt::format("{}{} ({})", told++ == 0 ? "" : ", ", told_of(one, "told", "object"),
+                        told_of(one, "why", "reason"));
   }
   return told < ruled_out.size() ? text + fmt::format(" and {} more", ruled_out.size() - told) : text;
 }
@@ -107,8 +113,8 @@ class Teller {
       const auto hand = text_of(deixis, "hand");
       const auto from = at(deixis, "from"), until = at(deixis, "until");
       const auto samples = number_of(deixis, "samples"), left_out = number_of(deixis, "left_out");
-      tell(fmt::format("“{}” goes with a pointing{} at {}, {}{}, {}{}  {}", text_of(bound, "words"),
-                       hand.empty() ? "" : " of the " + hand + " hand", text_of(deixis, "place"), from,
+      tell(fmt::format("“{}” goes with a pointing{} at the place {}, {}{}, {}{}  {}", text_of(bound, "words"),
+                       hand.empty() ? "" : " of the " + hand + " hand", told_of(deixis, "told", "place"), from,
                        until == from ? "" : " to " + until,
                        member_of(deixis, "gesture") == true ? std::string("a gesture’s own target")
                        : samples == 1
@@ -153,9 +159,11 @@ class Teller {
 
   void tell_resolved(const Json& resolved) {
     const auto words = text_of(resolved, "words"), value = text_of(resolved, "value");
-    const auto& referents = list_of(resolved, "referents");
+    const auto& named = list_of(resolved, "referents_told");
+    const auto& referents = named.empty() ? list_of(resolved, "referents") : named;
     auto text = words.empty() ? text_of(resolved, "phrase") : "“" + words + "”";
-    text += value.empty() || value == "null" ? " may be " + alternatives_text(referents) : " is " + value;
+    text += value.empty() || value == "null" ? " may be " + alternatives_text(referents)
+                                             : " is " + told_of(resolved, "told", "value");
     if ((value.empty() || value == "null") && referents.empty()) text = "“" + words + "” is no object here";
     if (const auto way = way_text(text_of(resolved, "by")); !way.empty()) text += ", " + way;
     if (const auto sides = text_of(resolved, "sides"); !sides.empty())
@@ -272,14 +280,22 @@ class Teller {
     if (more > 0) tell(fmt::format("… {} more new or changed (--all)", more));
     if (same > 0) tell(fmt::format("below: {} as before", symbols_text(static_cast<double>(same))));
     for (const auto& symbol : removed)
-      tell(fmt::format("- gone: {}  {}", slots_text(member_of(symbol, "slots")), numbered(symbol, "made")));
+      tell(fmt::format("- gone: {}  {}", slots_text(symbol), numbered(symbol, "made")));
   }
 
-  static std::string slots_text(const Json& slots) {
+  // A value of a symbol's slot, in words where the symbol has them.
+  static std::string slot_text(const Json& symbol, const Json& value) {
+    const auto logged = value_text(value);
+    const auto told = text_of(member_of(symbol, "told"), logged.c_str());
+    return told.empty() ? logged : told;
+  }
+
+  static std::string slots_text(const Json& symbol) {
+    const auto& slots = member_of(symbol, "slots");
     std::string text;
     if (slots.is_object())
       for (const auto& [slot, value] : slots.items())
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", slot, value_text(value));
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", slot, slot_text(symbol, value));
     return text.empty() ? "an empty symbol" : text;
   }
 
@@ -300,14 +316,14 @@ class Teller {
         if (change == "added" && !top)
           as_below += (as_below.empty() ? "as the one below: " : ", ") + slot;
         else
-          tell(fmt::format("  {} {}", slot, value_text(value)), 2);
+          tell(fmt::format("  {} {}", slot, slot_text(symbol, value)), 2);
       }
     if (!as_below.empty()) tell("  " + as_below, 2);
     if (!changed.is_object()) return;
     for (const auto& [slot, how] : changed.items()) {
-      auto text = fmt::format("* {} {}", slot, value_text(member_of(how, "now")));
+      auto text = fmt::format("* {} {}", slot, slot_text(symbol, member_of(how, "now")));
       if (const auto& was = member_of(how, "was"); !was.is_null() && change == "changed")
-        text += ", was " + value_text(was);
+        text += ", was " + slot_text(symbol, was);
       std::string by;
       if (const auto& expression = member_of(how, "expression"); !expression.is_null())
         by += " ← " + value_text(expression);
@@ -335,8 +351,8 @@ class Teller {
       const auto& result = member_of(record, "result");
       const auto step = text_of(record, "step");
       auto text = fmt::format("{}  {}{} {}", at(record), step.empty() ? "" : "step " + step + ", ",
-                              text_of(record, "program"), text_of(record, "status"));
-      if (const auto reason = text_of(result, "reason"); !reason.empty()) text += ": " + reason;
+                              told_of(record, "told", "program"), text_of(record, "status"));
+      if (const auto reason = text_of(record, "why"); !reason.empty()) text += ": " + reason;
       if (const auto error = number_of(result, "position_error_m"); error > 0)
         text += fmt::format(", {:.1f} mm from what was meant", 1000 * error);
       if (const auto& touches = list_of(result, "touches"); !touches.empty())

@@ -36,6 +36,29 @@ void tell_referents(const RunWords& words, Json& reading) {
     if (one.is_string()) one = words.thing(one.get<std::string>());
 }
 
+// "pointing with the right hand at the place 10 cm left of the table's middle"; nothing for other inputs.
+std::string place_shown(const RunWords& words, const Json& event) {
+  const auto kind = text_of(event, "kind"), hand = text_of(event, "hand");
+  const auto& target = member_of(event, "target");
+  if ((kind != "pointing" && kind != "gaze") || !target.is_array()) return {};
+  const auto spot = words.spot(target);
+  return fmt::format("{}{}{}{}", kind, hand.empty() ? "" : " with the " + hand + " hand",
+                     spot == compact(target) ? " " : " at the place ", spot);
+}
+
+// The places that a percept's words go with, in its text.
+std::string with_places(const RunWords& words, const Json& percept, std::string text) {
+  const auto& bound = member_of(percept, "bound");
+  if (!bound.is_array()) return text;
+  for (const auto& one : bound) {
+    const auto& place = member_of(member_of(one, "deixis"), "place");
+    const auto logged = compact(place), spot = words.spot(place);
+    if (const auto at = text.find(logged); spot != logged && at != text.npos)
+      text.replace(at, logged.size(), "the place " + spot);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string input_text(const RunWords& words, const Json& input, std::size_t alternative) {
@@ -49,6 +72,7 @@ std::string input_text(const RunWords& words, const Json& input, std::size_t alt
   if (kind == "act")
     return fmt::format("act {}, “{}”, {}", text_of(event, "act"), words.term(text_of(event, "program")),
                        text_of(event, "status"));
+  if (auto shown = place_shown(words, event); !shown.empty()) return shown;
   if (kind != "gesture" || !has_own) return kind == "gesture" ? "gesture " + brief(input) : brief(input);
   const auto phase = text_of(event, "phase");
   const bool whole = phase.empty() || phase == "stroke";
@@ -60,7 +84,12 @@ std::string brief_in_words(const RunWords& words, const Json& record) {
   const auto kind = text_of(record, "kind");
   if (log::is<log::Input>(kind)) return input_text(words, record);
   if (log::is<log::Expect>(kind)) return expectation_text(words, record);
+  if (log::is<log::Percept>(kind)) return with_places(words, record, brief(record));
   auto told = record;
+  if (log::is<log::Learned>(kind)) {
+    tell(words, told, log::name_of(&log::Learned::value));
+    if (text_of(told, "of") == "gesture") told["name"] = words.gesture(text_of(told, "name"), "");
+  }
   if (log::is<log::AvatarGesture>(kind)) tell(words, told, log::name_of(&log::AvatarGesture::gesture));
   if (log::is<log::Act>(kind)) tell(words, told, log::name_of(&log::Act::program));
   if (log::is<log::Memory>(kind)) tell(words, told, log::name_of(&log::Memory::value));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "continua/replay/log/applied_term.h"
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_text.h"
 
@@ -24,39 +25,6 @@ std::string attribute(std::string_view tag, std::string_view key) {
     return std::string(tag.substr(from, tag.find_first_of(quoted ? "\"" : " \"/", from) - from));
   }
   return {};
-}
-
-struct Applied {
-  std::string_view name;
-  std::vector<std::string_view> arguments;
-};
-
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
-
-// A name with its arguments, or alone; nothing for other terms.
-std::optional<Applied> applied(std::string_view term) {
-  const auto is_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
-  const auto end = static_cast<std::size_t>(std::find_if_not(term.begin(), term.end(), is_name) - term.begin());
-  if (end == 0) return std::nullopt;
-  Applied found{term.substr(0, end), {}};
-  if (end == term.size()) return found;
-  if (term[end] != '(' || term.back() != ')') return std::nullopt;
-  int depth = 0;
-  auto from = end + 1;
-  for (auto at = from; at + 1 < term.size(); ++at) {
-    if (term[at] == '(' || term[at] == '<' || term[at] == '[') ++depth;
-    if (term[at] == ')' || term[at] == '>' || term[at] == ']') --depth;
-    if (depth < 0) return std::nullopt;
-    if (term[at] != ',' || depth != 0) continue;
-    found.arguments.push_back(trimmed(term.substr(from, at - from)));
-    from = at + 1;
-  }
-  found.arguments.push_back(trimmed(term.substr(from, term.size() - 1 - from)));
-  return found;
 }
 
 std::string mjcf_of(const RunIndex& run) {
@@ -116,6 +84,12 @@ std::string RunWords::place(std::string_view point) const {
   return across + (across.empty() || along.empty() ? "" : *word("table", "and")) + along + *word("table", "of");
 }
 
+std::string RunWords::spot(const Json& point) const {
+  if (table_.is_null() || !point.is_array() || point.size() < 2 || !point[0].is_number() || !point[1].is_number())
+    return compact(point);
+  return place(fmt::format("<{}, {}>", point[0].get<double>(), point[1].get<double>()));
+}
+
 std::string RunWords::elements(std::string_view list) const {
   const auto as_arguments = fmt::format("list({})", list.substr(1, list.size() - 2));
   const auto read = applied(as_arguments);
@@ -147,11 +121,16 @@ std::string RunWords::told(std::string_view term, std::string_view about) const 
   for (std::size_t i = 0; i < found->arguments.size(); ++i) {
     const auto mark = fmt::format("{{{}}}", i);
     if (const auto at = text.find(mark); at != text.npos)
-      text.replace(at, mark.size(), told(found->arguments[i], i == 0 ? "" : found->arguments.front()));
+      text.replace(at, mark.size(), argument(found->arguments[i], i == 0 ? "" : found->arguments.front()));
   }
   // A part that the program lacks.
   for (auto at = text.find(" {"); at != text.npos; at = text.find(" {")) text.erase(at, text.find('}', at) + 1 - at);
   return text;
+}
+
+std::string RunWords::argument(std::string_view term, std::string_view about) const {
+  const auto of_things = property(term);
+  return of_things ? *of_things : told(term, about);
 }
 
 std::string RunWords::term(std::string_view term) const { return told(term, {}); }
@@ -196,15 +175,6 @@ std::string RunWords::expected(std::string_view field, const Json& value) const 
   if (field == "state") return text;
   const auto told = term(text);
   return field == "act" ? "“" + told + "”" : told;
-}
-
-std::string RunWords::reason(std::string_view reason, std::string_view thing) const {
-  const auto of = fmt::format("({})", thing);
-  if (table_.is_null() || !reason.ends_with(of) || reason.find('(') + of.size() != reason.size())
-    return std::string(reason);
-  auto text = std::string(reason.substr(0, reason.size() - of.size()));
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
 }
 
 std::string RunWords::all() const {

@@ -307,6 +307,8 @@ test('the machine’s graph and stack follow in a corner that covers nothing, an
       .first()
       .evaluate((line) => parseFloat(getComputedStyle(line).fontSize));
   const before = await size();
+  for (let i = 0; i < 6; ++i) await type('Take the cup.');
+  await until(async () => (await lines('human', 'says').count()) === 7, 'all is said');
   await at('talk').press('Escape');
   await visitor.page.keyboard.press('b');
   assert.ok((await size()) >= 20 && before < 20);

@@ -8,6 +8,7 @@ import {at, folder, serveFolder, server, visitor} from './served.mjs';
 import {logOf, numberOf} from './support.mjs';
 
 const runs = ['paper/disambiguation', 'paper/correction', 'talk/n_best', 'talk/staircase', 'building_blocks'];
+const raw_places = /[<[]-?\d\S*, ?-?\d/; // coordinates
 const nameOf = (run) => run.split('/').at(-1);
 serveFolder(() => {
   for (const run of runs) writeFileSync(join(folder, `${nameOf(run)}.run.jsonl`), logOf(run));
@@ -22,7 +23,7 @@ const prose = (panel) =>
       '.term, .fields, [data-testid=fields], [data-testid=derivation], .type, .row:is(.kind-application, .kind-reading, .kind-symbol) .label',
     ))
       one.remove();
-    return copy.textContent.replaceAll(/\bwhere\(\w+\)/g, '');
+    return copy.textContent;
   });
 
 for (const run of runs)
@@ -36,6 +37,7 @@ for (const run of runs)
     const raw = async (panel) => {
       const text = without(await prose(panel));
       const places = ids.map((name) => new RegExp(`.{0,60}(?<!\\w)${name}(?!\\w).{0,20}`).exec(text)?.[0]);
+      if (panel === 'why') places.push(raw_places.exec(text)?.[0]);
       return places.filter(Boolean).map((place) => `${panel}: ${place}`);
     };
     await visitor.visit(`/r/${id}?n=0`);
@@ -76,4 +78,15 @@ test('the log’s own names are shown on hover, and records are found by either'
     assert.ok((await rows().count()) > 0, words);
   }
   assert.ok((await rows().locator('.label[title*=cup_blue]', {hasText: 'the blue cup'}).count()) > 0);
+});
+
+test('who was ruled out is told with the server’s words for the reason, the log’s own on hover', async () => {
+  const n = numberOf('talk/staircase', ({kind, resolved}) => resolved?.some((one) => one.ruled_out?.length));
+  const {inputs} = await (await fetch(`${server.address}/api/runs/staircase/explain?n=${n}`)).json();
+  const [first] = inputs.flatMap(({readings}) => readings.flatMap(({resolved}) => resolved ?? []));
+  const [out] = first.ruled_out;
+  await visitor.visit(`/r/staircase?n=${n}&tab=why`);
+  const item = visitor.page.locator('[data-testid=ruled-out] li').first();
+  assert.equal(await item.textContent(), `${out.told} ruled out: ${out.why}`);
+  assert.equal(await item.getAttribute('title'), out.why === out.reason ? null : out.reason);
 });

@@ -34,11 +34,18 @@ const chain = (records, testid, to) =>
     records.map((one) => reference(one, to)),
   );
 
-/** The members of record n that the server tells in words: name -> words. */
+/** The members of record n that the server tells in words: name -> words, or the same with words in it. */
 export function membersInWords({act, inputs}, n) {
   const of_act = listOf(act?.records).find((one) => one.n === n);
   const of_input = listOf(inputs).find((one) => one.n === n);
-  return {...(of_act && {program: of_act.told}), ...(of_input && {event: of_input.told})};
+  const readings = listOf(inputs).flatMap((input) => listOf(input.readings));
+  const {resolved, ruled_out} = readings.find((one) => one.n === n) ?? {};
+  return {
+    ...(of_act && {program: of_act.told}),
+    ...(of_input && {event: of_input.told}),
+    ...(resolved && {resolved}),
+    ...(ruled_out && {ruled_out}),
+  };
 }
 
 export function causes({chain: links}, to) {
@@ -59,6 +66,8 @@ export function contributors({inputs}, to) {
   return told.length > 0 && section('Who contributed', chain(told, 'inputs', to));
 }
 
+const spoken = (told, logged) => h('span', {title: told === logged ? null : text(logged)}, shown(told));
+
 /** Who could have been meant and was not, in the readings that the record goes back to. */
 export function ruledOut({inputs}, to, in_words) {
   const readings = listOf(inputs).flatMap((input) => listOf(input.readings));
@@ -67,8 +76,9 @@ export function ruledOut({inputs}, to, in_words) {
     .filter((one) => listOf(one.ruled_out).length);
   if (!all.length) return false;
   const objects = new Set(all.flatMap((one) => listOf(one.ruled_out).map(({object}) => text(object))));
-  const item = ({n, words, referents, value, ruled_out}) => {
-    const meaning = [` “${text(words ?? '')}” means `, in_words.things(referents ?? value ?? 'nothing')];
+  const item = ({n, words, referents, value, told, ruled_out}) => {
+    const named = told === undefined ? in_words.things(referents ?? value ?? 'nothing') : spoken(told, value);
+    const meaning = [` “${text(words ?? '')}” means `, named];
     const others = listOf(ruled_out).map((one) => in_words.ruledOut(one));
     return [h('p', {class: 'note'}, to(n, `#${n}`), meaning), bullets(others)];
   };

@@ -18,12 +18,13 @@ export class Words {
   things(names) {
     return [names].flat().map((name, i) => [i > 0 && ', ', this.thing(name)]);
   }
-  /** A thing that was ruled out, as an item of a list: “not white(cup)” is told of the cup as “not white”. */
-  ruledOut({object, reason}, between = ' ') {
-    const told = shown(reason);
-    const of_it = `(${text(object)})`;
-    const alone = told.endsWith(of_it) && told.indexOf('(') === told.length - of_it.length;
-    const words = alone ? told.slice(0, -of_it.length).replaceAll('_', ' ') : told;
-    return h('li', {title: words === told ? null : told}, h('b', {}, this.thing(object)), between, words);
+  /**
+   * A thing that was ruled out, as an item of a list. `told`, `why`: the server's words for it and for the reason; where
+   * there are none, the log's own stand.
+   */
+  ruledOut({object, reason, told, why}, between = ' ') {
+    const thing = told === undefined ? this.thing(object) : h('span', {title: text(object)}, shown(told));
+    const title = why === undefined || why === reason ? null : shown(reason);
+    return h('li', {title}, h('b', {}, thing), between, shown(why ?? reason));
   }
 }

@@ -135,7 +135,7 @@ const names = (value) =>
     .map((one) => text(one))
     .join(', ');
 
-function readingFields(record, in_words) {
+function readingFields(record, in_words, told) {
   const typed = (name, value, type) =>
     line(name, h('span', {class: 'term'}, shown(value)), type && h('span', {class: 'type'}, ` : ${type}`));
   const missing = ({type, words, why, choices}) => [
@@ -153,7 +153,7 @@ function readingFields(record, in_words) {
       line('referents', listOf(record.referents).length ? in_words.things(listOf(record.referents)) : 'none'),
     ['unknown', 'unused'].map((kind) => record[kind] && line(`${kind} words`, names(record[kind]))),
   ];
-  return [h('dl', {}, fields), phraseViews(record, in_words), parseList(record)];
+  return [h('dl', {}, fields), phraseViews({...record, ...told}, in_words), parseList(record)];
 }
 
 // Each noun phrase, and a pointing: who was meant, and who was not.
@@ -162,9 +162,10 @@ function phraseViews({resolved, ruled_out, referents}, in_words) {
   const phrases = [...objectsOf(resolved), ...(ruled_out ? [pointing] : [])];
   return phrases.map((one) => phraseView(one, phrases.length < 3, in_words));
 }
-function phraseView({words, phrase, referents, value, by, ruled_out}, open, in_words) {
+function phraseView({words, phrase, referents, value, told, by, ruled_out}, open, in_words) {
   const meant = referents ? listOf(referents) : [value];
-  const meaning = h('b', {}, meant.length ? in_words.things(meant) : 'nothing');
+  const named = told === undefined ? in_words.things(meant) : h('span', {title: text(value)}, shown(told));
+  const meaning = h('b', {}, meant.length ? named : 'nothing');
   const others = objectsOf(ruled_out).map((one) => in_words.ruledOut(one, ' ruled out: '));
   return h(
     'details',
@@ -250,6 +251,9 @@ const views = {
 export function recordView(record, schema, in_words, told) {
   if (record.kind === 'utterance' || record.kind === 'gesture') return null;
   return (
-    views[record.kind]?.(record, in_words) ?? [ownFields(record, schema, in_words, told), refusals(record.refused)]
+    views[record.kind]?.(record, in_words, told) ?? [
+      ownFields(record, schema, in_words, told),
+      refusals(record.refused),
+    ]
   );
 }

@@ -102,11 +102,13 @@ TEST_CASE("the headline tells what the avatar did and what it is due to") {
       {"paper/dialogue_gesture", act(1),
        "At 0:05.05 the avatar puts the white plate 10 cm left of and 15 cm before the table's middle, because the "
        "human said “Put it there.” (0:04) with "
-       "pointing right [-0.1,-0.15] (0:03.8), after “The plate.” (0:01). It was done at 0:05.05."},
+       "pointing with the right hand at the place 10 cm left of and 15 cm before the table's middle (0:03.8), after "
+       "“The plate.” (0:01). It was done at 0:05.05."},
       {"paper/predicate_first", act(1),
        "At 0:04 the avatar puts the white plate 10 cm left of and 15 cm before the table's middle, because the human "
        "said “The plate.” (0:04) after "
-       "“Put it there.” (0:01) and pointing right [-0.1,-0.15] (0:00.9). It was done at 0:04.4."},
+       "“Put it there.” (0:01) and pointing with the right hand at the place 10 cm left of and 15 cm before the "
+       "table's middle (0:00.9). It was done at 0:04.4."},
       {"paper/one_shot_learning", act(3),
        "At 0:30.4 the avatar puts the white cup on the white plate, because the human made the gesture “two fingers” "
        "(0:30) after gesture “two fingers” (0:01), “Grasp the cup.” (0:03) and “Put on the plate.” "
@@ -126,7 +128,7 @@ TEST_CASE("the headline tells what the avatar did and what it is due to") {
        "At 0:04.2 there is the input gesture “points”: it goes with “In that blue cup.” (0:04).",
        5},
       {"paper/disambiguation", record(2),
-       "At 0:01 the human says “Take the block.”: it is taken to mean \\x. grasp(x); the avatar says “Which block do "
+       "At 0:01 the human says “Take the block.”: it is taken to mean “takes …”; the avatar says “Which block do "
        "you "
        "mean? Should I take the yellow block?”; it points at the yellow block."},
       {"talk/n_best",
@@ -169,7 +171,7 @@ TEST_CASE(
     "the text names each slot that changed, who set it and where its value is from, and what was refused and why") {
   const auto told = unnumbered(text(explained(opened(traces / "paper/disambiguation.run.jsonl"), {})));
   for (const char* part :
-       {"0:01  “Take the block.”  #n", "“the block” may be block1, block4 or block6",
+       {"0:01  “Take the block.”  #n", "“the block” may be the yellow block, the green block or the red block",
         "0:01  Compose → Choose by ‘several’, without input, step 2  #n", "since lacks != null and size(seen) > 1",
         "not ‘as many as shown’, ‘the same with those’", "The stack, 1 symbol before, 5 symbols after",
         "* command \\x. grasp(x) ← meaning (#n); from “take” in “Take the block.” (0:01)",

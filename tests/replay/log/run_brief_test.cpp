@@ -42,8 +42,8 @@ TEST_CASE("an explanation tells lessons in words") {
     if (!told) FAIL(told.error().text());
     return explain_text(*told, {});
   };
-  CHECK_THAT(text_of_first("learned"), Contains("learns that the word hoist means \\x: e. [lift(x)]"));
-  CHECK_THAT(text_of_first("forgotten"), Contains("forgets the word hoist"));
+  CHECK_THAT(text_of_first("learned"), Contains("learns that the word “hoist” means “[lifts …]”"));
+  CHECK_THAT(text_of_first("forgotten"), Contains("forgets the word “hoist”"));
 }
 
 TEST_CASE("a difference of runs tells lessons in words") {

@@ -28,6 +28,9 @@ TEST_CASE("programs, places and gestures are told in words, and what is not know
       {"HEAD_NOD", "nods"},
       {"zork(b3)", "zork(b3)"},
       {"\\x. grasp(x)", "\\x. grasp(x)"},
+      {"put(b3, beside(mug))", "puts the black block beside the cup"},
+      {"where(b3)", "where the black block is"},
+      {"grasp(the(\\x. white(x) and cup(x)))", "takes the white cup"},
       {"[b3, mug]", "[the black block, the cup]"},
       {"[[b3, mug], [b1]]", "[[the black block, the cup], [the red block (b1)]]"},
       {"[]", "[]"},
@@ -43,11 +46,49 @@ TEST_CASE("programs, places and gestures are told in words, and what is not know
   CHECK(words.gesture("posack", "") == "yes");
   CHECK(words.gesture("grab_move", "left") == "carry left");
   CHECK(words.gesture("two_fingers", "") == "two fingers");
-  CHECK(words.reason("not white(b3)", "b3") == "not white");
-  CHECK(words.reason("not white(b3)", "mug") == "not white(b3)");
-  CHECK(words.reason("not on(b3, mug)", "mug") == "not on(b3, mug)");
   CHECK(words.missing("loc") == "the place");
   const auto raw = RunWords::raw();
   CHECK(raw.term("put(b3, on(mug))") == "put(b3, on(mug))");
   CHECK(raw.gesture("posack", "") == "posack");
+}
+
+TEST_CASE("reasons are told of the thing that was ruled out, and one without words as it is") {
+  const RunWords words(
+      R"(<custom><text name="b3" data="type=block color=black"/><text data="type=cup" name="mug"/></custom>)");
+  struct Case {
+    const char *reason, *thing, *told;
+  };
+  const Case cases[] = {
+      {"not white(b3)", "b3", "not white"},
+      {"not white(b3)", "mug", "not white(b3)"},
+      {"not on(b3, mug)", "b3", "not on the cup"},
+      {"not on(b3, mug)", "mug", "not on(b3, mug)"},
+      {"not pointed at", "b3", "not pointed at"},
+      {"not leftmost(\\y. block(y), b3)", "b3", "not leftmost block"},
+      {"not (b3 = the(\\y. cup(y)) or b3 = the(\\y. plate(y)))", "b3", "not the cup or the plate"},
+      {"not (red(b3) and (red(b3) and block(b3)) or green(b3))", "b3", "not red block or green"},
+      {"not nearest(\\y. f(y, z), b3)", "b3", "not nearest(\\y. f(y, z), b3)"},
+      {"", "b3", ""},
+  };
+  for (const auto& [reason, thing, told] : cases) {
+    CAPTURE(reason);
+    CHECK(words.reason(reason, thing) == told);
+  }
+  CHECK(RunWords::raw().reason("not white(b3)", "b3") == "not white(b3)");
+}
+
+TEST_CASE("sentences of the log name things as people do, and open meanings leave gaps") {
+  const RunWords words(
+      R"(<custom><text name="b3" data="type=block color=black"/><text data="type=cup" name="cup"/></custom>)");
+  CHECK(words.named("b3 is held already") == "the black block is held already");
+  CHECK(words.named("the cup is there, b33 too") == "the cup is there, b33 too");
+  CHECK(words.named("that place is out of my reach") == "that place is out of my reach");
+  CHECK(words.meaning("\\x. grasp(x)") == "takes …");
+  CHECK(words.meaning("\\x. put(x, in(cup))") == "puts … in the cup");
+  CHECK(words.meaning("\\x: e. [lift(x)]") == "[lifts …]");
+  CHECK(words.meaning("\\n. zork(n)") == "\\n. zork(n)");
+  CHECK(words.meaning("grasp(b3)") == "takes the black block");
+  CHECK(words.spot(Json::array({-0.1, 0.05})) == "10 cm left of and 5 cm beyond the table's middle");
+  CHECK(words.spot(Json()) == "null");
+  CHECK(RunWords::raw().spot(Json::array({-0.1, 0.05})) == "[-0.1,0.05]");
 }
