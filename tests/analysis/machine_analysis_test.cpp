@@ -50,7 +50,7 @@ std::string analysed(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("the class is that of the definitions; weights but 1 are no certainty") {
+TEST_CASE("the class is that of the definitions, weights but 1 are no certainty") {
   CHECK(analysed(machine(R"({"id":"1","from":"A","on":"x","to":"F"})")) == "DFA");
   CHECK(analysed(machine(R"({"id":"1","from":"A","on":"x","to":"F","weight":2})")) == "NFA");
   CHECK(analysed(machine(R"({"id":"1","from":"A","on":"x","to":"F"},{"id":"2","from":"A","on":"x","to":"A"})")) ==
@@ -83,7 +83,7 @@ TEST_CASE("parts that play none are found: by their conditions too") {
         "DFA; unreachable: F G; dead ends: A H; never: 2");
 }
 
-TEST_CASE("ε-cycles that change nothing are told with their path; one that pushes is none") {
+TEST_CASE("ε-cycles that change nothing are told with their path, one that pushes is none") {
   CHECK(analysed(machine(R"(
     {"id":"in","from":"A","on":"x","to":"B"}, {"id":"bc","from":"B","on":null,"to":"C"}, {"id":"cb","from":"C","on":null,"to":"B"},
     {"id":"out","from":"C","on":"x","when":"s = 'a'","to":"F"})")) ==

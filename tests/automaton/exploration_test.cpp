@@ -63,7 +63,7 @@ const std::string forking = R"({"machine":1,"name":"m","start":"A","slots":{"s":
 
 }  // namespace
 
-TEST_CASE("every applicable transition is taken; the heaviest configuration leads") {
+TEST_CASE("every applicable transition is taken, the heaviest configuration leads") {
   CHECK(Exploring(forking).branches() == "A 1 #0 ()");
   CHECK(Exploring(forking).feed("x").branches() == "C 0.75 #0 (heavy), B 0.25 #1 (light)");
 }
@@ -100,7 +100,7 @@ TEST_CASE("what follows from an input by ε draws on that input, at its time") {
   CHECK(print(acted.term) == "go(0)");
 }
 
-TEST_CASE("a configuration that cannot take what another can is dropped; the lead goes over") {
+TEST_CASE("a configuration that cannot take what another can is dropped, the lead goes over") {
   Exploring exploring(forking);
   exploring.feed("xb");
   CHECK(exploring.branches() == "D 1 #1 (b)");
@@ -125,7 +125,7 @@ TEST_CASE("an input that no configuration takes is refused and the set stays") {
   CHECK(std::get<RefusedInput>(exploring.latest().events.at(0)).reason == "no transition from C takes 'z'");
 }
 
-TEST_CASE("ε-transitions are taken and not taken; what is settled leads") {
+TEST_CASE("ε-transitions are taken and not taken, what is settled leads") {
   const auto guess = R"({"machine":1,"name":"m","start":"A","slots":{"s":"text"},"transitions":[
     {"id":"push","from":"A","on":"x","to":"A","push":{"s":"'x'"}},
     {"id":"middle","from":"A","on":null,"to":"B"},
@@ -138,7 +138,7 @@ TEST_CASE("ε-transitions are taken and not taken; what is settled leads") {
   CHECK(exploring.latest().after.branches.size() == 3);
 }
 
-TEST_CASE("the set is bounded; the lightest go first and are counted; ids of symbols stay unique") {
+TEST_CASE("the set is bounded, the lightest go first and are counted, ids of symbols stay unique") {
   const auto doubling = R"({"machine":1,"name":"m","start":"A","slots":{"s":"text"},"transitions":[
     {"id":"a","from":"A","on":"x","to":"A","push":{"s":"'a'"},"weight":2},
     {"id":"b","from":"A","on":"x","to":"A","push":{"s":"'b'"}}]})";

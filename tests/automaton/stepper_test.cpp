@@ -80,7 +80,7 @@ TEST_CASE("flush keeps what persists, unless it is cleared too") {
 }
 
 TEST_CASE(
-    "several applicable transitions: likeliest takes the heaviest, ties by file order; unique refuses; sample draws") {
+    "several applicable transitions: likeliest takes the heaviest, ties by file order, unique refuses, sample draws") {
   const std::string two = R"({"machine":1,"name":"m","start":"A","transitions":[
     {"id":"light","from":"A","on":"x","to":"B","weight":1},
     {"id":"heavy","from":"A","on":"x","to":"C","weight":3},
@@ -131,7 +131,7 @@ TEST_CASE("pop takes the top off, and the bottom symbol stays, however often it 
   CHECK(Player(text).feed("+, 3, 3").depth() == 1);
 }
 
-TEST_CASE("a rewrite replaces the top, then ε-transitions are tried; an empty list exposes what is below") {
+TEST_CASE("a rewrite replaces the top, then ε-transitions are tried, an empty list exposes what is below") {
   const std::string text =
       R"json({"machine":1,"name":"m","start":"A","epsilon":"after_rewrite","slots":{"n":"num","m":"num"},
     "states":{"A":{},"C":{},"B":{"enter":[{"when":"n = 1","rewrite":{"n":"n + 1"}},{"say":"never said"}]},"E":{"enter":[{"rewrite_each":{"n":"[]"}}]}},
@@ -185,7 +185,7 @@ TEST_CASE("a gate that does not hold leads elsewhere, with its own operation") {
   CHECK(player.state() == "B");
 }
 
-TEST_CASE("an ε-cycle that changes nothing is told with its path; one that grows ends") {
+TEST_CASE("an ε-cycle that changes nothing is told with its path, one that grows ends") {
   Player still(
       R"({"machine":1,"name":"m","start":"S","transitions":[{"id":"in","from":"S","on":"x","to":"A"},{"id":"ab","from":"A","on":null,"to":"B"},{"id":"ba","from":"B","on":null,"to":"A"}]})");
   still.feed("x");
@@ -205,7 +205,7 @@ TEST_CASE("an ε-cycle that changes nothing is told with its path; one that grow
   CHECK(countdown(most_epsilon_steps + 1) == 1);
 }
 
-TEST_CASE("time goes on during the ε-transitions that an input brings about; the input itself is used up") {
+TEST_CASE("time goes on during the ε-transitions that an input brings about, the input itself is used up") {
   Player player(
       R"json({"machine":1,"name":"m","start":"A","memory":{"since":{"type":"num"},"seen":{"type":"text"}},"transitions":[
     {"id":"in","from":"A","on":"x","to":"B"},

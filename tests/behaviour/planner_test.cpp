@@ -79,7 +79,7 @@ TEST_CASE("place terms name a relation and its landmarks") {
   CHECK(planned("put(block1, between(block2, avatar))") == "put [block1] avatar's between block2 avatar");
 }
 
-TEST_CASE("a gesture without a motion of its own is a signal; an act without a program is an error") {
+TEST_CASE("a gesture without a motion of its own is a signal, an act without a program is an error") {
   CHECK(planned("shine(block1)", true) == "signal [] <0, 0, 0> 'shine(block1)'");
   CHECK(planned("'HEAD_NOD'", true) == "signal [] <0, 0, 0> 'HEAD_NOD'");
   CHECK(planned("shine(block1)") == "shine(block1) is no program that the body can perform");

@@ -4,7 +4,7 @@
 
 using namespace continua;
 
-TEST_CASE("text is taken apart by its characters; bytes that are no UTF-8 stand for themselves") {
+TEST_CASE("text is taken apart by its characters, bytes that are no UTF-8 stand for themselves") {
   using Characters = std::vector<std::string>;
   CHECK(characters("") == Characters{});
   CHECK(characters("aé€😀") == Characters{"a", "é", "€", "😀"});

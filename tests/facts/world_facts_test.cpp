@@ -198,7 +198,7 @@ TEST_CASE("a top is clear by what share of it is covered, and by what touches it
   CHECK(Seen(world_of({cube("base", 0.1, 0, 0, 0.05)})).is("clear(base, 0)"));
 }
 
-TEST_CASE("a box fits where it meets nothing; touching is not meeting") {
+TEST_CASE("a box fits where it meets nothing, touching is not meeting") {
   Seen seen(world_of({cube("block1", 0.1, 0, 0, 0.05), cube("block2", 0.1, 0.3, 0, 0.05),
                       cube("high", 0.1, -0.3, 0, 0.15), cube("turned", 0.1, 0, 0.3, 0.05, 0.785398163)}));
   CHECK(seen.is("fits(block1, <0, 0, 0>, [])"));

@@ -241,7 +241,7 @@ TEST_CASE("pro-forms mean what is talked about, shown or present, or nothing yet
   CHECK(meaning_of(scene.interpreted("grasp(this)")) == "grasp(cup1)");
 }
 
-TEST_CASE("a deictic determiner, and a noun alone, count pointing; others do not") {
+TEST_CASE("a deictic determiner, and a noun alone, count pointing, others do not") {
   Scene scene;
   scene.context.pointed_W = Vec3(0.3, -0.2, 0);
   for (const auto* text : {"that(\\x. cup(x))", "cup", "in(that(cup))"}) {

@@ -368,7 +368,7 @@ TEST_CASE("a misspelt word for something in the scene is repaired, and told") {
   CHECK(words.resembling("knivess")->word == "knives");
 }
 
-TEST_CASE("a slip of the fingers is sure, also in words that name nothing here; other repairs are guesses") {
+TEST_CASE("a slip of the fingers is sure, also in words that name nothing here, other repairs are guesses") {
   WorldSnapshot world;
   world.objects = {object_of("k", "type=knife"), object_of("b", "type=block color=purple"), object_of("c", "type=cup")};
   const Vocabulary words(english(), world);

@@ -158,7 +158,7 @@ TEST_CASE("both layouts and every way to write XML are read") {
   }
 }
 
-TEST_CASE("λ is a missing or an empty label; a blank is a symbol") {
+TEST_CASE("λ is a missing or an empty label, a blank is a symbol") {
   for (const auto* read : {"", "<read/>", "<read></read>", "<read>\n  </read>", "<read><!-- nothing --></read>"})
     CHECK(outline(jff("fa", two_states + transition(read))) == "q0: λ -> q1 |  | {\"none\":true}\n");
   CHECK(outline(jff("fa", two_states + transition("<read> </read>"))) == "q0:   -> q1 |  | {\"none\":true}\n");

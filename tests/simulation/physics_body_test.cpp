@@ -176,7 +176,7 @@ TEST_CASE("what cannot be done is told, and the avatar can go on") {
   CHECK(stage.act(put_at("block4", 0.1, -0.05)).status == Status::done);
 }
 
-TEST_CASE("a newer reach takes the place of an older one; acts wait; looks do not") {
+TEST_CASE("a newer reach takes the place of an older one, acts wait, looks do not") {
   Stage stage;
   stage.body->command(command(Capability::reach, "block3"));
   stage.advance(0.2);

@@ -170,7 +170,7 @@ TEST_CASE("the hand goes back with what it holds") {
   CHECK(stage.held().empty());
 }
 
-TEST_CASE("what topples when it is let go of is told so; what is told done still stands a second later") {
+TEST_CASE("what topples when it is let go of is told so, what is told done still stands a second later") {
   std::set<Status> seen;
   for (const double near_m : {0.08, 0.06, 0.052, 0.048, 0.044, 0.04, 0.036, 0.02}) {
     INFO(near_m);

@@ -245,7 +245,7 @@ TEST_CASE("A folder's documents are read in the order of their paths, and later 
   CHECK(read_catalogue(path + "/none").catalogue.digest().empty());
 }
 
-TEST_CASE("the spread of a vector is read in metres; another value is a note") {
+TEST_CASE("the spread of a vector is read in metres, another value is a note") {
   CHECK(told(with("<Type><Spread Least='0.024' PerMetre='0.03'/></Type>")) == told(with("")) + "spread 0.024 0.03\n");
   CHECK(told(with("<Type><Spread Least='0.02'/></Type>")) == told(with("")) + "spread 0.02 0\n");
   CHECK(told(with("<Type><Spread Least='2 cm'/></Type>")) ==

@@ -47,7 +47,7 @@ struct Replayed {
 
 }  // namespace
 
-TEST_CASE("replays into a folder keep their documents once; packing and unpacking lead from one form to the other") {
+TEST_CASE("replays into a folder keep their documents once, packing and unpacking lead from one form to the other") {
   const Replayed replayed;
   const auto whole = files_in(replayed.whole), lean = files_in(replayed.lean);
   CHECK(whole.size() == 3);
@@ -69,7 +69,7 @@ TEST_CASE("replays into a folder keep their documents once; packing and unpackin
   CHECK(read_file(replayed.whole + "/a.run.jsonl").value() == whole.at("a.run.jsonl"));
 }
 
-TEST_CASE("logs packed with gzip are the same logs under other names; unpacking leads back") {
+TEST_CASE("logs packed with gzip are the same logs under other names, unpacking leads back") {
   const Replayed replayed;
   const auto whole = files_in(replayed.whole), lean = files_in(replayed.lean);
   CHECK(run_pack({{replayed.lean}, false, true}) == exit_done);
@@ -93,7 +93,7 @@ TEST_CASE("logs packed with gzip are the same logs under other names; unpacking 
   CHECK(files_in(replayed.whole).at("a.run.jsonl") == whole.at("a.run.jsonl"));
 }
 
-TEST_CASE("a trace that is over is packed; a replay of it is the replay of the plain one") {
+TEST_CASE("a trace that is over is packed, a replay of it is the replay of the plain one") {
   const TemporaryFolder folder;
   const auto path = folder.file("a.trace.jsonl", trace);
   ReplayCommandOptions options;

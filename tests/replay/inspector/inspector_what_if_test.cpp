@@ -10,6 +10,7 @@
 #include "continua/replay/inspector/inspector_api.h"
 #include "continua/replay/log/log_file.h"
 #include "continua/replay/session/session.h"
+#include "continua/simulation/mujoco_version.h"
 #include "replay/inspector/inspector_log.h"
 #include "support/catch.h"
 #include "support/folders.h"
@@ -72,9 +73,14 @@ TEST_CASE("without edits every worked example is the same run again") {
   for (const auto& run : runs) {
     const auto made = asked.post({{"run", run["id"]}});
     INFO(run["id"] << ": " << made);
+    ++logs;
+    const auto header = asked.whole(run["id"].get<std::string>(), "run").at(0);
+    if (header["world"] == "physics" && header["fingerprint"]["mujoco"] != mujoco_version()) {
+      CHECK(made.contains("warning"));  // by another MuJoCo the bodies go elsewhere
+      continue;
+    }
     CHECK(made["same"] == true);
     CHECK_FALSE(made.contains("warning"));
-    ++logs;
   }
   CHECK(logs >= 26);
 }

@@ -217,7 +217,7 @@ TEST_CASE("Speech, gestures and transforms of ROS4HRI make a trace that begins w
 )");
 }
 
-TEST_CASE("Events in JSON of other programs make a trace; channels that cannot be read are told") {
+TEST_CASE("Events in JSON of other programs make a trace, channels that cannot be read are told") {
   std::ostringstream out;
   McapWriter mcap(out, "", "test");
   mcap.message(mcap.channel({"/e", "json", {"continua.Event", "jsonschema", "{}"}}), 2500000000,

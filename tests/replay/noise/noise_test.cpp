@@ -29,7 +29,7 @@ TEST_CASE("Faults of a noise have their place, the thing found and the thing exp
   CHECK(fault_of(R"({"nose":1})").starts_with("n.json:1:1: there is no \"noise\""));
 }
 
-TEST_CASE("One kind of noise alone, stronger or weaker; shares are 1 together at most") {
+TEST_CASE("One kind of noise alone, stronger or weaker, shares are 1 together at most") {
   Noise noise;
   noise.words = {0.1, 0.1, 0.3};
   noise.times.sd_s = 0.2;

@@ -115,7 +115,7 @@ TEST_CASE("EMMA's interpretations are speech or gestures") {
   CHECK(told(read_as("emma", "<a/>", "e.xml")) == "e.xml:1: expected <emma:emma>, the root of an EMMA document");
 }
 
-TEST_CASE("Messages of ROS4HRI are speech and gestures; words that may change are not final") {
+TEST_CASE("Messages of ROS4HRI are speech and gestures, words that may change are not final") {
   CHECK(told(read_as(
             "ros4hri",
             R"({"header":{"stamp":{"sec":10,"nanosec":500000000}},"incremental":"put","final":"","confidence":0.0}

@@ -31,7 +31,7 @@ std::string nested(std::size_t depth, const std::string& core) {
 
 }  // namespace
 
-TEST_CASE("the same moves agree exactly; silence with silence") {
+TEST_CASE("the same moves agree exactly, silence with silence") {
   CHECK(level({}, {}) == "exact");
   CHECK(level({say("OK."), act("grasp(block1)")}, {say("OK."), act("grasp(block1)")}) == "exact");
   CHECK(level({act("put(block1,on(block2))")}, {act("put( block1, on(block2) )")}) == "exact");

@@ -285,7 +285,7 @@ TEST_CASE("values of the machine are set for a run, and the log tells them") {
         "--set: the machine fetch has no parameter 'polit' (did you mean 'polite'?)");
 }
 
-TEST_CASE("explore carries all branches along; what one does is done, what the others are is told") {
+TEST_CASE("explore carries all branches along, what one does is done, what the others are is told") {
   const Folder folder;
   folder.write("hearing.json", R"json({"machine":1,"name":"hearing","start":"A","choice":"explore",
     "states":{"A":{},"B":{"enter":[{"say":"B"}]},"C":{"enter":[{"say":"C"}]},"D":{"enter":[{"say":"D"}]}},"transitions":[
