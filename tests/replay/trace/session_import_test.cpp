@@ -184,7 +184,7 @@ TEST_CASE("a last row that was cut short takes the time of the one before") {
   CHECK(read_trace_text(write_trace(trace), "t"));
 }
 
-TEST_CASE("a byte order mark, \\r\\n and blank lines make no difference") {
+TEST_CASE("a byte order mark, carriage returns and blank lines make no difference") {
   CHECK(write_trace(imported("\xEF\xBB\xBF"
                              "1\tHS\tYES\t1\r\n2\tHS\tNO\t2\r\n")) ==
         write_trace(imported("1\tHS\tYES\t1\n2\tHS\tNO\t2\n")));

@@ -287,7 +287,7 @@ TEST_CASE("unknown kinds and fields are kept") {
   CHECK(write_event(trace.events[1]) == R"({"t":2.0,"kind":"end","why":{"x":[1]}})");
 }
 
-TEST_CASE("a byte order mark and \\r\\n make no difference") {
+TEST_CASE("a byte order mark and carriage returns make no difference") {
   const std::string event = R"({"t":1,"kind":"speech","text":"a"})";
   const auto plain = sound(header + "\n" + event + "\n");
   const auto odd = sound("\xEF\xBB\xBF" + header + "\r\n" + event + "\r\n");
