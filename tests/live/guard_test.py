@@ -265,13 +265,14 @@ def check_slow(server):
         time.sleep(0.05)
     crowded = p99(times_of(server, ASKED))
     left = dribble.left.value
-    print(f"p99 quiet {quiet * 1000:.1f} ms, beside {left} slow connections {crowded * 1000:.1f} ms")
-    if crowded > max(2 * quiet, LEAST_NOTICED_S) or left < SLOW:
-        yield f"beside {left} slow connections p99 is {crowded:.3f} s, without {quiet:.3f} s"
     dribble.join(PATIENCE_S + 5)
     if dribble.is_alive():
         yield f"{dribble.left.value} of {SLOW} slow connections are still open after {PATIENCE_S + 5} s"
         dribble.kill()
+    quiet = max(quiet, p99(times_of(server, ASKED)))  # other work on the machine is no fault of the connections
+    print(f"p99 quiet {quiet * 1000:.1f} ms, beside {left} slow connections {crowded * 1000:.1f} ms")
+    if crowded > max(2 * quiet, LEAST_NOTICED_S) or left < SLOW:
+        yield f"beside {left} slow connections p99 is {crowded:.3f} s, without {quiet:.3f} s"
 
 
 def check_burst(server):

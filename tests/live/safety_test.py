@@ -108,7 +108,11 @@ def check_flood(server, folder):
         answer.must()
         sent += len(batch)
     else:
-        yield f"{sent} events in {time.monotonic() - begun:.1f} s were all taken; expected 429"
+        taken_s = time.monotonic() - begun
+        if sent > MOST_EVENTS_A_SECOND * (taken_s + 1):
+            yield f"{sent} events in {taken_s:.1f} s were all taken; expected 429"
+        else:
+            print(f"not flooded: this machine took {taken_s:.1f} s for {sent} events")
         return
     wait = float(answer.headers.get("Retry-After", "nan"))
     if not 0 < wait <= 10:
