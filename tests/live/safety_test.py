@@ -113,6 +113,7 @@ def check_flood(server, folder):
             yield f"{sent} events in {taken_s:.1f} s were all taken; expected 429"
         else:
             print(f"not flooded: this machine took {taken_s:.1f} s for {sent} events")
+        client.end(session.id)
         return
     wait = float(answer.headers.get("Retry-After", "nan"))
     if not 0 < wait <= 10:

@@ -105,15 +105,8 @@ function wordsOf(run) {
   };
 }
 
-/** `run`: whose records the lines lead to. */
-export function mountConversation(run) {
-  const list = h('ol', {class: 'moves', tabindex: 0, 'aria-label': 'Conversation', 'data-testid': 'conversation'});
-  const element = h(
-    'div',
-    {class: 'conversation', role: 'log', 'aria-live': 'polite', 'aria-label': 'What was said and done'},
-    list,
-  );
-  // Larger type, or a smaller list, leaves the latest line in sight.
+// Keeps the latest line in sight, also in larger type or a smaller list, while nobody looks further up.
+function endInSight(list) {
   let at_end = true;
   const toEnd = () => {
     if (at_end) list.scrollTop = list.scrollHeight;
@@ -123,6 +116,21 @@ export function mountConversation(run) {
   });
   const sizes = new ResizeObserver(toEnd);
   sizes.observe(list);
+  return () => {
+    sizes.observe(list.lastChild);
+    toEnd();
+  };
+}
+
+/** `run`: whose records the lines lead to. */
+export function mountConversation(run) {
+  const list = h('ol', {class: 'moves', tabindex: 0, 'aria-label': 'Conversation', 'data-testid': 'conversation'});
+  const element = h(
+    'div',
+    {class: 'conversation', role: 'log', 'aria-live': 'polite', 'aria-label': 'What was said and done'},
+    list,
+  );
+  const lineAdded = endInSight(list);
   const inputs = new Map();
   const acts = new Map(); // record -> its input's event; act -> the line with its status
 
@@ -148,9 +156,8 @@ export function mountConversation(run) {
       ),
     );
     if (who === 'human' && how !== 'shows') keepPassing(passes ? list.lastChild : null);
-    sizes.observe(list.lastChild);
     if (list.childElementCount > most_lines) list.firstChild.remove();
-    toEnd();
+    lineAdded();
   }
 
   return {
