@@ -80,6 +80,10 @@ function show() {
   lines.push(`continua diff ${run(A, first)} ${run(B, first)}`, `continua serve ${sweep.folder}/runs`);
   document.getElementById("commands").textContent = lines.join("\n");
   const table = document.getElementById("runs");
+  if (other.length === 0) {
+    table.replaceChildren(row(["The counts of all runs are equal."]));
+    return;
+  }
   table.replaceChildren(row(["runs whose counts differ", ...sweep.counts.flatMap((count) => [`${count} A`, "B"])], "th"));
   for (const { name, a, b } of other)
     table.append(row([name, ...sweep.counts.flatMap((_, i) => [short(a[i]), short(b[i])])]));

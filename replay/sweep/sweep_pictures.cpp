@@ -18,6 +18,7 @@ constexpr std::size_t most_axes = 8;
 constexpr double cell_width = 52, cell_height = 26, gap = 14, margin = 16, head_height = 54;
 constexpr double level_width = 44;   // of the names of levels beside the rows
 constexpr double name_column = 7.4;  // of a letter of a value's name
+constexpr double quiet_letter_width = 6.4;
 constexpr double curve_width = 240, curve_height = 150, scale_width = 56, foot_height = 46;
 
 constexpr const char* style = R"(<style>
@@ -61,7 +62,11 @@ class Picture {
   }
   void add(const std::string& svg) { body_ += svg + "\n"; }
 
-  std::string document(const std::string& title, double width, double height) const {
+  // The picture under a title and a line about it, both of which have room.
+  std::string document(const std::string& title, const std::string& about, double width, double height) {
+    text(margin, 24, "title", title);
+    text(margin, 41, "quiet", about);
+    width = std::max(width, 2 * margin + quiet_letter_width * static_cast<double>(about.size()));
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\">\n"
         "<title>{2}</title>\n{3}<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n{4}</svg>\n",
@@ -211,11 +216,9 @@ std::string heat_maps(const std::vector<SweptPoint>& points, const std::string& 
         number(cell.x + cell_width / 2), number(cell.y + cell_height / 2 + 4), cell.mean.mean));
   }
   const auto title = fmt::format("{} for each two values", figure);
-  picture.text(margin, 24, "title", title);
-  picture.text(margin, 41, "quiet",
-               fmt::format("mean over all other values and seeds; {}; from {:.4g} to {:.4g}",
-                           counted(points.size(), "point"), range.low, range.high));
-  return picture.document(title, width, height);
+  const auto about = fmt::format("mean over all other values and seeds; {}; from {:.4g} to {:.4g}",
+                                 counted(points.size(), "point"), range.low, range.high);
+  return picture.document(title, about, width, height);
 }
 
 std::string curves(const std::vector<SweptPoint>& points, const std::string& figure) {
@@ -241,10 +244,8 @@ std::string curves(const std::vector<SweptPoint>& points, const std::string& fig
                margin + scale_width + static_cast<double>(i % columns) * (curve_width + scale_width),
                head_height + static_cast<double>(i / columns) * (curve_height + foot_height));
   const auto title = fmt::format("{} by each value", figure);
-  picture.text(margin, 24, "title", title);
-  picture.text(margin, 41, "quiet", fmt::format("mean over all other values; {}", words_of_interval(points)));
-  return picture.document(title,
-                          std::max(2 * margin + static_cast<double>(columns) * (curve_width + scale_width), 420.0),
+  return picture.document(title, fmt::format("mean over all other values; {}", words_of_interval(points)),
+                          2 * margin + static_cast<double>(columns) * (curve_width + scale_width),
                           head_height + static_cast<double>(rows) * (curve_height + foot_height) + margin);
 }
 

@@ -109,6 +109,15 @@ TEST_CASE("means are over all other values, their interval over seeds") {
   CHECK(heat_maps({points[0], points[3]}, "f1").empty());
 }
 
+TEST_CASE("the curve of one value has room for the line about it") {
+  const auto svg = curves({point(1, {{"a", 1}}, "1", 0.4), point(2, {{"a", 2}}, "2", 0.6)}, "f1");
+  const std::string about = "class=\"quiet\"", width = " width=\"";
+  const auto from = svg.find('>', svg.find(about)) + 1;
+  const auto letters = svg.find('<', from) - from;
+  REQUIRE(letters > 60);
+  CHECK(std::stod(svg.substr(svg.find(width) + width.size())) > 6 * static_cast<double>(letters));
+}
+
 TEST_CASE("a heat map has the names of its rows whole, with room for them") {
   std::vector<SweptPoint> points;
   const std::string name = "weights.a_transition_with_a_long_name";
