@@ -29,7 +29,19 @@ std::vector<std::string_view> conjuncts(std::string_view term) {
   return all;
 }
 
-bool is_name_part(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+// The text with each name in it as `told(name, text before it)`.
+template <class Told>
+std::string with_names(std::string_view text, const Told& told) {
+  const auto is_name_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  std::string out;
+  while (!text.empty()) {
+    const auto end = std::find_if_not(text.begin(), text.end(), is_name_part);
+    const auto length = static_cast<std::size_t>(end - text.begin());
+    out += length == 0 ? std::string(1, text.front()) : told(text.substr(0, length), out);
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -78,15 +90,9 @@ std::string RunWords::reason(std::string_view reason, std::string_view thing) co
 }
 
 std::string RunWords::named(std::string_view sentence) const {
-  std::string text;
-  for (std::size_t at = 0; at < sentence.size();) {
-    const auto from = sentence.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto length = static_cast<std::size_t>(std::find_if_not(from, sentence.end(), is_name_part) - from);
-    const auto part = sentence.substr(at, std::max<std::size_t>(length, 1));
-    text += length == 0 || text.ends_with("the ") ? std::string(part) : thing(part);
-    at += part.size();
-  }
-  return text;
+  return with_names(sentence, [&](std::string_view name, const std::string& before) {
+    return before.ends_with("the ") ? std::string(name) : thing(name);
+  });
 }
 
 std::string RunWords::meaning(std::string_view term) const {
@@ -94,18 +100,12 @@ std::string RunWords::meaning(std::string_view term) const {
   if (table_.is_null() || !term.starts_with(lambda) || dot == term.npos) return this->term(term);
   const auto body = trimmed(term.substr(dot + 1)), bound = term.substr(lambda.size(), dot - lambda.size());
   const auto binders = bound.substr(0, bound.find(':'));  // without a type
-  auto text = told(body, {});
+  const auto text = told(body, {});
   if (text == body) return std::string(term);
-  std::string open;
-  for (std::size_t at = 0; at < text.size();) {
-    const auto from = text.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto length = static_cast<std::size_t>(std::find_if_not(from, text.end(), is_name_part) - from);
-    const auto part = std::string_view(text).substr(at, std::max<std::size_t>(length, 1));
-    const auto names = parted(binders, " ");
-    open += length > 0 && std::find(names.begin(), names.end(), part) != names.end() ? "…" : std::string(part);
-    at += part.size();
-  }
-  return open;
+  const auto names = parted(binders, " ");
+  return with_names(text, [&](std::string_view name, const std::string&) {
+    return std::find(names.begin(), names.end(), name) != names.end() ? "…" : std::string(name);
+  });
 }
 
 }  // namespace continua
