@@ -256,20 +256,21 @@ class Dribble(multiprocessing.Process):
 
 def check_slow(server):
     """Two hundred that send a line now and then, or a letter of a body, do not keep others waiting; they are hung up
-    on in the end."""
+    on in the end. Other work on the machine is not their fault: the best time beside them is held against the worst
+    without them."""
     times_of(server, ASKED)
     quiet = p99(times_of(server, ASKED))
     dribble = Dribble(server, SLOW)
     dribble.start()
     while dribble.left.value < SLOW and dribble.is_alive():
         time.sleep(0.05)
-    crowded = p99(times_of(server, ASKED))
+    crowded = min(p99(times_of(server, ASKED)) for _ in range(2))
     left = dribble.left.value
     dribble.join(PATIENCE_S + 5)
     if dribble.is_alive():
         yield f"{dribble.left.value} of {SLOW} slow connections are still open after {PATIENCE_S + 5} s"
         dribble.kill()
-    quiet = max(quiet, p99(times_of(server, ASKED)))  # other work on the machine is no fault of the connections
+    quiet = max(quiet, p99(times_of(server, ASKED)))
     print(f"p99 quiet {quiet * 1000:.1f} ms, beside {left} slow connections {crowded * 1000:.1f} ms")
     if crowded > max(2 * quiet, LEAST_NOTICED_S) or left < SLOW:
         yield f"beside {left} slow connections p99 is {crowded:.3f} s, without {quiet:.3f} s"
