@@ -475,5 +475,7 @@ test('on a phone nothing is too wide, the text box is in sight, and a finger poi
   assert.ok(await visitor.page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
   const {y, height} = await at('talk').boundingBox();
   assert.ok(y > 0 && y + height <= 740);
+  const example = await at('examples').locator('button').first().boundingBox();
+  assert.ok(example && example.y > 0 && example.y + example.height <= y, 'an example is in sight above the text box');
   await answered(async () => visitor.page.touchscreen.tap(...(await placeOf([-0.2, 0.01]))), 'Okay, go on.');
 });
