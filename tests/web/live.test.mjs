@@ -112,6 +112,14 @@ test('a gesture that nobody knows is taught once', async () => {
   await saveAsTest('one_shot_learning');
 });
 
+test('why an act went otherwise is told by people’s names, the logged reason on hover', async () => {
+  await beginWith(flat, {objects: {cup_blue: {position: [-0.36, 0.01, 0.05]}}});
+  await type('Push the plate to the left.');
+  const told = lines('avatar', 'does').last().locator('.status');
+  await told.filter({hasText: 'the blue cup is in the way of the white plate'}).waitFor();
+  assert.equal(await told.locator('[title]').getAttribute('title'), 'cup_blue is in the way of plate');
+});
+
 test('what was saved holds as tests', () => {
   assert.equal(saved.length, 6);
   const told = execFileSync(program, ['check', ...new Set(saved.map(dirname))], {encoding: 'utf8', cwd: folder});

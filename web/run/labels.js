@@ -26,7 +26,11 @@ export class Labels {
   /** The same as logged where that is something else, otherwise null. */
   raw(n) {
     const [logged, , in_words] = this.#pair(n);
-    return in_words === undefined ? null : logged;
+    return in_words == null ? null : logged;
+  }
+  /** Why an act went otherwise, in words; '' where there is no reason, or until it has come. */
+  reason(n) {
+    return this.#pair(n)[3] ?? '';
   }
   /** The words alone of something said, shown, done or observed. */
   text(n) {

@@ -88,21 +88,23 @@ const inspected = (run, n, raw, ...parts) =>
     parts,
   );
 
-// (n, element): tells the term of record n in words, in the element, as soon as they are known.
+// {term(n, element), reason(n, element)}: tells the term of record n, or why its act went otherwise, in words in the
+// element, as soon as they are known.
 function wordsOf(run) {
-  const untold = new Map(); // record -> element
+  const untold = new Map(); // record -> {element, what: of its label}
   const labels = new Labels(new RecordClient(run), () => {
-    for (const [n, element] of untold) {
-      const words = labels.text(n);
+    for (const [n, {element, what}] of untold) {
+      const words = labels[what](n);
       if (!words) continue;
       element.textContent = words;
       untold.delete(n);
     }
   });
-  return (n, element) => {
-    untold.set(n, element);
+  const teller = (what) => (n, element) => {
+    untold.set(n, {element, what});
     labels.want([n]);
   };
+  return {term: teller('text'), reason: teller('reason')};
 }
 
 // Keeps the latest line in sight, also in larger type or a smaller list, while nobody looks further up.
@@ -134,14 +136,23 @@ export function mountConversation(run) {
   const inputs = new Map();
   const acts = new Map(); // record -> its input's event; act -> the line with its status
 
-  const tellInWords = wordsOf(run);
-
+  const inWords = wordsOf(run);
   const keepPassing = onePassing();
+
+  function tellEnd({n, status, result}, element) {
+    element.className = `status ${status}`;
+    element.replaceChildren(act_words[status] ?? status);
+    if (!result?.reason) return;
+    const reason = h('span', {title: result.reason}, brief(result.reason));
+    element.append(': ', reason);
+    inWords.reason(n, reason);
+  }
+
   function add(record, {who, how, text, end, raw, passing: passes}) {
     const status = how === 'does' && h('span', {class: 'status asked'}, act_words.asked);
     if (status) acts.set(record.act, status);
     const words = h('span', {class: 'words'}, how === 'says' ? `“${text}”` : text);
-    if (raw) tellInWords(record.n, words);
+    if (raw) inWords.term(record.n, words);
     list.append(
       h(
         'li',
@@ -169,11 +180,7 @@ export function mountConversation(run) {
       if (event && ['input', 'percept', 'reading'].includes(record.kind)) inputs.set(record.n, event);
       if (record.kind === 'act' && record.step === undefined) {
         const status = acts.get(record.act);
-        if (status) {
-          status.className = `status ${record.status}`;
-          const reason = record.result?.reason;
-          status.textContent = (act_words[record.status] ?? record.status) + (reason ? `: ${brief(reason)}` : '');
-        }
+        if (status) tellEnd(record, status);
       }
       const line = lineOf(record, event?.kind === 'pointing');
       if (line) add(record, line);

@@ -256,6 +256,15 @@ TEST_CASE("labels are what brief() says and what a lane shows") {
   CHECK(labels["6"][1] == "Which block?");
   CHECK(labels["10"][1] == "points");
   CHECK(labels["14"][1] == "puts block2 on block1");
+  CHECK(labels["14"].size() < 4);
+}
+
+TEST_CASE("a label tells why an act went otherwise") {
+  LogBuilder log;
+  log.add("run", 0, {{"version", 1}});
+  log.add("act", 3, {{"act", 1}, {"status", "blocked"}, {"result", {{"reason", "cup is in the way"}}}});
+  const auto labels = (*run_labels(index_of(log.text()), {1}))["labels"];
+  CHECK(labels["1"][3] == "cup is in the way");
 }
 
 TEST_CASE("words are found wherever the labels tell of them") {
