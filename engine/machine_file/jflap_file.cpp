@@ -12,6 +12,7 @@
 
 #include "continua/core/characters.h"
 #include "continua/core/located_json.h"
+#include "continua/core/trimmed.h"
 
 namespace continua {
 namespace {
@@ -85,7 +86,7 @@ class JflapReader {
   Outcome read_type() {
     const auto element = root_.child("type");
     if (!element) return error(root_, "there is no <type>; expected <type>fa</type> or <type>pda</type>");
-    const auto type = trimmed(text_of(element));
+    const std::string type(trimmed(text_of(element)));
     if (type != "fa" && type != "pda")
       return error(element, fmt::format("found an automaton of type {}; expected fa or pda", in_quotes(type)));
     automaton_.pushdown = type == "pda";
@@ -95,7 +96,7 @@ class JflapReader {
   Outcome read_states() {
     pugi::xml_node start;
     for (const auto element : parts_.children("state")) {
-      const auto id = number(trimmed(element.attribute("id").value()));
+      const auto id = number(std::string(trimmed(element.attribute("id").value())));
       if (!element.attribute("id")) return error(element, "a state without an id; expected <state id=\"0\">");
       if (!id)
         return error(element, fmt::format("found the state id {}; expected an integer",
@@ -126,7 +127,7 @@ class JflapReader {
       for (const auto& [what, end] : {std::pair("from", &transition.from), std::pair("to", &transition.to)}) {
         const auto child = element.child(what);
         if (!child) return error(element, fmt::format("a transition without <{}>; expected the id of a state", what));
-        const auto text = trimmed(text_of(child));
+        const std::string text(trimmed(text_of(child)));
         const auto id = number(text);
         if (!id || !index.contains(*id))
           return error(child, fmt::format("found <{}> {}; expected the id of a state", what, in_quotes(text)));
@@ -160,20 +161,15 @@ class JflapReader {
     return text;
   }
 
-  static std::string trimmed(const std::string& text) {
-    const auto from = text.find_first_not_of(" \t\r\n"), to = text.find_last_not_of(" \t\r\n");
-    return from == std::string::npos ? std::string() : text.substr(from, to + 1 - from);
-  }
-
   // Trims only text with line breaks: a blank is a symbol, but an element may be written on several lines.
   static std::string without_layout(const std::string& text) {
-    return text.find('\n') == std::string::npos ? text : trimmed(text);
+    return text.find('\n') == std::string::npos ? text : std::string(trimmed(text));
   }
 
   // The name of a state: an attribute since JFLAP 7, an element before.
   static std::string name_of(const pugi::xml_node& state, long id) {
     const auto attribute = trimmed(state.attribute("name").value());
-    const auto name = attribute.empty() ? trimmed(text_of(state.child("name"))) : attribute;
+    const std::string name(attribute.empty() ? trimmed(text_of(state.child("name"))) : attribute);
     return name.empty() ? fmt::format("q{}", id) : name;
   }
 

@@ -7,6 +7,7 @@
 
 #include "continua/core/digest.h"
 #include "continua/core/document_reader.h"
+#include "continua/core/trimmed.h"
 #include "continua/perception/gesture.h"
 
 namespace continua {
@@ -20,9 +21,7 @@ std::vector<std::string> names_of(const std::string& text) {
   std::vector<std::string> names;
   for (std::size_t at = 0; at <= text.size();) {
     const auto end = std::min(text.find('|', at), text.size());
-    const auto part = text.substr(at, end - at);
-    const auto from = part.find_first_not_of(' ');
-    names.push_back(from == std::string::npos ? "" : part.substr(from, part.find_last_not_of(' ') + 1 - from));
+    names.emplace_back(trimmed(std::string_view(text).substr(at, end - at), " "));
     at = end + 1;
   }
   return names;

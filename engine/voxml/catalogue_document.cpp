@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "continua/core/located_json.h"
+#include "continua/core/trimmed.h"
 #include "continua/voxml/catalogue.h"
 #include "continua/voxml/catalogue_text.h"
 
@@ -18,12 +19,6 @@ namespace continua {
 namespace {
 
 constexpr int deepest_element = 100;
-
-std::string trimmed(std::string_view text) {
-  constexpr std::string_view space = " \t\r\n";
-  const auto begin = text.find_first_not_of(space);
-  return begin == text.npos ? "" : std::string(text.substr(begin, text.find_last_not_of(space) + 1 - begin));
-}
 
 std::string_view without_prefix(std::string_view name) { return name.substr(name.find(':') + 1); }
 
@@ -36,18 +31,18 @@ std::vector<std::string> items(std::string_view text) {
   std::vector<std::string> items;
   while (!text.empty()) {
     const auto comma = std::min(text.find(','), text.size());
-    if (auto item = trimmed(text.substr(0, comma)); !item.empty()) items.push_back(std::move(item));
+    if (const auto item = trimmed(text.substr(0, comma)); !item.empty()) items.emplace_back(item);
     text.remove_prefix(std::min(comma + 1, text.size()));
   }
   return items;
 }
 
 // cylindroid[1], leg[2]+
-Numbered numbered(const std::string& text) {
+Numbered numbered(std::string_view text) {
   const auto open = text.find('['), close = text.find(']', open);
-  if (open == text.npos || close == text.npos) return {text, ""};
-  return {trimmed(text.substr(0, open)) + trimmed(text.substr(close + 1)),
-          trimmed(text.substr(open + 1, close - open - 1))};
+  if (open == text.npos || close == text.npos) return {std::string(text), ""};
+  return {std::string(trimmed(text.substr(0, open))).append(trimmed(text.substr(close + 1))),
+          std::string(trimmed(text.substr(open + 1, close - open - 1)))};
 }
 
 class DocumentReader {
@@ -123,18 +118,18 @@ class DocumentReader {
   void unknown_attribute(const pugi::xml_node& node, const pugi::xml_attribute& attribute, const std::string& path) {
     if (is_of_xml(attribute.name())) return;
     note(node, fmt::format("the attribute {} of <{}> is unknown", attribute.name(), node.name()));
-    keep(path + (path.empty() ? "" : "/") + attribute.name(), trimmed(attribute.value()));
+    keep(path + (path.empty() ? "" : "/") + attribute.name(), std::string(trimmed(attribute.value())));
   }
 
   // The value of an element: the attribute for it, else its text.
   std::string value_of(const pugi::xml_node& node, std::string_view attribute_name) const {
     for (const auto attribute : node.attributes())
       if (same_letters(without_prefix(attribute.name()), attribute_name) && !is_of_xml(attribute.name()))
-        return trimmed(attribute.value());
+        return std::string(trimmed(attribute.value()));
     std::string text;
     for (const auto child : node.children())
       if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) text += child.value();
-    return trimmed(text);
+    return std::string(trimmed(text));
   }
 
   bool element(const pugi::xml_node& node, const std::string& parent, int depth) {
@@ -239,10 +234,11 @@ class DocumentReader {
   void component(const pugi::xml_node&, const std::string& value) { voxeme().components.push_back(numbered(value)); }
   void attribute(const pugi::xml_node&, const std::string& value) { voxeme().attributes.push_back(value); }
 
-  void argument(const pugi::xml_node&, const std::string& value) {
+  void argument(const pugi::xml_node&, const std::string& text) {
+    const std::string_view value = text;
     const auto colon = std::min(value.find(':'), value.size());
-    voxeme().arguments.push_back(
-        {trimmed(value.substr(0, colon)), trimmed(value.substr(std::min(colon + 1, value.size())))});
+    voxeme().arguments.push_back({std::string(trimmed(value.substr(0, colon))),
+                                  std::string(trimmed(value.substr(std::min(colon + 1, value.size()))))});
   }
 
   void movable(const pugi::xml_node& node, const std::string& value) {

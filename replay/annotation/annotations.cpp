@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "continua/core/trimmed.h"
+
 namespace continua {
 namespace {
 
@@ -21,9 +23,7 @@ std::int64_t milliseconds(SimTime t) { return (t.us + 500) / 1000; }
 std::string label_of(std::string_view text) {
   std::string label;
   for (const char c : text) label += static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? ' ' : c;
-  const auto first = label.find_first_not_of(' ');
-  if (first == std::string::npos) return {};
-  return label.substr(first, label.find_last_not_of(' ') + 1 - first);
+  return std::string(trimmed(label, " "));
 }
 
 TierMaker::Row& TierMaker::row(const std::string& name) {

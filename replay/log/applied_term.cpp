@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "continua/core/trimmed.h"
+
 namespace continua {
 namespace {
 
@@ -12,12 +14,6 @@ int deeper(char letter) {
 }
 
 }  // namespace
-
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
 
 std::optional<Applied> applied(std::string_view term) {
   const auto is_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };

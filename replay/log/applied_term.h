@@ -12,9 +12,6 @@ struct Applied {
   std::vector<std::string_view> arguments;
 };
 
-/// Without spaces at its ends.
-std::string_view trimmed(std::string_view text);
-
 /// A name with its arguments, or alone; nothing for other terms.
 std::optional<Applied> applied(std::string_view term);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "continua/core/trimmed.h"
 #include "continua/replay/log/applied_term.h"
 #include "continua/replay/log/run_words.h"
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "continua/core/trimmed.h"
 #include "continua/replay/log/applied_term.h"
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_text.h"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "continua/core/trimmed.h"
 #include "continua/replay/log/run_brief.h"
 
 namespace continua {
@@ -32,11 +33,7 @@ const Json& either_member(const Json& object, const char* name, const char* othe
   return value.is_null() ? member_of(object, other) : value;
 }
 
-std::string trimmed_words(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(" \t\r\n") + 1 - first));
-}
+std::string trimmed_words(std::string_view text) { return std::string(trimmed(text)); }
 
 Error lacks(const std::string& name, std::size_t line, const std::string& expected) {
   return {fmt::format("{}:{}", name, line), "expected " + expected};

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "continua/core/trimmed.h"
+
 namespace continua {
 namespace {
 
@@ -36,11 +38,6 @@ bool has_control_character(std::string_view text) {
                      [](char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f'; });
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto from = text.find_first_not_of(" \t");
-  return from == std::string_view::npos ? "" : text.substr(from, text.find_last_not_of(" \t") - from + 1);
-}
-
 std::optional<HttpAnswer> read_request_line(std::string_view line, HttpHead& head) {
   const auto first = line.find(' '), last = line.rfind(' ');
   const bool three = first != std::string_view::npos && last != first;
@@ -68,7 +65,7 @@ std::optional<HttpAnswer> read_header_line(std::string_view line, HttpHead& head
       "Authorization", "Sec-Fetch-Site", "Sec-Fetch-Mode", "Sec-Fetch-Dest", "Connection"};
   if (is_one_of(name, single) && head.header(name))
     return HttpAnswer{400, fmt::format("there is more than one header {}", name), {}};
-  head.headers.emplace_back(name, trimmed(line.substr(colon + 1)));
+  head.headers.emplace_back(name, trimmed(line.substr(colon + 1), " \t"));
   return std::nullopt;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "continua/core/trimmed.h"
+
 namespace continua {
 namespace {
 
@@ -23,17 +25,11 @@ double micrometres(double length_m) {
   return rounded == 0 ? 0 : rounded;  // never -0
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto from = text.find_first_not_of(' ');
-  if (from == std::string_view::npos) return {};
-  return text.substr(from, text.find_last_not_of(' ') - from + 1);
-}
-
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (;;) {
     const auto end = text.find(separator);
-    parts.push_back(trimmed(text.substr(0, end)));
+    parts.push_back(trimmed(text.substr(0, end), " "));
     if (end == std::string_view::npos) return parts;
     text.remove_prefix(end + 1);
   }

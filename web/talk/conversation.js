@@ -107,6 +107,16 @@ function wordsOf(run) {
   return {term: teller('text'), reason: teller('reason')};
 }
 
+// How an act goes, in the element, and why it went otherwise.
+function tellEnd({n, status, result}, element, inWords) {
+  element.className = `status ${status}`;
+  element.replaceChildren(act_words[status] ?? status);
+  if (!result?.reason) return;
+  const reason = h('span', {title: result.reason}, brief(result.reason));
+  element.append(': ', reason);
+  inWords.reason(n, reason);
+}
+
 // Keeps the latest line in sight, also in larger type or a smaller list, while nobody looks further up.
 function endInSight(list) {
   let at_end = true;
@@ -138,15 +148,6 @@ export function mountConversation(run) {
 
   const inWords = wordsOf(run);
   const keepPassing = onePassing();
-
-  function tellEnd({n, status, result}, element) {
-    element.className = `status ${status}`;
-    element.replaceChildren(act_words[status] ?? status);
-    if (!result?.reason) return;
-    const reason = h('span', {title: result.reason}, brief(result.reason));
-    element.append(': ', reason);
-    inWords.reason(n, reason);
-  }
 
   function add(record, {who, how, text, end, raw, passing: passes}) {
     const status = how === 'does' && h('span', {class: 'status asked'}, act_words.asked);
@@ -180,7 +181,7 @@ export function mountConversation(run) {
       if (event && ['input', 'percept', 'reading'].includes(record.kind)) inputs.set(record.n, event);
       if (record.kind === 'act' && record.step === undefined) {
         const status = acts.get(record.act);
-        if (status) tellEnd(record, status);
+        if (status) tellEnd(record, status, inWords);
       }
       const line = lineOf(record, event?.kind === 'pointing');
       if (line) add(record, line);
