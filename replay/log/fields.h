@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <optional>
@@ -37,9 +38,11 @@ struct OrNull : std::optional<T> {
 };
 
 /// The smallest distance of a compared number from the comparison; null if nothing was compared. Records with a margin
-/// below `fragile_margin` are listed as fragile at the end of the log.
+/// below `fragile_margin` are listed as fragile at the end of the log. Rounded to nine decimals: the last digit of exp and
+/// log is another one on another kind of processor.
 struct Margin : OrNull<double> {
-  using OrNull<double>::OrNull;
+  Margin() = default;
+  explicit Margin(double value) : OrNull<double>(std::round(value * 1e9) / 1e9 + 0.0) {}
 };
 
 /// A JSON value that nobody looks into: its compact text, which is written as it stands.

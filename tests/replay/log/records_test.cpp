@@ -180,6 +180,16 @@ TEST_CASE("a value that there is not is null or left out, as its type says") {
   CHECK(std::get<log::Reading>(record_of(Json::parse(R"({"kind":"reading","margin":null})"))).margin.has_value());
 }
 
+TEST_CASE("a margin has nine decimals, whatever the last digit of its logarithm was") {
+  const auto logged = [](double margin) {
+    log::Reading reading;
+    reading.margin = log::Margin(margin);
+    return compact(log::members_of(reading));
+  };
+  CHECK(logged(0.1234567891234) == R"({"move":null,"margin":0.123456789,"because":[]})");
+  CHECK(logged(-1e-12) == R"({"move":null,"margin":0.0,"because":[]})");
+}
+
 TEST_CASE("the margin of a record is the smallest in it, however deep") {
   CHECK(log::margin_of(log::Transition()) == std::numeric_limits<double>::infinity());
   CHECK(log::margin_of(record_of(Json::parse(R"({"kind":"transition","margin":-0.25})"))) == 0.25);
