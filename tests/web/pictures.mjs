@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Makes the pictures of the page that the documents show: CONTINUA=build/continua node tests/web/pictures.mjs web/pictures
 import {execFileSync} from 'node:child_process';
-import {mkdirSync, writeFileSync} from 'node:fs';
+import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {logOf, program, root, serve, temporaryFolder, Visitor} from './support.mjs';
 
@@ -16,8 +16,14 @@ execFileSync(program, [
   '-o',
   join(runs, 'blocks.run.jsonl'),
 ]);
+execFileSync(program, [
+  'render',
+  join(runs, 'correction.physics.run.jsonl'),
+  '-o',
+  join(out, 'contact_sheet.png'),
+]);
 const server = await serve(runs);
-const visitor = await Visitor.start(server.address, {webgl: true});
+let visitor = await Visitor.start(server.address, {webgl: true});
 
 async function picture(name, path, options = {}, prepare = async () => {}) {
   const page = await visitor.visit(path, options);
@@ -51,6 +57,23 @@ await picture('live', '/live', large, async (page) => {
   await say('Put the plate in front of you.');
   await page.fill('[data-testid=talk]', 'And that');
   await page.mouse.click(700, 480);
+});
+await visitor.close();
+
+// A hand that points, before a camera that is a clip.
+const clip = join(runs, 'hand.mjpeg');
+const still = readFileSync(join(root, 'tests/web/hand/point_left.jpg'));
+writeFileSync(clip, Buffer.concat(Array(240).fill(still)));
+const camera = ['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream'];
+visitor = await Visitor.start(server.address, {
+  webgl: true,
+  words: [...camera, `--use-file-for-fake-video-capture=${clip}`],
+});
+await picture('hand', '/live', {viewport: {width: 1100, height: 620}}, async (page) => {
+  await page.click('[data-testid=live-start]');
+  await page.click('[data-testid=live-hand]');
+  await page.click('[data-testid=hand-agree]');
+  await page.locator('text=Okay, go on.').waitFor({timeout: 240000});
 });
 await visitor.close();
 server.stop();
