@@ -38,8 +38,8 @@ struct OrNull : std::optional<T> {
 };
 
 /// The smallest distance of a compared number from the comparison; null if nothing was compared. Records with a margin
-/// below `fragile_margin` are listed as fragile at the end of the log. Rounded to nine decimals: the last digit of exp and
-/// log is another one on another kind of processor.
+/// below `fragile_margin` are listed as fragile at the end of the log. Rounded to nine decimals: the last digit of exp
+/// and log is another one on another kind of processor.
 struct Margin : OrNull<double> {
   Margin() = default;
   explicit Margin(double value) : OrNull<double>(std::round(value * 1e9) / 1e9 + 0.0) {}

@@ -487,3 +487,18 @@ test('on a phone nothing is too wide, the text box is in sight, and a finger poi
   assert.ok(example && example.y > 0 && example.y + example.height <= y, 'an example is in sight above the text box');
   await answered(async () => visitor.page.touchscreen.tap(...(await placeOf([-0.2, 0.01]))), 'Okay, go on.');
 });
+
+for (const width of [1010, 1100, 1280])
+  test(`all buttons of the head are in sight, ${width} px wide, with the longest words on them`, async () => {
+    await begin(flat, {viewport: {width, height: 640}});
+    const cut = await visitor.page.evaluate(() => {
+      document.querySelector('[data-testid=live-hand]').textContent = '● Stop tracking my hand';
+      const boxes = [...document.querySelectorAll('.live-top button, .live-top a.button, .live-top .badge')];
+      return boxes
+        .filter((one) => one.getClientRects().length > 1 || one.getBoundingClientRect().right > innerWidth)
+        .map((one) => one.textContent);
+    });
+    assert.deepEqual(cut, []);
+    const {height} = await at('live-mode').boundingBox();
+    assert.ok(height < 28, 'the badge has one line');
+  });

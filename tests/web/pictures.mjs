@@ -16,12 +16,7 @@ execFileSync(program, [
   '-o',
   join(runs, 'blocks.run.jsonl'),
 ]);
-execFileSync(program, [
-  'render',
-  join(runs, 'correction.physics.run.jsonl'),
-  '-o',
-  join(out, 'contact_sheet.png'),
-]);
+execFileSync(program, ['render', join(runs, 'correction.physics.run.jsonl'), '-o', join(out, 'contact_sheet.png')]);
 const server = await serve(runs);
 let visitor = await Visitor.start(server.address, {webgl: true});
 
@@ -51,12 +46,12 @@ await picture('live', '/live', large, async (page) => {
   await say('The knife.');
   await page.locator('text=Okay, go on.').waitFor();
   await page.fill('[data-testid=talk]', 'Put it there.');
-  await page.mouse.click(470, 630);
+  await page.mouse.click(560, 800);
   await page.press('[data-testid=talk]', 'Enter');
   await page.locator('text=✔ done').waitFor();
   await say('Put the plate in front of you.');
   await page.fill('[data-testid=talk]', 'And that');
-  await page.mouse.click(700, 480);
+  await page.mouse.click(700, 800);
 });
 await visitor.close();
 
