@@ -172,7 +172,7 @@ test('by keyboard alone: the cross points, and the avatar answers', async () => 
     await visitor.page.keyboard.press(key);
   assert.match(await at('live-caption').innerText(), /plate/);
   await answered(() => visitor.page.keyboard.press('Enter'), 'Okay, go on.');
-  assert.match(await lines('human', 'shows').innerText(), /points? at \(−0\.20, 0\.01\)/);
+  assert.match(await lines('human', 'shows').innerText(), /points?, 20 cm left, 1 cm farther/);
   await at('table-map').press('/');
   assert.ok(await at('talk').evaluate((box) => box === document.activeElement));
 });

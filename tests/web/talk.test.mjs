@@ -113,7 +113,7 @@ test('samples and what came of them are no lines of the conversation', () => {
     kind: 'input',
     event: {kind: 'gesture', name: 'point', phase: 'start', target: [0.1, -0.05]},
   });
-  assert.equal(text + end, 'point, begins at (0.10, −0.05)');
+  assert.equal(text + end, 'point, begins, 10 cm right, 5 cm nearer');
 });
 
 test('the live page has an address of its own', () => {

@@ -2,7 +2,7 @@
 import {h, brief, clock} from '../dom.js';
 import {RecordClient} from '../run/run_client.js';
 import {Labels} from '../run/labels.js';
-import {placed} from './draft.js';
+import {placeText} from '../scene3d/scene_text.js';
 
 const most_lines = 300;
 const at_end_px = 40;
@@ -21,7 +21,7 @@ const act_words = {
 
 const gestureName = ({name, alternatives, direction}) =>
   [name ?? alternatives?.[0]?.text ?? 'a gesture', direction].filter(Boolean).join(' ').replaceAll('_', ' ');
-const gestureEnd = ({phase, target}) => (phases[phase] ?? '') + (target ? ` at ${placed(target)}` : '');
+const gestureEnd = ({phase, target}) => (phases[phase] ?? '') + (target ? `, ${placeText(target)}` : '');
 
 /**
  * The line of a record: {who, how, text, end: what follows the text, raw: the text is a term or an id, for which there

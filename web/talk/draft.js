@@ -3,7 +3,6 @@
 
 const word_s = 0.25; // how long a spoken word takes
 const longest_s = 1.2; // of the whole: well within the time in which the engine joins words and pointing
-const hundredths = (x) => Math.round(x * 100) / 100;
 const thousandths = (x) => Math.round(x * 1000) / 1000;
 
 export const wordsOf = (text) => text.trim().split(/\s+/).filter(Boolean);
@@ -58,6 +57,3 @@ function together(text, words, clicks, now) {
     ...strokes.sort((a, b) => a.t - b.t),
   ];
 }
-
-/** "(0.12, −0.05)" */
-export const placed = (target) => `(${target.map((x) => hundredths(x).toFixed(2).replace('-', '−')).join(', ')})`;

@@ -1,6 +1,7 @@
 // The human's input: a line of text, the clicks while it was typed, and a microphone where the browser listens.
 import {h} from '../dom.js';
-import {Draft, placed} from './draft.js';
+import {placeText} from '../scene3d/scene_text.js';
+import {Draft} from './draft.js';
 import {mountMicrophone} from './microphone.js';
 
 class TalkBox {
@@ -69,8 +70,8 @@ class TalkBox {
       this.#showClicks();
       this.focus();
     });
-    const words = ` ${this.#draft.wordOf(click)} → ${placed(click.target)} `;
-    return h('li', {'data-testid': 'click-chip'}, h('b', {}, number), words, remove);
+    const words = ` ${this.#draft.wordOf(click)} → ${placeText(click.target)} `;
+    return h('li', {'data-testid': 'click-chip', title: click.target.join(', ')}, h('b', {}, number), words, remove);
   }
   #speak() {
     const text = this.#input.value.trim();
