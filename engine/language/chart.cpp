@@ -56,13 +56,16 @@ void Chart::look_up(const std::vector<Word>& words) {
     const auto most = std::min(vocabulary_.most_words(), words.size() - begin);
     for (std::size_t count = 1; count <= most; ++count) {
       text += (count > 1 ? " " : "") + words[begin + count - 1].text;
-      const auto* entry = vocabulary_.find(text);
       words_[begin].push_back({});
       if (count == 1) add(words[begin].name, {begin, begin + 1});
-      if (!entry) continue;
-      add(*entry, {begin, begin + count});
-      if (entry->skip) skippable_[begin].push_back({count, *entry->skip});
-      if (entry->aside) add_aside(words, begin, count, *entry->aside);
+      std::optional<double> skip, aside;
+      for (const auto* entry : vocabulary_.entries(text)) {
+        add(*entry, {begin, begin + count});
+        if (entry->skip) skip = entry->skip;
+        if (entry->aside) aside = entry->aside;
+      }
+      if (skip) skippable_[begin].push_back({count, *skip});
+      if (aside) add_aside(words, begin, count, *aside);
     }
     if (words[begin].before_unknown) skippable_[begin].push_back({1, cost_of_lost, false});
   }

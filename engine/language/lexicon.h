@@ -1,38 +1,21 @@
 // The words of a language and their meanings: data, read from a folder of JSON files (language/LEXICON.md).
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
-#include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "continua/core/result.h"
 #include "continua/language/category.h"
 #include "continua/language/operators.h"
+#include "continua/language/word_table.h"
 #include "continua/term/term_text.h"
 #include "continua/world/world_snapshot.h"
 
 namespace continua {
-
-/// One use of a word. Its term is closed, in normal form and of the category's type.
-struct WordSense {
-  Category category;
-  Term term;
-  double cost = 0;
-};
-
-/// A word, or several with spaces between them.
-struct WordEntry {
-  std::vector<WordSense> senses;
-  std::optional<double> skip;   ///< the cost of leaving it out; empty if it must not be left out
-  std::optional<double> aside;  ///< the cost of leaving it out with all words up to the next comma or the end
-};
 
 /// How a value of an attribute becomes a word. The word's term is `term` applied to the value's constant.
 struct WordTemplate {
@@ -80,26 +63,12 @@ struct LexiconExample {
   std::vector<std::string> unknown;
 };
 
-/// The hash of a text, however it is held.
-struct TextHash {
-  using is_transparent = void;
-  std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
-};
-
-/// Entries by their text, in no order; an entry of several words has single spaces between them.
-using WordTable = std::unordered_map<std::string, WordEntry, TextHash, std::equal_to<>>;
-
-/// The single words of an entry.
-std::vector<std::string_view> parts_of_entry(std::string_view words);
-
 struct Lexicon {
   Atoms atoms;
   Signature names;  ///< types of all names that readings may contain, the term language's and the facts included
   Operators operators;
   std::map<std::string, Term, std::less<>> definitions;  ///< defined names with their terms
   WordTable words;
-  std::set<std::string, std::less<>> parts;  ///< the single words that the entries are made of
-  std::size_t most_words = 1;                ///< of the longest entry
   std::vector<WordAttribute> attributes;
   std::vector<std::pair<std::string, std::string>> plurals;  ///< ending of the singular and of the plural; first wins
   /// Endings of two forms of a verb, "capping" and "cap": a taught verb is known in all its forms.

@@ -19,16 +19,6 @@ const std::vector<std::string> sections = {
 
 }  // namespace
 
-std::vector<std::string_view> parts_of_entry(std::string_view words) {
-  std::vector<std::string_view> parts;
-  for (std::size_t at = 0; at <= words.size();) {
-    const auto end = std::min(words.find(' ', at), words.size());
-    parts.push_back(words.substr(at, end - at));
-    at = end + 1;
-  }
-  return parts;
-}
-
 LexiconReader::LexiconReader(const std::vector<LocatedJson>& documents, const Signature& facts) : facts_(facts) {
   lexicon_.names = term_signature();
   lexicon_.names.insert(facts.begin(), facts.end());

@@ -43,8 +43,8 @@ class LexiconReader {
   void read_apostrophes();
   void read_rules();
   std::vector<NameTemplate> read_name_templates(const std::string& section);
-  /// The entries that a key stands for.
-  std::vector<WordEntry*> entries(const Item& at, const std::string& key);
+  /// `at`: the member of that key.
+  void add_entry(const Item& at, const std::string& key, WordEntry entry);
   std::optional<Category> read_category(const Item& item);
   std::optional<Term> read_term(const Item& item, const Type& expected);
   /// A term of the category's type; with `argument`, a function from `argument` to that type.

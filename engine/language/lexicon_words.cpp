@@ -13,25 +13,12 @@ namespace {
 
 double read_cost(const Item& item) { return item.number("a cost", 0, 0, 100); }
 
-bool is_small_letter(char c) { return 'a' <= c && c <= 'z'; }
-
-// Small Latin letters, perhaps with an apostrophe inside a word, and single spaces between words, as most entries are.
-// Such words are written as they are heard.
-bool is_plain(std::string_view words) {
-  bool after_letter = false;
-  for (const char c : words) {
-    const bool letter = is_small_letter(c);
-    if (!letter && (!after_letter || (c != ' ' && c != '\''))) return false;
-    after_letter = letter;
-  }
-  return after_letter;
-}
-
-// As words_of() would give them, with single spaces between them.
-bool is_as_heard(const std::string& words) {
-  std::string text;
-  for (const auto& part : words_of(words)) text += (text.empty() ? "" : " ") + part.text;
-  return !text.empty() && text == words;
+// Whether words_of() would give it as it is written.
+bool is_as_heard(std::string_view word) {
+  // Most are of small Latin letters.
+  if (std::all_of(word.begin(), word.end(), [](char c) { return 'a' <= c && c <= 'z'; })) return true;
+  const auto heard = words_of(word);
+  return heard.size() == 1 && heard.front().text == word;
 }
 
 }  // namespace
@@ -63,19 +50,14 @@ std::optional<Term> LexiconReader::read_term(const Item& item, const Category& c
   return read_term(item, expected(0));
 }
 
-std::vector<WordEntry*> LexiconReader::entries(const Item& at, const std::string& key) {
+void LexiconReader::add_entry(const Item& at, const std::string& key, WordEntry entry) {
   for (const auto part : parts_of_spellings(key))
-    if (!lexicon_.parts.contains(part)) lexicon_.parts.emplace(part);
-  std::vector<WordEntry*> all;
-  for (auto& words : spellings(key)) {
-    if (!is_plain(words) && !is_as_heard(words))
-      at.problem_at_key(
-          fmt::format("found {}, expected words in lower case with single spaces between them", in_quotes(words)));
-    const auto count = 1 + static_cast<std::size_t>(std::count(words.begin(), words.end(), ' '));
-    lexicon_.most_words = std::max(lexicon_.most_words, count);
-    all.push_back(&lexicon_.words[std::move(words)]);
-  }
-  return all;
+    if (!is_as_heard(part))
+      return at.problem_at_key(fmt::format("found {}, expected words in lower case", in_quotes(part)));
+  if (!lexicon_.words.add(key, std::move(entry)))
+    at.problem_at_key(
+        fmt::format("found {}, expected at least one word in each of at most {} ways, and brackets in pairs",
+                    in_quotes(key), most_spellings));
 }
 
 void LexiconReader::read_words() {
@@ -93,12 +75,12 @@ void LexiconReader::read_words() {
       if (const auto term = read_term(parts[1], *category, std::nullopt))
         read.push_back({*category, *term, read_cost(sense.element(2))});
     }
-    for (auto* entry : entries(senses, key)) entry->senses.insert(entry->senses.end(), read.begin(), read.end());
+    add_entry(senses, key, {std::move(read), {}, {}});
   }
   for (const auto& [key, cost] : members_of("skip", "words that may be left out"))
-    for (auto* entry : entries(cost, key)) entry->skip = read_cost(cost);
+    add_entry(cost, key, {{}, read_cost(cost), {}});
   for (const auto& [key, cost] : members_of("asides", "words that begin an aside"))
-    for (auto* entry : entries(cost, key)) entry->aside = read_cost(cost);
+    add_entry(cost, key, {{}, {}, read_cost(cost)});
 }
 
 void LexiconReader::read_attributes() {

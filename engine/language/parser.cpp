@@ -31,7 +31,8 @@ std::vector<bool> known_words(const std::vector<SpokenWord>& spoken, const Vocab
     std::string text;
     for (auto end = begin; end < std::min(spoken.size(), begin + vocabulary.most_words()); ++end) {
       text += (text.empty() ? "" : " ") + spoken[end].text;
-      if (vocabulary.find(text)) std::fill_n(known.begin() + static_cast<std::ptrdiff_t>(begin), end + 1 - begin, true);
+      if (!vocabulary.entries(text).empty())
+        std::fill_n(known.begin() + static_cast<std::ptrdiff_t>(begin), end + 1 - begin, true);
       if (spoken[end].ends_after) break;
     }
   }
@@ -176,7 +177,7 @@ std::vector<SpokenWord> without_contractions(const std::vector<SpokenWord>& spok
       return word.text.size() > each.first.size() && word.text.ends_with(each.first);
     });
     heard.push_back(word);
-    if (found == all.end() || vocabulary.find(word.text)) continue;
+    if (found == all.end() || !vocabulary.entries(word.text).empty()) continue;
     auto& shorter = heard.back();
     shorter.text.resize(word.text.size() - found->first.size());
     shorter.ends_after = shorter.half = false;

@@ -33,7 +33,7 @@ std::string spoken(const std::string& value) {
 }  // namespace
 
 Vocabulary::Vocabulary(std::shared_ptr<const Lexicon> lexicon, const WorldSnapshot& world)
-    : lexicon_(std::move(lexicon)), names_(lexicon_->names), most_words_(lexicon_->most_words) {
+    : lexicon_(std::move(lexicon)), names_(lexicon_->names), most_words_(lexicon_->words.most_words()) {
   for (const auto& attribute : lexicon_->attributes) {
     std::set<std::string, std::less<>> grouped;
     for (const auto& group : attribute.values) {
@@ -68,7 +68,7 @@ void Vocabulary::note_said_of_scene(const WorldSnapshot& world) {
 }
 
 // The human was asked before a word gets another meaning.
-void Vocabulary::lose_senses(const std::string& word) { scene_words_.insert_or_assign(word, WordEntry()); }
+void Vocabulary::lose_senses(const std::string& word) { scene_words_.insert_or_assign(word, SceneWord{{}, true}); }
 
 void Vocabulary::learn(const std::string& word, const std::string& name, const Type& type) {
   names_.insert_or_assign(name, type);
@@ -89,7 +89,8 @@ std::set<std::string> Vocabulary::forms_of(const std::string& verb) const {
     for (const auto& [ending, other] : lexicon_->forms)
       for (const auto& [from, to] : {std::pair(ending, other), std::pair(other, ending)})
         if (form.size() > from.size() && form.ends_with(from))
-          if (auto made = form.substr(0, form.size() - from.size()) + to; !find(made)) forms.insert(std::move(made));
+          if (auto made = form.substr(0, form.size() - from.size()) + to; entries(made).empty())
+            forms.insert(std::move(made));
   };
   add_others(verb);
   for (const auto& form : std::set(forms)) add_others(form);
@@ -107,8 +108,8 @@ void Vocabulary::learn_noun(const std::string& name, const Term& condition) {
   const auto one = singular(name);
   add_noun(name, false, constant, one ? 0.2 : 0);
   if (one) add_noun(name, true, constant, 0);
-  if (one && !find(*one)) add_noun(*one, false, constant, 0);
-  if (const auto many = plural(name); !one && !find(many)) add_noun(many, true, constant, 0);
+  if (one && entries(*one).empty()) add_noun(*one, false, constant, 0);
+  if (const auto many = plural(name); !one && entries(many).empty()) add_noun(many, true, constant, 0);
   for (auto& sense : as_name(name, true).senses) add_word(name, std::move(sense));
   add_parts(name);
 }
@@ -119,10 +120,7 @@ void Vocabulary::add_noun(const std::string& word, bool plural, const Term& cons
       add_word(word, {made.category, applied(made.term, constant), made.cost + cost});
 }
 
-bool Vocabulary::means(std::string_view word) const {
-  const auto* entry = find(word);
-  return entry && !entry->senses.empty();
-}
+bool Vocabulary::means(std::string_view word) const { return !senses(word).empty(); }
 
 WordEntry Vocabulary::as_name(const std::string& words, bool known) const {
   WordEntry entry;
@@ -163,27 +161,37 @@ std::optional<Vocabulary::Resemblance> Vocabulary::resembling_thing(const std::s
 
 std::optional<Vocabulary::Resemblance> Vocabulary::resembling_word(const std::string& word) const {
   std::optional<Resemblance> only;
-  for (const auto* parts : {&lexicon_->parts, &parts_})
-    for (const auto& each : *parts) {
-      const auto found = slip(word, each);
-      const auto fewest = found == Slip::exchanged ? fewest_letters_exchanged : fewest_letters_otherwise;
-      if (!is_of_the_fingers(found) || each.size() < fewest) continue;
-      if (only) return std::nullopt;
-      only = Resemblance{each, true};
-    }
-  return only;
+  bool several = false;
+  const auto compare = [&](const std::string& each) {
+    const auto found = slip(word, each);
+    const auto fewest = found == Slip::exchanged ? fewest_letters_exchanged : fewest_letters_otherwise;
+    if (!is_of_the_fingers(found) || each.size() < fewest) return;
+    several = several || only;
+    only = Resemblance{each, true};
+  };
+  for (const auto& [part, number] : lexicon_->words.parts()) compare(part);
+  for (const auto& part : parts_) compare(part);
+  return several ? std::nullopt : only;
 }
 
-const WordEntry* Vocabulary::find(std::string_view words) const {
-  if (const auto found = scene_words_.find(words); found != scene_words_.end()) return &found->second;
-  const auto found = lexicon_->words.find(words);
-  return found == lexicon_->words.end() ? nullptr : &found->second;
+std::vector<const WordEntry*> Vocabulary::entries(std::string_view words) const {
+  const auto of_scene = scene_words_.find(words);
+  if (of_scene == scene_words_.end()) return lexicon_->words.find(words);
+  auto found = of_scene->second.alone ? std::vector<const WordEntry*>() : lexicon_->words.find(words);
+  found.push_back(&of_scene->second.entry);
+  return found;
+}
+
+std::vector<const WordSense*> Vocabulary::senses(std::string_view words) const {
+  std::vector<const WordSense*> all;
+  for (const auto* entry : entries(words))
+    for (const auto& sense : entry->senses) all.push_back(&sense);
+  return all;
 }
 
 std::set<std::string> Vocabulary::words() const {
-  std::set<std::string> all;
-  for (const auto* table : {&scene_words_, &lexicon_->words})
-    for (const auto& [words, entry] : *table) all.insert(words);
+  auto all = lexicon_->words.texts();
+  for (const auto& [words, entry] : scene_words_) all.insert(words);
   return all;
 }
 
@@ -212,19 +220,15 @@ void Vocabulary::add_value(const WordAttribute& attribute, const std::vector<std
 }
 
 void Vocabulary::add_word(const std::string& word, WordSense sense) {
-  auto found = scene_words_.find(word);
-  if (found == scene_words_.end()) {
-    const auto known = lexicon_->words.find(word);
-    found = scene_words_.emplace(word, known == lexicon_->words.end() ? WordEntry() : known->second).first;
-    add_parts(word);
-  }
-  found->second.senses.push_back(std::move(sense));
+  const auto [found, is_new] = scene_words_.try_emplace(word);
+  if (is_new) add_parts(word);
+  found->second.entry.senses.push_back(std::move(sense));
 }
 
 void Vocabulary::add_parts(std::string_view words) {
   const auto parts = parts_of_entry(words);
   for (const auto part : parts)
-    if (!lexicon_->parts.contains(part)) parts_.emplace(part);
+    if (!lexicon_->words.parts().contains(part)) parts_.emplace(part);
   most_words_ = std::max(most_words_, parts.size());
 }
 

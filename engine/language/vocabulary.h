@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "continua/language/lexicon.h"
 
@@ -24,9 +25,12 @@ class Vocabulary {
   void learn_noun(const std::string& name, const Term& condition);
 
   const Lexicon& lexicon() const { return *lexicon_; }
-  /// The entry of a word, or of several words with spaces between them; nullptr if there is none.
-  const WordEntry* find(std::string_view words) const;
-  /// All words that find() knows, in alphabetical order.
+  /// What is known of a word, or of several words with spaces between them; none if nothing is. They hold until the
+  /// next word is learned.
+  std::vector<const WordEntry*> entries(std::string_view words) const;
+  /// The senses of these entries.
+  std::vector<const WordSense*> senses(std::string_view words) const;
+  /// All words that have entries, in alphabetical order.
   std::set<std::string> words() const;
   /// The senses of words as a name that the human is about to give: by the lexicon's `unknown` templates, or, for a
   /// word that is known already, by its `taken` templates.
@@ -43,7 +47,7 @@ class Vocabulary {
   /// attributes; none if none resembles it, or two do equally. Other words must differ by a slip of the fingers alone.
   std::optional<Resemblance> resembling(const std::string& word) const;
   /// Whether the word is an entry, or a part of an entry of several words.
-  bool knows(std::string_view word) const { return lexicon_->parts.contains(word) || parts_.contains(word); }
+  bool knows(std::string_view word) const { return lexicon_->words.parts().contains(word) || parts_.contains(word); }
   /// Whether the word by itself means something. One that is only part of other entries ("wait a minute"), or that is
   /// only left out, has no meaning to lose.
   bool means(std::string_view word) const;
@@ -71,7 +75,11 @@ class Vocabulary {
   void note_said_of_scene(const WorldSnapshot& world);
 
   std::shared_ptr<const Lexicon> lexicon_;
-  WordTable scene_words_;  ///< words from attributes and learned names, with the lexicon's senses of the same words
+  struct SceneWord {
+    WordEntry entry;
+    bool alone = false;  ///< it has lost what the lexicon knows of it
+  };
+  std::map<std::string, SceneWord, std::less<>> scene_words_;  ///< words from attributes and learned names
   Signature names_;
   std::map<std::string, Term, std::less<>> definitions_;
   std::set<std::string, std::less<>> parts_;  ///< of entries that the lexicon lacks, but the parts that it has

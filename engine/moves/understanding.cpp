@@ -115,17 +115,17 @@ Term attributes_in(const Term& condition) {
 Term Understanding::noun_in(const WordSpan& words, const Utterance& utterance) const {
   static const Type modifier = Type::function(property(), property());
   const auto has_type = [](const Type& type) {
-    return [&type](const WordSense& sense) { return sense.term.type() == type; };
+    return [&type](const WordSense* sense) { return sense->term.type() == type; };
   };
   for (auto at = words.begin; at < words.end; ++at) {
     std::string text;
     const WordSense* noun = nullptr;
     for (auto end = at; end < std::min(words.end, at + vocabulary_->most_words()); ++end) {
       text += (text.empty() ? "" : " ") + utterance.words[end];
-      const auto* entry = vocabulary_->find(text);
-      if (!entry || std::any_of(entry->senses.begin(), entry->senses.end(), has_type(modifier))) continue;
-      const auto sense = std::find_if(entry->senses.begin(), entry->senses.end(), has_type(property()));
-      if (sense != entry->senses.end()) noun = &*sense;
+      const auto senses = vocabulary_->senses(text);
+      if (std::any_of(senses.begin(), senses.end(), has_type(modifier))) continue;
+      const auto sense = std::find_if(senses.begin(), senses.end(), has_type(property()));
+      if (sense != senses.end()) noun = *sense;
     }
     if (noun) return is_topic(noun->term) ? Term::null() : noun->term;
   }

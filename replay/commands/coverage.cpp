@@ -140,10 +140,11 @@ std::vector<CoverageItem> entries_of(const std::shared_ptr<const Lexicon>& lexic
   const Vocabulary vocabulary(lexicon, WorldSnapshot());
   std::vector<CoverageItem> entries;
   for (const auto& word : vocabulary.words()) {
-    const auto* entry = vocabulary.find(word);
-    for (const auto& sense : entry->senses)
-      entries.push_back(lexicon_entry(word, sense.category.text(), print(with_nice_variables(sense.term))));
-    if (entry->skip) entries.push_back(lexicon_entry(word, "", ""));
+    const auto known = vocabulary.entries(word);
+    for (const auto* sense : vocabulary.senses(word))
+      entries.push_back(lexicon_entry(word, sense->category.text(), print(with_nice_variables(sense->term))));
+    if (std::any_of(known.begin(), known.end(), [](const auto* entry) { return entry->skip.has_value(); }))
+      entries.push_back(lexicon_entry(word, "", ""));
   }
   return entries;
 }

@@ -111,17 +111,17 @@ std::map<std::string, std::map<std::string, double>> weighted_words(const Vocabu
   const auto values = values_of(world, vocabulary.lexicon());
   std::map<std::string, std::map<std::string, double>> weighted;
   for (const auto& words : vocabulary.words())
-    for (const auto& sense : vocabulary.find(words)->senses) {
-      const auto known = counts.words.find(sense.category.text());
+    for (const auto* sense : vocabulary.senses(words)) {
+      const auto known = counts.words.find(sense->category.text());
       if (known == counts.words.end()) continue;
       const auto& [category, of_category] = *known;
       const auto most = std::max_element(of_category.begin(), of_category.end(), [](const auto& a, const auto& b) {
                           return a.second < b.second;
                         })->second;
       const auto count = of_category.find(words);
-      const double weight = values.contains(words) && sense.cost == 0 ? most
-                            : count == of_category.end()              ? 0
-                                                                      : count->second;
+      const double weight = values.contains(words) && sense->cost == 0 ? most
+                            : count == of_category.end()               ? 0
+                                                                       : count->second;
       if (weight >= least_share * most) weighted[category][words] = weight;
     }
   return weighted;

@@ -13,8 +13,7 @@ std::vector<std::string> kept(const std::string& sentence, std::size_t number) {
   std::vector<PlacedSense> senses;
   std::size_t at = 0;
   for (const auto& word : words_of(sentence)) {
-    if (const auto* entry = english_words().find(word.text))
-      for (const auto& sense : entry->senses) senses.push_back({{at, at + 1}, &sense});
+    for (const auto* sense : english_words().senses(word.text)) senses.push_back({{at, at + 1}, sense});
     ++at;
   }
   const auto alive = with_prospects(senses, *english());
