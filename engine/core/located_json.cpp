@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
 #include <numeric>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -138,6 +140,13 @@ std::size_t members_written(std::string_view text) {
   return count;
 }
 
+// The keys that a valid document has a second time in one object.
+std::vector<LocatedJson::Duplicate> duplicates_in(std::string_view text) {
+  PlaceFinder finder(text, [](const std::string&, TextPlace, TextPlace, std::size_t) {});
+  finder.walk("");
+  return std::move(finder.duplicates);
+}
+
 // The first place where brackets nest deeper than `max_json_depth`, or an object has more than `max_json_members`.
 std::optional<Excess> excess(std::string_view text) {
   std::vector<std::size_t> colons;  // in each open bracket
@@ -207,12 +216,15 @@ std::string compact(const Json& value) { return value.dump(-1, ' ', false, Json:
 Result<Json> parse_json_line(std::string_view text, const std::string& name, std::size_t line) {
   auto value = parse_text(text, name, line);
   if (!value || members_in(*value) == members_written(text)) return value;
-  PlaceFinder finder(text, [](const std::string&, TextPlace, TextPlace, std::size_t) {});
-  finder.walk("");
-  const auto& [place, key] = finder.duplicates.front();
+  const auto [place, key] = duplicates_in(text).front();
   return Error{fmt::format("{}:{}:{}", name, line + place.line - 1, place.column),
                fmt::format("the key '{}' a second time in this object", key)};
 }
+
+struct LocatedJson::Locations {
+  std::once_flag found;
+  std::unordered_map<std::string, Location> by_pointer;
+};
 
 Result<LocatedJson> LocatedJson::parse(std::string_view text, std::string name) {
   text = without_byte_order_mark(text);
@@ -224,11 +236,8 @@ Result<LocatedJson> LocatedJson::parse(std::string_view text, std::string name) 
   if (!root) return root.error();
   document.root_ = std::move(root).value();
   document.text_ = text;
-  PlaceFinder finder(text, [&](const std::string& pointer, TextPlace value, TextPlace key, std::size_t offset) {
-    document.locations_.insert_or_assign(pointer, Location{value, key, offset});
-  });
-  finder.walk("");
-  document.duplicates_ = std::move(finder.duplicates);
+  document.locations_ = std::make_shared<Locations>();
+  if (members_in(document.root_) != members_written(text)) document.duplicates_ = duplicates_in(text);
   return document;
 }
 
@@ -239,9 +248,16 @@ Result<LocatedJson> LocatedJson::read(const std::string& path) {
 }
 
 const LocatedJson::Location* LocatedJson::location(std::string_view pointer) const {
+  std::call_once(locations_->found, [this] {
+    PlaceFinder finder(text_, [this](const std::string& at, TextPlace value, TextPlace key, std::size_t offset) {
+      locations_->by_pointer.insert_or_assign(at, Location{value, key, offset});
+    });
+    finder.walk("");
+  });
+  const auto& known = locations_->by_pointer;
   for (std::string at(pointer);;) {
-    const auto found = locations_.find(at);
-    if (found != locations_.end()) return &found->second;
+    const auto found = known.find(at);
+    if (found != known.end()) return &found->second;
     require(!at.empty(), "a document without a root");
     const auto slash = at.rfind('/');
     at.erase(slash == std::string::npos ? 0 : slash);

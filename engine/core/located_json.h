@@ -3,9 +3,9 @@
 #pragma once
 
 #include <compare>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -96,11 +96,12 @@ class LocatedJson {
     TextPlace value, key;
     std::size_t offset;  ///< first byte of the value in text_
   };
+  struct Locations;
   const Location* location(std::string_view pointer) const;
 
   Json root_;
   std::string name_, text_;
-  std::unordered_map<std::string, Location> locations_;
+  std::shared_ptr<Locations> locations_;  ///< found when they are first asked for: few documents have problems
   std::vector<Duplicate> duplicates_;
 };
 

@@ -52,14 +52,13 @@ void Chart::look_up(const std::vector<Word>& words) {
   words_.resize(words.size());
   skippable_.resize(words.size());
   for (std::size_t begin = 0; begin < words.size(); ++begin) {
-    std::string text;
+    Vocabulary::Walk walk(vocabulary_);
     const auto most = std::min(vocabulary_.most_words(), words.size() - begin);
     for (std::size_t count = 1; count <= most; ++count) {
-      text += (count > 1 ? " " : "") + words[begin + count - 1].text;
       words_[begin].push_back({});
       if (count == 1) add(words[begin].name, {begin, begin + 1});
       std::optional<double> skip, aside;
-      for (const auto* entry : vocabulary_.entries(text)) {
+      for (const auto* entry : walk.step(words[begin + count - 1].text)) {
         add(*entry, {begin, begin + count});
         if (entry->skip) skip = entry->skip;
         if (entry->aside) aside = entry->aside;

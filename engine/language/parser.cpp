@@ -28,10 +28,9 @@ WordEntry joined(WordEntry entry, WordEntry more) {
 std::vector<bool> known_words(const std::vector<SpokenWord>& spoken, const Vocabulary& vocabulary) {
   std::vector<bool> known(spoken.size());
   for (std::size_t begin = 0; begin < spoken.size(); ++begin) {
-    std::string text;
+    Vocabulary::Walk walk(vocabulary);
     for (auto end = begin; end < std::min(spoken.size(), begin + vocabulary.most_words()); ++end) {
-      text += (text.empty() ? "" : " ") + spoken[end].text;
-      if (!vocabulary.entries(text).empty())
+      if (!walk.step(spoken[end].text).empty())
         std::fill_n(known.begin() + static_cast<std::ptrdiff_t>(begin), end + 1 - begin, true);
       if (spoken[end].ends_after) break;
     }

@@ -120,7 +120,7 @@ void Vocabulary::add_noun(const std::string& word, bool plural, const Term& cons
       add_word(word, {made.category, applied(made.term, constant), made.cost + cost});
 }
 
-bool Vocabulary::means(std::string_view word) const { return !senses(word).empty(); }
+bool Vocabulary::means(std::string_view word) const { return !senses(entries(word)).empty(); }
 
 WordEntry Vocabulary::as_name(const std::string& words, bool known) const {
   WordEntry entry;
@@ -174,17 +174,28 @@ std::optional<Vocabulary::Resemblance> Vocabulary::resembling_word(const std::st
   return several ? std::nullopt : only;
 }
 
+std::vector<const WordEntry*> Vocabulary::Walk::step(std::string_view word) {
+  if (!text_.empty()) text_ += ' ';
+  text_ += word;
+  is_known_ = is_known_ && known_.step(word);
+  const auto& of_scene = vocabulary_.scene_words_;
+  const auto found = of_scene.find(text_);
+  const bool alone = found != of_scene.end() && found->second.alone;
+  auto entries = is_known_ && !alone ? known_.entries() : std::vector<const WordEntry*>();
+  if (found != of_scene.end()) entries.push_back(&found->second.entry);
+  return entries;
+}
+
 std::vector<const WordEntry*> Vocabulary::entries(std::string_view words) const {
-  const auto of_scene = scene_words_.find(words);
-  if (of_scene == scene_words_.end()) return lexicon_->words.find(words);
-  auto found = of_scene->second.alone ? std::vector<const WordEntry*>() : lexicon_->words.find(words);
-  found.push_back(&of_scene->second.entry);
+  Walk walk(*this);
+  std::vector<const WordEntry*> found;
+  for (const auto word : parts_of_entry(words)) found = walk.step(word);
   return found;
 }
 
-std::vector<const WordSense*> Vocabulary::senses(std::string_view words) const {
+std::vector<const WordSense*> Vocabulary::senses(const std::vector<const WordEntry*>& entries) {
   std::vector<const WordSense*> all;
-  for (const auto* entry : entries(words))
+  for (const auto* entry : entries)
     for (const auto& sense : entry->senses) all.push_back(&sense);
   return all;
 }

@@ -28,8 +28,21 @@ class Vocabulary {
   /// What is known of a word, or of several words with spaces between them; none if nothing is. They hold until the
   /// next word is learned.
   std::vector<const WordEntry*> entries(std::string_view words) const;
-  /// The senses of these entries.
-  std::vector<const WordSense*> senses(std::string_view words) const;
+  /// The same of words said one after another.
+  class Walk {
+   public:
+    explicit Walk(const Vocabulary& vocabulary) : vocabulary_(vocabulary), known_(vocabulary.lexicon_->words) {}
+    /// One word further: what is known of all words so far.
+    std::vector<const WordEntry*> step(std::string_view word);
+
+   private:
+    const Vocabulary& vocabulary_;
+    WordTable::Walk known_;
+    std::string text_;
+    bool is_known_ = true;
+  };
+  /// The senses of entries.
+  static std::vector<const WordSense*> senses(const std::vector<const WordEntry*>& entries);
   /// All words that have entries, in alphabetical order.
   std::set<std::string> words() const;
   /// The senses of words as a name that the human is about to give: by the lexicon's `unknown` templates, or, for a

@@ -82,39 +82,46 @@ bool WordTable::add(std::string_view key, WordEntry entry) {
   return true;
 }
 
-std::vector<int> WordTable::places_after(std::string_view words) const {
-  std::vector<int> places, next;
-  bool begun = false;
-  for (const auto word : parts_of_entry(words)) {
-    const auto part = parts_.find(word);
-    if (part == parts_.end()) return {};
-    if (!std::exchange(begun, true)) {
-      places = first_[part->second];
-      continue;
+bool WordTable::Walk::step(std::string_view word) {
+  if (places_ && places_->empty()) return false;
+  const auto part = table_->parts_.find(word);
+  std::vector<int> next;
+  if (part != table_->parts_.end()) {
+    if (!places_) {
+      next = table_->first_[part->second];
+    } else {
+      const auto part_of = [this](int place) { return table_->places_[place].part; };
+      for (const auto place : *places_) {
+        const auto& follow = table_->places_[place].next;
+        auto each = std::partition_point(follow.begin(), follow.end(),
+                                         [&](int other) { return part_of(other) < part->second; });
+        for (; each != follow.end() && part_of(*each) == part->second; ++each) next.push_back(*each);
+      }
     }
-    next.clear();
-    for (const auto place : places) {
-      const auto& follow = places_[place].next;
-      auto each = std::partition_point(follow.begin(), follow.end(),
-                                       [&](int other) { return places_[other].part < part->second; });
-      for (; each != follow.end() && places_[*each].part == part->second; ++each) next.push_back(*each);
-    }
-    std::swap(places, next);
-    if (places.empty()) return places;
   }
-  return places;
+  places_ = std::move(next);
+  return !places_->empty();
 }
 
-std::vector<const WordEntry*> WordTable::find(std::string_view words) const {
+std::vector<const WordEntry*> WordTable::Walk::entries() const {
   std::vector<int> numbers;
-  for (const auto place : places_after(words))
-    if (places_[place].is_last) numbers.push_back(places_[place].entry);
+  if (places_)
+    for (const auto place : *places_)
+      if (table_->places_[place].is_last) numbers.push_back(table_->places_[place].entry);
   // A text may be read in several ways in one key.
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   std::vector<const WordEntry*> entries;
-  for (const auto number : numbers) entries.push_back(&entries_[number]);
+  entries.reserve(numbers.size());
+  for (const auto number : numbers) entries.push_back(&table_->entries_[number]);
   return entries;
+}
+
+std::vector<const WordEntry*> WordTable::find(std::string_view words) const {
+  Walk walk(*this);
+  for (const auto word : parts_of_entry(words))
+    if (!walk.step(word)) return {};
+  return walk.entries();
 }
 
 std::set<std::string> WordTable::texts() const {

@@ -35,8 +35,21 @@ class WordTable {
   /// and no text has it, if the key cannot be taken apart or stands for a text without words.
   bool add(std::string_view key, WordEntry entry);
 
-  /// The entries of a word, or of several words with single spaces between them, in the order of add(). They hold as
-  /// long as the table is not changed.
+  /// Where words said one after another may stand within texts.
+  class Walk {
+   public:
+    explicit Walk(const WordTable& table) : table_(&table) {}
+    /// One word further. False if no text begins with the words so far.
+    bool step(std::string_view word);
+    /// The entries of the words so far, in the order of add(). They hold as long as the table is not changed.
+    std::vector<const WordEntry*> entries() const;
+
+   private:
+    const WordTable* table_;
+    std::optional<std::vector<int>> places_;  // none before the first word
+  };
+
+  /// The entries of a word, or of several words with single spaces between them, as a walk finds them.
   std::vector<const WordEntry*> find(std::string_view words) const;
 
   /// All texts that have an entry, in alphabetical order.
@@ -58,9 +71,6 @@ class WordTable {
     bool is_last = false;        // a text may end with it
     std::vector<int> next = {};  // places that may follow, in the order of their parts
   };
-
-  // Where a text of these words may have come to.
-  std::vector<int> places_after(std::string_view words) const;
 
   std::map<std::string, int, std::less<>> parts_;
   std::vector<Place> places_;

@@ -118,11 +118,10 @@ Term Understanding::noun_in(const WordSpan& words, const Utterance& utterance) c
     return [&type](const WordSense* sense) { return sense->term.type() == type; };
   };
   for (auto at = words.begin; at < words.end; ++at) {
-    std::string text;
+    Vocabulary::Walk walk(*vocabulary_);
     const WordSense* noun = nullptr;
     for (auto end = at; end < std::min(words.end, at + vocabulary_->most_words()); ++end) {
-      text += (text.empty() ? "" : " ") + utterance.words[end];
-      const auto senses = vocabulary_->senses(text);
+      const auto senses = Vocabulary::senses(walk.step(utterance.words[end]));
       if (std::any_of(senses.begin(), senses.end(), has_type(modifier))) continue;
       const auto sense = std::find_if(senses.begin(), senses.end(), has_type(property()));
       if (sense != senses.end()) noun = *sense;

@@ -89,8 +89,8 @@ class Parser {
   }
 
   Result<Syntax> prefixed() {
+    if (!token_.is("not") && !token_.is("-")) return postfixed();
     const Token sign = token_;
-    if (!sign.is("not") && !sign.is("-")) return postfixed();
     if (auto problem = advance()) return *problem;
     const bool number_follows = token_.kind == Token::Kind::number;
     auto inner = expression(sign.is("not") ? comparison : operand);
@@ -119,19 +119,19 @@ class Parser {
   }
 
   Result<Syntax> primary() {
-    const Token token = token_;
-    if (token.is("\\")) return lambda();
-    if (token.is("(")) return parenthesised();
-    if (token.is("[")) return list();
-    if (token.is("<")) return point();
-    if (token.kind == Token::Kind::sign || token.kind == Token::Kind::end) return found("a term");
+    if (token_.is("\\")) return lambda();
+    if (token_.is("(")) return parenthesised();
+    if (token_.is("[")) return list();
+    if (token_.is("<")) return point();
+    if (token_.kind == Token::Kind::sign || token_.kind == Token::Kind::end) return found("a term");
+    Token token = token_;
     if (auto problem = advance()) return *problem;
     if (token.kind == Token::Kind::number) return literal_syntax(token.begin, Term::number(token.number));
     if (token.kind == Token::Kind::text) return literal_syntax(token.begin, Term::text(token.text));
     if (!token.quoted && token.text == "null") return literal_syntax(token.begin, Term::null());
     if (!token.quoted && token.text == "true") return literal_syntax(token.begin, Term::truth(true));
     if (!token.quoted && token.text == "false") return literal_syntax(token.begin, Term::truth(false));
-    return name_syntax(token.begin, token.text, token.quoted);
+    return name_syntax(token.begin, std::move(token.text), token.quoted);
   }
 
   // (term), or an operator as a name: (+).

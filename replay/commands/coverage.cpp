@@ -141,7 +141,7 @@ std::vector<CoverageItem> entries_of(const std::shared_ptr<const Lexicon>& lexic
   std::vector<CoverageItem> entries;
   for (const auto& word : vocabulary.words()) {
     const auto known = vocabulary.entries(word);
-    for (const auto* sense : vocabulary.senses(word))
+    for (const auto* sense : Vocabulary::senses(known))
       entries.push_back(lexicon_entry(word, sense->category.text(), print(with_nice_variables(sense->term))));
     if (std::any_of(known.begin(), known.end(), [](const auto* entry) { return entry->skip.has_value(); }))
       entries.push_back(lexicon_entry(word, "", ""));

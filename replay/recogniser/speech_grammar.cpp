@@ -111,7 +111,7 @@ std::map<std::string, std::map<std::string, double>> weighted_words(const Vocabu
   const auto values = values_of(world, vocabulary.lexicon());
   std::map<std::string, std::map<std::string, double>> weighted;
   for (const auto& words : vocabulary.words())
-    for (const auto* sense : vocabulary.senses(words)) {
+    for (const auto* sense : Vocabulary::senses(vocabulary.entries(words))) {
       const auto known = counts.words.find(sense->category.text());
       if (known == counts.words.end()) continue;
       const auto& [category, of_category] = *known;

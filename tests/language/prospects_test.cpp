@@ -13,7 +13,8 @@ std::vector<std::string> kept(const std::string& sentence, std::size_t number) {
   std::vector<PlacedSense> senses;
   std::size_t at = 0;
   for (const auto& word : words_of(sentence)) {
-    for (const auto* sense : english_words().senses(word.text)) senses.push_back({{at, at + 1}, sense});
+    for (const auto* sense : Vocabulary::senses(english_words().entries(word.text)))
+      senses.push_back({{at, at + 1}, sense});
     ++at;
   }
   const auto alive = with_prospects(senses, *english());

@@ -51,8 +51,7 @@ TEST_CASE("a table of words finds what its keys stand for, and nothing else") {
     CAPTURE(words);
     CHECK(costs(table, words).empty());
   }
-  CHECK(table.texts() ==
-        std::set<std::string>{"can you", "can you please", "could you", "could you please", "you"});
+  CHECK(table.texts() == std::set<std::string>{"can you", "can you please", "could you", "could you please", "you"});
   CHECK(table.most_words() == 3);
   CHECK(table.parts().contains("please"));
   CHECK_FALSE(table.parts().contains("would"));
