@@ -262,11 +262,13 @@ bool Firing::perform_one(const Say& say) {
   because_ = origin_.sources;
   for (const auto& one : say.cases) {
     auto condition = evaluate();
+    condition.definitions_wait = true;
     if (one.when && !condition.value(*one.when).is_true()) continue;
     Said said;
     std::vector<Application> applications;
     for (const auto& variant : one.variants) {
       auto evaluation = evaluate();
+      evaluation.definitions_wait = true;
       auto words = fill_template(variant, {}, evaluation);
       if (!words) continue;
       said.variants.push_back(std::move(*words));

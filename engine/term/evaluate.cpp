@@ -26,6 +26,10 @@ const Term& unwound(const Term& term, std::vector<Term>& arguments) {
   return *head;
 }
 
+bool has_open(const std::vector<Term>& arguments) {
+  return std::any_of(arguments.begin(), arguments.end(), [](const Term& each) { return !each.closed(); });
+}
+
 void drop(std::vector<Term>& arguments, std::size_t& ready, std::size_t count) {
   arguments.erase(arguments.begin(), arguments.begin() + static_cast<std::ptrdiff_t>(count));
   ready -= std::min(ready, count);
@@ -185,6 +189,7 @@ Evaluation::Step Evaluation::reduce_constant(Redex& redex) {
   if (const Rule* found = rules_.find(name)) return reduce_rule(redex, *found);
   const Held held = lookup_ ? lookup_(name) : nullptr;
   if (!held.value || !names_same(redex.head.type(), held.value->type())) return keep(redex, true);
+  if (definitions_wait && has_open(redex.arguments)) return keep(redex, true);
   redex.head = Term(*held.value);
   if (!redex.arguments.empty()) return Step::again;
   if (!held.kept) redex.head = value_of(name, std::move(redex.head));

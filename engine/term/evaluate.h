@@ -110,6 +110,10 @@ class Evaluation {
   bool exhausted = false;
   /// Told of every application, if there is one; it must outlive the evaluation.
   Derivation* derivation = nullptr;
+  /// A defined name that is applied to a bound variable waits for the variable's value. Without this, its definition is
+  /// worked out in all its branches first, so that a value that is a function shows what it does. Where the value is
+  /// a truth value or a text, nobody sees that.
+  bool definitions_wait = false;
 
  private:
   enum class Step { done, again };

@@ -14,7 +14,7 @@ Term with_parts(const Term& term, int depth, const Part& part) {
       return Term::lambda(term.name(), term.variable_type(), part(term.body(), depth + 1));
     case Term::Kind::apply: {
       Term function = part(term.function(), depth);
-      return Term::apply(std::move(function), part(term.argument(), depth));
+      return Term::applied_like(term, std::move(function), part(term.argument(), depth));
     }
     case Term::Kind::list: {
       std::vector<Term> elements;

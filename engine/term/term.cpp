@@ -133,6 +133,17 @@ Term Term::lambda(std::string hint, Type variable, Term body) {
 Term Term::apply(Term function, Term argument) {
   auto type = result_type(function.type(), argument.type());
   if (!type) return Term();
+  return applied_of_type(*std::move(type), std::move(function), std::move(argument));
+}
+
+Term Term::applied_like(const Term& application, Term function, Term argument) {
+  const auto& like = std::get<Pair>(application.node_->held);
+  if (!function.type().same_node(like.function.type()) || !argument.type().same_node(like.argument.type()))
+    return apply(std::move(function), std::move(argument));
+  return applied_of_type(application.type(), std::move(function), std::move(argument));
+}
+
+Term Term::applied_of_type(Type type, Term function, Term argument) {
   const auto reach = std::max(function.reach(), argument.reach());
   const auto depth = std::max(function.depth(), argument.depth()) + 1;
   const auto size = saturated(function.size() + argument.size() + 1);
@@ -141,7 +152,7 @@ Term Term::apply(Term function, Term argument) {
   digest.add(argument.digest());
   Pair application{std::move(function), std::move(argument)};
   return Term(std::make_shared<const TermNode>(
-      TermNode{Kind::apply, std::move(*type), std::move(application), digest.digest(), reach, depth, size}));
+      TermNode{Kind::apply, std::move(type), std::move(application), digest.digest(), reach, depth, size}));
 }
 
 Term Term::list(std::vector<Term> elements, Type element) {

@@ -70,6 +70,8 @@ class Term {
   /// Null where the types do not go together (result_type() in unify.h): the first term is no function, or takes
   /// another type than the argument's. Null itself and a term of type `term` may be applied to anything.
   static Term apply(Term function, Term argument);
+  /// apply(function, argument), quicker where these have the very types of function and argument of `application`.
+  static Term applied_like(const Term& application, Term function, Term argument);
   static Term list(std::vector<Term> elements, Type element);
 
   Kind kind() const;
@@ -112,6 +114,7 @@ class Term {
   std::size_t size() const;
 
  private:
+  static Term applied_of_type(Type type, Term function, Term argument);
   explicit Term(std::shared_ptr<const TermNode> node) : node_(std::move(node)) {}
   std::shared_ptr<const TermNode> node_;
 };

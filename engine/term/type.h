@@ -49,6 +49,8 @@ class Type {
   bool polymorphic() const;
 
   bool operator==(const Type& other) const;
+  /// The very same node, which is quicker to ask than equality.
+  bool same_node(const Type& other) const { return node_ == other.node_; }
 
   /// "e -> (loc -> t)*", "loc -> e* • loc"; arrows associate to the right, `*` binds tightest, then `•`; variables
   /// print as 'a, 'b, ….
