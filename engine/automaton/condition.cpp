@@ -9,11 +9,18 @@
 
 namespace continua {
 
+bool holds(const Term& condition, Evaluation& evaluation) {
+  evaluation.definitions_wait = true;
+  const bool it_holds = evaluation.value(condition).is_true();
+  evaluation.definitions_wait = false;
+  return it_holds;
+}
+
 std::string why_not(const Term& condition, const Machine& machine, Evaluation& evaluation) {
   const auto [head, arguments] = condition.spine();
   if (head.kind() == Term::Kind::constant) {
     if (head.name() == "and" && arguments.size() == 2) {
-      const bool left_holds = evaluation.value(arguments[0]).is_true();
+      const bool left_holds = holds(arguments[0], evaluation);
       return why_not(arguments[left_holds ? 1 : 0], machine, evaluation);
     }
     const auto definition = machine.definitions.find(head.name());

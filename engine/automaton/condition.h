@@ -1,4 +1,4 @@
-// Explains why the condition of a transition does not hold.
+// Conditions of transitions: whether they hold, and why not.
 #pragma once
 
 #include <string>
@@ -7,6 +7,9 @@
 #include "continua/term/evaluate.h"
 
 namespace continua {
+
+/// Whether the condition is true.
+bool holds(const Term& condition, Evaluation& evaluation);
 
 /// The first conjunct that fails, with the values it compared: "not size(options) >= 2: size(options) is 1". A failing
 /// definition is opened: "nothing_held: not held = null: held is cup". REQUIRES that the condition does not hold.

@@ -55,7 +55,7 @@ Applicable Firing::applicable() {
         continue;
       }
       auto evaluation = evaluate();
-      if (evaluation.value(*transition.when).is_true())
+      if (holds(*transition.when, evaluation))
         found.candidates.push_back({index, weight, alternative});
       else if (account_)
         found.refused.push_back({index, why_not(*transition.when, machine_, evaluation), alternative});
@@ -95,7 +95,7 @@ std::optional<Entry> Firing::entry(const Transition& transition) {
   while (const auto& gate = machine_.states[entry.state].gate) {
     if (std::find(refused.begin(), refused.end(), entry.state) != refused.end()) return std::nullopt;
     auto evaluation = evaluate();
-    const bool passed = evaluation.value(gate->when).is_true();
+    const bool passed = holds(gate->when, evaluation);
     entry.margin = std::min(entry.margin, evaluation.margin);
     entry.gates.push_back({entry.state, account_ ? print(gate->when) : "", passed});
     if (passed) break;
@@ -148,11 +148,6 @@ void Firing::take_input(std::size_t alternative) {
 void Firing::forget_input() {
   inputs_ = {};
   input_ = nullptr;
-}
-
-Term Firing::value(const Term& term) {
-  auto evaluation = evaluate();
-  return evaluation.value(term);
 }
 
 Change Firing::change(const Operation& operation) {
@@ -251,7 +246,8 @@ std::optional<Change> Firing::perform(const std::vector<Effect>& effects) {
 
 bool Firing::perform_all(const std::vector<Effect>& effects) {
   for (const auto& effect : effects) {
-    if (effect.when && !value(*effect.when).is_true()) continue;
+    auto condition = evaluate();
+    if (effect.when && !holds(*effect.when, condition)) continue;
     if (std::visit([this](const auto& what) { return perform_one(what); }, effect.what)) return true;
   }
   return false;
@@ -262,8 +258,7 @@ bool Firing::perform_one(const Say& say) {
   because_ = origin_.sources;
   for (const auto& one : say.cases) {
     auto condition = evaluate();
-    condition.definitions_wait = true;
-    if (one.when && !condition.value(*one.when).is_true()) continue;
+    if (one.when && !holds(*one.when, condition)) continue;
     Said said;
     std::vector<Application> applications;
     for (const auto& variant : one.variants) {

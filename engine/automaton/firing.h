@@ -73,7 +73,6 @@ class Firing {
   /// The input is used up: only ε-transitions follow.
   void forget_input();
 
-  Term value(const Term& term);
   /// A value, with its sources: all values read, and the input under way.
   Cell compute(const Term& term);
   /// The same; the applications that the value is made of go to the account.
