@@ -7,7 +7,7 @@ cmake --preset release  # brings the packages, and with them the page's formatte
 ci/format.sh
 ci/floors.sh
 ci/build.sh
-# One more at a time than there are processors: servers and browsers are waited for.
-ctest --preset release --parallel "$((${CMAKE_BUILD_PARALLEL_LEVEL:-2} + 1))"
+# Two more at a time than there are processors: servers and browsers are waited for.
+ctest --preset release --parallel "$((${CMAKE_BUILD_PARALLEL_LEVEL:-2} + 2))"
 ci/same_bytes.sh
 ci/mujoco.sh
