@@ -36,6 +36,13 @@ if ! "$program" render "$folder/blocks.run.jsonl" -o "$folder/one.png" --at 1 --
 fi
 refuses "Debian's package ffmpeg" env PATH=/nonexistent "$program" render "$folder/blocks.run.jsonl" -o "$folder/out.mp4"
 if ! command -v ffmpeg > /dev/null; then exit "$((failed ? 1 : 77))"; fi
-refuses "interrupted" timeout --preserve-status --signal INT 2 "$program" render "$folder/blocks.run.jsonl" -o "$folder/out.mp4" --real-time \
-  --fps 60
+# As soon as it writes; a job of a script hears of an interrupt only with job control.
+interrupted_film() {
+  set -m
+  "$program" render "$folder/blocks.run.jsonl" -o "$folder/out.mp4" --real-time --fps 60 &
+  until [[ -e $folder/out.mp4.part ]] || ! kill -0 $!; do sleep 0.05; done
+  kill -INT $!
+  wait $!
+}
+refuses "interrupted" interrupted_film
 exit "$failed"

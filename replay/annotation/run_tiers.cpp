@@ -156,7 +156,7 @@ std::string trace_header_of_run(const Json& run) {
 }
 
 Result<Annotations> annotations_of_run(const RunIndex& run, const std::vector<NoteOnRun>& notes) {
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return header.error();
   RunTiers tiers(run);
   if (auto problem = tiers.read()) return *problem;

@@ -12,7 +12,7 @@ namespace {
 
 // The run's trace, if it lies beside the run and has not changed.
 std::optional<Trace> trace_beside(const RunIndex& run) {
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return std::nullopt;
   const auto& named = member_of(*header, "trace");
   const auto path = std::filesystem::path(run.path()).parent_path() / text_of(named, "name");
@@ -68,7 +68,7 @@ Result<std::vector<NoteOnRun>> notes_on(const RunIndex& run) {
 
 Result<std::string> trace_header_of(const RunIndex& run) {
   if (const auto trace = trace_beside(run)) return write_header(trace->header);
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return header.error();
   return trace_header_of_run(*header);
 }

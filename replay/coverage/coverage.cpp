@@ -241,7 +241,7 @@ CoverageItem lexicon_entry(const std::string& words, const std::string& category
 }
 
 Result<MachineCoverage> coverage_of(const RunIndex& run) {
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return header.error();
   if (list(member_of(*header, "graph"), "states").empty())
     return Error{run.where(0), "found a header without the machine's states; expected \"graph\""};

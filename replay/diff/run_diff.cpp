@@ -349,7 +349,7 @@ class PoseComparison {
   }
 
   static Outcome start(Side& side) {
-    const auto header = side.run->record(0);
+    const auto& header = side.run->header();
     if (!header) return header.error();
     if (const auto scene = header->find("scene"); scene != header->end() && scene->is_object())
       if (const auto bodies = scene->find("bodies"); bodies != scene->end()) place(side, *bodies);
@@ -461,7 +461,7 @@ bool is_same(const RunDiff& diff) {
 }
 
 Result<RunDiff> diff_runs(const RunIndex& a, const RunIndex& b, const DiffOptions& options) {
-  const auto header_a = a.record(0), header_b = b.record(0);
+  const auto &header_a = a.header(), &header_b = b.header();
   if (!header_a) return header_a.error();
   if (!header_b) return header_b.error();
   RunDiff diff;

@@ -57,7 +57,7 @@ class Text {
   }
 
   void side(const char* name, const RunIndex& run) {
-    const auto header = run.record(0);
+    const auto& header = run.header();
     text_ += fmt::format("{}: {}{}\n", name, run.path(), header ? " (" + brief(*header) + ")" : "");
     if (!run.trouble().empty()) text_ += fmt::format("   {}\n", run.trouble());
   }

@@ -48,11 +48,11 @@ Result<ShrinkAgainst> ShrinkAgainst::load(const std::string& path, const std::st
     if (!run) return run.error();
   }
   ShrinkAgainst against(std::move(*run));
-  const auto header = against.run_.record(0);
+  const auto& header = against.run_.header();
   const auto present = RunIndex::of_text(now, trace_path);
   if (!header || !present || !header->is_object() || !header->contains("machine")) return against;
   const auto& machine = (*header)["machine"];
-  const auto present_header = present->record(0);
+  const auto& present_header = present->header();
   if (!present_header || !machine.is_object() || !machine.contains("document")) return against;
   if (machine["document"] == (*present_header)["machine"]["document"]) return against;
   // Only if the machine made the difference.

@@ -280,7 +280,7 @@ class SessionWhatIf : public RunWhatIf {
         return Error{"", fmt::format("step {}: the transition '{}' does not apply there", step, transition)};
     const auto fresh = RunIndex::open(path);
     if (!fresh) return fresh.error();
-    const auto header = fresh->record(0);
+    const auto& header = fresh->header();
     if (!header) return header.error();
     return Replayed{path, warnings_of(files.header(), *header)};
   }

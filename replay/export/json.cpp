@@ -45,7 +45,7 @@ std::string pretty(const Json& value, int depth) {
 }  // namespace
 
 Outcome export_json(const RunIndex& run, std::ostream& out) {
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return header.error();
   out << "{\n  \"header\": " << pretty(*header, 1) << ",\n  \"records\": [";
 

@@ -161,7 +161,7 @@ std::string graph_of(const RunIndex& run, const std::string& what) {
 
 // "interaction 163a8db98e7e…, physics, seed 0"
 std::string made_with(const RunIndex& run) {
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return in_markup(header.error().text());
   const auto part = [&](const char* key) { return header->value(key, Json()); };
   return in_markup(fmt::format("machine {} {}, {} world, seed {}, continua {}", text_of(part("machine"), "name"),

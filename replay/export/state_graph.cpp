@@ -218,7 +218,7 @@ std::string short_label_of(StateGraph::Edge edge) {
 Result<StateGraph> state_graph_of(const Json& graph, const std::string& name) { return Reader().read(graph, name); }
 
 Result<StateGraph> state_graph_of(const RunIndex& run) {
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return header.error();
   const auto graph = run_graph(run);
   if (!graph) return graph.error();

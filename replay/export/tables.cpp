@@ -117,7 +117,7 @@ Outcome TableWriter::add(const RunIndex& run, const std::string& name) {
         std::find_if(tables_.begin(), tables_.end(), [&](const Table& each) { return each.kind == kind; });
     if (table != tables_.end()) table->add(name, record);
   };
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return header.error();
   add(*header);
   return each_record(run, add);

@@ -23,7 +23,9 @@ namespace {
 constexpr std::size_t most_records = 5000;  // in one answer
 constexpr std::size_t most_worlds = 4;      // kept
 constexpr std::size_t most_numbers = 500;   // named one by one
+constexpr std::size_t most_kept = 100;      // answers of other kinds than these
 constexpr std::size_t most_columns = 2;     // runs of which they are kept
+constexpr std::size_t most_diffs = 4;       // pairs of which they are kept
 constexpr auto json_type = "application/json";
 constexpr auto bytes_type = "application/octet-stream";
 
@@ -246,26 +248,39 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
   return kept(*opened, id, view);
 }
 
-// Answers that depend on the log alone: worked out once.
+bool InspectorApi::Kept::is_of(const Runs& asked) const {
+  return std::equal(runs.begin(), runs.end(), asked.begin(), asked.end(),
+                    [](const auto& run, const auto& one) { return run.lock() == one; });
+}
+
 ApiResponse InspectorApi::kept(const std::shared_ptr<const RunIndex>& run, const std::string& id,
                                const std::string& view) {
+  return kept({run}, id, view, view == "columns" ? most_columns : most_kept, [&] { return work_out(*run, id, view); });
+}
+
+// Answers that depend on logs alone: worked out once. `most` of this view are kept.
+ApiResponse InspectorApi::kept(const Runs& runs, const std::string& ids, const std::string& view, std::size_t most,
+                               const std::function<Result<std::string>()>& work_out) {
   const std::string type = view == "columns" ? bytes_type : json_type;
-  const auto key = std::pair(id, view);
   {
     const std::lock_guard lock(mutex_);
-    const auto known = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& one) { return one.key == key; });
-    if (known != kept_.end() && known->run.lock() == run) {
+    const auto known =
+        std::find_if(kept_.begin(), kept_.end(), [&](const Kept& one) { return one.view == view && one.ids == ids; });
+    if (known != kept_.end() && known->is_of(runs)) {
       kept_.splice(kept_.begin(), kept_, known);
       return {200, type, known->body};
     }
   }
-  auto body = work_out(*run, id, view);
-  if (!body) return api_error(500, body.error().text());
+  auto body = work_out();
+  if (!body) return api_error(view == "diff" ? 422 : 500, body.error().text());
   const std::lock_guard lock(mutex_);
-  std::erase_if(kept_, [&](const Kept& one) { return one.key == key || one.run.expired(); });
-  kept_.push_front({key, run, *body});
-  std::size_t columns = 0;
-  std::erase_if(kept_, [&](const Kept& one) { return one.key.second == "columns" && ++columns > most_columns; });
+  std::erase_if(kept_, [&](const Kept& one) {
+    return (one.view == view && one.ids == ids) ||
+           std::any_of(one.runs.begin(), one.runs.end(), [](const auto& run) { return run.expired(); });
+  });
+  kept_.push_front({ids, view, {runs.begin(), runs.end()}, *body});
+  std::size_t of_view = 0;
+  std::erase_if(kept_, [&](const Kept& one) { return one.view == view && ++of_view > most; });
   return {200, type, *std::move(body)};
 }
 
@@ -302,7 +317,8 @@ Result<std::shared_ptr<RunWorld>> InspectorApi::world_of(const std::shared_ptr<c
 }
 
 ApiResponse InspectorApi::diff(const Query& query) {
-  std::vector<std::shared_ptr<const RunIndex>> sides;
+  Runs sides;
+  std::string ids;
   for (const char* side : {"a", "b"}) {
     const auto id = query.find(side);
     if (id == query.end()) return api_error(400, fmt::format("{} is missing: the id of a run", side));
@@ -310,16 +326,19 @@ ApiResponse InspectorApi::diff(const Query& query) {
     if (!opened) return api_error(422, opened.error().text());
     if (!*opened) return api_error(404, fmt::format("there is no run '{}'", id->second));
     sides.push_back(*opened);
+    ids += id->second + '\n';
   }
   const auto tolerance = number<double>(query, "tolerance", DiffOptions().tolerance_m);
   if (!tolerance) return api_error(400, tolerance.error().sentence);
   if (!(*tolerance >= 0)) return api_error(400, fmt::format("tolerance={}; expected metres from 0", *tolerance));
-  const auto told = diff_runs(*sides[0], *sides[1], {*tolerance});
-  if (!told) return api_error(422, told.error().text());
-  auto body = diff_json(*sides[0], *sides[1], *told);
-  body["pairs"] = told->pairs;
-  body["markdown"] = diff_markdown(*sides[0], *sides[1], *told);
-  return answer(body);
+  return kept(sides, fmt::format("{}{}", ids, *tolerance), "diff", most_diffs, [&]() -> Result<std::string> {
+    const auto told = diff_runs(*sides[0], *sides[1], {*tolerance});
+    if (!told) return told.error();
+    auto body = diff_json(*sides[0], *sides[1], *told);
+    body["pairs"] = told->pairs;
+    body["markdown"] = diff_markdown(*sides[0], *sides[1], *told);
+    return compact(body);
+  });
 }
 
 ApiResponse InspectorApi::frame(const std::shared_ptr<const RunIndex>& run, const Query& query) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -107,7 +108,10 @@ class InspectorApi {
 
  private:
   ApiResponse run(const std::string& id, const std::string& view, const Query& query);
+  using Runs = std::vector<std::shared_ptr<const RunIndex>>;
   ApiResponse kept(const std::shared_ptr<const RunIndex>& run, const std::string& id, const std::string& view);
+  ApiResponse kept(const Runs& runs, const std::string& ids, const std::string& view, std::size_t most,
+                   const std::function<Result<std::string>()>& work_out);
   ApiResponse diff(const Query& query);
   Result<std::shared_ptr<RunWorld>> world_of(const std::shared_ptr<const RunIndex>& run);
   ApiResponse poses(const std::shared_ptr<const RunIndex>& run, const Query& query);
@@ -133,11 +137,13 @@ class InspectorApi {
   std::mutex peaks_mutex_;                                // one recording is listened to at a time; guards the next
   std::list<std::pair<std::string, std::string>> peaks_;  // by the recording and its state, the last used first
   std::mutex mutex_;
-  // Answers worked out from an index stay true as long as that index lives.
+  // Answers worked out from indexes stay true as long as these live.
   struct Kept {
-    std::pair<std::string, std::string> key;  // id, view
-    std::weak_ptr<const RunIndex> run;
+    std::string ids, view;
+    std::vector<std::weak_ptr<const RunIndex>> runs;
     std::string body;
+
+    bool is_of(const Runs& asked) const;
   };
   struct KeptWorld {
     std::shared_ptr<const RunIndex> run;

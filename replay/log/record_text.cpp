@@ -32,15 +32,13 @@ constexpr auto in_no_need_of_escape = [] {
 
 bool stands_for_itself(char c) { return in_no_need_of_escape[static_cast<unsigned char>(c)]; }
 
-// Appends a text in no need of escapes: most of a log is such texts.
-void add_quoted(std::string& out, std::string_view text, std::string_view end = "\"") {
-  out += '"';
-  out += text;
-  out += end;
-}
-
 void add(std::string& out, std::string_view text) {
-  if (std::all_of(text.begin(), text.end(), stands_for_itself)) return add_quoted(out, text);
+  if (std::all_of(text.begin(), text.end(), stands_for_itself)) {  // as most texts of a log
+    out += '"';
+    out += text;
+    out += '"';
+    return;
+  }
   if (!is_plain(text)) {
     out += compact(Json(text));
     return;
@@ -133,27 +131,34 @@ class Members {
 
   /// The texts for the value of a member. `decides`: it counts for the decision.
   Texts member(std::string_view name, bool decides = true) {
-    const Texts texts = begin(decides);
-    texts.write([name](std::string& out) { add_quoted(out, name, "\":"); });
+    // Put together first: a third of the time of a log went into names, piece by piece.
+    std::array<char, longest_name + 4> key = {',', '"'};
+    require(name.size() <= longest_name, "a field of a record has a short name");
+    auto* end = std::copy(name.begin(), name.end(), key.begin() + 2);
+    *end++ = '"';
+    *end++ = ':';
+    const std::string_view with_comma(key.begin(), end);
+    const auto append = [&](std::string& out, bool& has_any) {
+      out += std::exchange(has_any, true) ? with_comma : with_comma.substr(1);
+    };
+    const Texts texts{texts_.line, decides ? texts_.decision : nullptr};
+    append(texts.line, has_any_);
+    if (texts.decision) append(*texts.decision, decides_any_);
     return texts;
   }
   /// The same of a name from data, which may need escapes.
   Texts named(std::string_view name) {
-    const Texts texts = begin(true);
-    texts.write([name](std::string& out) {
+    if (std::exchange(has_any_, true)) texts_.line += ',';
+    if (texts_.decision && std::exchange(decides_any_, true)) *texts_.decision += ',';
+    texts_.write([name](std::string& out) {
       add(out, name);
       out += ':';
     });
-    return texts;
+    return texts_;
   }
 
  private:
-  Texts begin(bool decides) {
-    if (std::exchange(has_any_, true)) texts_.line += ',';
-    const Texts texts{texts_.line, decides ? texts_.decision : nullptr};
-    if (texts.decision && std::exchange(decides_any_, true)) *texts.decision += ',';
-    return texts;
-  }
+  static constexpr std::size_t longest_name = 60;
 
   Texts texts_;
   bool has_any_ = false, decides_any_ = false;

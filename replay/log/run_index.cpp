@@ -1,6 +1,7 @@
 #include "continua/replay/log/run_index.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include <fmt/format.h>
 
@@ -70,6 +71,18 @@ Result<RunIndex> RunIndex::grown(const RunIndex& old) {
   const auto& last = index.log_.entries.back();
   if (auto problem = scan_log(**file, last.offset + last.length + 1, index.log_)) return *problem;
   return index;
+}
+
+struct RunIndex::Header {
+  std::once_flag asked;
+  std::optional<Result<Json>> record;
+};
+
+std::shared_ptr<RunIndex::Header> RunIndex::unread_header() { return std::make_shared<Header>(); }
+
+const Result<Json>& RunIndex::header() const {
+  std::call_once(header_->asked, [this] { header_->record = record(0); });
+  return *header_->record;
 }
 
 std::optional<std::size_t> RunIndex::cause(std::size_t n) const {

@@ -50,6 +50,9 @@ class RunIndex {
   /// The record parsed. REQUIRES n < size().
   Result<Json> record(std::size_t n) const;
 
+  /// Record 0 parsed, once for all who ask: with the documents of the run it is much larger than the others.
+  const Result<Json>& header() const;
+
   /// Calls `use(n, line)` for those records that are `wanted`, in order, until it gives false. Reads large pieces of
   /// the file: much faster than line() where many are wanted.
   Outcome read_lines(const std::function<bool(std::size_t)>& wanted,
@@ -90,8 +93,12 @@ class RunIndex {
       : source_(std::move(source)), log_(std::move(log)) {}
   static Result<RunIndex> scanned(std::shared_ptr<const LogSource> source, const std::string& path);
 
+  struct Header;
+  static std::shared_ptr<Header> unread_header();
+
   std::shared_ptr<const LogSource> source_;
   ScannedLog log_;
+  std::shared_ptr<Header> header_ = unread_header();
 };
 
 }  // namespace continua

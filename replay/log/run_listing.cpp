@@ -111,7 +111,7 @@ std::size_t record_of_interest(const RunIndex& run) {
 }
 
 Result<Json> run_listing(const RunIndex& run) {
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return header.error();
   std::vector<std::size_t> of_kind(run.kinds().size(), 0);
   for (std::size_t n = 0; n < run.size(); ++n) ++of_kind[run.entry(n).kind];

@@ -40,7 +40,7 @@ Result<Json> run_records(const RunIndex& run, const RecordFilter& filter) {
 }
 
 Result<Json> run_graph(const RunIndex& run) {
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return header.error();
   Json graph = header->value("graph", Json::object());
   if (!graph.is_object()) graph = Json::object();

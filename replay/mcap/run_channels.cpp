@@ -199,7 +199,7 @@ class RunChannels {
 
 Outcome export_mcap(const RunIndex& run, const std::vector<NoteOnRun>& notes, const std::string& trace_header,
                     std::ostream& out) {
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return header.error();
   if (auto problem = RunChannels(run, notes, out, "continua " + text_of(*header, "continua")).write(trace_header))
     return problem;

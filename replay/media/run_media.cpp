@@ -29,7 +29,7 @@ Json header_in(const fs::path& path) {
 }  // namespace
 
 RunMedia media_of_run(const RunIndex& run, const std::vector<TracePlace>& places) {
-  const auto record = run.record(0);
+  const auto& record = run.header();
   if (!record) return {};
   const auto name = text_of(member_of(*record, "trace"), "name");
   // A log may come from anybody: its trace is a name, not a way to elsewhere.

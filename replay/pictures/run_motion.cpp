@@ -21,7 +21,7 @@ std::optional<Pose> pose_of(const Json& numbers) {
 }  // namespace
 
 Result<RunMotion> RunMotion::read(const RunIndex& run) {
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return header.error();
   RunMotion motion;
   const auto scene = header->find("scene");

@@ -120,7 +120,7 @@ class StoryReader {
 }  // namespace
 
 Result<RunStory> read_story(const RunIndex& run) {
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return header.error();
   StoryReader reader(run, bodies_of(*header));
   if (auto problem = reader.read()) return *problem;

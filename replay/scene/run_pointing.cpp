@@ -132,7 +132,7 @@ std::set<std::string> bodies_of(const Json& header) {
 }
 
 Result<std::vector<RunPointing>> read_pointings(const RunIndex& run) {
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return header.error();
   PointingReader reader(bodies_of(*header));
   for (std::size_t n = 0; n < run.size(); ++n) {

@@ -22,7 +22,7 @@ std::string name_in(std::string_view quoted) {
 }  // namespace
 
 RunPoses::RunPoses(std::shared_ptr<const RunIndex> run) : run_(std::move(run)) {
-  if (const auto header = run_->record(0)) {
+  if (const auto& header = run_->header()) {
     const auto& bodies = member_of(member_of(*header, "scene"), "bodies");
     if (bodies.is_object())
       for (const auto& [name, numbers] : bodies.items())

@@ -64,7 +64,7 @@ std::optional<SimTime> full_at(std::vector<SimTime> times, SimTime from) {
 }  // namespace
 
 Result<Json> run_scene(const RunIndex& run) {
-  const auto header = run.record(0);
+  const auto& header = run.header();
   if (!header) return header.error();
   const auto& scene = member_of(*header, "scene");
   if (!member_of(scene, "bodies").is_object())
@@ -84,7 +84,7 @@ Result<Json> run_scene(const RunIndex& run) {
 }
 
 Result<std::shared_ptr<RunWorld>> RunWorld::read(std::shared_ptr<const RunIndex> run) {
-  const auto header = run->record(0);
+  const auto& header = run->header();
   if (!header) return header.error();
   auto pointings = read_pointings(*run);
   if (!pointings) return pointings.error();

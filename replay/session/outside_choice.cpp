@@ -147,7 +147,7 @@ Result<std::map<int, LoggedChoice>> choices_of(const RunIndex& run) {
 Result<OutsideChoice> of_run(const std::string& path, std::shared_ptr<const Machine> machine) {
   const auto run = RunIndex::open(path);
   if (!run) return run.error();
-  const auto header = run->record(0);
+  const auto& header = run->header();
   if (!header) return header.error();
   const auto name = header->value(Json::json_pointer("/machine/name"), std::string());
   if (name != machine->name)

@@ -62,7 +62,7 @@ const Row rows[] = {
     {"[\"S\", \"stop\"]", "[\"S\"]", "a.json:6:30: found 1 elements, expected a category, a term and perhaps a cost"},
     {"[\"S\", \"stop\"]", "[\"S\", \"stop\", -1]", "found -1, expected a cost, a number from 0 to 100"},
     {"halt |", "Halt |", "found 'Halt', expected words in lower case"},
-    {"halt |", "halt | [now] |", "found 'halt | [now] |', expected at least one word in each"},
+    {"halt |", "halt | [now] |", "found 'halt | [now] | stop it', expected at least one word in each"},
     {"\"please\": 0", "\"please\": \"no\"", "found 'no', expected a cost"},
     {"N[many]", "N[mane]", "N has no feature 'mane' (did you mean 'many'?), in 'N[mane]'"},
     {"\"from\": \"N\", ", "", "there is no \"from\"; expected the category that changes"},

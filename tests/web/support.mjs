@@ -145,7 +145,10 @@ export class Visitor {
   /** The faults that axe finds in the page as it is, in short; also targets below 24 px. `options` are those of axe's run. REQUIRES a visit with bypassCSP. */
   async violations(options = {rules: {'target-size': {enabled: true}}}) {
     await this.page.evaluate(axe);
-    const {violations} = await this.page.evaluate((those) => window.axe.run(those), options);
+    const {violations} = await this.page.evaluate(
+      (those) => window.axe.run({resultTypes: ['violations'], ...those}),
+      options,
+    );
     return violations.map(({id, nodes}) => `${id}: ${nodes.map((node) => node.html).slice(0, 3)}`);
   }
   /** Draws a stretch over most of the timeline, with Shift. */

@@ -316,10 +316,15 @@ TEST_CASE("two runs are held against each other") {
   CHECK(diff["same"] == false);
   CHECK(diff["differences"].size() == 1);
   CHECK(diff["differences"][0]["a"][0]["brief"] == "“Which block?”");
+  CHECK(served.get("/api/diff?a=small&b=other") == diff);
   CHECK_THAT(served.message("/api/diff?a=small", 400), Contains("b is missing"));
   CHECK_THAT(served.message("/api/diff?a=small&b=none", 404), Contains("no run 'none'"));
   CHECK_THAT(served.message("/api/diff?a=small&b=garbage", 422), Contains("not a run log"));
   CHECK_THAT(served.message("/api/diff?a=small&b=other&tolerance=-1", 400), Contains("tolerance=-1"));
+
+  // Answers are kept as long as both logs are as they were.
+  served.folder.write("other.run.jsonl", small_log().text());
+  CHECK(served.get("/api/diff?a=small&b=other")["sameness"] == "same");
 }
 
 TEST_CASE("no address leads out of the served folders") {
