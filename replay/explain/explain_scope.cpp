@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "continua/replay/log/kinds.h"
-#include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_sources.h"
 
 namespace continua {
@@ -90,12 +89,9 @@ std::vector<std::size_t> record_numbers(const Json& object, const char* key, std
   return numbers;
 }
 
-Json header_member(const RunIndex& run, std::string_view name) {
-  const auto line = run.line(0);
-  const auto member = line ? member_in(*line, name) : std::string_view();
-  if (member.empty()) return nullptr;
-  const auto value = parse_json_line(member, run.path(), 1);
-  return value ? *value : Json();
+Json header_member(const RunIndex& run, const char* name) {
+  const auto& header = run.header();
+  return header ? member_of(*header, name) : Json();
 }
 
 }  // namespace continua

@@ -61,6 +61,6 @@ std::vector<std::size_t> record_numbers(const Json& object, const char* key, std
 
 /// A member of the log's header, null where it has none. The header carries the whole machine, so that reading all of
 /// it takes most of the time of an explanation.
-Json header_member(const RunIndex& run, std::string_view name);
+Json header_member(const RunIndex& run, const char* name);
 
 }  // namespace continua

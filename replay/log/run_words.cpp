@@ -10,7 +10,6 @@
 
 #include "continua/core/trimmed.h"
 #include "continua/replay/log/applied_term.h"
-#include "continua/replay/log/line_scan.h"
 #include "continua/replay/log/run_text.h"
 
 namespace continua {
@@ -29,8 +28,8 @@ std::string attribute(std::string_view tag, std::string_view key) {
 }
 
 std::string mjcf_of(const RunIndex& run) {
-  const auto header = run.line(0);
-  return header ? text_in(member_in(member_in(*header, "scene"), "mjcf")) : std::string();
+  const auto& header = run.header();
+  return header ? text_of(member_of(*header, "scene"), "mjcf") : std::string();
 }
 
 }  // namespace
