@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include <httplib.h>
-
 #include "continua/core/gzip.h"
+#include "continua/replay/server/http_library.h"
 
 namespace continua {
 namespace {

@@ -5,8 +5,7 @@
 #include <chrono>
 #include <string>
 
-// After Eigen, whose names are macros of a header of the library's.
-#include <httplib.h>
+#include "continua/replay/server/http_library.h"
 
 namespace continua {
 

@@ -18,13 +18,11 @@
 #include "continua/replay/server/access.h"
 #include "continua/replay/server/http_answer.h"
 #include "continua/replay/server/http_door.h"
+#include "continua/replay/server/http_library.h"
 #include "continua/replay/server/http_stream.h"
 #include "continua/replay/server/live_routes.h"
 #include "continua/replay/server/media_answer.h"
 #include "continua/web/assets.h"
-
-// After Eigen, whose names are macros of a header of the library's.
-#include <httplib.h>
 
 namespace continua {
 namespace {

@@ -4,9 +4,7 @@
 
 #include "continua/replay/log/line_scan.h"
 #include "continua/replay/server/http_answer.h"
-
-// After Eigen, whose names are macros of a header of the library's.
-#include <httplib.h>
+#include "continua/replay/server/http_library.h"
 
 namespace continua {
 std::shared_ptr<void> StreamSeats::take() {

@@ -13,9 +13,7 @@
 
 #include "continua/replay/server/http_answer.h"
 #include "continua/replay/server/http_head.h"
-
-// After Eigen, whose names are macros of a header of the library's.
-#include <httplib.h>
+#include "continua/replay/server/http_library.h"
 
 namespace continua {
 namespace {
