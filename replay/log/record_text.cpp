@@ -131,7 +131,7 @@ class Members {
 
   /// The texts for the value of a member. `decides`: it counts for the decision.
   Texts member(std::string_view name, bool decides = true) {
-    // Put together first: a third of the time of a log went into names, piece by piece.
+    // Put together first: a log has more names than anything else.
     std::array<char, longest_name + 4> key = {',', '"'};
     require(name.size() <= longest_name, "a field of a record has a short name");
     auto* end = std::copy(name.begin(), name.end(), key.begin() + 2);

@@ -36,6 +36,21 @@ TEST_CASE("a command is computed below its lambdas, but for what its variables h
   CHECK(value_of("\\x. (\\y. put(x, on(y)))(head(objects))", slots()) == "\\x. put(x, on(block1))");
 }
 
+TEST_CASE("a definition that waits is worked out once its argument is known") {
+  const Slots slots = {{"content", read("\\x. put(x, on(block4))")}};
+  const auto value = [&](const char* text, bool waits) {
+    auto evaluation_of = evaluation(slots);
+    evaluation_of.definitions_wait = waits;
+    return print(evaluation_of.value(read(text)));
+  };
+  CHECK(value("\\y. content(y)", false) == "\\y. put(y, on(block4))");
+  CHECK(value("\\y. content(y)", true) == "\\y. content(y)");
+  for (const auto* text : {"content(block1)", "(\\y. content(y))(block1)", "map([block1, block4], \\y. content(y))"}) {
+    CAPTURE(text);
+    CHECK(value(text, true) == value(text, false));
+  }
+}
+
 TEST_CASE("null spreads through functions and counts as not true") {
   CHECK(value_of("size(null)") == "null");
   CHECK(value_of("1 + null") == "null");
