@@ -1,18 +1,26 @@
 #!/usr/bin/env bash
-# The C++ tests under AddressSanitizer and UndefinedBehaviorSanitizer, in build/sanitize:
+# The C++ tests under AddressSanitizer and UndefinedBehaviorSanitizer, by clang, in build/sanitize:
 #   ci/sanitize.sh [I/N [PATTERN]]
-# all of them, or the I-th of N parts, so that N nights have tried them all; of those, the ones whose name has PATTERN
-# (a regular expression, as in ctest -R). Builds first, which takes long the first time.
+# all of them, or the I-th of N parts, or with "turn/N" the part whose turn the number of commits makes it, so that N
+# changes have tried them all; of those, the ones whose name has PATTERN (a regular expression, as in ctest -R).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 part=${1:-1/1}
+if [[ $part == turn/* ]]; then
+  count=${part#turn/}
+  commits=$(git rev-list --count HEAD 2> /dev/null || echo 0)
+  if [[ $count =~ ^[1-9][0-9]*$ ]]; then part=$((commits % count + 1))/$count; fi
+fi
 if ! [[ $part =~ ^([0-9]+)/([0-9]+)$ ]] || ((10#${BASH_REMATCH[1]} < 1 || 10#${BASH_REMATCH[1]} > 10#${BASH_REMATCH[2]})); then
-  echo "ci/sanitize.sh: the part is '$part'; expected I/N, with I from 1 to N" >&2
+  echo "ci/sanitize.sh: the part is '$part'; expected I/N, with I from 1 to N, or turn/N" >&2
   exit 2
 fi
-cmake --preset sanitize
+export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-2}
+# Warnings are the release build's matter.
+cmake --preset sanitize > /dev/null
 cmake --build --preset sanitize
+echo "ci/sanitize.sh: part $part"
 # No leaks are looked for: MuJoCo's and the XML reader's errors jump over destructors.
-# ctest takes each N-th test from the I-th on; a C++ test has its folder before its name, as a page's has web.
-ASAN_OPTIONS=detect_leaks=0 ctest --preset sanitize --tests-regex "${2:-^[a-z_]+:}" --exclude-regex "^web:" \
-  --tests-information "$((10#${BASH_REMATCH[1]})),,$((10#${BASH_REMATCH[2]}))"
+# ctest takes each N-th test from the I-th on.
+ASAN_OPTIONS=detect_leaks=0 ctest --preset sanitize --label-regex '^cpp$' --tests-regex "${2:-.}" \
+  --tests-information "$((10#${BASH_REMATCH[1]})),,$((10#${BASH_REMATCH[2]}))" --parallel "$CMAKE_BUILD_PARALLEL_LEVEL"

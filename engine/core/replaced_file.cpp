@@ -10,8 +10,10 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <streambuf>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -164,13 +166,31 @@ Outcome replace_file(const std::string& path, std::string_view content, Replaced
   return file.commit();
 }
 
-Outcome not_an_input(const std::string& output, const std::vector<std::string>& inputs) {
+namespace {
+
+// Which file it is, whatever its names; nothing if there is none.
+std::optional<std::pair<dev_t, ino_t>> identity_of(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  return std::pair(status.st_dev, status.st_ino);
+}
+
+}  // namespace
+
+Outcome not_an_input(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
+  std::map<std::pair<dev_t, ino_t>, std::string> read;
   std::error_code unknown;
-  if (!fs::is_regular_file(output, unknown)) return std::nullopt;
-  for (const auto& input : inputs)
-    if (!input.empty() && fs::equivalent(output, input, unknown))
+  for (const auto& output : outputs) {
+    if (!fs::is_regular_file(output, unknown)) continue;
+    if (read.empty())
+      for (const auto& input : inputs)
+        if (const auto file = identity_of(input)) read.emplace(*file, input);
+    const auto file = identity_of(output);
+    const auto input = file ? read.find(*file) : read.end();
+    if (input != read.end())
       return Error{output, fmt::format("is also the output{}; expected another file",
-                                       input == output ? "" : fmt::format(", and is read as {}", input))};
+                                       input->second == output ? "" : ", and is read as " + input->second)};
+  }
   return std::nullopt;
 }
 

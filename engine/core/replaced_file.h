@@ -43,7 +43,8 @@ class ReplacedFile {
 Outcome replace_file(const std::string& path, std::string_view content,
                      ReplacedFile::Links links = ReplacedFile::Links::follow);
 
-/// An error where `output` is one of the inputs, by its own name or another. Names that are no files are no trouble.
-Outcome not_an_input(const std::string& output, const std::vector<std::string>& inputs);
+/// An error where one of the outputs is one of the inputs, by its own name or another. Names that are no files are no
+/// trouble. Each file is looked at once.
+Outcome not_an_input(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
 }  // namespace continua

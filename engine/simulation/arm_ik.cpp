@@ -117,14 +117,28 @@ IkSolution solve_ik(const Arm& arm, const Pose& X_WT, const ArmVector& seed) {
   }
 }
 
-IkSolution find_ik(const Arm& arm, const Pose& X_WT) {
+bool is_beyond(const Arm& arm, const Pose& X_WT) {
+  // A hinge does not move the next one's origin that lies on its axis, nor the last hinge the one before.
+  const auto on_axis = [](const ArmJoint& joint, const Vec3& p_J) { return joint.axis_J.cross(p_J).norm() < 1e-9; };
+  int first = 0, last = arm.size() - 1;
+  Pose X_WF = arm.joints[first].X_PJ;
+  if (first < last && on_axis(arm.joints[first], arm.joints[first + 1].X_PJ.p_WB))
+    X_WF = X_WF * arm.joints[++first].X_PJ;
+  Pose X_WL = X_WT * inverse(arm.X_LT);
+  const Pose back = inverse(arm.joints[last].X_PJ);
+  if (first < last && on_axis(arm.joints[last], back.p_WB)) X_WL = X_WL * back, --last;
+  double length_m = ik_tolerance_m;
+  for (int i = first + 1; i <= last; ++i) length_m += arm.joints[i].X_PJ.p_WB.norm();
+  return (X_WL.p_WB - X_WF.p_WB).norm() > length_m;
+}
+
+std::optional<ArmVector> find_ik(const Arm& arm, const Pose& X_WT) {
   constexpr int postures = 8;
-  IkSolution best = solve_ik(arm, X_WT, arm.home);
-  for (int n = 1; n <= postures && !best.reached; ++n) {
-    const IkSolution other = solve_ik(arm, X_WT, spread_posture(arm, n));
-    if (other.reached || other.position_error_m < best.position_error_m) best = other;
-  }
-  return best;
+  if (is_beyond(arm, X_WT)) return std::nullopt;
+  for (int n = 0; n <= postures; ++n)
+    if (auto solution = solve_ik(arm, X_WT, n == 0 ? arm.home : spread_posture(arm, n)); solution.reached)
+      return solution.q;
+  return std::nullopt;
 }
 
 }  // namespace continua

@@ -2,6 +2,7 @@
 // between the finger pads; x out of the palm, y the way the fingers close).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "continua/world/geometry.h"
@@ -52,8 +53,12 @@ inline constexpr double ik_tolerance_rad = 1e-3;
 /// The solution stays on the arm's branch of `seed`, as motions need it.
 IkSolution solve_ik(const Arm& arm, const Pose& X_WT, const ArmVector& seed);
 
-/// solve_ik from the home posture, then from postures spread over the limits, until one reaches the pose; else the
-/// nearest solution. Tells if the arm reaches a pose at all.
-IkSolution find_ik(const Arm& arm, const Pose& X_WT);
+/// Whether the pose asks for two hinges of the arm to be farther apart than the links between them are long, so that no
+/// posture reaches it.
+bool is_beyond(const Arm& arm, const Pose& X_WT);
+
+/// A posture that reaches the pose: by solve_ik from the home posture, else from postures spread over the limits. Nothing
+/// if none of them leads there, or at once where the pose is_beyond the arm.
+std::optional<ArmVector> find_ik(const Arm& arm, const Pose& X_WT);
 
 }  // namespace continua

@@ -336,7 +336,7 @@ Pose gesture_pose(const AvatarCommand& command, const Physics& physics, const Wo
   if (command.what != Capability::point || !world.held.empty())
     return hover_pose(object, p_W, world, tool_pose(arm, physics.hinges()), physics.avatar());
   const auto poses = pointing_poses(p_W, arm.base_W());
-  const auto reached = [&](const Pose& X_WT) { return find_ik(arm, X_WT).reached; };
+  const auto reached = [&](const Pose& X_WT) { return find_ik(arm, X_WT).has_value(); };
   const auto found = std::find_if(poses.begin(), poses.end(), reached);
   return found == poses.end() ? poses.front() : *found;
 }

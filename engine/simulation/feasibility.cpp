@@ -64,7 +64,7 @@ class ArmAbility : public Ability {
 }  // namespace
 
 bool hand_reaches(const AvatarForm& avatar, const Vec3& p_W) {
-  return find_ik(avatar.arm, {p_W, rotation({avatar.natural_yaw(p_W), 0})}).reached;
+  return find_ik(avatar.arm, {p_W, rotation({avatar.natural_yaw(p_W), 0})}).has_value();
 }
 
 bool has_goal(const AvatarCommand& command) {

@@ -76,14 +76,14 @@ std::optional<HandPath> HandPath::plan(const Arm& arm, const ArmVector& from, co
   const auto straight = plan_straight(arm, from, X_WT, pace);
   if (straight || X_WT.size() < 2) return straight;
   const auto first = plan_straight(arm, from, {X_WT.front()}, pace);
-  const IkSolution goal = find_ik(arm, X_WT.back());
-  if (!first || !goal.reached) return std::nullopt;
+  const auto goal = find_ik(arm, X_WT.back());
+  if (!first || !goal) return std::nullopt;
   // From the goal backward: the last line, and as many more as possible.
   std::optional<HandPath> last;
   std::vector<Pose> backward;
   for (std::size_t i = X_WT.size() - 1; i > 1 || (i == 1 && !last); --i) {
     backward.push_back(X_WT[i - 1]);
-    auto longer = plan_straight(arm, goal.q, backward, pace);
+    auto longer = plan_straight(arm, *goal, backward, pace);
     if (!longer) break;
     last = std::move(longer);
   }

@@ -23,9 +23,9 @@ class Reach {
   }
 
   bool reaches(const Pose& X_WT, bool& arm_free) {
-    const IkSolution solution = find_ik(avatar_.arm, X_WT);
-    if (!solution.reached || !solve_ik(avatar_.arm, before_grasp(X_WT), solution.q).reached) return false;
-    arm_free = arm_free && arm_conflict(avatar_, solution.q, others_) == 0;
+    const auto posture = find_ik(avatar_.arm, X_WT);
+    if (!posture || !solve_ik(avatar_.arm, before_grasp(X_WT), *posture).reached) return false;
+    arm_free = arm_free && arm_conflict(avatar_, *posture, others_) == 0;
     return true;
   }
 

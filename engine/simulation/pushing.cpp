@@ -107,9 +107,9 @@ OrReason<Push> push_along(const Leg& leg, const ObjectState& object, const std::
           hand_conflict(hand, push.end_X_WT, push.opening_m, others) > 0)
         continue;
       has_room = true;
-      const IkSolution behind = find_ik(avatar.arm, push.behind_X_WT);
-      if (behind.reached && solve_ik(avatar.arm, before_grasp(push.behind_X_WT), behind.q).reached &&
-          solve_ik(avatar.arm, push.end_X_WT, behind.q).reached)
+      const auto behind = find_ik(avatar.arm, push.behind_X_WT);
+      if (behind && solve_ik(avatar.arm, before_grasp(push.behind_X_WT), *behind).reached &&
+          solve_ik(avatar.arm, push.end_X_WT, *behind).reached)
         return push;
     }
   }

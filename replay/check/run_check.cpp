@@ -52,8 +52,8 @@ int conclude(const CheckOptions& options, const CheckReport& report, const std::
 }
 
 int run_merge(const CheckOptions& options) {
-  for (const auto& output : {options.junit, options.report, options.summary})
-    if (const auto problem = not_an_input(output, options.merge)) return report(*problem), exit_impossible;
+  if (const auto problem = not_an_input({options.junit, options.report, options.summary}, options.merge))
+    return report(*problem), exit_impossible;
   std::vector<CheckReport> reports;
   for (const auto& path : options.merge) {
     const auto text = read_file(path);
@@ -82,8 +82,8 @@ int run_check(const CheckOptions& options) {
   std::vector<CheckItem> items;
   for (const auto number : numbers) items.push_back((*all)[number]);
 
-  for (const auto& output : {options.junit, options.report, options.summary})
-    if (const auto problem = not_an_input(output, inputs)) return report(*problem), exit_impossible;
+  if (const auto problem = not_an_input({options.junit, options.report, options.summary}, inputs))
+    return report(*problem), exit_impossible;
 
   Checking checking(options, *data, items);
   checking.run();

@@ -137,7 +137,7 @@ Outcome write(const Exporter& exporter, const ExportOptions& options, std::ostre
 }
 
 Outcome written(const Exporter& exporter, const ExportOptions& options) {
-  if (auto problem = not_an_input(options.output, {options.runs.front()})) return problem;
+  if (auto problem = not_an_input({options.output}, {options.runs.front()})) return problem;
   ReplacedFile file(options.output);
   if (auto problem = write(exporter, options, file.stream())) return problem;
   return file.commit();

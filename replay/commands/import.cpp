@@ -58,11 +58,11 @@ Result<std::vector<std::string>> traces_of(const ImportOptions& options) {
   for (const auto& log : options.logs) {
     const auto output =
         folder ? (fs::path(options.output) / fs::path(log).stem()).string() + ".trace.jsonl" : options.output;
-    if (auto over = not_an_input(output, options.logs)) return *std::move(over);
     const auto [other, fresh] = log_of.emplace(output, log);
     if (!fresh) return Error{log, fmt::format("would be written to {}, as would {}", output, other->second)};
     outputs.push_back(output);
   }
+  if (auto over = not_an_input(outputs, options.logs)) return *std::move(over);
   return outputs;
 }
 
@@ -104,7 +104,7 @@ int import_recognisers(const ImportOptions& options) {
     report(error);
     return exit_impossible;
   };
-  if (const auto problem = not_an_input(options.output, options.logs)) return fail(*problem);
+  if (const auto problem = not_an_input({options.output}, options.logs)) return fail(*problem);
   const auto camera = named_camera(options.camera);
   if (!camera) return fail(camera.error());
   const auto data = find_data_paths();

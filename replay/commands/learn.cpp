@@ -157,7 +157,7 @@ class Learning {
 int run_learn(const LearnOptions& options) {
   auto inputs = options.traces;
   inputs.insert(inputs.end(), {options.machine, options.replay.scene});
-  if (const auto problem = not_an_input(options.output, inputs)) return report(*problem), exit_impossible;
+  if (const auto problem = not_an_input({options.output}, inputs)) return report(*problem), exit_impossible;
   auto replay = options.replay;
   replay.machine = options.machine;
   auto machine = machine_of(options.traces.front(), replay);

@@ -216,7 +216,7 @@ int run_machine(const MachineOptions& options) {
   if (!machine) return report(machine.error()), exit_impossible;
   const auto text = answer(options, *machine);
   if (!text) return report(text.error()), exit_impossible;
-  if (const auto problem = not_an_input(options.output, {options.machine})) return report(*problem), exit_impossible;
+  if (const auto problem = not_an_input({options.output}, {options.machine})) return report(*problem), exit_impossible;
   if (const auto problem = write_file(options.output, *text)) return report(*problem), exit_impossible;
   return exit_done;
 }

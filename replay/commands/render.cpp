@@ -121,7 +121,7 @@ Result<std::string> render(const RenderOptions& options) {
   if (!size) return Error{"--size", size.error().sentence};
   if (*output == Output::film && (size->width % 2 != 0 || size->height % 2 != 0))
     return Error{"--size", fmt::format("found {}; a film needs even sides", options.size)};
-  if (auto problem = not_an_input(options.output, {options.run})) return *std::move(problem);
+  if (auto problem = not_an_input({options.output}, {options.run})) return *std::move(problem);
   const auto run = RunIndex::open(options.run);
   if (!run) return run.error();
   const double end_s = run->entry(run->size() - 1).t.seconds();

@@ -78,9 +78,9 @@ Result<std::vector<std::string>> runs_of(const ReplayCommandOptions& options) {
     const auto path = folder ? (fs::path(output) / run_name(trace, options)).string() : output;
     const auto [other, fresh] = trace_of.emplace(path, trace);
     if (!fresh) return Error{trace, fmt::format("would be written to {}, as would {}", path, other->second)};
-    if (auto over = not_an_input(path, options.traces)) return *std::move(over);
     outputs.push_back(path);
   }
+  if (auto over = not_an_input(outputs, options.traces)) return *std::move(over);
   return outputs;
 }
 
@@ -148,7 +148,7 @@ class Batch {
       if (!std::cout.flush()) return finish(index, Error{"standard output", "could not be written to its end"}, output);
       return finish(index, kept(*session, summary), output);
     }
-    if (auto problem = not_an_input(output, session->files())) return finish(index, *std::move(problem), output);
+    if (auto problem = not_an_input({output}, session->files())) return finish(index, *std::move(problem), output);
     RunLogFile file(output, documents_);
     if (!file.stream()) return finish(index, *file.commit(), output);
     const auto summary = session->run(file.stream());
@@ -260,7 +260,7 @@ int run_replay(const ReplayCommandOptions& options) {
   }
   auto outputs = runs_of(options);
   if (!outputs) return report(outputs.error()), exit_impossible;
-  if (const auto problem = not_an_input(options.shards.report, options.traces))
+  if (const auto problem = not_an_input({options.shards.report}, options.traces))
     return report(*problem), exit_impossible;
   Batch batch(options, std::move(*outputs));
   batch.run();

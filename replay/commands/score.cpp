@@ -42,8 +42,8 @@ Result<std::vector<std::string>> runs_of(const ScoreOptions& options) {
         (fs::path(options.output) / (trace_name(trace) + (options.gzip ? ".run.jsonl.gz" : ".run.jsonl"))).string();
     const auto [other, fresh] = trace_of.emplace(runs[i], trace);
     if (!fresh) return Error{trace, fmt::format("would be written to {}, as would {}", runs[i], other->second)};
-    if (auto over = not_an_input(runs[i], options.traces)) return *std::move(over);
   }
+  if (auto over = not_an_input(runs, options.traces)) return *std::move(over);
   return runs;
 }
 
@@ -112,7 +112,7 @@ class Scoring {
       std::ostream nowhere(nullptr);
       return session.run(nowhere);
     }
-    if (auto problem = not_an_input(run, session.files())) return *std::move(problem);
+    if (auto problem = not_an_input({run}, session.files())) return *std::move(problem);
     RunLogFile file(run, options_.whole ? "" : (fs::path(options_.output) / "documents").string());
     if (!file.stream()) return *file.commit();
     auto summary = session.run(file.stream());

@@ -54,7 +54,7 @@ int run_shrink(const ShrinkCommandOptions& options) {
   if (!session) return fail(session.error());
   auto inputs = session->files();
   inputs.push_back(options.against);
-  if (const auto problem = not_an_input(output, inputs)) return fail(*problem);
+  if (const auto problem = not_an_input({output}, inputs)) return fail(*problem);
 
   auto against = options.against;
   if (goal->kind == "changed" && against.empty()) {

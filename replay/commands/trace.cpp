@@ -125,7 +125,7 @@ int run_trace(const TraceCommandOptions& options) {
     report(error);
     return exit_impossible;
   };
-  if (const auto problem = not_an_input(options.output, options.traces)) return fail(*problem);
+  if (const auto problem = not_an_input({options.output}, options.traces)) return fail(*problem);
   std::vector<Trace> traces;
   for (const auto& path : options.traces) {
     auto trace = read_trace(path);

@@ -129,8 +129,13 @@ TEST_CASE("an output is none of the inputs, by whatever name") {
   const auto a = (folder.path() / "a").string(), b = (folder.path() / "b").string();
   REQUIRE_FALSE(replace_file(a, "x"));
   fs::create_hard_link(a, b);
-  CHECK(not_an_input(a, {a}));
-  CHECK(not_an_input(a, {"", "no such file", b}));
-  CHECK_FALSE(not_an_input(a, {"", "no such file", "/dev/null"}));
-  CHECK_FALSE(not_an_input((folder.path() / "new").string(), {a}));
+  const auto fresh = (folder.path() / "new").string();
+  CHECK(not_an_input({a}, {a}));
+  CHECK(not_an_input({a}, {"", "no such file", b}));
+  CHECK_FALSE(not_an_input({a}, {"", "no such file", "/dev/null"}));
+  CHECK_FALSE(not_an_input({"/dev/null"}, {"/dev/null"}));
+  CHECK_FALSE(not_an_input({fresh}, {a}));
+  const auto problem = not_an_input({fresh, b}, {a});
+  REQUIRE(problem);
+  CHECK(problem->text() == b + ": is also the output, and is read as " + a + "; expected another file");
 }

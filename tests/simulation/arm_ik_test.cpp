@@ -62,6 +62,25 @@ TEST_CASE("what is out of reach is told, and the limits are kept") {
   }
 }
 
+TEST_CASE("no pose that a posture has is beyond the arm, and one that is a little longer away than the links are is") {
+  const Arm arm = staircase_arm();
+  Random random(11);
+  double farthest_m = 0;
+  for (int n = 0; n < 2000; ++n) {
+    ArmVector q(arm.size());
+    for (int i = 0; i < arm.size(); ++i)
+      q[i] = arm.joints[i].min + random.uniform() * (arm.joints[i].max - arm.joints[i].min);
+    const Pose X_WT = tool_pose(arm, q);
+    REQUIRE_FALSE(is_beyond(arm, X_WT));
+    farthest_m = std::max(farthest_m, (X_WT.p_WB - arm.base_W()).norm());
+  }
+  const Vec3 there = arm.base_W() + 1.3 * farthest_m * Vec3(0.6, -0.8, 0);
+  CHECK(is_beyond(arm, fingers_down(there, 0)));
+  CHECK_FALSE(find_ik(arm, fingers_down(there, 0)));
+  CHECK_FALSE(is_beyond(arm, fingers_down({0.3, 0, 0.03}, 0)));
+  CHECK(find_ik(arm, fingers_down({0.3, 0, 0.03}, 0)));
+}
+
 TEST_CASE("the jacobian is the derivative of the tool's pose") {
   const Arm arm = staircase_arm();
   Random random(7);
