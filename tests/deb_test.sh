@@ -22,10 +22,10 @@ dpkg-deb -x "$package" "$out/root"
 program=$out/root/usr/bin/continua
 cd /
 unset CONTINUA_HOME
-"$program" check --no-physics > /dev/null
+"$program" machine interaction > /dev/null
 "$program" replay "$out/root/usr/share/continua/traces/paper/correction.trace.jsonl" -o "$out/a.run.jsonl" > /dev/null
 mv "$out/root/usr/share/continua" "$out/data"
-if "$program" check --no-physics 2> "$out/said" > /dev/null; then
+if "$program" machine interaction 2> "$out/said" > /dev/null; then
   echo "the program found data although those beside it are gone" >&2
   exit 1
 fi

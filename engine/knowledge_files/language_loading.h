@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "continua/automaton/machine.h"
+#include "continua/core/located_json.h"
 #include "continua/core/result.h"
 #include "continua/knowledge_files/data_paths.h"
 #include "continua/moves/understanding.h"

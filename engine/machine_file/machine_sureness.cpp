@@ -87,8 +87,10 @@ void check_sureness(const Machine& machine, const Item& root) {
     if (const auto confirm = entry.member("confirm"); confirm.exists() && !asks) confirm.problem_at_key(unasked);
   for (const auto& item : root.member("transitions").elements("the transitions")) {
     const auto id = item.member("id");
+    if (!id.is_text()) continue;
+    const auto& name = id.json().get_ref<const std::string&>();
     const auto found = std::find_if(machine.transitions.begin(), machine.transitions.end(),
-                                    [&](const Transition& each) { return id.is_text() && id.json() == each.id; });
+                                    [&](const Transition& each) { return each.id == name; });
     if (found == machine.transitions.end() || !found->on || !found->on->contains("interim")) continue;
     if (const auto why = does_more(*found, machine); !why.empty())
       item.member("on").problem(

@@ -57,8 +57,8 @@ IkSolution solve_ik(const Arm& arm, const Pose& X_WT, const ArmVector& seed);
 /// posture reaches it.
 bool is_beyond(const Arm& arm, const Pose& X_WT);
 
-/// A posture that reaches the pose: by solve_ik from the home posture, else from postures spread over the limits. Nothing
-/// if none of them leads there, or at once where the pose is_beyond the arm.
+/// A posture that reaches the pose: by solve_ik from the home posture, else from postures spread over the limits.
+/// Nothing if none of them leads there, or at once where the pose is_beyond the arm.
 std::optional<ArmVector> find_ik(const Arm& arm, const Pose& X_WT);
 
 }  // namespace continua

@@ -57,8 +57,7 @@ void Avatar::decide() {
   }
 
   if (is_gesture(command.what)) {
-    if (!find_ik(physics_.arm(), gesture_pose(command, physics_, world)))
-      return cannot({Code::place_out_of_reach});
+    if (!find_ik(physics_.arm(), gesture_pose(command, physics_, world))) return cannot({Code::place_out_of_reach});
     return begin_phases({Phase::hover});
   }
   if (command.what == Capability::ungrasp) {

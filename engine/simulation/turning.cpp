@@ -77,8 +77,7 @@ std::optional<Handling> plan_turn(const Task& task, double by_rad, const WorldSn
   for (std::size_t i = 0; i < std::min(turned.size(), most_tries); ++i) {
     const auto start = find_ik(avatar.arm, hand_at(turned[i], object.p_WO, false));
     if (!start || !find_ik(avatar.arm, hand_at(turned[i], object.p_WO, true))) continue;
-    if (!grasp && !solve_ik(avatar.arm, before_grasp(hand_at(turned[i], object.p_WO, false)), *start).reached)
-      continue;
+    if (!grasp && !solve_ik(avatar.arm, before_grasp(hand_at(turned[i], object.p_WO, false)), *start).reached) continue;
     best.grip = turned[i];
     best.set_down = SetDown{object.p_WO, std::nullopt};
     best.reached = true;

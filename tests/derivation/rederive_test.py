@@ -52,7 +52,7 @@ class Faults(unittest.TestCase):
         return record["n"]
 
     def found_everywhere(self, kind, falsify, least):
-        """Falsifies records of the kind one by one, some twelve all over each run.
+        """Falsifies records of the kind one by one, some six all over each run.
 
         falsify(record) is false where there is nothing to falsify."""
         count = 0
@@ -63,7 +63,7 @@ class Faults(unittest.TestCase):
                 wrong = copy.deepcopy(record) if record["kind"] == kind else None
                 if wrong and falsify(wrong) is not False:
                     falsified.append((n, record, wrong))
-            for n, record, wrong in falsified[::max(1, len(falsified) // 12)]:
+            for n, record, wrong in falsified[::max(1, len(falsified) // 6)]:
                 count += 1
                 faults = lines_of_faults([*records[:n], wrong, *records[n + 1:n + AFTER]])
                 self.assertIn(n + 1, faults, f"{name}: {record['n']}")
