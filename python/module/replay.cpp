@@ -49,7 +49,7 @@ std::vector<std::string> replayed(const std::string& trace, const std::string& o
   auto session = value_of(Session::load(trace, std::move(options)));
   std::vector<std::string> warnings;
   if (session.warning()) warnings.push_back(session.warning()->text());
-  done(not_an_input(output, session.files()));
+  done(not_an_input({output}, session.files()));
   RunLogFile file(output);
   const auto summary = session.run(file.stream());
   if (is_interrupted()) {

@@ -180,9 +180,15 @@ ApiResponse InspectorApi::get(std::string_view target) {
 
 void InspectorApi::start_preparing() {
   listings_.start([this](const std::string& id) {
-    for (const char* view : {"", "graph", "columns"})
-      if (const auto opened = library_.open(id); opened && *opened) kept(*opened, id, view);
+    const auto opened = library_.open(id);
+    // Views of a log that grows are out of date before anybody asks for them.
+    if (!opened || !*opened || is_live(**opened)) return;
+    for (const char* view : {"", "graph", "columns"}) kept(*opened, id, view);
   });
+}
+
+bool InspectorApi::is_live(const RunIndex& log) const {
+  return !log.complete() && library_.is_being_written(log.path(), file_state(log.path()));
 }
 
 ApiResponse InspectorApi::growth(const std::string& id) {
@@ -190,11 +196,10 @@ ApiResponse InspectorApi::growth(const std::string& id) {
   if (!opened) return api_error(422, opened.error().text());
   if (!*opened) return api_error(404, fmt::format("there is no run '{}'", id));
   const RunIndex& log = **opened;
-  const bool complete = log.complete();
   return answer(Json{{"records", log.size()},
                      {"t", log.entry(log.size() - 1).t.seconds()},
-                     {"complete", complete},
-                     {"live", !complete && library_.is_being_written(log.path(), file_state(log.path()))}});
+                     {"complete", log.complete()},
+                     {"live", is_live(log)}});
 }
 
 ApiResponse InspectorApi::run(const std::string& id, const std::string& view, const Query& query) {

@@ -107,6 +107,7 @@ class InspectorApi {
   void stop() { stopped_ = true; }
 
  private:
+  bool is_live(const RunIndex& log) const;
   ApiResponse run(const std::string& id, const std::string& view, const Query& query);
   using Runs = std::vector<std::shared_ptr<const RunIndex>>;
   ApiResponse kept(const std::shared_ptr<const RunIndex>& run, const std::string& id, const std::string& view);

@@ -67,6 +67,7 @@ Result<RunIndex> RunIndex::grown(const RunIndex& old) {
   const auto file = source_of_log(old.path());
   if (!file || old.complete() || !goes_on_in(**file, old.log_)) return open(old.path());
   RunIndex index(*file, old.log_);
+  index.header_ = old.header_;
   index.log_.trouble.clear();
   const auto& last = index.log_.entries.back();
   if (auto problem = scan_log(**file, last.offset + last.length + 1, index.log_)) return *problem;

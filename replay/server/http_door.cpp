@@ -128,6 +128,7 @@ void HttpDoor::accept_all(int listening) {
       }
       return;
     }
+    ::setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &DoorLimits::unread, sizeof DoorLimits::unread);
     auto connection = std::make_unique<Connection>();
     connection->socket = socket;
     connection->begun = Clock::now();
@@ -210,7 +211,7 @@ void HttpDoor::hand_on(Connection& connection) {
                     [this, socket = connection.socket] { give_back(socket, false); }))
     return;
   pool_->enqueue([this, socket = connection.socket, last = !connection.head->keeps_alive, text = std::move(request)] {
-    HttpStream stream(socket, text, stopping_);
+    HttpStream stream(socket, text, waiting_, stopping_);
     give_back(socket, rules_.answer(stream, last) && !last);
   });
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "continua/replay/server/http_head.h"
+#include "continua/replay/server/waiting_answers.h"
 
 namespace continua {
 
@@ -23,6 +24,7 @@ struct DoorLimits {
   static constexpr std::size_t connections = 512;
   static constexpr std::size_t bodies = std::size_t{64} << 20;  ///< bytes, of all requests at a time
   static constexpr int backlog = 512;                           ///< connections that the kernel keeps
+  static constexpr int unread = 256 << 10;                      ///< bytes of an answer that it keeps; it takes twice that
   static constexpr std::chrono::seconds idle{10};               ///< until a next request begins
   static constexpr std::chrono::seconds head{10};               ///< from a request's first byte to the end of its head
   static constexpr std::chrono::seconds whole{30};              ///< likewise, to the end of its body
@@ -84,6 +86,7 @@ class HttpDoor {
   std::size_t bodies_ = 0;                                  // bytes that are read or answered
   Clock::time_point accept_again_;
 
+  WaitingAnswers waiting_;
   std::mutex mutex_;                            // guards the next
   std::vector<std::pair<int, bool>> answered_;  // sockets, and whether they are to be kept
   std::unique_ptr<Pool> pool_;

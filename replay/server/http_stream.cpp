@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <optional>
 
 namespace continua {
 namespace {
@@ -50,14 +51,17 @@ ssize_t HttpStream::read(char* into, size_t size) {
 ssize_t HttpStream::write(const char* text, size_t size) {
   const auto begun = Clock::now();
   const auto most = ReaderPatience::with(size);
+  std::optional<WaitingAnswers::Place> waits;
   for (std::size_t sent = 0; sent < size;) {
     const auto part = ::send(socket_, text + sent, size - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (part > 0) {
       sent += static_cast<std::size_t>(part);
+      waits.reset();
       continue;
     }
     if (part == 0 || (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR)) return -1;
     if (Clock::now() - begun > (stopping_ ? ReaderPatience::at_the_end : most)) return -1;
+    if (!waits) waits.emplace(waiting_, socket_);
     can_be_written(socket_, look_every_ms);
   }
   return static_cast<ssize_t>(size);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "continua/replay/server/http_library.h"
+#include "continua/replay/server/waiting_answers.h"
 
 namespace continua {
 
@@ -21,15 +22,16 @@ struct ReaderPatience {
 
 class HttpStream : public httplib::Stream {
  public:
-  /// `socket`: does not block, and outlives the stream. `stopping`: answers are cut short soon.
-  HttpStream(int socket, std::string request, const std::atomic<bool>& stopping)
-      : socket_(socket), request_(std::move(request)), stopping_(stopping) {}
+  /// `socket`: does not block, and outlives the stream. `waiting`: those of all connections. `stopping`: answers are
+  /// cut short soon.
+  HttpStream(int socket, std::string request, WaitingAnswers& waiting, const std::atomic<bool>& stopping)
+      : socket_(socket), request_(std::move(request)), waiting_(waiting), stopping_(stopping) {}
 
   bool is_readable() const override { return read_ < request_.size(); }
   /// Whether the other side is still there. One that has not read all so far gets the patience of `write`.
   bool is_writable() const override;
   ssize_t read(char* into, size_t size) override;
-  /// All of it, or -1: the other side is gone, or takes less than ReaderPatience.
+  /// All of it, or -1: the other side is gone, takes less than ReaderPatience, or is one too many of those waited for.
   ssize_t write(const char* text, size_t size) override;
   void get_remote_ip_and_port(std::string& ip, int& port) const override;
   void get_local_ip_and_port(std::string& ip, int& port) const override;
@@ -39,6 +41,7 @@ class HttpStream : public httplib::Stream {
   int socket_;
   std::string request_;
   std::size_t read_ = 0;
+  WaitingAnswers& waiting_;
   const std::atomic<bool>& stopping_;
 };
 

@@ -302,7 +302,7 @@ class InspectorServer::Impl {
     return {.check = [this](const HttpHead& head) { return access_->check(head); },
             .written = written,
             .answer = [this](HttpStream& stream, bool last) { return server_.answer(stream, last); },
-            .threads = StreamSeats::most + other_threads,
+            .threads = StreamSeats::most + WaitingAnswers::most + other_threads,
             .follow = [this](const HttpHead& head, int socket,
                              std::function<void()> done) { return follow(head, socket, std::move(done)); },
             .finish =

@@ -276,6 +276,29 @@ def check_slow(server):
         yield f"beside {left} slow connections p99 is {crowded:.3f} s, without {quiet:.3f} s"
 
 
+def check_slow_readers(server):
+    """Two hundred that ask for much and read nothing keep no thread that others need."""
+    times_of(server, ASKED)
+    quiet = p99(times_of(server, ASKED))
+    much = f"GET /style.css HTTP/1.1\r\nHost: {server.host}:{server.port}\r\n\r\n".encode() * 1000
+    readers = [socket.socket() for _ in range(SLOW)]
+    try:
+        for reader in readers:
+            reader.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)  # the kernel takes little for them
+            reader.connect((server.host, server.port))
+            reader.setblocking(False)
+            with contextlib.suppress(BlockingIOError):
+                reader.send(much)
+        crowded = times_of(server, ASKED)
+    finally:
+        for reader in readers:
+            reader.close()
+    print(f"p99 quiet {quiet * 1000:.1f} ms, beside {SLOW} that do not read {p99(crowded) * 1000:.1f} ms;"
+          f" the longest {max(crowded):.2f} s")
+    if max(crowded) > MOST_BURST_S:
+        yield f"beside {SLOW} connections that do not read, one waits {max(crowded):.3f} s"
+
+
 def check_burst(server):
     """So many at once wait for each other, not for the kernel to try again after a second."""
     times, ready = [], threading.Barrier(BURST)
@@ -349,7 +372,7 @@ def check_two_servers(program):
 
 BESIDE = (check_smuggled, check_other_hosts, check_other_sites, check_memory, check_pipelined, check_ranges,
           check_rebinding, check_cross_site, check_traversal,
-          check_burst, check_slow)
+          check_burst, check_slow, check_slow_readers)
 
 
 def main(program, *names):

@@ -197,6 +197,7 @@ TEST_CASE("a log that goes on is read on") {
   lean.folder.file("a.run.jsonl", text);
   const auto grown = RunIndex::grown(half).value();
   CHECK(grown.size() == 20);
+  CHECK(&grown.header() == &half.header());  // not read again: with its documents it is the largest record
   CHECK(*grown.line(19) == *RunIndex::of_text(lean.whole, "a")->line(19));
 }
 
