@@ -78,14 +78,14 @@ class Faults(unittest.TestCase):
             if record["n"] % 5:
                 return False
             record["depth"] += 1
-        self.found_everywhere("transition", falsify, 30)
+        self.found_everywhere("transition", falsify, 20)
 
     def test_topmost_symbol(self):
         def falsify(record):
             if record["n"] % 5 or record["stack"] == 0:
                 return False
             record["stack"] -= 1
-        self.found_everywhere("transition", falsify, 30)
+        self.found_everywhere("transition", falsify, 20)
 
     def test_depth_after_a_rewrite(self):
         def falsify(record):
