@@ -68,7 +68,8 @@ TEST_CASE("moves are the members of an object, or a list where names differ only
   };
   const auto moves_of = [&](const std::string& moves) {
     std::string told;
-    for (const auto& move : with(moves).value().moves)
+    const auto machine = with(moves).value();
+    for (const auto& move : machine.moves)
       told += move.name + " " + std::to_string(move.inputs.names.size()) + ";";
     return told;
   };
