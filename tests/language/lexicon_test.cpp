@@ -107,7 +107,7 @@ TEST_CASE("whatever is done to a lexicon, it loads or is told where it is wrong"
     const auto at = static_cast<std::size_t>(random.uniform() * static_cast<double>(text.size()));
     switch (i % 3) {
       case 0:
-        text[at] = static_cast<char>(random.uniform() * 256);
+        text[at] = static_cast<char>(static_cast<unsigned char>(random.uniform() * 256));
         break;
       case 1:
         text.erase(at, 1 + at % 9);
