@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Everything that must hold: format, floors, a build without warnings, all tests, a third of the C++ tests with sanitizers.
+# Everything that must hold: format, floors, a build without warnings, all tests, a sixth of the C++ tests with sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 ci/setup.sh --tests
@@ -10,5 +10,5 @@ ci/build.sh
 # Two more at a time than there are processors: servers and browsers are waited for.
 ctest --preset release --parallel "$((${CMAKE_BUILD_PARALLEL_LEVEL:-2} + 2))"
 ci/same_bytes.sh
-ci/sanitize.sh turn/3
+ci/sanitize.sh turn/6
 ci/mujoco.sh
