@@ -24,10 +24,10 @@ struct DoorLimits {
   static constexpr std::size_t connections = 512;
   static constexpr std::size_t bodies = std::size_t{64} << 20;  ///< bytes, of all requests at a time
   static constexpr int backlog = 512;                           ///< connections that the kernel keeps
-  static constexpr int unread = 256 << 10;                      ///< bytes of an answer that it keeps; it takes twice that
-  static constexpr std::chrono::seconds idle{10};               ///< until a next request begins
-  static constexpr std::chrono::seconds head{10};               ///< from a request's first byte to the end of its head
-  static constexpr std::chrono::seconds whole{30};              ///< likewise, to the end of its body
+  static constexpr int unread = 256 << 10;          ///< bytes of an answer that it keeps; it takes twice that
+  static constexpr std::chrono::seconds idle{10};   ///< until a next request begins
+  static constexpr std::chrono::seconds head{10};   ///< from a request's first byte to the end of its head
+  static constexpr std::chrono::seconds whole{30};  ///< likewise, to the end of its body
 };
 
 class HttpDoor {

@@ -69,8 +69,7 @@ TEST_CASE("moves are the members of an object, or a list where names differ only
   const auto moves_of = [&](const std::string& moves) {
     std::string told;
     const auto machine = with(moves).value();
-    for (const auto& move : machine.moves)
-      told += move.name + " " + std::to_string(move.inputs.names.size()) + ";";
+    for (const auto& move : machine.moves) told += move.name + " " + std::to_string(move.inputs.names.size()) + ";";
     return told;
   };
   CHECK(moves_of(R"([{"move":"N","inputs":["x","y"]},{"move":"n","inputs":"y","about":"no"}])") == "N 2;n 1;");
