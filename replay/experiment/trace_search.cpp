@@ -89,6 +89,10 @@ class Search {
     return talk;
   }
 
+  void insert_anywhere(Talk& talk, const TraceEvent& turn) {
+    talk.insert(talk.begin() + static_cast<std::ptrdiff_t>(draw(talk.size() + 1)), turn);
+  }
+
   // Another talk, made of one that reached something new, rather lately than long ago, or of none.
   Talk next_talk() {
     if (!options_.guided) return new_talk();
@@ -103,7 +107,7 @@ class Search {
       else if (which < 0.4 && !talk.empty())
         talk[draw(talk.size())] = turns_[draw(turns_.size())];
       else if (which < 0.6)
-        talk.insert(talk.begin() + static_cast<std::ptrdiff_t>(draw(talk.size() + 1)), turns_[draw(turns_.size())]);
+        insert_anywhere(talk, turns_[draw(turns_.size())]);
       else
         talk.push_back(turns_[draw(turns_.size())]);
     }
