@@ -89,6 +89,7 @@ class Search {
     return talk;
   }
 
+  // The turn is drawn before its place: within one call, compilers draw in orders of their own.
   void insert_anywhere(Talk& talk, const TraceEvent& turn) {
     talk.insert(talk.begin() + static_cast<std::ptrdiff_t>(draw(talk.size() + 1)), turn);
   }

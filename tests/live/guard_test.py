@@ -23,7 +23,7 @@ PATIENCE_S = 30
 MOST_MORE_MIB = 40         # that a server may take for a request it refuses
 SLOW, ASKED = 200, 1000    # connections; requests beside them
 LEAST_NOTICED_S = 0.01     # a delay below which two cores do what they like
-BURST, MOST_BURST_S = 128, 1.0
+BURST, MOST_WAIT_S = 128, 1.0
 
 
 def rss_mib(pid):
@@ -295,7 +295,7 @@ def check_slow_readers(server):
             reader.close()
     print(f"p99 quiet {quiet * 1000:.1f} ms, beside {SLOW} that do not read {p99(crowded) * 1000:.1f} ms;"
           f" the longest {max(crowded):.2f} s")
-    if max(crowded) > MOST_BURST_S:
+    if max(crowded) > MOST_WAIT_S:
         yield f"beside {SLOW} connections that do not read, one waits {max(crowded):.3f} s"
 
 
@@ -313,7 +313,7 @@ def check_burst(server):
     for thread in threads:
         thread.join()
     print(f"{BURST} at once: p50 {statistics.median(times) * 1000:.0f} ms, max {max(times) * 1000:.0f} ms")
-    if len(times) < BURST or max(times) > MOST_BURST_S:
+    if len(times) < BURST or max(times) > MOST_WAIT_S:
         yield f"{BURST} at once: {len(times)} answered, the last after {max(times):.2f} s"
 
 
