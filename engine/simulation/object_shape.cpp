@@ -36,7 +36,7 @@ ObjectShape ObjectShape::of_body(const mjModel& model, int body, const Vec3& hal
   shape.ny_ = count(half_extents_m.y());
   for (int iy = 0; iy < shape.ny_; ++iy) {
     for (int ix = 0; ix < shape.nx_; ++ix) {
-      const Vec3 p = shape.center(ix, iy), outside(0, 0, 2 * half_extents_m.z());
+      const Vec3 p(shape.center_m(0, ix), shape.center_m(1, iy), 0), outside(0, 0, 2 * half_extents_m.z());
       Column column;
       for (int geom = model.body_geomadr[body]; geom < model.body_geomadr[body] + model.body_geomnum[body]; ++geom) {
         if (model.geom_contype[geom] == 0 && model.geom_conaffinity[geom] == 0) continue;
@@ -66,8 +66,8 @@ const Box* ObjectShape::part(const std::vector<std::string>& names) const {
   return nullptr;
 }
 
-Vec3 ObjectShape::center(int ix, int iy) const {
-  return {half_.x() * ((2 * ix + 1.0) / nx_ - 1), half_.y() * ((2 * iy + 1.0) / ny_ - 1), 0};
+double ObjectShape::center_m(int axis, int i) const {
+  return half_[axis] * ((2 * i + 1.0) / (axis == 0 ? nx_ : ny_) - 1);
 }
 
 const ObjectShape::Column* ObjectShape::at(double x, double y) const {
@@ -79,18 +79,22 @@ const ObjectShape::Column* ObjectShape::at(double x, double y) const {
 }
 
 std::optional<ObjectShape::Slice> ObjectShape::slice(int side, double at_m, double half_width_m, double above_m) const {
+  // A line of columns runs along the slice; only those within its width are looked at, from both ends.
+  const int lines = side == 0 ? ny_ : nx_, length = side == 0 ? nx_ : ny_;
+  const double half_column = half_[side] / length;
   std::optional<Slice> slice;
-  for (int iy = 0; iy < ny_; ++iy) {
-    for (int ix = 0; ix < nx_; ++ix) {
-      const Column& column = columns_[static_cast<std::size_t>(iy * nx_ + ix)];
-      const Vec3 p = center(ix, iy);
-      const double across = side == 0 ? p.y() : p.x(), along = side == 0 ? p.x() : p.y();
-      if (column.empty || column.top_m < above_m || std::abs(across - at_m) > half_width_m) continue;
-      const double half_column = side == 0 ? half_.x() / nx_ : half_.y() / ny_;
-      if (!slice) slice = Slice{along, along};
-      slice->min_m = std::min(slice->min_m, along - half_column);
-      slice->max_m = std::max(slice->max_m, along + half_column);
-    }
+  for (int line = 0; line < lines; ++line) {
+    if (std::abs(center_m(1 - side, line) - at_m) > half_width_m) continue;
+    const auto high = [&](int i) {
+      const Column& column = columns_[static_cast<std::size_t>(side == 0 ? line * nx_ + i : i * nx_ + line)];
+      return !column.empty && column.top_m >= above_m;
+    };
+    int first = 0, last = length - 1;
+    while (first <= last && !high(first)) ++first;
+    while (last > first && !high(last)) --last;
+    if (first > last) continue;
+    const double min_m = center_m(side, first) - half_column, max_m = center_m(side, last) + half_column;
+    slice = slice ? Slice{std::min(slice->min_m, min_m), std::max(slice->max_m, max_m)} : Slice{min_m, max_m};
   }
   return slice;
 }

@@ -49,7 +49,8 @@ class ObjectShape {
     double bottom_m = 0, top_m = 0;
     bool empty = true;
   };
-  Vec3 center(int ix, int iy) const;
+  /// The middle of the `i`-th column along x (`axis` 0) or y (1).
+  double center_m(int axis, int i) const;
   const Column* at(double x, double y) const;
 
   Vec3 half_ = Vec3::Zero();
