@@ -210,7 +210,9 @@ ApiResponse InspectorApi::run(const std::string& id, const std::string& view, co
 
   if (view == "records") {
     const auto filter = record_filter(query);
-    return filter ? answer(run_records(log, *filter)) : api_error(400, filter.error().sentence);
+    if (!filter) return api_error(400, filter.error().sentence);
+    auto records = run_records(log, *filter);
+    return records ? ApiResponse{200, json_type, *std::move(records)} : api_error(500, records.error().text());
   }
   if (view == "stack" || view == "derivation") {
     const auto n = record_number(query, log);

@@ -34,6 +34,8 @@ bool is_line_of(std::size_t n, std::string_view line) {
   return number_in<std::size_t>(member_in(line, name_of(&log::Stamp::n))) == n;
 }
 
+Error no_record(const RunIndex& run, std::size_t n) { return {run.where(n), "not valid JSON; expected a record"}; }
+
 Error lying_index(const RunIndex& run, std::size_t n) {
   return {run.where(n), fmt::format("is not where {}.index has it; remove that file, and it is made anew", run.path())};
 }
@@ -131,11 +133,17 @@ Outcome RunIndex::read_lines(const std::function<bool(std::size_t)>& wanted,
   return std::nullopt;
 }
 
+Result<std::string> RunIndex::record_text(std::size_t n) const {
+  auto text = line(n);
+  if (text && (!text->starts_with('{') || !Json::accept(*text))) return no_record(*this, n);
+  return text;
+}
+
 Result<Json> RunIndex::record(std::size_t n) const {
   auto text = line(n);
   if (!text) return text.error();
   auto parsed = Json::parse(*text, nullptr, false);
-  if (parsed.is_discarded() || !parsed.is_object()) return Error{where(n), "not valid JSON; expected a record"};
+  if (parsed.is_discarded() || !parsed.is_object()) return no_record(*this, n);
   return parsed;
 }
 

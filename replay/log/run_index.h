@@ -47,6 +47,9 @@ class RunIndex {
   /// The line as written. REQUIRES n < size().
   Result<std::string> line(std::size_t n) const;
 
+  /// The same, once it is sure that it is a JSON object. REQUIRES n < size().
+  Result<std::string> record_text(std::size_t n) const;
+
   /// The record parsed. REQUIRES n < size().
   Result<Json> record(std::size_t n) const;
 

@@ -5,6 +5,8 @@
 #include <set>
 #include <tuple>
 
+#include <fmt/format.h>
+
 #include "continua/replay/log/kinds.h"
 #include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_sources.h"
@@ -19,24 +21,26 @@ Json brief_json(const RunIndex& run, std::size_t n, const Json& record) {
 
 }  // namespace
 
-Result<Json> run_records(const RunIndex& run, const RecordFilter& filter) {
-  Json records = Json::array();
-  Json next;
+Result<std::string> run_records(const RunIndex& run, const RecordFilter& filter) {
+  std::string text = "{\"records\":[";
+  std::size_t count = 0;
+  std::optional<std::size_t> next;
   for (std::size_t n = filter.after; n < run.size(); ++n) {
     const auto t = run.entry(n).t.seconds();
     if (filter.from_s && t < *filter.from_s) continue;
     if (filter.to_s && t > *filter.to_s) continue;
     if (!filter.kinds.empty() && std::find(filter.kinds.begin(), filter.kinds.end(), run.kind(n)) == filter.kinds.end())
       continue;
-    if (records.size() == filter.limit) {
+    if (count == filter.limit) {
       next = n;
       break;
     }
-    auto record = run.record(n);
+    const auto record = run.record_text(n);
     if (!record) return record.error();
-    records.push_back(*std::move(record));
+    if (count++ > 0) text += ',';
+    text += *record;
   }
-  return Json{{"records", std::move(records)}, {"next", std::move(next)}};
+  return text += fmt::format("],\"next\":{}}}", next ? std::to_string(*next) : "null");
 }
 
 Result<Json> run_graph(const RunIndex& run) {

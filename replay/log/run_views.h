@@ -20,8 +20,8 @@ struct RecordFilter {
   std::size_t limit = 500;
 };
 
-/// {records: […], next: n to go on `after`, or null}.
-Result<Json> run_records(const RunIndex& run, const RecordFilter& filter);
+/// JSON {records: […], next: n to go on `after`, or null}; each record as it stands in the log.
+Result<std::string> run_records(const RunIndex& run, const RecordFilter& filter);
 
 /// The machine's graph with `visits` of each state and edge. Where a gate turned a transition away, an edge is added
 /// that says `diverted`.

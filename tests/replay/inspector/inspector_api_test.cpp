@@ -305,6 +305,18 @@ TEST_CASE("what cannot be answered is said with its status") {
   CHECK(served.get("/api/runs/small/labels?from=20&limit=50")["labels"].size() == 2);
 }
 
+TEST_CASE("records are given as they stand in the log, and one that is no JSON is named") {
+  Served served;
+  auto text = small_log().text();
+  const auto second = text.find('\n') + 1, third = text.find('\n', second) + 1;
+  const auto given = served.api.get("/api/runs/small/records?after=1&limit=1").body;
+  CHECK(given == "{\"records\":[" + text.substr(second, third - second - 1) + "],\"next\":2}");
+  text.insert(third - 2, ",\"more\":tru");
+  served.write("broken.run.jsonl", text, 30);
+  CHECK(served.get("/api/runs/broken/records?limit=1")["next"] == 1);
+  CHECK_THAT(served.message("/api/runs/broken/records", 500), Contains("broken.run.jsonl:2: not valid JSON"));
+}
+
 TEST_CASE("two runs are held against each other") {
   Served served;
   auto other = small_log().text();
