@@ -98,7 +98,7 @@ class Teller {
     auto& deed = deeds_[known->second];
     deed.until = t_of(n);
     deed.status = status;
-    deed.reason = words_.named(text_of_member(member_in(line, "result"), "reason"));
+    deed.reason = words_.reason_of_act(line);
   }
 
   // The moves on the way to an act: after the act before was asked for, until it was.

@@ -33,13 +33,6 @@ std::string shown_text(const RunWords& words, const std::string& kind, std::stri
   return {};
 }
 
-// The reason why an act went otherwise, in words; empty where there is none.
-std::string reason_in_words(const RunWords& words, const std::string& kind, std::string_view line) {
-  if (!log::is<log::Act>(kind)) return {};
-  const auto result = member_in(line, log::name_of(&log::Act::result));
-  return words.named(text_in(member_in(result, log::name_of(&log::ActResult::reason))));
-}
-
 // The members of the record that brief() reads; null for poses and for a line that is no JSON.
 Json told_part(const std::string& kind, std::string_view line) {
   if (log::is<log::Pose>(kind)) return nullptr;
@@ -80,7 +73,7 @@ Result<Json> run_labels(const RunIndex& run, const std::vector<std::size_t>& num
       [&](std::size_t n, std::string_view line) {
         auto& told = labels[std::to_string(n)] = {label_of(run.kind(n), line), shown_text(words, run.kind(n), line)};
         auto in_words = label_in_words(words, run.kind(n), line);
-        auto reason = reason_in_words(words, run.kind(n), line);
+        auto reason = log::is<log::Act>(run.kind(n)) ? words.reason_of_act(line) : std::string();
         const bool same = in_words == told[0];
         if (!same || !reason.empty()) told.push_back(same ? Json() : Json(std::move(in_words)));
         if (!reason.empty()) told.push_back(std::move(reason));

@@ -7,7 +7,11 @@
 
 #include "continua/core/trimmed.h"
 #include "continua/replay/log/applied_term.h"
+#include "continua/replay/log/kinds.h"
+#include "continua/replay/log/line_scan.h"
+#include "continua/replay/log/run_text.h"
 #include "continua/replay/log/run_words.h"
+#include "continua/replay/log/schema.h"
 
 namespace continua {
 namespace {
@@ -94,6 +98,11 @@ std::string RunWords::named(std::string_view sentence) const {
   return with_names(sentence, [&](std::string_view name, const std::string& before) {
     return before.ends_with("the ") ? std::string(name) : thing(name);
   });
+}
+
+std::string RunWords::reason_of_act(std::string_view line) const {
+  const auto result = member_in(line, log::name_of(&log::Act::result));
+  return named(text_in(member_in(result, log::name_of(&log::ActResult::reason))));
 }
 
 std::string RunWords::meaning(std::string_view term) const {

@@ -77,10 +77,9 @@ ActTotals act_totals(const RunIndex& run) {
                    if (!member_in(act, "step").empty()) return true;
                    if (text_in(member_in(act, "status")) == "done") ++totals.done;
                    if (is_failure(act) && totals.failed++ == 0)
-                     totals.first_failed = {
-                         {"n", n},
-                         {"status", text_in(member_in(act, "status"))},
-                         {"reason", RunWords(run).named(text_in(member_in(member_in(act, "result"), "reason")))}};
+                     totals.first_failed = {{"n", n},
+                                            {"status", text_in(member_in(act, "status"))},
+                                            {"reason", RunWords(run).reason_of_act(act)}};
                    return true;
                  });
   return totals;

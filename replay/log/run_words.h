@@ -45,6 +45,8 @@ class RunWords {
   std::string expected(std::string_view field, const Json& value) const;
   /// Why a thing was ruled out: "not white" for "not white(cup)" of the cup. A reason without words is left as it is.
   std::string reason(std::string_view reason, std::string_view thing) const;
+  /// Why an act went otherwise, of its record's line, as named() tells it; empty where the record gives no reason.
+  std::string reason_of_act(std::string_view line) const;
   /// A gap of this type: "the place" for `loc`; empty for a type that has no words.
   std::string missing(std::string_view type) const;
 
