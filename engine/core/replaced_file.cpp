@@ -168,10 +168,10 @@ Outcome replace_file(const std::string& path, std::string_view content, Replaced
 
 namespace {
 
-// Which file it is, whatever its names; nothing if there is none.
+// Which file it is, whatever its names; nothing if it is none.
 std::optional<std::pair<dev_t, ino_t>> identity_of(const std::string& path) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   return std::pair(status.st_dev, status.st_ino);
 }
 
@@ -179,14 +179,13 @@ std::optional<std::pair<dev_t, ino_t>> identity_of(const std::string& path) {
 
 Outcome not_an_input(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
   std::map<std::pair<dev_t, ino_t>, std::string> read;
-  std::error_code unknown;
   for (const auto& output : outputs) {
-    if (!fs::is_regular_file(output, unknown)) continue;
+    const auto file = identity_of(output);
+    if (!file) continue;
     if (read.empty())
       for (const auto& input : inputs)
-        if (const auto file = identity_of(input)) read.emplace(*file, input);
-    const auto file = identity_of(output);
-    const auto input = file ? read.find(*file) : read.end();
+        if (const auto known = identity_of(input)) read.emplace(*known, input);
+    const auto input = read.find(*file);
     if (input != read.end())
       return Error{output, fmt::format("is also the output{}; expected another file",
                                        input->second == output ? "" : ", and is read as " + input->second)};
