@@ -184,8 +184,9 @@ class Teller {
 
   void tell_parses(const Json& reading) {
     const auto& parses = list_of(reading, "parses");
-    const auto rank = static_cast<std::size_t>(number_of(reading, "rank"));
     if (parses.size() < 2) return;
+    const auto last = static_cast<double>(parses.size() - 1);
+    const auto rank = static_cast<std::size_t>(std::clamp(number_of(reading, "rank"), 0.0, last));
     std::string text;
     for (std::size_t i = 0; i < parses.size(); ++i)
       if (i != rank)

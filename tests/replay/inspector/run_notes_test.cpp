@@ -80,7 +80,7 @@ TEST_CASE("notes that somebody else wrote meanwhile are not written over") {
   // By hand, too.
   noted.folder.write("small.notes.json", R"({"notes":[{"id":"z","n":3,"text":"by hand"}]})");
   noted.put({{"notes", Json::array()}, {"version", first["version"]}}, 409);
-  CHECK(noted.get()["notes"] == Json{note("z", 3, nullptr, "by hand")});
+  CHECK(noted.get()["notes"] == Json::array({note("z", 3, nullptr, "by hand")}));
 }
 
 TEST_CASE("notes that are none are refused, note by note") {
