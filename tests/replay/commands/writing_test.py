@@ -13,6 +13,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 PATIENCE_S = 60
 ROOM = 50_000  # bytes of a file, for a disk that is nearly full
@@ -98,15 +99,14 @@ def check_old_file_is_kept(commands):
     if done.returncode != 2 or run.read_text() != "old\n":
         yield f"replay on a full disk: {done.returncode}, and the earlier run is lost"
     for sign in (signal.SIGKILL, signal.SIGINT):
-        process = subprocess.Popen([commands.program, "replay", commands.source / "traces/building_blocks.trace.jsonl",
+        process = subprocess.Popen([commands.program, "replay", commands.source / "traces/talk/repairs.trace.jsonl",
                                     "-o", run], cwd=commands.folder)
-        try:
-            process.wait(0.5)
-        except subprocess.TimeoutExpired:
-            process.send_signal(sign)
-            process.wait(PATIENCE_S)
-            if run.read_text() != "old\n":
-                yield f"replay ended by {sign.name}: the earlier run is lost"
+        time.sleep(0.5)  # of some five seconds
+        process.send_signal(sign)
+        if process.wait(PATIENCE_S) == 0:
+            yield f"replay was to be ended by {sign.name}, and had ended by itself"
+        elif run.read_text() != "old\n":
+            yield f"replay ended by {sign.name}: the earlier run is lost"
     commands.run("replay", commands.trace, "--no-physics", "-o", "talk.run.jsonl")
     html = commands.at("old.html")
     html.write_text("old\n")
