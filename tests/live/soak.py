@@ -197,6 +197,8 @@ def soak(program, part, seconds):
     with tempfile.TemporaryDirectory() as folder, Server(program, folder, environment=GIVES_BACK) as server:
         client = server.client()
         run_sessions(server, client, time.monotonic() + seconds, FIRST)  # what is made once
+        for run in client.get("/api/runs").must()["runs"]:  # more than the server keeps open
+            client.get(f"/api/runs/{run['id']}").must()
         before = held(server.pid)
         did = PARTS[part](server, client, time.monotonic() + seconds)
         time.sleep(12)  # connections that are left over are hung up on
