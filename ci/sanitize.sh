@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# The C++ tests under AddressSanitizer and UndefinedBehaviorSanitizer, by clang, in build/sanitize:
+# The C++ tests, and mutations of every input, under AddressSanitizer and UndefinedBehaviorSanitizer, by clang, in
+# build/sanitize:
 #   ci/sanitize.sh [I/N [PATTERN]]
 # all of them, or the I-th of N parts, or with "turn/N" the part whose turn the number of commits makes it, so that N
-# changes have tried them all; of those, the ones whose name has PATTERN (a regular expression, as in ctest -R).
+# changes have tried them all; of those, the ones whose name has PATTERN (a regular expression, as in ctest -R). With a
+# PATTERN nothing is mutated.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 part=${1:-1/1}
@@ -28,3 +30,4 @@ export RC_PARAMS=max_success=20
 # ctest takes each N-th test from the I-th on. The random puts are counted, and each compiler rounds them otherwise.
 ctest --preset sanitize --label-regex '^cpp$' --tests-regex "${2:-.}" --exclude-regex '^simulation/random_puts$' \
   --tests-information "$((10#${BASH_REMATCH[1]})),,$((10#${BASH_REMATCH[2]}))" --parallel "$CMAKE_BUILD_PARALLEL_LEVEL"
+if [[ -z ${2:-} ]]; then ctest --preset sanitize --tests-regex '^fuzz$'; fi
