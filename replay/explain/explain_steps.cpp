@@ -1,6 +1,7 @@
 #include "continua/replay/explain/explain_steps.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ Json records_of(ExplainScope& scope, std::size_t input, std::string_view kind) {
   return records;
 }
 
-// The condition of the machine's edge, and from how many states the transition leaves.
+// The condition of the machine's edge.
 Json condition_of(const Json& graph, const std::string& id, const std::string& from) {
   const auto& edges = member_of(graph, "edges");
   if (!edges.is_array()) return nullptr;
@@ -28,11 +29,12 @@ Json condition_of(const Json& graph, const std::string& id, const std::string& f
   return nullptr;
 }
 
-std::size_t states_left(const Json& graph, const std::string& id) {
-  const auto& edges = member_of(graph, "edges");
-  if (!edges.is_array()) return 0;
-  return static_cast<std::size_t>(
-      std::count_if(edges.begin(), edges.end(), [&](const Json& edge) { return text_of(edge, "id") == id; }));
+// The number of states that a transition leaves, by its id.
+std::map<std::string, std::size_t> states_left(const Json& graph) {
+  std::map<std::string, std::size_t> left;
+  if (const auto& edges = member_of(graph, "edges"); edges.is_array())
+    for (const auto& edge : edges) ++left[text_of(edge, "id")];
+  return left;
 }
 
 std::string content_text(const Json& value) {
@@ -48,6 +50,7 @@ Json explained_refusals(const Json& record, const Json& graph) {
     std::size_t states;
   };
   std::vector<Group> groups;
+  auto left = states_left(graph);
   if (const auto& refused = member_of(record, "refused"); refused.is_array())
     for (const auto& one : refused) {
       const auto id = text_of(one, "id");
@@ -55,9 +58,9 @@ Json explained_refusals(const Json& record, const Json& graph) {
       if (const auto& of = member_of(one, "alternative"); of != member_of(record, "alternative"))
         reason += fmt::format(" (of alternative {})", compact(of));
       auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.reason == reason; });
-      if (group == groups.end()) group = groups.insert(groups.end(), {reason, Json::array(), states_left(graph, id)});
+      if (group == groups.end()) group = groups.insert(groups.end(), {reason, Json::array(), left[id]});
       if (std::find(group->ids.begin(), group->ids.end(), id) == group->ids.end()) group->ids.push_back(id);
-      group->states = std::min(group->states, states_left(graph, id));
+      group->states = std::min(group->states, left[id]);
     }
   std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.states < b.states; });
   Json told = Json::array();

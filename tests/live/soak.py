@@ -198,7 +198,8 @@ def soak(program, part, seconds):
         client = server.client()
         run_sessions(server, client, time.monotonic() + seconds, FIRST)  # what is made once
         for run in client.get("/api/runs").must()["runs"]:  # more than the server keeps open
-            client.get(f"/api/runs/{run['id']}").must()
+            for view in VIEWS:
+                client.get(f"/api/runs/{run['id']}{view}")
         before = held(server.pid)
         did = PARTS[part](server, client, time.monotonic() + seconds)
         time.sleep(12)  # connections that are left over are hung up on
