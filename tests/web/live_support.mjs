@@ -1,6 +1,7 @@
 // A person at the live page: the actions and looks that its tests share.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
+import {setTimeout} from 'node:timers/promises';
 import {serve, temporaryFolder, Visitor} from './support.mjs';
 
 /** The server, a browser that draws in 3D and one that cannot, and that of them which is looked at. */
@@ -35,9 +36,11 @@ export const eventsOf = (path) =>
     .trimEnd()
     .split('\n')
     .map((line) => JSON.parse(line));
+const try_again_ms = 20;
 /** Waits until it holds. */
 export async function until(holds, what, patience_ms = 30000) {
-  for (const end = performance.now() + patience_ms; !(await holds()); ) assert.ok(performance.now() < end, what);
+  for (const end = performance.now() + patience_ms; !(await holds()); await setTimeout(try_again_ms))
+    assert.ok(performance.now() < end, what);
 }
 export const idOf = (page = visitor.page) => page.evaluate(() => window.continua.model.selection.live);
 export const ready = () =>
