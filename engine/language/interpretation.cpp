@@ -40,7 +40,7 @@ struct Answer {
 
 using Rest = Continuation<Value, Answer>;
 using Meaning = Comp<Value, Answer>;
-using Function = std::function<Value(Value)>;
+using ValueFunction = std::function<Value(Value)>;
 
 std::vector<By> together(const std::vector<By>& a, const std::vector<By>& b) {
   std::vector<By> all = a;
@@ -162,8 +162,8 @@ class Interpreter {
   }
 
   // Turns the computation of a function term into a computation of a function over values.
-  Comp<Function, Answer> functions(Meaning function) {
-    return [this, function = std::move(function)](const Continuation<Function, Answer>& k) {
+  Comp<ValueFunction, Answer> functions(Meaning function) {
+    return [this, function = std::move(function)](const Continuation<ValueFunction, Answer>& k) {
       return function([this, k](const Value& f) { return k([this, f](const Value& x) { return application(f, x); }); });
     };
   }

@@ -44,9 +44,9 @@ struct Deed {
 };
 
 // The happenings of a run that people would tell.
-class Teller {
+class Happenings {
  public:
-  explicit Teller(const RunIndex& run) : run_(run), words_(run) {}
+  explicit Happenings(const RunIndex& run) : run_(run), words_(run) {}
 
   Outcome read() {
     return run_.read_lines(
@@ -253,9 +253,9 @@ class Teller {
 }  // namespace
 
 Result<Json> run_account(const RunIndex& run) {
-  Teller teller(run);
-  if (const auto problem = teller.read()) return *problem;
-  return teller.account();
+  Happenings happenings(run);
+  if (const auto problem = happenings.read()) return *problem;
+  return happenings.account();
 }
 
 std::string account_text(const Json& account, std::size_t width) {
