@@ -49,16 +49,18 @@ Json told_part(const std::string& kind, std::string_view line) {
   return Json::parse(part += '}', nullptr, false);
 }
 
-}  // namespace
+std::string label_of(const Json& told) { return told.is_object() ? brief(told) : std::string(); }
 
-std::string label_of(const std::string& kind, std::string_view line) {
-  const auto record = told_part(kind, line);
-  return record.is_object() ? brief(record) : std::string();
+std::string label_in_words(const RunWords& words, const Json& told) {
+  return told.is_object() ? brief_in_words(words, told) : std::string();
 }
 
+}  // namespace
+
+std::string label_of(const std::string& kind, std::string_view line) { return label_of(told_part(kind, line)); }
+
 std::string label_in_words(const RunWords& words, const std::string& kind, std::string_view line) {
-  const auto record = told_part(kind, line);
-  return record.is_object() ? brief_in_words(words, record) : std::string();
+  return label_in_words(words, told_part(kind, line));
 }
 
 Result<Json> run_labels(const RunIndex& run, const std::vector<std::size_t>& numbers) {
@@ -71,8 +73,9 @@ Result<Json> run_labels(const RunIndex& run, const std::vector<std::size_t>& num
         return next != numbers.end() && *next == n;
       },
       [&](std::size_t n, std::string_view line) {
-        auto& told = labels[std::to_string(n)] = {label_of(run.kind(n), line), shown_text(words, run.kind(n), line)};
-        auto in_words = label_in_words(words, run.kind(n), line);
+        const auto record = told_part(run.kind(n), line);
+        auto& told = labels[std::to_string(n)] = {label_of(record), shown_text(words, run.kind(n), line)};
+        auto in_words = label_in_words(words, record);
         auto reason = log::is<log::Act>(run.kind(n)) ? words.reason_of_act(line) : std::string();
         const bool same = in_words == told[0];
         if (!same || !reason.empty()) told.push_back(same ? Json() : Json(std::move(in_words)));
