@@ -22,10 +22,11 @@ for target in "${targets[@]}"; do
   corpus=$build/corpus/$target
   mkdir -p "$corpus"
   "$build/tests/fuzz_mutate" --seeds "$target" "$corpus"
+  "$build/tests/fuzz_mutate" --words "$target" > "$build/found/$target.dict"
   echo "$target:"
   # No leaks are looked for: MuJoCo's and the XML reader's errors jump over destructors.
   CONTINUA_FUZZ=$target ASAN_OPTIONS=detect_leaks=0 "$build/tests/fuzz_libfuzzer" "$corpus" -max_total_time="$seconds" \
-    -max_len=32768 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 -verbosity=1 \
+    -max_len=32768 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 -verbosity=1 -dict="$build/found/$target.dict" \
     -artifact_prefix="$build/found/$target-" 2> "$build/found/$target.log" || status=1
   grep -E "^(#.*DONE|stat::number_of_executed|SUMMARY)" "$build/found/$target.log" || true
 done

@@ -2,6 +2,7 @@
 //
 //   fuzz_mutate SECONDS SEED [TARGET…]      of processor time, for each target
 //   fuzz_mutate --seeds TARGET FOLDER       writes the target's seeds there
+//   fuzz_mutate --words TARGET              prints the words of its schema and seeds, as a dictionary of libFuzzer
 //   fuzz_mutate --list
 //
 // The input of which the program dies, or that takes too long, is then in the file fuzz-TARGET.
@@ -53,11 +54,12 @@ void keep_inputs() {
 }
 
 // An input that is no input as it should be: bytes are changed, moved, left out, said twice, or come from another one.
-std::string mutated(std::string text, const std::vector<std::string>& seeds, std::mt19937& draw) {
+std::string mutated(std::string text, const std::vector<std::string>& seeds, const std::vector<std::string>& words,
+                    std::mt19937& draw) {
   const auto below = [&](std::size_t count) { return count == 0 ? 0 : draw() % count; };
   for (auto times = 1 + below(4); times > 0; --times) {
     const auto at = below(text.size() + 1), size = below(std::min<std::size_t>(text.size() - at, 64) + 1);
-    switch (below(7)) {
+    switch (below(8)) {
       case 0:
         if (at < text.size()) text[at] = static_cast<char>(draw());
         break;
@@ -76,12 +78,15 @@ std::string mutated(std::string text, const std::vector<std::string>& seeds, std
         break;
       }
       case 5: {
-        constexpr const char* words[] = {
+        constexpr const char* signs[] = {
             "\"", "{",    "}", "[", "]",  "null", "-1", "1e999", "18446744073709551616", "\\u0000", "\xff", "<",
             "/>", "&#0;", "(", ")", "\n", "\r\n", ",",  ":"};
-        text.insert(at, words[below(std::size(words))]);
+        text.insert(at, signs[below(std::size(signs))]);
         break;
       }
+      case 6:
+        if (!words.empty()) text.replace(at, size, words[below(words.size())]);
+        break;
       default:
         if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << below(8)));
     }
@@ -93,6 +98,7 @@ std::string mutated(std::string text, const std::vector<std::string>& seeds, std
 void attack(const FuzzTarget& target, double seconds, unsigned seed) {
   auto seeds = fuzz_seeds(target);
   seeds.push_back("");
+  const auto words = fuzz_words(target);
   std::mt19937 draw(seed);
   std::size_t count = 0;
   const auto run = [&](const std::string& input) {
@@ -108,7 +114,7 @@ void attack(const FuzzTarget& target, double seconds, unsigned seed) {
     run(one);
     if (processor_s() - begun > seconds / 2) break;  // of many, those at the beginning
   }
-  while (processor_s() - begun < seconds) run(mutated(seeds[draw() % seeds.size()], seeds, draw));
+  while (processor_s() - begun < seconds) run(mutated(seeds[draw() % seeds.size()], seeds, words, draw));
   input_under_way = nullptr;
   std::printf("%s: %zu inputs, %zu seeds, %.1f s\n", target.name.c_str(), count, seeds.size(), processor_s() - begun);
   std::fflush(stdout);
@@ -123,6 +129,10 @@ int run(const std::vector<std::string>& words) {
     int number = 0;
     for (const auto& seed : fuzz_seeds(*fuzz_target(words[1])))
       std::ofstream(words[2] + "/seed-" + std::to_string(number++), std::ios::binary) << seed;
+    return 0;
+  }
+  if (words.size() == 2 && words[0] == "--words" && fuzz_target(words[1])) {
+    for (const auto& word : fuzz_words(*fuzz_target(words[1]))) std::printf("\"%s\"\n", word.c_str());
     return 0;
   }
   if (words.size() < 2) return std::fprintf(stderr, "expected SECONDS SEED [TARGET...]\n"), 2;

@@ -1,9 +1,11 @@
 #include "fuzz/targets.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
 
 #include "continua/core/located_json.h"
@@ -22,6 +24,7 @@
 #include "continua/replay/server/http_head.h"
 #include "continua/term/term_text.h"
 #include "continua/term/written_term.h"
+#include "fuzz/index_target.h"
 #include "support/folders.h"
 #include "support/temporary_folder.h"
 
@@ -31,6 +34,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t longest_seed = 32768;
+constexpr std::size_t longest_word = 40, most_fuzz_words = 400;
 
 // As `validate` reads a file of that name.
 void read_as(const char* name, std::string_view bytes) {
@@ -49,9 +53,7 @@ constexpr char trace[] = "x.trace.jsonl", notes[] = "x.notes.json", machine[] = 
 
 void read_run(std::string_view bytes) {
   const auto run = RunIndex::of_text(std::string(bytes), "x.run.jsonl");
-  if (!run) return;
-  for (std::size_t n = 0; n < run->size(); ++n) (void)run->record(n);
-  for (const auto& mark : run->stack_marks()) (void)run->snapshot(mark.top);
+  if (run) read_whole(*run);
 }
 
 void read_request(std::string_view bytes) {
@@ -104,13 +106,31 @@ std::vector<fs::path> files_in(const fs::path& folder, const std::string& ending
   return files;
 }
 
+std::string content_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void count_words(std::string_view text, std::map<std::string, std::size_t, std::less<>>& times) {
+  const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
+  for (auto at = text.begin(); at != text.end();) {
+    const auto begin = std::find_if(at, text.end(), in_word);
+    at = std::find_if_not(begin, text.end(), in_word);
+    const std::string_view word(begin, at);
+    const bool letters = !word.empty() && std::isalpha(static_cast<unsigned char>(word.front()));
+    if (letters && word.size() > 1 && word.size() <= longest_word) ++times[std::string(word)];
+  }
+}
+
 }  // namespace
 
 const std::vector<FuzzTarget>& fuzz_targets() {
   static const std::vector<FuzzTarget> targets = {
       {"trace", read_file_of<trace>, "traces", ".trace.jsonl"},
-      {"run", read_run, "traces", ".run.jsonl"},
-      {"machine", read_file_of<machine>, "engine/knowledge/machines", ".json"},
+      {"run", read_run, "traces", ".run.jsonl", nullptr, "replay/log/RECORDS.md"},
+      {"index", read_index, "tests", ".index", index_seeds},
+      {"machine", read_file_of<machine>, "engine/knowledge/machines", ".json", nullptr,
+       "engine/automaton/machine.schema.json"},
       {"gestures", read_file_of<gestures>, "engine/knowledge/gestures", ".json"},
       {"phrases", read_file_of<phrases>, "engine/knowledge/phrases", ".json"},
       {"raising", read_file_of<raising>, "engine/knowledge", "raising.json"},
@@ -144,12 +164,21 @@ std::vector<std::string> fuzz_seeds(const FuzzTarget& target) {
   const fs::path source = source_dir();
   auto files = files_in(source / target.folder, target.ending);
   for (auto& row : files_in(source / "tests/corpus" / target.name, "")) files.push_back(std::move(row));
-  std::vector<std::string> seeds;
-  for (const auto& path : files) {
-    std::ifstream file(path, std::ios::binary);
-    seeds.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-  }
+  auto seeds = target.made ? target.made() : std::vector<std::string>();
+  for (const auto& path : files) seeds.push_back(content_of(path));
   return seeds;
+}
+
+std::vector<std::string> fuzz_words(const FuzzTarget& target) {
+  std::map<std::string, std::size_t, std::less<>> times;
+  if (!target.schema.empty()) count_words(content_of(fs::path(source_dir()) / target.schema), times);
+  for (const auto& seed : fuzz_seeds(target)) count_words(seed, times);
+  std::vector<std::string> words;
+  for (const auto& [word, _] : times) words.push_back(word);
+  std::stable_sort(words.begin(), words.end(),
+                   [&](const auto& a, const auto& b) { return times.find(a)->second > times.find(b)->second; });
+  words.resize(std::min(words.size(), most_fuzz_words));
+  return words;
 }
 
 }  // namespace continua
