@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "continua/simulation/mujoco_model.h"
 #include "continua/simulation/physics.h"
 #include "continua/simulation/scene_compile.h"
+#include "continua/simulation/world_pace.h"
 
 namespace continua {
 
@@ -76,14 +78,17 @@ void note_reach(const Scene& scene, const AvatarForm& avatar, Notes& notes) {
                     reached, places.size(), base.x(), base.y(), base.z()));
 }
 
-/// The arm's hinges behind the end of a motion, when the avatar takes the motion as ended.
-ArmVector left_behind(Physics& physics, const ArmVector& to) {
+/// The arm's hinges behind the end of a motion, when the avatar takes the motion as ended; nothing if the processor's
+/// time is `latest_s` before.
+std::optional<ArmVector> left_behind(Physics& physics, const ArmVector& to, double latest_s) {
   constexpr double patience_s = 0.25;  // as of the avatar's own motions
   Motion motion(physics.hinges(), resting_opening_m);
   motion.wanted_opening_m = resting_opening_m;
   motion.follow_from_rest(HandPath::between(physics.hinges(), to));
-  while (!motion.is_over_since(patience_s))
+  while (!motion.is_over_since(patience_s)) {
+    if (processor_s() > latest_s) return std::nullopt;
     if (!physics.step(motion.advance(physics.timestep_s()))) break;
+  }
   return (physics.hinges() - to).cwiseAbs();
 }
 
@@ -102,17 +107,25 @@ ArmVector raised(const Arm& arm, int hinge) {
   return best;
 }
 
-void note_servos(const Scene& scene, const AvatarElements& ids, Notes& notes) {
+void note_servos(const Scene& scene, const AvatarElements& ids, double longest_s, Notes& notes) {
   constexpr double much_rad = 0.02;  // a hand half a metre away is off by a centimetre
   const auto name_of_hinge = [&](int hinge) {
     return name_of(scene.model(), mjOBJ_JOINT, scene.model().dof_jntid[ids.dof[static_cast<std::size_t>(hinge)]]);
   };
   auto physics = Physics::create(scene).value();
   const AvatarForm& avatar = physics->avatar();
+  const double latest_s = processor_s() + longest_s;
   for (int hinge = 0; hinge < avatar.arm.size(); ++hinge) {
     const ArmVector to = raised(avatar.arm, hinge);
-    const double there = left_behind(*physics, to)[hinge], back = left_behind(*physics, avatar.arm.home)[hinge];
-    if (const double most = std::max(there, back); most > much_rad)
+    const auto there = left_behind(*physics, to, latest_s), back = left_behind(*physics, avatar.arm.home, latest_s);
+    if (!there || !back) {
+      notes.push_back(
+          fmt::format("the servos from hinge '{}' on were not tried: at time steps of {} s that takes over "
+                      "{} s of a processor",
+                      name_of_hinge(hinge), physics->timestep_s(), longest_s));
+      return;
+    }
+    if (const double most = std::max((*there)[hinge], (*back)[hinge]); most > much_rad)
       notes.push_back(fmt::format(
           "the servo of hinge '{}' is sluggish: {:.0f} degrees are left of a turn by {:.0f} when "
           "the avatar takes it as done; more gain or force, or less damping, would help",
@@ -127,13 +140,13 @@ std::vector<std::string> guesses_about_avatar(const Scene& scene) {
   return compiled ? compiled->guesses : Notes();
 }
 
-std::vector<std::string> arm_notes(const Scene& scene) {
+std::vector<std::string> arm_notes(const Scene& scene, double longest_s) {
   const auto avatar = find_avatar(scene.model(), scene.initial_qpos(), scene.path());
   if (!avatar) return {};
   Notes notes;
   note_pads(scene.model(), avatar->second, notes);
   note_reach(scene, avatar->first, notes);
-  note_servos(scene, avatar->second, notes);
+  note_servos(scene, avatar->second, longest_s, notes);
   return notes;
 }
 

@@ -13,14 +13,13 @@ namespace {
 
 constexpr double looked_at_s = 0.02;  // of the world's time
 
-// Processor time of this thread alone: other programs do not count.
+}  // namespace
+
 double processor_s() {
   timespec now{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
-
-}  // namespace
 
 Outcome check_pace(const Scene& scene) {
   const mjModel& model = scene.model();

@@ -106,6 +106,12 @@ TEST_CASE("keyframes of an arm, which are shorter than the scene, are left out")
   CHECK(scene_with(arms[3], "staircase").text().find("<key ") == std::string::npos);
 }
 
+TEST_CASE("servos are tried for so long, and it is said where that was not enough") {
+  const auto notes = arm_notes(scene_with(arms[0], "staircase"), 0.01);
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::Matchers::Contains("were not tried: at time steps of 0.002 s"));
+}
+
 TEST_CASE("notes on an arm say what keeps it from working, and nothing of arms that work") {
   for (const auto& arm : {arms[0], arms[1], arms[2]}) {
     INFO(arm);
