@@ -25,6 +25,7 @@ from acts import Acts
 from applications import Applications
 from choices import Choices
 from evaluate import Unknown
+from frames import with_room
 from machine import Machine, MachineEvaluation, flat_effects, operation_of
 from terms import NULL
 
@@ -470,7 +471,7 @@ def check_log(name, records, tally, raising):
         tally.counts["logs left out: changes in mid-run or observations"] += 1
         return
     tally.counts["logs"] += 1
-    Log(name, records, tally, raising).check()
+    with_room(Log(name, records, tally, raising).check)
 
 
 def replayed(program, traces, folder):
