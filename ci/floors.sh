@@ -34,7 +34,7 @@ zlib.h         engine/core/gzip.cpp engine/core/gzip_blocks.cpp engine/core/gzip
 zstd.h         replay/mcap/chunk_packing.cpp
 cairo*         replay/pictures/canvas.cpp
 graphviz/*     replay/export/graph_layout.cpp
-CLI/*          replay/main.cpp replay/commands/*
+CLI/*          replay/commands/*
 catch2/*       tests/support/*
 rapidcheck*    tests/*
 benchmark/*    tests/bench/*
