@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -54,45 +53,26 @@ struct JsonText {
 template <class T>
 using Named = std::vector<std::pair<std::string, T>>;
 
-/// One member of a record, or of an object within a record.
-template <class Struct, class Value>
-struct Field {
-  std::string_view name;
-  Value Struct::*member;
-  Says says;
-  std::string_view sentence;                     ///< its meaning, for RECORDS.md
+/// All else that is said of a member.
+struct FieldTraits {
   std::string_view form{};                       ///< what the value is beyond its type: "term", "seconds", "record"
   bool in_brief = false;                         ///< brief() reads it
   bool follows = false;                          ///< other members determine it, so it is no decision of its own
   std::array<std::string_view, 4> leaves_out{};  ///< of a Json value: members that say where
-
-  constexpr Field as(std::string_view what) const {
-    auto field = *this;
-    field.form = what;
-    return field;
-  }
-  constexpr Field briefly() const {
-    auto field = *this;
-    field.in_brief = true;
-    return field;
-  }
-  constexpr Field following() const {
-    auto field = *this;
-    field.follows = true;
-    return field;
-  }
-  constexpr Field without(std::array<std::string_view, 4> names) const {
-    auto field = *this;
-    field.leaves_out = names;
-    return field;
-  }
 };
 
+/// Everything that a struct declares of one member.
+struct Declaration : FieldTraits {
+  std::string_view name;
+  Says says = Says::what;
+  std::string_view sentence;  ///< its meaning, for RECORDS.md
+};
+
+/// One member of a record, or of an object within a record.
 template <class Struct, class Value>
-constexpr Field<Struct, Value> field(std::string_view name, Value Struct::*member, Says says,
-                                     std::string_view sentence) {
-  return {name, member, says, sentence};
-}
+struct Field : Declaration {
+  Value Struct::*member;
+};
 
 /// Whether records of a kind are decisions, which must be equal on every machine and in every world.
 enum class Decision : std::uint8_t {
@@ -120,10 +100,17 @@ struct Kind {
   std::string_view brief_adds{};  ///< everything that brief() puts between the values of members
 };
 
-/// A struct that declares its members.
+/// Does nothing with a member.
+struct NoUse {
+  template <class Struct, class Value>
+  constexpr void operator()(std::string_view, Value Struct::*, Says, std::string_view, const FieldTraits& = {}) const {}
+};
+
+/// A struct that declares its members: fields(use) calls `use` with the name, member, Says, sentence and FieldTraits of
+/// each, in the order in which they are written. Being a template, the list costs those sources alone that read it.
 template <class T>
 concept HasFields = requires {
-  T::fields();
+  T::fields(NoUse{});
 };
 
 /// A kind of record that declares its members and can be told to people.
@@ -141,13 +128,13 @@ concept HasBrief = requires(const T& record) {
 template <IsRecord... T>
 struct Kinds {};
 
-template <HasFields T>
-inline constexpr auto fields_of = T::fields();
-
 /// Calls `use(field)` for each member of T, in the order in which they are written.
 template <HasFields T, class Use>
 constexpr void for_each_field(Use&& use) {
-  std::apply([&use](const auto&... field) { (use(field), ...); }, fields_of<T>);
+  T::fields([&use]<class Value>(std::string_view name, Value T::*member, Says says, std::string_view sentence,
+                                const FieldTraits& traits = {}) {
+    use(Field<T, Value>{{traits, name, says, sentence}, member});
+  });
 }
 
 /// The name of a member in the log.

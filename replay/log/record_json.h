@@ -56,6 +56,17 @@ struct InnermostOf<T> : InnermostOf<typename T::value_type::second_type> {
 template <class T>
 using Innermost = typename InnermostOf<T>::type;
 
+// The work on each of some three hundred members, compiled once.
+void put(Json::object_t& object, std::string_view name, Json value);
+const Json* find_member(const Json& object, std::string_view name);
+
+/// An error about a value.
+Error unexpected(std::string_view expected, const Json& found);
+
+/// The same error, told from one level further out.
+Outcome within_member(std::string_view name, Outcome problem);
+Outcome within_element(std::size_t index, Outcome problem);
+
 template <class T>
 Json to_json(const T& value) {
   if constexpr (HasFields<T>) {
@@ -63,9 +74,9 @@ Json to_json(const T& value) {
     for_each_field<T>([&](const auto& field) {
       const auto& member = value.*(field.member);
       if constexpr (is_optional<std::decay_t<decltype(member)>>) {
-        if (member) object.emplace_back(std::string(field.name), to_json(*member));
+        if (member) put(object, field.name, to_json(*member));
       } else {
-        object.emplace_back(std::string(field.name), to_json(member));
+        put(object, field.name, to_json(member));
       }
     });
     return Json(std::move(object));
@@ -89,16 +100,6 @@ Json to_json(const T& value) {
 template <class T>
 Outcome read_value(const Json& json, T& value);
 
-inline Error unexpected(std::string_view expected, const Json& found) {
-  return {"", fmt::format("expected {}, found {}", expected, in_quotes(compact(found)))};
-}
-
-/// The error one level further out: `step` is ".member" or "[element]".
-inline Outcome within(const std::string& step, Outcome problem) {
-  if (problem) problem->where = step + problem->where;
-  return problem;
-}
-
 template <class T>
 Outcome read_number(const Json& json, T& value) {
   if constexpr (std::is_floating_point_v<T>) {
@@ -118,10 +119,8 @@ Outcome read_members(const Json& json, T& value) {
   Outcome problem;
   for_each_field<T>([&](const auto& field) {
     if (problem) return;
-    const auto found = json.find(field.name);
-    if (found == json.end()) return;
-    problem = read_value(*found, value.*(field.member));
-    if (problem) problem = within("." + std::string(field.name), std::move(problem));
+    if (const auto* found = find_member(json, field.name))
+      problem = within_member(field.name, read_value(*found, value.*(field.member)));
   });
   return problem;
 }
@@ -136,7 +135,7 @@ Outcome read_elements(const Json& json, List& list) {
   }
   for (std::size_t i = 0; i < json.size(); ++i) {
     typename List::value_type element{};
-    if (auto problem = read_value(json[i], element)) return within(fmt::format("[{}]", i), std::move(problem));
+    if (auto problem = read_value(json[i], element)) return within_element(i, std::move(problem));
     list[i] = std::move(element);
   }
   return std::nullopt;
@@ -159,7 +158,7 @@ Outcome read_value(const Json& json, T& value) {
     value.clear();
     for (const auto& [name, member] : json.items()) {
       value.emplace_back(name, typename T::value_type::second_type{});
-      if (auto problem = read_value(member, value.back().second)) return within("." + name, std::move(problem));
+      if (auto problem = read_value(member, value.back().second)) return within_member(name, std::move(problem));
     }
     return std::nullopt;
   } else if constexpr (is_list<T> || is_array<T>) {

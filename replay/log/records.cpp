@@ -27,8 +27,7 @@ Unknown unknown(std::string_view name, const Json& line) {
 
 template <class T>
 void take(const Json& object, const char* name, T& value) {
-  const auto found = object.find(name);
-  if (found != object.end()) (void)read_value(*found, value);
+  if (const auto* found = find_member(object, name)) (void)read_value(*found, value);
 }
 
 }  // namespace
@@ -57,9 +56,9 @@ Record readable_part(const Json& line) {
     if (record || T::kind.name != kind) return;
     auto& known = std::get<T>(record.emplace(T{}));
     for_each_field<T>([&](const auto& field) {
-      const auto found = line.find(field.name);
+      const auto* found = find_member(line, field.name);
       auto& member = known.*(field.member);
-      if (found == line.end() || !read_value(*found, member)) return;
+      if (!found || !read_value(*found, member)) return;
       if constexpr (std::is_same_v<std::decay_t<decltype(member)>, std::string>)
         member = compact(*found);
       else

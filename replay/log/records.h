@@ -46,14 +46,14 @@ struct Stamp {
   std::optional<std::int64_t> cause;
   bool measured = false;  ///< written, as the last member, only if true
 
-  static constexpr auto fields() {
-    return std::tuple{
-        field("n", &Stamp::n, Says::where, "Running number from 0, also the line's index.").as("record"),
-        field("t", &Stamp::t_s, Says::where, "Simulated time, at most six decimals.").as("seconds"),
-        field("cause", &Stamp::cause, Says::where, "The record that brought this one about; left out where none did.")
-            .as("record"),
-        field("measured", &Stamp::measured, Says::where,
-              "True: the record follows from the end of an act, so its `t` is measured and no decision.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("n", &Stamp::n, Says::where, "Running number from 0, also the line's index.", {.form = "record"});
+    use("t", &Stamp::t_s, Says::where, "Simulated time, at most six decimals.", {.form = "seconds"});
+    use("cause", &Stamp::cause, Says::where, "The record that brought this one about; left out where none did.",
+        {.form = "record"});
+    use("measured", &Stamp::measured, Says::where,
+        "True: the record follows from the end of an act, so its `t` is measured and no decision.");
   }
 };
 

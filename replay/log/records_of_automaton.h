@@ -17,10 +17,11 @@ struct Belief {
                              .decision = Decision::yes,
                              .stop = Stop::never,
                              .brief_adds = "(was )"};
-  static constexpr auto fields() {
-    return std::tuple{field("concept", &Belief::concept_name, Says::what, "Name of the concept.").briefly(),
-                      field("value", &Belief::value, Says::what, "The certainty now, 0 to 1.").briefly(),
-                      field("was", &Belief::was, Says::how, "The certainty before.").briefly()};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("concept", &Belief::concept_name, Says::what, "Name of the concept.", {.in_brief = true});
+    use("value", &Belief::value, Says::what, "The certainty now, 0 to 1.", {.in_brief = true});
+    use("was", &Belief::was, Says::how, "The certainty before.", {.in_brief = true});
   }
   std::string brief() const {
     return fmt::format("{} {} (was {})", concept_name, number_text(value), number_text(was));
@@ -36,10 +37,11 @@ struct Memory {
                              .decision = Decision::yes,
                              .stop = Stop::never,
                              .brief_adds = ":="};
-  static constexpr auto fields() {
-    return std::tuple{field("register", &Memory::register_name, Says::what, "Name of the register.").briefly(),
-                      field("value", &Memory::value, Says::what, "Its new value.").as("term").briefly(),
-                      field("because", &Memory::because, Says::aside, of_sources).as("record")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("register", &Memory::register_name, Says::what, "Name of the register.", {.in_brief = true});
+    use("value", &Memory::value, Says::what, "Its new value.", {.form = "term", .in_brief = true});
+    use("because", &Memory::because, Says::aside, of_sources, {.form = "record"});
   }
   std::string brief() const { return fmt::format("{} := {}", register_name, value); }
 };
@@ -50,11 +52,12 @@ struct Candidate {
   double weight = 0;
   std::optional<std::int64_t> alternative;
 
-  static constexpr auto fields() {
-    return std::tuple{field("id", &Candidate::id, Says::how, "The transition."),
-                      field("weight", &Candidate::weight, Says::how, "Its weight."),
-                      field("alternative", &Candidate::alternative, Says::how,
-                            "The input that it takes, from 0; left out where one was offered.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("id", &Candidate::id, Says::how, "The transition.");
+    use("weight", &Candidate::weight, Says::how, "Its weight.");
+    use("alternative", &Candidate::alternative, Says::how,
+        "The input that it takes, from 0; left out where one was offered.");
   }
 };
 
@@ -64,16 +67,16 @@ struct Refused {
   std::optional<std::int64_t> alternative;
   std::optional<std::string> outranked_by;
 
-  static constexpr auto fields() {
-    return std::tuple{
-        field("id", &Refused::id, Says::how, "The transition."),
-        field("reason", &Refused::reason, Says::aside,
-              "The first part of its condition that did not hold, with its value; or the rank that was higher."),
-        field("alternative", &Refused::alternative, Says::how,
-              "The input that it would take, from 0; left out where one was offered."),
-        field("outranked_by", &Refused::outranked_by, Says::how,
-              "A transition of a higher rank that applies to the same input; left out where its own "
-              "condition failed.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("id", &Refused::id, Says::how, "The transition.");
+    use("reason", &Refused::reason, Says::aside,
+        "The first part of its condition that did not hold, with its value; or the rank that was higher.");
+    use("alternative", &Refused::alternative, Says::how,
+        "The input that it would take, from 0; left out where one was offered.");
+    use("outranked_by", &Refused::outranked_by, Says::how,
+        "A transition of a higher rank that applies to the same input; left out where its own "
+        "condition failed.");
   }
 };
 
@@ -82,10 +85,11 @@ struct Gate {
   std::string state, condition;
   bool passed = false;
 
-  static constexpr auto fields() {
-    return std::tuple{field("state", &Gate::state, Says::how, "The state."),
-                      field("condition", &Gate::condition, Says::how, "Its condition.").as("term"),
-                      field("passed", &Gate::passed, Says::how, "Whether it held; else the way went on to `else`.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("state", &Gate::state, Says::how, "The state.");
+    use("condition", &Gate::condition, Says::how, "Its condition.", {.form = "term"});
+    use("passed", &Gate::passed, Says::how, "Whether it held; else the way went on to `else`.");
   }
 };
 
@@ -110,32 +114,32 @@ struct Transition {
                              .decision = Decision::yes,
                              .stop = Stop::if_sample_changed_stack,
                              .brief_adds = "→"};
-  static constexpr auto fields() {
-    return std::tuple{
-        field("id", &Transition::id, Says::what, "The machine's id of the transition."),
-        field("step", &Transition::step, Says::where, "Running number of the step, from 1."),
-        field("from", &Transition::from, Says::what, "The state before.").briefly(),
-        field("to", &Transition::to, Says::what, "The state after.").briefly(),
-        field("input", &Transition::input, Says::what, "The input symbol; null for ε."),
-        field("operation", &Transition::operation, Says::how,
-              "As in the machine file, an object with one key: `none`, `push`, `push_each`, `pop`, `rewrite`, "
-              "`rewrite_each`, `flush` or `pop_until`."),
-        field("weight", &Transition::weight, Says::how, "Its weight."),
-        field("probability", &Transition::probability, Says::how,
-              "Its share of the weights of all candidates; 0 if it was forced against its rank."),
-        field("draw", &Transition::draw, Says::how, "The random number that chose it, or null."),
-        field("forced", &Transition::forced, Says::how, "Whether the run's options forced it."),
-        field("candidates", &Transition::candidates, Says::how,
-              "All transitions that could fire, each of the highest rank for its input."),
-        field("refused", &Transition::refused, Says::how, "Those of fitting state and input that could not."),
-        field("gates", &Transition::gates, Says::how,
-              "Conditions of the state that it leads to, then of each `else` on the way."),
-        field("stack", &Transition::stack, Says::where, "Id of the top symbol afterwards."),
-        field("depth", &Transition::depth, Says::how, "Number of symbols on the stack afterwards."),
-        field("margin", &Transition::margin, Says::aside,
-              "Smallest distance of a compared number from the comparison, or null."),
-        field("alternative", &Transition::alternative, Says::how,
-              "Which of the inputs offered was taken, from 0; left out where one was offered.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("id", &Transition::id, Says::what, "The machine's id of the transition.");
+    use("step", &Transition::step, Says::where, "Running number of the step, from 1.");
+    use("from", &Transition::from, Says::what, "The state before.", {.in_brief = true});
+    use("to", &Transition::to, Says::what, "The state after.", {.in_brief = true});
+    use("input", &Transition::input, Says::what, "The input symbol; null for ε.");
+    use("operation", &Transition::operation, Says::how,
+        "As in the machine file, an object with one key: `none`, `push`, `push_each`, `pop`, `rewrite`, "
+        "`rewrite_each`, `flush` or `pop_until`.");
+    use("weight", &Transition::weight, Says::how, "Its weight.");
+    use("probability", &Transition::probability, Says::how,
+        "Its share of the weights of all candidates; 0 if it was forced against its rank.");
+    use("draw", &Transition::draw, Says::how, "The random number that chose it, or null.");
+    use("forced", &Transition::forced, Says::how, "Whether the run's options forced it.");
+    use("candidates", &Transition::candidates, Says::how,
+        "All transitions that could fire, each of the highest rank for its input.");
+    use("refused", &Transition::refused, Says::how, "Those of fitting state and input that could not.");
+    use("gates", &Transition::gates, Says::how,
+        "Conditions of the state that it leads to, then of each `else` on the way.");
+    use("stack", &Transition::stack, Says::where, "Id of the top symbol afterwards.");
+    use("depth", &Transition::depth, Says::how, "Number of symbols on the stack afterwards.");
+    use("margin", &Transition::margin, Says::aside,
+        "Smallest distance of a compared number from the comparison, or null.");
+    use("alternative", &Transition::alternative, Says::how,
+        "Which of the inputs offered was taken, from 0; left out where one was offered.");
   }
   std::string brief() const { return fmt::format("{} → {}", from, to); }
 };
@@ -151,15 +155,15 @@ struct Correction {
                                  "on from the state that the observation implies.",
                              .decision = Decision::yes,
                              .brief_adds = "→"};
-  static constexpr auto fields() {
-    return std::tuple{
-        field("id", &Correction::id, Says::where, "`observed`."),
-        field("from", &Correction::from, Says::what, "The state before.").briefly(),
-        field("to", &Correction::to, Says::what, "The state after.").briefly(),
-        field("implied", &Correction::implied, Says::how,
-              "Row of the machine's `implied`, from 1; null: nothing was observed, so all is as before the input."),
-        field("stack", &Correction::stack, Says::where, "Id of the top symbol afterwards."),
-        field("depth", &Correction::depth, Says::how, "Number of symbols on the stack afterwards.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("id", &Correction::id, Says::where, "`observed`.");
+    use("from", &Correction::from, Says::what, "The state before.", {.in_brief = true});
+    use("to", &Correction::to, Says::what, "The state after.", {.in_brief = true});
+    use("implied", &Correction::implied, Says::how,
+        "Row of the machine's `implied`, from 1; null: nothing was observed, so all is as before the input.");
+    use("stack", &Correction::stack, Says::where, "Id of the top symbol afterwards.");
+    use("depth", &Correction::depth, Says::how, "Number of symbols on the stack afterwards.");
   }
   std::string brief() const { return fmt::format("{} → {}", from, to); }
 };
@@ -173,15 +177,16 @@ struct Branch {
   bool settled = false;
   std::vector<std::string> by;
 
-  static constexpr auto fields() {
-    return std::tuple{field("id", &Branch::id, Says::where, "Number of the branch."),
-                      field("parent", &Branch::parent, Says::where, "The branch that it comes from."),
-                      field("state", &Branch::state, Says::what, "Its state."),
-                      field("stack", &Branch::stack, Says::where, "Id of its top symbol."),
-                      field("depth", &Branch::depth, Says::what, "Number of symbols on its stack."),
-                      field("weight", &Branch::weight, Says::what, "Its weight; all weights sum to 1."),
-                      field("settled", &Branch::settled, Says::what, "Whether no ε-transition applies."),
-                      field("by", &Branch::by, Says::what, "The transitions of this step that led to it.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("id", &Branch::id, Says::where, "Number of the branch.");
+    use("parent", &Branch::parent, Says::where, "The branch that it comes from.");
+    use("state", &Branch::state, Says::what, "Its state.");
+    use("stack", &Branch::stack, Says::where, "Id of its top symbol.");
+    use("depth", &Branch::depth, Says::what, "Number of symbols on its stack.");
+    use("weight", &Branch::weight, Says::what, "Its weight; all weights sum to 1.");
+    use("settled", &Branch::settled, Says::what, "Whether no ε-transition applies.");
+    use("by", &Branch::by, Says::what, "The transitions of this step that led to it.");
   }
 };
 
@@ -196,12 +201,12 @@ struct Branches {
                                  "before it are the leading branch's, but for those of kind `branched`.",
                              .decision = Decision::yes,
                              .brief_adds = "or"};
-  static constexpr auto fields() {
-    return std::tuple{
-        field("branches", &Branches::branches, Says::what, "The branches, the leading one first.").briefly(),
-        field("dropped", &Branches::dropped, Says::how, "The branches that could not take the input."),
-        field("merged", &Branches::merged, Says::how, "Number of configurations that equalled another."),
-        field("pruned", &Branches::pruned, Says::how, "Number of configurations beyond the bound.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("branches", &Branches::branches, Says::what, "The branches, the leading one first.", {.in_brief = true});
+    use("dropped", &Branches::dropped, Says::how, "The branches that could not take the input.");
+    use("merged", &Branches::merged, Says::how, "Number of configurations that equalled another.");
+    use("pruned", &Branches::pruned, Says::how, "Number of configurations beyond the bound.");
   }
   std::string brief() const;
 };
@@ -220,18 +225,17 @@ struct Branched {
                                  "one `step`).",
                              .decision = Decision::yes,
                              .stop = Stop::never};
-  static constexpr auto fields() {
-    return std::tuple{
-        field("branch", &Branched::branch, Says::where, "Number of the branch, as in `branches`.").briefly(),
-        field("parent", &Branched::parent, Says::where, "The branch that it comes from."),
-        field("what", &Branched::what, Says::what,
-              "Kind of the record: `transition`, `rewrite`, `application`, `memory`, `utterance`, `gesture`, `act`, "
-              "`problem`.")
-            .briefly(),
-        field("record", &Branched::record, Says::what,
-              "Its members, as that kind has them, without those of every record; an act has the number 0.")
-            .without({"stack", "step"})
-            .briefly()};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("branch", &Branched::branch, Says::where, "Number of the branch, as in `branches`.", {.in_brief = true});
+    use("parent", &Branched::parent, Says::where, "The branch that it comes from.");
+    use("what", &Branched::what, Says::what,
+        "Kind of the record: `transition`, `rewrite`, `application`, `memory`, `utterance`, `gesture`, `act`, "
+        "`problem`.",
+        {.in_brief = true});
+    use("record", &Branched::record, Says::what,
+        "Its members, as that kind has them, without those of every record; an act has the number 0.",
+        {.in_brief = true, .leaves_out = {"stack", "step"}});
   }
   std::string brief() const;
 };
@@ -249,13 +253,13 @@ struct Symbol {
                              .decision = Decision::yes,
                              .stop = Stop::never,
                              .brief_adds = "# ,"};
-  static constexpr auto fields() {
-    return std::tuple{field("id", &Symbol::id, Says::where, "Id of the symbol in this log.").briefly(),
-                      field("below", &Symbol::below, Says::where, "Id of the symbol below it; null at the bottom."),
-                      field("slots", &Symbol::slots, Says::what, "{slot: term}, without slots that are null or empty.")
-                          .as("term")
-                          .briefly(),
-                      field("because", &Symbol::because, Says::aside, of_sources).as("record")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("id", &Symbol::id, Says::where, "Id of the symbol in this log.", {.in_brief = true});
+    use("below", &Symbol::below, Says::where, "Id of the symbol below it; null at the bottom.");
+    use("slots", &Symbol::slots, Says::what, "{slot: term}, without slots that are null or empty.",
+        {.form = "term", .in_brief = true});
+    use("because", &Symbol::because, Says::aside, of_sources, {.form = "record"});
   }
   std::string brief() const;
 };
@@ -269,12 +273,13 @@ struct Rewrite {
                              .when = "The entry behaviour of a state changed the stack.",
                              .decision = Decision::yes,
                              .stop = Stop::if_sample_changed_stack};
-  static constexpr auto fields() {
-    return std::tuple{
-        field("state", &Rewrite::state, Says::what, "The state.").briefly(),
-        field("operation", &Rewrite::operation, Says::how, "As in the machine file, an object with one key.").briefly(),
-        field("stack", &Rewrite::stack, Says::where, "Id of the top symbol afterwards."),
-        field("depth", &Rewrite::depth, Says::how, "Number of symbols on the stack afterwards.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("state", &Rewrite::state, Says::what, "The state.", {.in_brief = true});
+    use("operation", &Rewrite::operation, Says::how, "As in the machine file, an object with one key.",
+        {.in_brief = true});
+    use("stack", &Rewrite::stack, Says::where, "Id of the top symbol afterwards.");
+    use("depth", &Rewrite::depth, Says::how, "Number of symbols on the stack afterwards.");
   }
   std::string brief() const;
 };
@@ -283,10 +288,11 @@ struct Rewrite {
 struct ApplicationTypes {
   std::string function, argument, result;
 
-  static constexpr auto fields() {
-    return std::tuple{field("function", &ApplicationTypes::function, Says::how, "Type of the function."),
-                      field("argument", &ApplicationTypes::argument, Says::how, "Type of the argument."),
-                      field("result", &ApplicationTypes::result, Says::how, "Type of the result.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("function", &ApplicationTypes::function, Says::how, "Type of the function.");
+    use("argument", &ApplicationTypes::argument, Says::how, "Type of the argument.");
+    use("result", &ApplicationTypes::result, Says::how, "Type of the result.");
   }
 };
 
@@ -298,14 +304,14 @@ struct Application {
 
   static constexpr Kind kind{
       .name = "application", .when = "A continuation was applied.", .decision = Decision::yes, .brief_adds = "@ ="};
-  static constexpr auto fields() {
-    return std::tuple{
-        field("function", &Application::function, Says::what, "The function.").as("term").briefly(),
-        field("argument", &Application::argument, Says::what, "The argument.").as("term").briefly(),
-        field("result", &Application::result, Says::what, "The result.").as("term").briefly().following(),
-        field("types", &Application::types, Says::how, "Their types."),
-        field("rule", &Application::rule, Says::how, "The raising rule that made the argument fit, or null."),
-        field("because", &Application::because, Says::aside, of_sources).as("record")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("function", &Application::function, Says::what, "The function.", {.form = "term", .in_brief = true});
+    use("argument", &Application::argument, Says::what, "The argument.", {.form = "term", .in_brief = true});
+    use("result", &Application::result, Says::what, "The result.", {.form = "term", .in_brief = true, .follows = true});
+    use("types", &Application::types, Says::how, "Their types.");
+    use("rule", &Application::rule, Says::how, "The raising rule that made the argument fit, or null.");
+    use("because", &Application::because, Says::aside, of_sources, {.form = "record"});
   }
   std::string brief() const { return fmt::format("{} @ {} = {}", function, argument, result); }
 };
@@ -319,12 +325,12 @@ struct Refusal {
                              .decision = Decision::yes,
                              .stop = Stop::unless_of_sample,
                              .brief_adds = "in :"};
-  static constexpr auto fields() {
-    return std::tuple{
-        field("state", &Refusal::state, Says::what, "The state.").briefly(),
-        field("input", &Refusal::input, Says::what, "The input symbol, the first of those offered.").briefly(),
-        field("reason", &Refusal::reason, Says::how, "The reason, a sentence.").briefly(),
-        field("refused", &Refusal::refused, Says::how, "The transitions of this state and input.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("state", &Refusal::state, Says::what, "The state.", {.in_brief = true});
+    use("input", &Refusal::input, Says::what, "The input symbol, the first of those offered.", {.in_brief = true});
+    use("reason", &Refusal::reason, Says::how, "The reason, a sentence.", {.in_brief = true});
+    use("refused", &Refusal::refused, Says::how, "The transitions of this state and input.");
   }
   std::string brief() const { return joined({input, "in", state + ":", reason}); }
 };

@@ -16,9 +16,10 @@ struct Utterance {
                              .when = "The avatar speaks. Words equal to the last are neither said again nor logged.",
                              .decision = Decision::yes,
                              .brief_adds = "“”"};
-  static constexpr auto fields() {
-    return std::tuple{field("text", &Utterance::text, Says::what, "The words.").briefly(),
-                      field("because", &Utterance::because, Says::aside, of_sources).as("record")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("text", &Utterance::text, Says::what, "The words.", {.in_brief = true});
+    use("because", &Utterance::because, Says::aside, of_sources, {.form = "record"});
   }
   std::string brief() const { return fmt::format("“{}”", text); }
 };
@@ -30,9 +31,10 @@ struct AvatarGesture {
 
   static constexpr Kind kind{
       .name = "gesture", .when = "The avatar gestures or looks somewhere.", .decision = Decision::yes};
-  static constexpr auto fields() {
-    return std::tuple{field("gesture", &AvatarGesture::gesture, Says::what, "The avatar gesture.").as("term").briefly(),
-                      field("because", &AvatarGesture::because, Says::aside, of_sources).as("record")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("gesture", &AvatarGesture::gesture, Says::what, "The avatar gesture.", {.form = "term", .in_brief = true});
+    use("because", &AvatarGesture::because, Says::aside, of_sources, {.form = "record"});
   }
   std::string brief() const { return gesture; }
 };
@@ -43,18 +45,18 @@ struct ActResult {
   std::optional<std::string> reason, code;
   std::optional<std::vector<std::string>> objects, touches, moved_aside, retries;
 
-  static constexpr auto fields() {
-    return std::tuple{
-        field("position_error_m", &ActResult::position_error_m, Says::aside, "Distance from the goal.").as("metres"),
-        field("yaw_error", &ActResult::yaw_error, Says::aside, "Turn from the goal.").as("radians"),
-        field("reason", &ActResult::reason, Says::aside, "The reason why it went otherwise, a sentence in English."),
-        field("code", &ActResult::code, Says::aside, "The code of that reason, such as `too_wide` or `slipped`."),
-        field("objects", &ActResult::objects, Says::aside,
-              "The objects and participants that the reason is about, the most important first."),
-        field("touches", &ActResult::touches, Says::aside,
-              "Objects, and `table`, that the handled object touches in the end."),
-        field("moved_aside", &ActResult::moved_aside, Says::aside, "Other objects that had to make room, in order."),
-        field("retries", &ActResult::retries, Says::aside, "The reasons why earlier attempts failed, in order.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("position_error_m", &ActResult::position_error_m, Says::aside, "Distance from the goal.", {.form = "metres"});
+    use("yaw_error", &ActResult::yaw_error, Says::aside, "Turn from the goal.", {.form = "radians"});
+    use("reason", &ActResult::reason, Says::aside, "The reason why it went otherwise, a sentence in English.");
+    use("code", &ActResult::code, Says::aside, "The code of that reason, such as `too_wide` or `slipped`.");
+    use("objects", &ActResult::objects, Says::aside,
+        "The objects and participants that the reason is about, the most important first.");
+    use("touches", &ActResult::touches, Says::aside,
+        "Objects, and `table`, that the handled object touches in the end.");
+    use("moved_aside", &ActResult::moved_aside, Says::aside, "Other objects that had to make room, in order.");
+    use("retries", &ActResult::retries, Says::aside, "The reasons why earlier attempts failed, in order.");
   }
 };
 
@@ -73,19 +75,18 @@ struct Act {
                                  "An act is asked for, or its state changed; with `step`, the state of a step that "
                                  "the body does itself. The `cause` of all but the first is the first.",
                              .decision = Decision::outcome};
-  static constexpr auto fields() {
-    return std::tuple{
-        field("act", &Act::act, Says::where, "Running number of the act, from 1."),
-        field("program", &Act::program, Says::what, "The act, or the step: `move(cup, on(plate))`.")
-            .as("term")
-            .briefly(),
-        field("status", &Act::status, Says::what,
-              "`asked`, `started`, `done`, `missed`, `dropped`, `blocked`, `unreachable`, `unstable` (the object moved "
-              "again within a second) or `stopped` (given up). A step that needs no doing is `done` alone.")
-            .briefly(),
-        field("step", &Act::step, Says::where, "Running number of the step within the act, from 1."),
-        field("because", &Act::because, Says::aside, "When asked for: the records that it came of.").as("record"),
-        field("result", &Act::result, Says::aside, "When it has ended: how it went.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("act", &Act::act, Says::where, "Running number of the act, from 1.");
+    use("program", &Act::program, Says::what, "The act, or the step: `move(cup, on(plate))`.",
+        {.form = "term", .in_brief = true});
+    use("status", &Act::status, Says::what,
+        "`asked`, `started`, `done`, `missed`, `dropped`, `blocked`, `unreachable`, `unstable` (the object moved "
+        "again within a second) or `stopped` (given up). A step that needs no doing is `done` alone.",
+        {.in_brief = true});
+    use("step", &Act::step, Says::where, "Running number of the step within the act, from 1.");
+    use("because", &Act::because, Says::aside, "When asked for: the records that it came of.", {.form = "record"});
+    use("result", &Act::result, Says::aside, "When it has ended: how it went.");
   }
   std::string brief() const { return joined({status, program}); }
 };
@@ -97,10 +98,10 @@ struct Pose {
   Named<PoseNumbers> bodies;
 
   static constexpr Kind kind{.name = "pose", .when = "Bodies moved.", .stop = Stop::never, .brief_adds = "bodies"};
-  static constexpr auto fields() {
-    return std::tuple{field("bodies", &Pose::bodies, Says::what, "{body: [x, y, z, qw, qx, qy, qz]} in frame W.")
-                          .as("metres")
-                          .briefly()};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("bodies", &Pose::bodies, Says::what, "{body: [x, y, z, qw, qx, qy, qz]} in frame W.",
+        {.form = "metres", .in_brief = true});
   }
   std::string brief() const { return fmt::format("{} bodies", bodies.size()); }
 };
@@ -112,9 +113,10 @@ struct Rest {
                              .when = "Physics was not stepped, since nothing moved. Written at the end of the rest.",
                              .stop = Stop::never,
                              .brief_adds = "– s"};
-  static constexpr auto fields() {
-    return std::tuple{field("from", &Rest::from_s, Says::where, "Its beginning.").as("seconds").briefly(),
-                      field("to", &Rest::to_s, Says::where, "Its end.").as("seconds").briefly()};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("from", &Rest::from_s, Says::where, "Its beginning.", {.form = "seconds", .in_brief = true});
+    use("to", &Rest::to_s, Says::where, "Its end.", {.form = "seconds", .in_brief = true});
   }
   std::string brief() const { return fmt::format("{} – {} s", number_text(from_s), number_text(to_s)); }
 };

@@ -13,10 +13,11 @@ struct NamedFile {
   std::string name;
   OrNull<std::string> digest;
 
-  static constexpr auto fields() {
-    return std::tuple{field("name", &NamedFile::name, Says::how, "Name of the file."),
-                      field("digest", &NamedFile::digest, Says::how,
-                            "Digest of its bytes; null for a trace that was written along with the run.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("name", &NamedFile::name, Says::how, "Name of the file.");
+    use("digest", &NamedFile::digest, Says::how,
+        "Digest of its bytes; null for a trace that was written along with the run.");
   }
 };
 
@@ -25,18 +26,20 @@ struct Document {
   std::string name, digest;
   JsonText document;
 
-  static constexpr auto fields() {
-    return std::tuple{field("name", &Document::name, Says::how, "Name of the file."),
-                      field("digest", &Document::digest, Says::how, "Digest of its bytes."),
-                      field("document", &Document::document, Says::how, "The whole file.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("name", &Document::name, Says::how, "Name of the file.");
+    use("digest", &Document::digest, Says::how, "Digest of its bytes.");
+    use("document", &Document::document, Says::how, "The whole file.");
   }
 };
 
 struct VoxemeFiles {
   std::string digest;
 
-  static constexpr auto fields() {
-    return std::tuple{field("digest", &VoxemeFiles::digest, Says::how, "Digest of all voxemes.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("digest", &VoxemeFiles::digest, Says::how, "Digest of all voxemes.");
   }
 };
 
@@ -44,11 +47,12 @@ struct VoxemeFiles {
 struct Fingerprint {
   std::string mujoco, compiler, arch, instructions;
 
-  static constexpr auto fields() {
-    return std::tuple{field("mujoco", &Fingerprint::mujoco, Says::how, "Version of MuJoCo."),
-                      field("compiler", &Fingerprint::compiler, Says::how, "Name and version of the compiler."),
-                      field("arch", &Fingerprint::arch, Says::how, "The processor's architecture."),
-                      field("instructions", &Fingerprint::instructions, Says::how, "Its instruction sets.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("mujoco", &Fingerprint::mujoco, Says::how, "Version of MuJoCo.");
+    use("compiler", &Fingerprint::compiler, Says::how, "Name and version of the compiler.");
+    use("arch", &Fingerprint::arch, Says::how, "The processor's architecture.");
+    use("instructions", &Fingerprint::instructions, Says::how, "Its instruction sets.");
   }
 };
 
@@ -57,11 +61,12 @@ struct GraphGate {
   std::string condition, otherwise, operation;
   Json content;
 
-  static constexpr auto fields() {
-    return std::tuple{field("condition", &GraphGate::condition, Says::how, "The condition.").as("term"),
-                      field("else", &GraphGate::otherwise, Says::how, "The state to go to where it does not hold."),
-                      field("operation", &GraphGate::operation, Says::how, "Name of the operation on the way there."),
-                      field("content", &GraphGate::content, Says::how, "Its content in the machine file, or null.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("condition", &GraphGate::condition, Says::how, "The condition.", {.form = "term"});
+    use("else", &GraphGate::otherwise, Says::how, "The state to go to where it does not hold.");
+    use("operation", &GraphGate::operation, Says::how, "Name of the operation on the way there.");
+    use("content", &GraphGate::content, Says::how, "Its content in the machine file, or null.");
   }
 };
 
@@ -70,10 +75,11 @@ struct GraphState {
   bool accepting = false;
   std::optional<GraphGate> gate;
 
-  static constexpr auto fields() {
-    return std::tuple{field("id", &GraphState::id, Says::how, "Name of the state."),
-                      field("accepting", &GraphState::accepting, Says::how, "Whether it accepts."),
-                      field("gate", &GraphState::gate, Says::how, "Its entry condition; left out where it has none.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("id", &GraphState::id, Says::how, "Name of the state.");
+    use("accepting", &GraphState::accepting, Says::how, "Whether it accepts.");
+    use("gate", &GraphState::gate, Says::how, "Its entry condition; left out where it has none.");
   }
 };
 
@@ -84,16 +90,16 @@ struct GraphEdge {
   std::string operation;
   Json content;
 
-  static constexpr auto fields() {
-    return std::tuple{
-        field("id", &GraphEdge::id, Says::how, "Id of the transition."),
-        field("from", &GraphEdge::from, Says::how, "The state that it leaves."),
-        field("to", &GraphEdge::to, Says::how, "The state that it leads to."),
-        field("input", &GraphEdge::input, Says::how, "Label of the inputs that it takes, or `ε`."),
-        field("condition", &GraphEdge::condition, Says::how, "Its condition, or null.").as("term"),
-        field("weight", &GraphEdge::weight, Says::how, "Its weight."),
-        field("operation", &GraphEdge::operation, Says::how, "Name of its operation."),
-        field("content", &GraphEdge::content, Says::how, "The operation's content in the machine file, or null.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("id", &GraphEdge::id, Says::how, "Id of the transition.");
+    use("from", &GraphEdge::from, Says::how, "The state that it leaves.");
+    use("to", &GraphEdge::to, Says::how, "The state that it leads to.");
+    use("input", &GraphEdge::input, Says::how, "Label of the inputs that it takes, or `ε`.");
+    use("condition", &GraphEdge::condition, Says::how, "Its condition, or null.", {.form = "term"});
+    use("weight", &GraphEdge::weight, Says::how, "Its weight.");
+    use("operation", &GraphEdge::operation, Says::how, "Name of its operation.");
+    use("content", &GraphEdge::content, Says::how, "The operation's content in the machine file, or null.");
   }
 };
 
@@ -103,10 +109,11 @@ struct Graph {
   std::string start;
   std::vector<GraphEdge> edges;
 
-  static constexpr auto fields() {
-    return std::tuple{field("states", &Graph::states, Says::how, "The states, in the order of the machine file."),
-                      field("start", &Graph::start, Says::how, "Name of the first state."),
-                      field("edges", &Graph::edges, Says::how, "The transitions; one from several states is several.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("states", &Graph::states, Says::how, "The states, in the order of the machine file.");
+    use("start", &Graph::start, Says::how, "Name of the first state.");
+    use("edges", &Graph::edges, Says::how, "The transitions; one from several states is several.");
   }
 };
 
@@ -116,19 +123,18 @@ struct SceneDescription {
   Json geoms, bodies;
   std::optional<std::vector<std::string>> without_voxeme;
 
-  static constexpr auto fields() {
-    return std::tuple{
-        field("name", &SceneDescription::name, Says::how, "Name of the scene."),
-        field("digest", &SceneDescription::digest, Says::how, "Digest of its file."),
-        field("mjcf", &SceneDescription::mjcf, Says::how, "The file."),
-        field(
-            "geoms", &SceneDescription::geoms, Says::how,
-            "[{`body`, `type`, `size`, `rgba`, `pos`, `quat`}] as MuJoCo has them, poses in the body's frame, metres; "
-            "of type `mesh` also `mesh` {`vertices` [x, y, z, …], `faces` [a, b, c, …: numbers of vertices]} unless "
-            "it is very large."),
-        field("bodies", &SceneDescription::bodies, Says::how, "{body: [x, y, z, qw, qx, qy, qz]} in frame W, metres."),
-        field("without_voxeme", &SceneDescription::without_voxeme, Says::how,
-              "Objects that have no voxeme; left out where each has one.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("name", &SceneDescription::name, Says::how, "Name of the scene.");
+    use("digest", &SceneDescription::digest, Says::how, "Digest of its file.");
+    use("mjcf", &SceneDescription::mjcf, Says::how, "The file.");
+    use("geoms", &SceneDescription::geoms, Says::how,
+        "[{`body`, `type`, `size`, `rgba`, `pos`, `quat`}] as MuJoCo has them, poses in the body's frame, metres; "
+        "of type `mesh` also `mesh` {`vertices` [x, y, z, …], `faces` [a, b, c, …: numbers of vertices]} unless "
+        "it is very large.");
+    use("bodies", &SceneDescription::bodies, Says::how, "{body: [x, y, z, qw, qx, qy, qz]} in frame W, metres.");
+    use("without_voxeme", &SceneDescription::without_voxeme, Says::how,
+        "Objects that have no voxeme; left out where each has one.");
   }
 };
 
@@ -154,35 +160,35 @@ struct Run {
   std::optional<Json> what_if;
 
   static constexpr Kind kind{.name = "run", .when = "The first line.", .stop = Stop::never, .brief_adds = "on"};
-  static constexpr auto fields() {
-    return std::tuple{
-        field("version", &Run::version, Says::how, "1: the version of this format."),
-        field("continua", &Run::continua, Says::how, "Version of the program."),
-        field("trace", &Run::trace, Says::how, "The trace.").briefly(),
-        field("seed", &Run::seed, Says::how, "The seed of random choices."),
-        field("choice", &Run::choice, Says::how, "How one of several transitions is chosen."),
-        field("forced", &Run::forced, Says::how, "{step: id of the transition that is forced there}."),
-        field("most_branches", &Run::most_branches, Says::how, "Bound on the branches under `explore`; else null."),
-        field("world", &Run::world, Says::how, "`physics` or `kinematic`."),
-        field("perspective", &Run::perspective, Says::how, "Whose left and right words go by."),
-        field("fingerprint", &Run::fingerprint, Says::how, "The build and the processor."),
-        field("machine", &Run::machine, Says::how, "The machine file.").briefly(),
-        field("phrases", &Run::phrases, Says::how, "The machine's phrases, or null."),
-        field("lexicon", &Run::lexicon, Says::how, "The machine's lexicon, or null."),
-        field("voxemes", &Run::voxemes, Says::how, "The voxemes, or null."),
-        field("knowledge", &Run::knowledge, Says::how,
-              "{file: digest} of all files that words, gestures and voxemes come from."),
-        field("learned", &Run::learned, Says::how,
-              "What was taught before the run, as the file of `--learned` has it, or null."),
-        field("graph", &Run::graph, Says::how, "The machine as a graph."),
-        field("scene", &Run::scene, Says::how, "The world when the run begins."),
-        field("parameters", &Run::parameters, Says::how,
-              "{name: value} of all parameters of the machine, and of its numbers that were set for this run; left out "
-              "where there are none."),
-        field("variant", &Run::variant, Says::how,
-              "`world` or `teacher`: how far the run follows the observations; left out where it does not."),
-        field("what_if", &Run::what_if, Says::how,
-              "The changes in mid-run, as RUNLOG.md describes; left out where there were none.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("version", &Run::version, Says::how, "1: the version of this format.");
+    use("continua", &Run::continua, Says::how, "Version of the program.");
+    use("trace", &Run::trace, Says::how, "The trace.", {.in_brief = true});
+    use("seed", &Run::seed, Says::how, "The seed of random choices.");
+    use("choice", &Run::choice, Says::how, "How one of several transitions is chosen.");
+    use("forced", &Run::forced, Says::how, "{step: id of the transition that is forced there}.");
+    use("most_branches", &Run::most_branches, Says::how, "Bound on the branches under `explore`; else null.");
+    use("world", &Run::world, Says::how, "`physics` or `kinematic`.");
+    use("perspective", &Run::perspective, Says::how, "Whose left and right words go by.");
+    use("fingerprint", &Run::fingerprint, Says::how, "The build and the processor.");
+    use("machine", &Run::machine, Says::how, "The machine file.", {.in_brief = true});
+    use("phrases", &Run::phrases, Says::how, "The machine's phrases, or null.");
+    use("lexicon", &Run::lexicon, Says::how, "The machine's lexicon, or null.");
+    use("voxemes", &Run::voxemes, Says::how, "The voxemes, or null.");
+    use("knowledge", &Run::knowledge, Says::how,
+        "{file: digest} of all files that words, gestures and voxemes come from.");
+    use("learned", &Run::learned, Says::how,
+        "What was taught before the run, as the file of `--learned` has it, or null.");
+    use("graph", &Run::graph, Says::how, "The machine as a graph.");
+    use("scene", &Run::scene, Says::how, "The world when the run begins.");
+    use("parameters", &Run::parameters, Says::how,
+        "{name: value} of all parameters of the machine, and of its numbers that were set for this run; left out "
+        "where there are none.");
+    use("variant", &Run::variant, Says::how,
+        "`world` or `teacher`: how far the run follows the observations; left out where it does not.");
+    use("what_if", &Run::what_if, Says::how,
+        "The changes in mid-run, as RUNLOG.md describes; left out where there were none.");
   }
   std::string brief() const { return joined({trace.name, "on", machine.name}); }
 };
@@ -195,9 +201,10 @@ struct Problem {
       .name = "problem",
       .when = "Something in the trace could not be used, or something in the machine could not be carried out.",
       .brief_adds = "line :"};
-  static constexpr auto fields() {
-    return std::tuple{field("line", &Problem::line, Says::where, "Line of the trace, or null.").briefly(),
-                      field("message", &Problem::message, Says::aside, "The problem, a sentence.").briefly()};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("line", &Problem::line, Says::where, "Line of the trace, or null.", {.in_brief = true});
+    use("message", &Problem::message, Says::aside, "The problem, a sentence.", {.in_brief = true});
   }
   std::string brief() const { return fmt::format("line {}: {}", line ? std::to_string(*line) : "", message); }
 };
@@ -208,11 +215,12 @@ struct Block {
 
   static constexpr Kind kind{
       .name = "block", .when = "Every 256th line.", .stop = Stop::never, .brief_adds = "[,] records to"};
-  static constexpr auto fields() {
-    return std::tuple{
-        field("records", &Block::records, Says::where, "[first, last] of the lines since the block before.").briefly(),
-        field("digest", &Block::digest, Says::aside,
-              "Digest of the digest of the block before (nothing for the first), its line and these lines: a chain.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("records", &Block::records, Says::where, "[first, last] of the lines since the block before.",
+        {.in_brief = true});
+    use("digest", &Block::digest, Says::aside,
+        "Digest of the digest of the block before (nothing for the first), its line and these lines: a chain.");
   }
   std::string brief() const { return fmt::format("records {} to {}", records[0], records[1]); }
 };
@@ -222,9 +230,10 @@ struct FragileDecision {
   std::int64_t n = 0;
   double margin = 0;
 
-  static constexpr auto fields() {
-    return std::tuple{field("n", &FragileDecision::n, Says::where, "Number of the record.").as("record"),
-                      field("margin", &FragileDecision::margin, Says::aside, "Its smallest margin.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("n", &FragileDecision::n, Says::where, "Number of the record.", {.form = "record"});
+    use("margin", &FragileDecision::margin, Says::aside, "Its smallest margin.");
   }
 };
 
@@ -235,14 +244,14 @@ struct End {
 
   static constexpr Kind kind{
       .name = "end", .when = "The last line.", .stop = Stop::never, .brief_adds = "end of the log"};
-  static constexpr auto fields() {
-    return std::tuple{
-        field("counts", &End::counts, Says::aside, "{kind: number of its records}."),
-        field("fragile", &End::fragile, Says::aside,
-              "The decisions that the smallest step decisions see, 0.1 mm, could have changed."),
-        field("decisions", &End::decisions, Says::aside, "Digest of all that must be equal on every machine."),
-        field("physics", &End::physics, Says::aside, "Digest of the poses."),
-        field("digest", &End::digest, Says::aside, "Digest of all lines before.")};
+  template <class Use>
+  static constexpr void fields(Use&& use) {
+    use("counts", &End::counts, Says::aside, "{kind: number of its records}.");
+    use("fragile", &End::fragile, Says::aside,
+        "The decisions that the smallest step decisions see, 0.1 mm, could have changed.");
+    use("decisions", &End::decisions, Says::aside, "Digest of all that must be equal on every machine.");
+    use("physics", &End::physics, Says::aside, "Digest of the poses.");
+    use("digest", &End::digest, Says::aside, "Digest of all lines before.");
   }
   std::string brief() const { return "end of the log"; }
 };

@@ -34,24 +34,29 @@ std::string type_text() {
     return std::is_integral_v<T> ? "integer" : "number";
 }
 
+MemberSchema described(const Declaration& field, std::string type) {
+  MemberSchema member{.name = field.name,
+                      .type = std::move(type),
+                      .left_out = false,
+                      .says = field.says,
+                      .sentence = field.sentence,
+                      .form = field.form,
+                      .in_brief = field.in_brief,
+                      .follows = field.follows,
+                      .leaves_out = {},
+                      .members = {}};
+  for (const auto name : field.leaves_out)
+    if (!name.empty()) member.leaves_out.push_back(name);
+  return member;
+}
+
 template <HasFields T>
 std::vector<MemberSchema> members_of_type() {
   std::vector<MemberSchema> members;
   for_each_field<T>([&]<class Struct, class Value>(const Field<Struct, Value>& field) {
-    MemberSchema member{.name = field.name,
-                        .type = type_text<Value>(),
-                        .left_out = is_optional<Value>,
-                        .says = field.says,
-                        .sentence = field.sentence,
-                        .form = field.form,
-                        .in_brief = field.in_brief,
-                        .follows = field.follows,
-                        .leaves_out = {},
-                        .members = {}};
-    for (const auto name : field.leaves_out)
-      if (!name.empty()) member.leaves_out.push_back(name);
+    auto& member = members.emplace_back(described(field, type_text<Value>()));
+    member.left_out = is_optional<Value>;
     if constexpr (HasFields<Innermost<Value>>) member.members = members_of_type<Innermost<Value>>();
-    members.push_back(std::move(member));
   });
   return members;
 }
