@@ -30,4 +30,7 @@ export RC_PARAMS=max_success=20
 # ctest takes each N-th test from the I-th on. The random puts are counted, and each compiler rounds them otherwise.
 ctest --preset sanitize --label-regex '^cpp$' --tests-regex "${2:-.}" --exclude-regex '^simulation/random_puts$' \
   --tests-information "$((10#${BASH_REMATCH[1]})),,$((10#${BASH_REMATCH[2]}))" --parallel "$CMAKE_BUILD_PARALLEL_LEVEL"
-if [[ -z ${2:-} ]]; then ctest --preset sanitize --tests-regex '^fuzz$'; fi
+if [[ -z ${2:-} ]]; then
+  cd build/sanitize
+  tests/fuzz_mutate --list | xargs -n 1 -P "$CMAKE_BUILD_PARALLEL_LEVEL" tests/fuzz_mutate 10 1
+fi
