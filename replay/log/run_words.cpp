@@ -10,6 +10,8 @@
 
 #include "continua/core/trimmed.h"
 #include "continua/replay/log/applied_term.h"
+#include "continua/replay/log/line_scan.h"
+#include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_text.h"
 
 namespace continua {
