@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <iterator>
 #include <utility>
 
@@ -24,21 +26,52 @@ bool is_plain(std::string_view text) {
   return true;
 }
 
-constexpr auto in_no_need_of_escape = [] {
-  std::array<bool, 256> told{};
-  for (unsigned byte = 0x20; byte < 0x80; ++byte) told[byte] = byte != '"' && byte != '\\';
-  return told;
-}();
+bool stands_for_itself(unsigned char c) { return c >= 0x20 && c < 0x80 && c != '"' && c != '\\'; }
 
-bool stands_for_itself(char c) { return in_no_need_of_escape[static_cast<unsigned char>(c)]; }
+constexpr std::uint64_t each(std::uint64_t byte) { return byte * 0x0101010101010101; }
 
-void add(std::string& out, std::string_view text) {
-  if (std::all_of(text.begin(), text.end(), stands_for_itself)) {  // as most texts of a log
-    out += '"';
-    out += text;
-    out += '"';
+// A byte that is zero gets its highest bit.
+constexpr std::uint64_t where_zero(std::uint64_t word) { return (word - each(0x01)) & ~word; }
+
+// The same of eight characters at once: none is 0x80 or more, less than 0x20, a quote or a backslash.
+bool all_stand_for_themselves(const char* eight) {
+  std::uint64_t text = 0;
+  std::memcpy(&text, eight, sizeof text);
+  const auto escaped = text | (text - each(0x20)) | where_zero(text ^ each('"')) | where_zero(text ^ each('\\'));
+  return (escaped & each(0x80)) == 0;
+}
+
+bool needs_no_escape(std::string_view text) {
+  if (text.size() < 8) return std::all_of(text.begin(), text.end(), [](char c) { return stands_for_itself(c); });
+  const auto last = text.size() - 8;
+  for (std::size_t at = 0; at < last; at += 8)
+    if (!all_stand_for_themselves(text.data() + at)) return false;
+  return all_stand_for_themselves(text.data() + last);
+}
+
+// Where the copy ends. Most texts have eight to sixteen characters: two words, which may have some in common.
+char* copied(std::string_view text, char* to) {
+  const auto size = text.size();
+  if (size < 8 || size > 16) return std::copy(text.begin(), text.end(), to);
+  std::memcpy(to, text.data(), 8);
+  std::memcpy(to + size - 8, text.data() + size - 8, 8);
+  return to + size;
+}
+
+// Short texts are put together first: to append once is faster.
+void add_quoted(std::string& out, std::string_view text) {
+  char quoted[64];
+  if (text.size() + 2 > sizeof quoted) {
+    ((out += '"') += text) += '"';
     return;
   }
+  quoted[0] = '"';
+  *copied(text, quoted + 1) = '"';
+  out.append(quoted, text.size() + 2);
+}
+
+void add(std::string& out, std::string_view text) {
+  if (needs_no_escape(text)) return add_quoted(out, text);  // most texts of a log
   if (!is_plain(text)) {
     out += compact(Json(text));
     return;
@@ -53,18 +86,19 @@ void add(std::string& out, std::string_view text) {
 
 template <class Number>
 void add_number(std::string& out, Number number) {
+  char digits[64];
+  const char* end = nullptr;
   if constexpr (std::is_integral_v<Number>) {
-    char digits[24];
-    out.append(digits, std::to_chars(std::begin(digits), std::end(digits), number).ptr);
+    end = std::to_chars(std::begin(digits), std::end(digits), number).ptr;
   } else {
     if (!std::isfinite(number)) {
       out += "null";
       return;
     }
     // The digits that `compact` has: those of other libraries differ now and then.
-    char digits[64];
-    out.append(digits, nlohmann::detail::to_chars(std::begin(digits), std::end(digits), number));
+    end = nlohmann::detail::to_chars(std::begin(digits), std::end(digits), number);
   }
+  out.append(digits, static_cast<std::size_t>(end - digits));
 }
 
 void add_json(std::string& out, const Json& value) {
@@ -104,20 +138,51 @@ void add_json(std::string& out, const Json& value) {
   }
 }
 
+// The text of a value of which all parts count, or none.
+template <class T>
+void add_whole(std::string& out, const T& value) {
+  if constexpr (is_or_null<T>) {
+    if (value)
+      add_whole(out, *value);
+    else
+      out += "null";
+  } else if constexpr (is_named<T>) {
+    out += '{';
+    for (auto member = value.begin(); member != value.end(); ++member) {
+      if (member != value.begin()) out += ',';
+      add(out, member->first);
+      out += ':';
+      add_whole(out, member->second);
+    }
+    out += '}';
+  } else if constexpr (is_list<T> || is_array<T>) {
+    out += '[';
+    for (auto element = value.begin(); element != value.end(); ++element) {
+      if (element != value.begin()) out += ',';
+      add_whole(out, *element);
+    }
+    out += ']';
+  } else if constexpr (std::is_same_v<T, Json>) {
+    add_json(out, value);
+  } else if constexpr (std::is_same_v<T, JsonText>) {
+    out += value.text;
+  } else if constexpr (std::is_same_v<T, bool>) {
+    out += value ? "true" : "false";
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    add_number(out, value);
+  } else {
+    add(out, value);
+  }
+}
+
 // A line and its decision, which lacks parts of the line and else has the same bytes.
 struct Texts {
   std::string& line;
   std::string* decision = nullptr;  // null: nothing counts for it
 
-  /// Appends to both what `one(out)` appends to its argument.
-  template <class Write>
-  void write(const Write& one) const {
-    const auto from = line.size();
-    one(line);
-    if (decision) decision->append(line, from);
-  }
   void append(std::string_view text) const {
-    write([text](std::string& out) { out += text; });
+    line += text;
+    if (decision) *decision += text;
   }
 };
 
@@ -126,108 +191,123 @@ class Members {
  public:
   explicit Members(Texts texts) : texts_(texts) { texts_.append("{"); }
   /// From now on members count for this decision, in which braces are open.
-  void decide(std::string& decision) { texts_.decision = &decision; }
-  void end() const { texts_.append("}"); }
+  void decide(std::string& decision) {
+    texts_.decision = &decision;
+    to_copy_from_ = to_copy_to_ = 0;
+  }
+  void end() {
+    copy_to_decision();
+    texts_.append("}");
+  }
 
   /// The texts for the value of a member. `decides`: it counts for the decision.
   Texts member(std::string_view name, bool decides = true) {
-    // Put together first: a log has more names than anything else.
-    std::array<char, longest_name + 4> key = {',', '"'};
-    require(name.size() <= longest_name, "a field of a record has a short name");
-    auto* end = std::copy(name.begin(), name.end(), key.begin() + 2);
-    *end++ = '"';
-    *end++ = ':';
-    const std::string_view with_comma(key.begin(), end);
-    const auto append = [&](std::string& out, bool& has_any) {
-      out += std::exchange(has_any, true) ? with_comma : with_comma.substr(1);
-    };
-    const Texts texts{texts_.line, decides ? texts_.decision : nullptr};
-    append(texts.line, has_any_);
-    if (texts.decision) append(*texts.decision, decides_any_);
-    return texts;
+    begin(name, decides);
+    if (!decides) return {texts_.line};
+    to_copy_to_ = texts_.line.size();
+    copy_to_decision();
+    return texts_;
+  }
+  /// A member of which all parts count, or none.
+  template <class T>
+  void whole(std::string_view name, const T& value, bool decides = true) {
+    begin(name, decides);
+    add_whole(texts_.line, value);
+    if (decides) to_copy_to_ = texts_.line.size();
   }
   /// The same of a name from data, which may need escapes.
-  Texts named(std::string_view name) {
+  template <class T>
+  void named(std::string_view name, const T& value) {
+    begin_copy(true);
     if (std::exchange(has_any_, true)) texts_.line += ',';
-    if (texts_.decision && std::exchange(decides_any_, true)) *texts_.decision += ',';
-    texts_.write([name](std::string& out) {
-      add(out, name);
-      out += ':';
-    });
-    return texts_;
+    add(texts_.line, name);
+    texts_.line += ':';
+    add_whole(texts_.line, value);
+    to_copy_to_ = texts_.line.size();
   }
 
  private:
   static constexpr std::size_t longest_name = 60;
 
+  // The comma and the name.
+  void begin(std::string_view name, bool decides) {
+    require(name.size() <= longest_name, "a field of a record has a short name");
+    begin_copy(decides);
+    char key[longest_name + 4];
+    auto* end = key;
+    if (std::exchange(has_any_, true)) *end++ = ',';
+    *end++ = '"';
+    end = copied(name, end);
+    *end++ = '"';
+    *end++ = ':';
+    texts_.line.append(key, static_cast<std::size_t>(end - key));
+  }
+
+  // Members that count and follow one another are copied together.
+  void begin_copy(bool decides) {
+    if (decides && to_copy_to_ == texts_.line.size()) return;
+    copy_to_decision();
+    to_copy_from_ = to_copy_to_ = texts_.line.size();
+  }
+  // A comma that the line has, since other members are before it, may be none of the decision's.
+  void copy_to_decision() {
+    if (!texts_.decision || to_copy_from_ == to_copy_to_) return;
+    const bool needs_comma = std::exchange(decides_any_, true);
+    if (!needs_comma && texts_.line[to_copy_from_] == ',') ++to_copy_from_;
+    texts_.decision->append(texts_.line, to_copy_from_, to_copy_to_ - to_copy_from_);
+    to_copy_from_ = to_copy_to_;
+  }
+
   Texts texts_;
   bool has_any_ = false, decides_any_ = false;
+  std::size_t to_copy_from_ = 0, to_copy_to_ = 0;  // in the line
 };
 
+// The text of a value that declares which of its parts count, or that consists of such.
 template <class T>
-void add_value(Texts texts, const T& value);
-
-template <class T>
-void add_members(Members& members, const T& value) {
-  for_each_field<T>([&](const auto& field) {
-    const auto& member = value.*(field.member);
-    const bool decides = field.says != Says::aside && !field.follows;
-    if constexpr (is_optional<std::decay_t<decltype(member)>>) {
-      if (member) add_value(members.member(field.name, decides), *member);
-    } else {
-      add_value(members.member(field.name, decides), member);
-    }
-  });
-}
-
-template <class T>
-void add_list(Texts texts, const T& list) {
-  texts.append("[");
-  for (auto element = list.begin(); element != list.end(); ++element) {
-    if (element != list.begin()) texts.append(",");
-    add_value(texts, *element);
-  }
-  texts.append("]");
-}
-
-template <class T>
-void add_value(Texts texts, const T& value) {
+void add_parts(Texts texts, const T& value) {
   if constexpr (HasFields<T>) {
     Members members(texts);
     add_members(members, value);
     members.end();
   } else if constexpr (is_or_null<T>) {
     if (value)
-      add_value(texts, *value);
+      add_parts(texts, *value);
     else
       texts.append("null");
-  } else if constexpr (is_named<T>) {
-    Members members(texts);
-    for (const auto& [name, member] : value) add_value(members.named(name), member);
-    members.end();
-  } else if constexpr (is_list<T> || is_array<T>) {
-    add_list(texts, value);
   } else {
-    texts.write([&](std::string& out) {
-      if constexpr (std::is_same_v<T, Json>)
-        add_json(out, value);
-      else if constexpr (std::is_same_v<T, JsonText>)
-        out += value.text;
-      else if constexpr (std::is_same_v<T, bool>)
-        out += value ? "true" : "false";
-      else if constexpr (std::is_arithmetic_v<T>)
-        add_number(out, value);
-      else
-        add(out, value);
-    });
+    static_assert(is_list<T>, "parts that count are in a record's members, or in lists of such");
+    texts.append("[");
+    for (auto element = value.begin(); element != value.end(); ++element) {
+      if (element != value.begin()) texts.append(",");
+      add_parts(texts, *element);
+    }
+    texts.append("]");
   }
+}
+
+template <class T>
+void add_member(Members& members, const Declaration& field, const T& value) {
+  const bool decides = field.says != Says::aside && !field.follows;
+  if constexpr (is_optional<T>) {
+    if (value) add_member(members, field, *value);
+  } else if constexpr (HasFields<Innermost<T>>) {
+    add_parts(members.member(field.name, decides), value);
+  } else {
+    members.whole(field.name, value, decides);
+  }
+}
+
+template <class T>
+void add_members(Members& members, const T& value) {
+  for_each_field<T>([&](const auto& field) { add_member(members, field, value.*(field.member)); });
 }
 
 void add_record(Members& members, const Record& record) {
   std::visit(
       [&]<class T>(const T& known) {
         if constexpr (std::is_same_v<T, Unknown>)
-          for (const auto& [name, value] : known.members.items()) add_value(members.named(name), value);
+          for (const auto& [name, value] : known.members.items()) members.named(name, value);
         else
           add_members(members, known);
       },
@@ -252,25 +332,24 @@ void add_text(const Stamp& stamp, const Record& record, std::string& line, std::
   constexpr auto n = name_of(&Stamp::n), t = name_of(&Stamp::t_s), cause = name_of(&Stamp::cause),
                  measured = name_of(&Stamp::measured);
   Members members({line});
-  add_value(members.member("kind"), kind_of(record));
-  add_value(members.member(n), stamp.n);
-  add_value(members.member(t), stamp.t_s);
-  if (stamp.cause) add_value(members.member(cause), *stamp.cause);
+  members.whole("kind", kind_of(record));
+  members.whole(n, stamp.n);
+  const auto time_from = line.size();
+  members.whole(t, stamp.t_s);
+  const auto time_to = line.size();
+  if (stamp.cause) members.whole(cause, *stamp.cause);
   const auto counts = decision_of(record);
   if (counts != Decision::no) {
     Members decided({decision});
-    add_value(decided.member("kind"), kind_of(record));
+    decided.whole("kind", kind_of(record));
     decided.member("fields").append("{");
     members.decide(decision);
   }
   add_record(members, record);
-  if (stamp.measured) add_value(members.member(measured), true);
+  if (stamp.measured) members.whole(measured, true);
   members.end();
   if (counts == Decision::no) return;
-  if (counts == Decision::yes && !stamp.measured) {
-    ((decision += ",\"") += t) += "\":";
-    add_number(decision, stamp.t_s);
-  }
+  if (counts == Decision::yes && !stamp.measured) decision.append(line, time_from, time_to - time_from);
   decision += '}';
 }
 

@@ -84,6 +84,8 @@ void RunLog::close_block(SimTime t) {
 }
 
 int RunLog::write_line(const log::Record& record, SimTime t, std::optional<int> cause, bool measured) {
+  count(log::kind_of(record));
+  if (!out_.rdbuf()) return next_++;
   const auto begin = block_.size();
   decision_.clear();
   log::add_text({next_, t.seconds(), cause, measured}, record, block_, decision_);
@@ -91,7 +93,6 @@ int RunLog::write_line(const log::Record& record, SimTime t, std::optional<int> 
   const auto line = std::string_view(block_).substr(begin);
   if (std::holds_alternative<log::Pose>(record)) physics_.add(line);
   if (!decision_.empty()) decide(record);
-  count(log::kind_of(record));
   out_.write(line.data(), static_cast<std::streamsize>(line.size()));
   return next_++;
 }

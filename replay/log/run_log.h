@@ -42,6 +42,7 @@ inline constexpr double fragile_margin = 1e-4;
 class RunLog {
  public:
   /// Every line is written to `out` whole; whether it is in a file at once is up to `out`, which must outlive the log.
+  /// Where `out` has no buffer, records are counted and thrown away.
   explicit RunLog(std::ostream& out) : out_(out) {}
 
   /// Writes one record and returns its number. `cause`: number of the record that brought it about. `measured`: its

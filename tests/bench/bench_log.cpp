@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
-#include <fstream>
 #include <functional>
 #include <sstream>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "continua/replay/log/run_log.h"
+#include "continua/core/replaced_file.h"
 #include "continua/replay/session/session.h"
 #include "continua/replay/trace/session_import.h"
 #include "support/temporary_folder.h"
@@ -43,35 +42,6 @@ std::size_t parsed_and_dumped(const std::string& log) {
   return bytes;
 }
 
-struct Written {
-  log::Stamp stamp;
-  log::Record record;
-};
-
-/// The records of a log, without the blocks, which its writer adds.
-std::vector<Written> records_of(const std::string& log) {
-  std::vector<Written> records;
-  std::istringstream lines(log);
-  for (std::string line; std::getline(lines, line);) {
-    const auto json = Json::parse(line);
-    auto record = *log::read_record(json);
-    if (!std::holds_alternative<log::Block>(record)) records.push_back({log::stamp_of(json), std::move(record)});
-  }
-  return records;
-}
-
-void write(const std::vector<Written>& records, std::ostream& out) {
-  RunLog log(out);
-  for (const auto& [stamp, record] : records) {
-    const auto t = SimTime::from_seconds(stamp.t_s);
-    const auto cause = stamp.cause ? std::optional(static_cast<int>(*stamp.cause)) : std::nullopt;
-    if (std::holds_alternative<log::End>(record))
-      log.finish(t);
-    else
-      log.write(record, t, cause, stamp.measured);
-  }
-}
-
 std::string text_of(const std::function<void(std::ostream&)>& written) {
   std::ostringstream out;
   written(out);
@@ -99,15 +69,16 @@ int main(int argc, char** argv) {
   }
   const TemporaryFolder folder;
   fmt::print(
-      "| trace | log, MB | replay, s | records written, s | parse and dump, s | ratio | cost of the log |\n"
+      "| trace | log, MB | replay, s | records thrown away, s | parse and dump, s | ratio | cost of the log |\n"
       "| --- | --- | --- | --- | --- | --- | --- |\n");
   const auto print_row = [](const std::string& name, std::size_t bytes, const std::array<double, 3>& times_s) {
-    const auto [replay_s, written_s, reference_s] = times_s;
+    const auto [replay_s, thrown_away_s, reference_s] = times_s;
     fmt::print("| {} | {:.1f} | {:.3f} | {:.3f} | {:.3f} | {:.2f} | {:.2f} |\n", name, static_cast<double>(bytes) / 1e6,
-               replay_s, written_s, reference_s, replay_s / reference_s, replay_s / (replay_s - written_s));
+               replay_s, thrown_away_s, reference_s, replay_s / reference_s, replay_s / thrown_away_s);
     std::fflush(stdout);
   };
-  std::ofstream nowhere("/dev/null");  // a file, as a replay writes one, without the disk
+  ReplacedFile null_file("/dev/null");  // as a replay writes one, without the disk
+  std::ostream nowhere(nullptr);
   std::size_t all_bytes = 0;
   std::array<double, 3> all_s{};
   for (int i = 1; i < argc; ++i) {
@@ -119,12 +90,9 @@ int main(int argc, char** argv) {
     if (!session) return fail(session.error());
     const auto replay = [&](std::ostream& out) { session->run(out); };
     const auto log = text_of(replay);
-    const auto records = records_of(log);
-    const auto write_again = [&](std::ostream& out) { write(records, out); };
-    if (text_of(write_again) != log) return fail({argv[i], "its records give another log when they are written again"});
     std::size_t bytes = 0;  // so that no work is left out
-    const auto times_s =
-        best_s<3>({[&] { replay(nowhere); }, [&] { write_again(nowhere); }, [&] { bytes += parsed_and_dumped(log); }});
+    const auto times_s = best_s<3>(
+        {[&] { replay(null_file.stream()); }, [&] { replay(nowhere); }, [&] { bytes += parsed_and_dumped(log); }});
     if (bytes < log.size()) return 1;
     print_row(argv[i], log.size(), times_s);
     all_bytes += log.size();

@@ -146,6 +146,17 @@ TEST_CASE("texts and numbers are written as the library for JSON writes them") {
   }
 }
 
+TEST_CASE("a character that needs an escape is found wherever it is in a text") {
+  for (std::size_t size = 1; size <= 70; ++size)
+    for (std::size_t at = 0; at < size; ++at)
+      for (const std::string character : {"\"", "\\", "\n", "\x1f", "\x7f", "ä", "\xff", " ", "~"}) {
+        const auto text = std::string(at, 'a') + character + std::string(size - at - 1, 'z');
+        const auto line = line_of({}, log::Utterance{text, {}});
+        const auto as_json = compact(Json(text));
+        if (line.find("\"text\":" + as_json + ",") == line.npos) FAIL_CHECK(line << " lacks " << as_json);
+      }
+}
+
 TEST_CASE("JSON within a record is written as the library writes it") {
   const auto line = Json::parse(
       R"({"kind":"input","n":1,"t":0.5,"line":2,"event":{"a":[],"b":{},"c":[-1,18446744073709551615,0.1,1e300,

@@ -54,6 +54,18 @@ TEST_CASE("a log numbers its lines, and its last line counts and digests those b
   CHECK(end["counts"] == Json{{"memory", 1}, {"utterance", 1}});
 }
 
+TEST_CASE("where there is nowhere to write, records are numbered and counted as in a log") {
+  std::ostringstream out;
+  std::ostream nowhere(nullptr);
+  RunLog written(out), thrown_away(nowhere);
+  for (int i = 0; i < 3 * records_per_block; ++i)
+    CHECK(written.write(log::Utterance{"Hello.", {}}, seconds(1)) ==
+          thrown_away.write(log::Utterance{"Hello.", {}}, seconds(1)));
+  written.finish(seconds(2));
+  thrown_away.finish(seconds(2));
+  CHECK(written.counts() == thrown_away.counts());
+}
+
 TEST_CASE("decisions are digested apart from poses, from margins, and from what depends on them") {
   const auto same = end_of(transition("a", 0.1), pose(1));
   const auto other_pose = end_of(transition("a", 0.1), pose(1.5));
