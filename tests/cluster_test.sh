@@ -8,7 +8,12 @@ folder=$(mktemp -d)
 cd "$folder"
 stop() {
   [[ -f slurm.conf ]] && scontrol shutdown > stopped 2>&1
-  rm -rf "$folder"
+  # A daemon that is ending still writes its state there.
+  for _ in {1..50}; do
+    rm -rf "$folder" 2> "$folder.rest" && break
+    sleep 0.2
+  done
+  rm -f "$folder.rest"
 }
 trap stop EXIT
 failed=0
