@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
 
 namespace continua {
 namespace {
