@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "continua/replay/log/kinds.h"
+#include "continua/replay/log/run_brief.h"
 #include "continua/replay/log/run_sources.h"
 
 namespace continua {
