@@ -97,7 +97,7 @@ class StoryReader {
     const bool step = record.contains("step");
     const bool begins = status == "started", ends = !begins && status != "asked";
     const auto& result = member_of(record, "result");
-    if (ends) story_.deeds.push_back({t, program, status, text_of(result, "reason"), step});
+    if (ends) story_.deeds.push_back({t, program, status, words_.named(text_of(result, "reason")), step});
     if (step) return;
     if (begins) story_.doing.push_back({t, program});
     if (ends && !story_.doing.empty() && story_.doing.back().text == program) story_.doing.push_back({t, ""});

@@ -16,7 +16,8 @@ namespace {
 /// The story of records written as JSON without `n`, one a line.
 RunStory story_of(const std::string& lines) {
   const ScratchFolder folder;
-  std::string log = "{\"kind\":\"run\",\"n\":0,\"t\":0,\"version\":1,\"scene\":{\"bodies\":{\"cup\":[]}}}\n";
+  const std::string custom = R"(<custom><text name=\"b3\" data=\"type=block color=black\"/></custom>)";
+  auto log = R"({"kind":"run","n":0,"t":0,"version":1,"scene":{"bodies":{"cup":[]},"mjcf":")" + custom + "\"}}\n";
   std::istringstream in(lines);
   int n = 1;
   for (std::string line; std::getline(in, line);)
@@ -100,6 +101,9 @@ TEST_CASE("key moments are what something came of, answers, and the ends of acts
        act(1, "put(cup, on(plate))", "asked") + act(1, "put(cup, on(plate))", "started") +
            act(4, "put(cup, on(plate))", "missed", R"(,"result":{"reason":"it slid off"})"),
        "4.0 Act: puts cup on plate: missed, it slid off\n"},
+      {"the objects in its reason have their words",
+       act(4, "lift(b3)", "blocked", R"(,"result":{"reason":"b3 would fall off the table"})"),
+       "4.0 Act: lifts the black block: blocked, the black block would fall off the table\n"},
       {"the end of a step is one where it stands alone",
        act(2, "grasp(cup)", "done", R"(,"step":1,"result":{})") + act(4, "ungrasp(cup)", "done", R"(,"step":3)") +
            act(4, "put(cup, x)", "done"),
