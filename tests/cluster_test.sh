@@ -10,10 +10,9 @@ stop() {
   [[ -f slurm.conf ]] && scontrol shutdown > stopped 2>&1
   # A daemon that is ending still writes its state there.
   for _ in {1..50}; do
-    rm -rf "$folder" 2> "$folder.rest" && break
+    rm -rf "$folder" 2> /dev/null && break
     sleep 0.2
   done
-  rm -f "$folder.rest"
 }
 trap stop EXIT
 failed=0
