@@ -1,7 +1,6 @@
 #include "continua/replay/log/record_text.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>

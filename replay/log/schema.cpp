@@ -34,10 +34,10 @@ std::string type_text() {
     return std::is_integral_v<T> ? "integer" : "number";
 }
 
-MemberSchema described(const Declaration& field, std::string type) {
+MemberSchema described(const Declaration& field, std::string type, bool left_out) {
   MemberSchema member{.name = field.name,
                       .type = std::move(type),
-                      .left_out = false,
+                      .left_out = left_out,
                       .says = field.says,
                       .sentence = field.sentence,
                       .form = field.form,
@@ -54,8 +54,7 @@ template <HasFields T>
 std::vector<MemberSchema> members_of_type() {
   std::vector<MemberSchema> members;
   for_each_field<T>([&]<class Struct, class Value>(const Field<Struct, Value>& field) {
-    auto& member = members.emplace_back(described(field, type_text<Value>()));
-    member.left_out = is_optional<Value>;
+    auto& member = members.emplace_back(described(field, type_text<Value>(), is_optional<Value>));
     if constexpr (HasFields<Innermost<Value>>) member.members = members_of_type<Innermost<Value>>();
   });
   return members;
