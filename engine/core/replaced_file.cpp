@@ -100,6 +100,12 @@ class ReplacedFile::Buffer : public std::streambuf {
     if (traits_type::eq_int_type(letter, traits_type::eof())) return traits_type::not_eof(letter);
     return sputc(traits_type::to_char_type(letter));
   }
+  // A piece that would fill the part again and again goes past it.
+  std::streamsize xsputn(const char* piece, std::streamsize size) override {
+    if (packed_ || static_cast<std::size_t>(size) < part_.size()) return std::streambuf::xsputn(piece, size);
+    if (put()) write({piece, static_cast<std::size_t>(size)});
+    return problem_ == 0 ? size : 0;
+  }
   // Nobody can look at it yet.
   int sync() override { return problem_ == 0 ? 0 : -1; }
 

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "continua/core/gzip_text.h"
 #include "continua/core/put_in_place.h"
 
 #include "support/catch.h"
@@ -45,6 +46,25 @@ TEST_CASE("a file is replaced by a whole one, or not at all") {
   CHECK_FALSE(file.commit());
   CHECK(text_of(path).size() == 1'000'000);
   CHECK(entries(folder.path()) == 1);
+}
+
+TEST_CASE("pieces of any size are one after another in the file, also packed") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"a.txt", "a.txt.gz"}) {
+    INFO(name);
+    const auto path = (folder.path() / name).string();
+    std::string all;
+    ReplacedFile file(path);
+    for (const int size : {3, 65536, 0, 65535, 70000, 1, 200000, 2}) {
+      const std::string piece(static_cast<std::size_t>(size), static_cast<char>('a' + all.size() % 26));
+      file.stream() << piece;
+      all += piece;
+    }
+    REQUIRE_FALSE(file.commit());
+    const auto read = read_text(path);
+    REQUIRE(read);
+    CHECK((*read == all));
+  }
 }
 
 TEST_CASE("a file stays as it was where the program is killed in mid-writing, and nothing is left beside it") {
