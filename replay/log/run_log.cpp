@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "continua/replay/log/record_text.h"
 #include "continua/replay/log/schema.h"
 
 namespace continua {
@@ -68,19 +67,26 @@ std::vector<Json> DecisionOrder::outcomes() const {
   return all;
 }
 
+RunLog::RunLog(std::ostream& out) : out_(out) {
+  constexpr std::size_t longest_block = 1 << 20;  // usually: that of the first line, which has the run's documents
+  if (out_.rdbuf()) block_.reserve(longest_block);
+}
+
 int RunLog::write(const log::Record& record, SimTime t, std::optional<int> cause, bool measured) {
   if (next_ % records_per_block == records_per_block - 1) close_block(t);
   if (const double margin = log::margin_of(record); margin < fragile_margin) fragile_.push_back({next_, margin});
   return write_line(record, t, cause, measured);
 }
 
-void RunLog::add_block_to_all() { all_.add(std::string_view(block_).substr(block_begin_)); }
+void RunLog::add_block_to_all() { all_.add(block_.view().substr(block_begin_)); }
 
 void RunLog::close_block(SimTime t) {
   add_block_to_all();
-  block_ = digest(block_);
+  const auto closed = digest(block_.view());
+  block_.clear();
+  block_.put(closed);
   block_begin_ = block_.size();
-  write_line(log::Block{{next_ - records_per_block + 1, next_ - 1}, block_}, t);
+  write_line(log::Block{{next_ - records_per_block + 1, next_ - 1}, closed}, t);
 }
 
 int RunLog::write_line(const log::Record& record, SimTime t, std::optional<int> cause, bool measured) {
@@ -88,11 +94,11 @@ int RunLog::write_line(const log::Record& record, SimTime t, std::optional<int> 
   if (!out_.rdbuf()) return next_++;
   const auto begin = block_.size();
   decision_.clear();
-  log::add_text({next_, t.seconds(), cause, measured}, record, block_, decision_);
-  block_ += '\n';
-  const auto line = std::string_view(block_).substr(begin);
+  writer_.add({next_, t.seconds(), cause, measured}, record, block_, decision_);
+  block_.put('\n');
+  const auto line = block_.view().substr(begin);
   if (std::holds_alternative<log::Pose>(record)) physics_.add(line);
-  if (!decision_.empty()) decide(record);
+  if (decision_.size() > 0) decide(record);
   out_.write(line.data(), static_cast<std::streamsize>(line.size()));
   return next_++;
 }
@@ -109,9 +115,9 @@ void RunLog::count(std::string_view kind) {
 void RunLog::decide(const log::Record& record) {
   const auto* act = std::get_if<Act>(&record);
   if (!act || act->status == log::asked)
-    decisions_.add(decision_);
+    decisions_.add(decision_.view());
   else if (!act->step)
-    outcomes_[act->act] = decision_;
+    outcomes_[act->act] = decision_.view();
 }
 
 void RunLog::finish(SimTime t) {

@@ -12,6 +12,8 @@
 #include "continua/core/digest.h"
 #include "continua/core/located_json.h"
 #include "continua/core/sim_time.h"
+#include "continua/replay/log/record_text.h"
+#include "continua/replay/log/record_writer.h"
 #include "continua/replay/log/records.h"
 
 namespace continua {
@@ -43,7 +45,7 @@ class RunLog {
  public:
   /// Every line is written to `out` whole; whether it is in a file at once is up to `out`, which must outlive the log.
   /// Where `out` has no buffer, records are counted and thrown away.
-  explicit RunLog(std::ostream& out) : out_(out) {}
+  explicit RunLog(std::ostream& out);
 
   /// Writes one record and returns its number. `cause`: number of the record that brought it about. `measured`: its
   /// time follows from the end of an act.
@@ -68,9 +70,10 @@ class RunLog {
   int next_ = 0;
   std::vector<log::FragileDecision> fragile_;
   std::map<std::string, std::int64_t, std::less<>> counts_;  ///< by kind
-  std::string block_;                                        ///< the digest of the block before, and the lines so far
-  std::size_t block_begin_ = 0;                              ///< of the lines in it
-  std::string decision_;                                     ///< of the record that is being written
+  log::RecordWriter writer_;
+  log::RecordText block_;        ///< the digest of the block before, and the lines so far
+  std::size_t block_begin_ = 0;  ///< of the lines in it
+  log::RecordText decision_;     ///< of the record that is being written
   RunningDigest all_, decisions_, physics_;
   std::map<std::int64_t, std::string> outcomes_;  ///< of acts, by their numbers
 };

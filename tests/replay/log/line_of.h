@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "continua/replay/log/record_text.h"
+#include "continua/replay/log/record_writer.h"
 
 namespace continua {
 
 inline std::string line_of(const log::Stamp& stamp, const log::Record& record) {
-  std::string line, decision;
-  log::add_text(stamp, record, line, decision);
-  return line;
+  log::RecordText line, decision;
+  log::RecordWriter().add(stamp, record, line, decision);
+  return std::string(line.view());
 }
 
 }  // namespace continua

@@ -9,7 +9,7 @@
 
 #include "continua/replay/log/log_file.h"
 #include "continua/replay/log/record_json.h"
-#include "continua/replay/log/record_text.h"
+#include "continua/replay/log/record_writer.h"
 #include "continua/replay/log/run_log.h"
 #include "log/line_of.h"
 #include "support/catch.h"
@@ -37,8 +37,9 @@ void check_decision(const Json& line) {
   DecisionOrder order;
   auto read = order.next(line);
   if (const auto outcomes = order.outcomes(); !read && !outcomes.empty()) read = outcomes.front();
-  std::string text, written;
-  log::add_text(log::stamp_of(line), record_of(line), text, written);
+  log::RecordText text, decision;
+  log::RecordWriter().add(log::stamp_of(line), record_of(line), text, decision);
+  const auto written = decision.view();
   if (read)
     CHECK(written == compact(*read));
   else
@@ -143,6 +144,18 @@ TEST_CASE("texts and numbers are written as the library for JSON writes them") {
     INFO(t);
     CHECK(line_of({0, t, std::nullopt, false}, log::Utterance{"", {}}) ==
           compact(Json{{"kind", "utterance"}, {"n", 0}, {"t", t}, {"text", ""}, {"because", Json::array()}}));
+  }
+}
+
+TEST_CASE("each line has its own time, whatever line was written before") {
+  log::RecordWriter writer;
+  for (const double t : {0.0, 0.0, 0.5, 0.5, 0.0, 1e-7, 0.5}) {
+    INFO(t);
+    const log::Stamp stamp{3, t, std::nullopt, false};
+    log::RecordText line, decision;
+    writer.add(stamp, log::Utterance{"yes", {}}, line, decision);
+    CHECK(line.view() == line_of(stamp, log::Utterance{"yes", {}}));
+    CHECK(Json::parse(decision.view())["t"] == t);
   }
 }
 
