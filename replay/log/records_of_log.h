@@ -59,7 +59,7 @@ struct Fingerprint {
 /// The condition of a state, and where the automaton goes if it does not hold.
 struct GraphGate {
   std::string condition, otherwise, operation;
-  Json content;
+  JsonText content;
 
   template <class Use>
   static constexpr void fields(Use&& use) {
@@ -88,7 +88,7 @@ struct GraphEdge {
   OrNull<std::string> condition;
   double weight = 0;
   std::string operation;
-  Json content;
+  JsonText content;
 
   template <class Use>
   static constexpr void fields(Use&& use) {

@@ -10,7 +10,7 @@ template <class T>
 void add_operation(T& told, const Operation& operation) {
   const auto source = Json::parse(operation.source);
   told.operation = source.begin().key();
-  if (operation.kind != Operation::Kind::none) told.content = source.begin().value();
+  if (operation.kind != Operation::Kind::none) told.content = {compact(source.begin().value())};
 }
 
 log::GraphState state_of(const State& state, const Machine& machine) {
