@@ -230,8 +230,8 @@ test('a page that is loaded again goes on with its session, after asking', async
   await ready();
   assert.deepEqual(asked, ['beforeunload']);
   assert.ok((await api(`/${id}`)).live);
-  await visitor.page.waitForTimeout(500); // until all earlier lines are there
-  await answered(() => type('Put it there.'), 'Where should I put it?').catch(() => {});
+  await at('conversation').getByText('Okay, go on.').waitFor(); // the last of the earlier lines
+  await answered(() => type('Put it there.'), 'Where should I put it?');
   assert.match(await at('conversation').innerText(), /The plate[\s\S]*Put it there/);
   await at('live-end').click();
   await at('live-summary').waitFor();
