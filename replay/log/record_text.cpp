@@ -17,7 +17,7 @@ constexpr std::uint64_t each(std::uint64_t byte) { return byte * 0x0101010101010
 // A byte that is zero gets its highest bit.
 constexpr std::uint64_t where_zero(std::uint64_t word) { return (word - each(0x01)) & ~word; }
 
-// Eight characters at once: a character's highest bit says that it may be 0x80 or more, or less than 0x20.
+// Eight characters at once: no highest bit is set if none of them is 0x80 or more, or less than 0x20.
 constexpr std::uint64_t where_special(std::uint64_t eight) { return eight | (eight - each(0x20)); }
 
 std::uint64_t eight_from(const char* text) {
@@ -26,7 +26,7 @@ std::uint64_t eight_from(const char* text) {
   return eight;
 }
 
-// None is such, a quote or a backslash.
+// None is such, nor a quote or a backslash.
 bool all_stand_for_themselves(std::uint64_t eight) {
   const auto escaped = where_special(eight) | where_zero(eight ^ each('"')) | where_zero(eight ^ each('\\'));
   return (escaped & each(0x80)) == 0;
@@ -40,7 +40,7 @@ bool needs_no_escape(std::string_view text) {
   return all_stand_for_themselves(eight_from(text.data() + last));
 }
 
-// Neither control characters but line breaks nor bytes that are not UTF-8.
+// All is UTF-8, and its only control characters are line breaks.
 bool is_plain(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     if (at + 8 <= text.size() && (where_special(eight_from(text.data() + at)) & each(0x80)) == 0) {

@@ -17,6 +17,7 @@ class RecordText {
   std::string_view view() const { return {text_.data(), text_.size()}; }
   std::size_t size() const { return text_.size(); }
   void clear() { text_.clear(); }
+  /// For so many characters no memory is asked for any more.
   void reserve(std::size_t size) { text_.reserve(size); }
 
   /// The piece as it is.

@@ -68,8 +68,8 @@ std::vector<Json> DecisionOrder::outcomes() const {
 }
 
 RunLog::RunLog(std::ostream& out) : out_(out) {
-  constexpr std::size_t longest_block = 1 << 20;  // usually: that of the first line, which has the run's documents
-  if (out_.rdbuf()) block_.reserve(longest_block);
+  constexpr std::size_t usual_size = 1 << 20;  // the first block has the run's documents
+  if (out_.rdbuf()) block_.reserve(usual_size);
 }
 
 int RunLog::write(const log::Record& record, SimTime t, std::optional<int> cause, bool measured) {
