@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "continua/core/located_json.h"
 
@@ -20,8 +21,10 @@ std::vector<std::string> names_of(const Atoms& atoms) {
 }  // namespace
 
 struct Category::Node {
-  // for an atom
+  // of the atom, or of the one that a function makes in the end
   Name name{""};
+  std::size_t number = 0;
+  // for an atom
   bool has_features = false;
   std::optional<Name> feature;
   // for a function
@@ -38,6 +41,8 @@ struct Category::Node {
     if (node.result) {
       const auto &of = *node.result->node_, &over = *node.argument->node_;
       const auto slash = static_cast<std::size_t>(node.slash);
+      node.name = of.name;
+      node.number = of.number;
       node.shape = mixed(mixed(of.shape, over.shape), slash);
       node.whole = mixed(mixed(of.whole, over.whole), 2 * slash + (node.composes ? 1 : 0));
     } else {
@@ -95,6 +100,7 @@ class CategoryParser {
     }
     Category::Node node;
     node.name = Name(name);
+    node.number = static_cast<std::size_t>(std::distance(atoms_.begin(), known));
     const auto& features = known->second.features;
     node.has_features = !features.empty();
     if (at_ < text_.size() && text_[at_] == '[') {
@@ -154,6 +160,8 @@ const Category& Category::argument() const {
 }
 Category::Slash Category::slash() const { return node_->slash; }
 bool Category::composes() const { return node_->composes; }
+Name Category::target() const { return node_->name; }
+std::size_t Category::target_number() const { return node_->number; }
 std::size_t Category::size() const { return node_->size; }
 
 bool Category::operator==(const Category& other) const {
@@ -214,7 +222,5 @@ Type type_of(const Category& category, const Atoms& atoms, std::size_t choice) {
   const auto& types = atoms.find(category.name().text())->second.types;
   return types[std::min(choice, types.size() - 1)];
 }
-
-const Category& target(const Category& category) { return category.is_atom() ? category : target(category.result()); }
 
 }  // namespace continua

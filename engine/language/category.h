@@ -45,6 +45,9 @@ class Category {
   const Category& argument() const;
   Slash slash() const;
   bool composes() const;
+  /// The atom that remains when all arguments have been taken: its name, and its place among the atoms of parse().
+  Name target() const;
+  std::size_t target_number() const;
 
   bool operator==(const Category& other) const;
   /// In the notation of parse().
@@ -81,8 +84,5 @@ class Agreement {
 /// The type of terms of this category. Arguments have the first type of their atom; the target atom has its type number
 /// `choice`, or its last.
 Type type_of(const Category& category, const Atoms& atoms, std::size_t choice = 0);
-
-/// The atom that remains when all arguments have been taken.
-const Category& target(const Category& category);
 
 }  // namespace continua

@@ -53,8 +53,7 @@ void Chart::look_up(const std::vector<Word>& words) {
   skippable_.resize(words.size());
   for (std::size_t begin = 0; begin < words.size(); ++begin) {
     Vocabulary::Walk walk(vocabulary_);
-    const auto most = std::min(vocabulary_.most_words(), words.size() - begin);
-    for (std::size_t count = 1; count <= most; ++count) {
+    for (std::size_t count = 1; begin + count <= words.size() && !walk.is_over(); ++count) {
       words_[begin].push_back({});
       if (count == 1) add(words[begin].name, {begin, begin + 1});
       std::optional<double> skip, aside;
@@ -173,8 +172,8 @@ bool Chart::add(Entry entry) {
   for (const auto number : *cell_)
     if (entries_[number].category == entry.category && entries_[number].term == entry.term) return false;
   cell_->push_back(entries_.size());
-  const auto made = target(entry.category).name();
-  signs_.push_back({made, entry.category.is_atom() ? made : target(entry.category.argument()).name()});
+  const auto made = entry.category.target();
+  signs_.push_back({made, entry.category.is_atom() ? made : entry.category.argument().target()});
   entries_.push_back(std::move(entry));
   return true;
 }
@@ -184,6 +183,7 @@ void Chart::change_categories() {
     const auto number = (*cell_)[i];
     if (entries_[number].unary >= most_unary) continue;
     for (const auto& rule : lexicon_.rules) {
+      if (rule.from.target() != signs_[number].made) continue;
       const auto& from = entries_[number];
       Agreement agreement;
       if (!agreement.agree(rule.from, from.category)) continue;

@@ -42,7 +42,7 @@ std::optional<Term> LexiconReader::read_term(const Item& item, const Category& c
   // first.
   if (item.is_text()) {
     const auto text = item.text("a term");
-    const auto& types = lexicon_.atoms.find(target(category).name().text())->second.types;
+    const auto& types = lexicon_.atoms.find(category.target().text())->second.types;
     for (std::size_t choice = 1; choice < types.size(); ++choice)
       if (!parse_term(text, lexicon_.names, expected(0)) && parse_term(text, lexicon_.names, expected(choice)))
         return read_term(item, expected(choice));

@@ -29,7 +29,7 @@ std::vector<bool> known_words(const std::vector<SpokenWord>& spoken, const Vocab
   std::vector<bool> known(spoken.size());
   for (std::size_t begin = 0; begin < spoken.size(); ++begin) {
     Vocabulary::Walk walk(vocabulary);
-    for (auto end = begin; end < std::min(spoken.size(), begin + vocabulary.most_words()); ++end) {
+    for (auto end = begin; end < spoken.size() && !walk.is_over(); ++end) {
       if (!walk.step(spoken[end].text).empty())
         std::fill_n(known.begin() + static_cast<std::ptrdiff_t>(begin), end + 1 - begin, true);
       if (spoken[end].ends_after) break;

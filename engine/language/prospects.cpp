@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <unordered_map>
 
 namespace continua {
 namespace {
@@ -11,17 +10,11 @@ using Slash = Category::Slash;
 
 constexpr auto nowhere = std::numeric_limits<std::size_t>::max();
 
-// An argument of a category: the atom that remains of it, and the atoms that whoever takes it gives to it.
-struct Need {
-  std::size_t atom;
-  bool to_the_right;
-  std::vector<std::size_t> given;
-};
-
-struct Shape {
-  std::size_t made;  // the atom that remains
-  std::vector<Need> needs;
-};
+// Calls `note(argument, to the right)` for each argument of a category.
+void for_each_need(const Category& category, const auto& note) {
+  for (const auto* part = &category; !part->is_atom(); part = &part->result())
+    note(part->argument(), part->slash() == Slash::forward);
+}
 
 // Where phrases of an atom are made, and where they are taken. Positions are those between the words.
 struct Trade {
@@ -33,12 +26,10 @@ struct Trade {
 
 class Market {
  public:
-  Market(const std::vector<PlacedSense>& senses, const Lexicon& lexicon) : lexicon_(lexicon), kept_(senses.size()) {
-    for (std::size_t i = 0; i < senses.size(); ++i) {
-      alive_.push_back({i, senses[i].words, shape_of(senses[i].sense->category)});
-      kept_[i] = true;
-    }
-    for (const auto& rule : lexicon.rules) rules_.push_back({shape_of(rule.from), shape_of(rule.to)});
+  Market(const std::vector<PlacedSense>& senses, const Lexicon& lexicon)
+      : lexicon_(lexicon), kept_(senses.size(), true) {
+    for (std::size_t i = 0; i < senses.size(); ++i) alive_.push_back({i, senses[i].words, &senses[i].sense->category});
+    for (const auto& [name, atom] : lexicon.atoms) atoms_.push_back(&atom);
   }
 
   std::vector<bool> settled() {
@@ -60,94 +51,76 @@ class Market {
   struct Offer {
     std::size_t number;
     WordSpan words;
-    Shape shape;
-  };
-  struct Change {
-    Shape from, to;
+    const Category* category;
   };
 
-  std::size_t number_of(const Category& category) {
-    const auto name = target(category).name();
-    const auto [found, is_new] = numbers_.emplace(name, atoms_.size());
-    if (is_new) atoms_.push_back(&lexicon_.atoms.find(name.text())->second);
-    return found->second;
-  }
-
-  Shape shape_of(const Category& category) {
-    Shape shape{number_of(category), {}};
-    for (const auto* part = &category; !part->is_atom(); part = &part->result()) {
-      const auto& argument = part->argument();
-      Need need{number_of(argument), part->slash() == Slash::forward, {}};
-      for (const auto* inner = &argument; !inner->is_atom(); inner = &inner->result())
-        need.given.push_back(number_of(inner->argument()));
-      shape.needs.push_back(std::move(need));
-    }
-    return shape;
-  }
+  Trade& trade_in(const Category& category) { return trades_[category.target_number()]; }
+  const Trade& trade_in(const Category& category) const { return trades_[category.target_number()]; }
 
   void note(const Offer& offer) {
-    auto& made = trades_[offer.shape.made];
+    auto& made = trade_in(*offer.category);
     made.made = true;
     made.last_begin = std::max(made.last_begin, offer.words.begin);
     made.first_end = std::min(made.first_end, offer.words.end);
-    for (const auto& need : offer.shape.needs) {
-      auto& taken = trades_[need.atom];
-      if (need.to_the_right) {
+    for_each_need(*offer.category, [&](const Category& need, bool to_the_right) {
+      auto& taken = trade_in(need);
+      if (to_the_right) {
         taken.first_taker_end = std::min(taken.first_taker_end, offer.words.end);
       } else {
         taken.taken_from_left = true;
         taken.last_taker_begin = std::max(taken.last_taker_begin, offer.words.begin);
       }
       note_given(need);
-    }
+    });
   }
 
-  void note_given(const Need& need) {
-    for (const auto atom : need.given) trades_[atom].made_anywhere = true;
+  // Whoever takes a function gives its arguments to it.
+  void note_given(const Category& need) {
+    for_each_need(need, [&](const Category& given, bool) { trade_in(given).made_anywhere = true; });
   }
 
   // A rule that has its phrase makes another one, wherever it stands.
   void note_rules() {
     for (bool grows = true; grows;) {
       grows = false;
-      for (const auto& [from, to] : rules_) {
-        auto& had = trades_[from.made];
+      for (const auto& rule : lexicon_.rules) {
+        auto& had = trade_in(rule.from);
         if (!had.made && !had.made_anywhere) continue;
         had.taken_anywhere = true;
-        for (const auto& need : from.needs) trades_[need.atom].made_anywhere = true;
-        grows = grows || !trades_[to.made].made_anywhere;
-        trades_[to.made].made_anywhere = true;
-        for (const auto& need : to.needs) {
-          trades_[need.atom].taken_anywhere = true;
+        for_each_need(rule.from, [&](const Category& need, bool) { trade_in(need).made_anywhere = true; });
+        grows = grows || !trade_in(rule.to).made_anywhere;
+        trade_in(rule.to).made_anywhere = true;
+        for_each_need(rule.to, [&](const Category& need, bool) {
+          trade_in(need).taken_anywhere = true;
           note_given(need);
-        }
+        });
       }
     }
   }
 
   bool is_taken(const Offer& offer) const {
-    const auto& trade = trades_[offer.shape.made];
+    const auto& trade = trade_in(*offer.category);
     return trade.taken_anywhere || trade.first_taker_end <= offer.words.begin ||
            (trade.taken_from_left && trade.last_taker_begin >= offer.words.end) ||
-           !atoms_[offer.shape.made]->move.empty();
+           !atoms_[offer.category->target_number()]->move.empty();
   }
 
   bool has_all(const Offer& offer) const {
-    return std::all_of(offer.shape.needs.begin(), offer.shape.needs.end(), [&](const Need& need) {
-      const auto& trade = trades_[need.atom];
-      if (trade.made_anywhere || atoms_[need.atom]->open) return true;
-      if (!trade.made) return false;
-      return need.to_the_right ? trade.last_begin >= offer.words.end : trade.first_end <= offer.words.begin;
+    bool has = true;
+    for_each_need(*offer.category, [&](const Category& need, bool to_the_right) {
+      const auto& trade = trade_in(need);
+      if (trade.made_anywhere || atoms_[need.target_number()]->open) return;
+      has = has && trade.made &&
+            (to_the_right ? trade.last_begin >= offer.words.end : trade.first_end <= offer.words.begin);
     });
+    return has;
   }
 
   const Lexicon& lexicon_;
   std::vector<bool> kept_;
   std::vector<Offer> alive_;
-  std::vector<Change> rules_;
-  std::unordered_map<Name, std::size_t, Name::Hash> numbers_;
-  std::vector<const Atom*> atoms_;
-  std::vector<Trade> trades_;
+  std::vector<const Atom*> atoms_;  // by number
+  std::vector<Trade> trades_;       // by number of their atom
 };
 
 }  // namespace

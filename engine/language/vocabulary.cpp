@@ -33,7 +33,7 @@ std::string spoken(const std::string& value) {
 }  // namespace
 
 Vocabulary::Vocabulary(std::shared_ptr<const Lexicon> lexicon, const WorldSnapshot& world)
-    : lexicon_(std::move(lexicon)), names_(lexicon_->names), most_words_(lexicon_->words.most_words()) {
+    : lexicon_(std::move(lexicon)), names_(lexicon_->names) {
   for (const auto& attribute : lexicon_->attributes) {
     std::set<std::string, std::less<>> grouped;
     for (const auto& group : attribute.values) {
@@ -68,7 +68,10 @@ void Vocabulary::note_said_of_scene(const WorldSnapshot& world) {
 }
 
 // The human was asked before a word gets another meaning.
-void Vocabulary::lose_senses(const std::string& word) { scene_words_.insert_or_assign(word, SceneWord{{}, true}); }
+void Vocabulary::lose_senses(const std::string& word) {
+  scene_words_.insert_or_assign(word, SceneWord{{}, true});
+  add_parts(word);
+}
 
 void Vocabulary::learn(const std::string& word, const std::string& name, const Type& type) {
   names_.insert_or_assign(name, type);
@@ -78,7 +81,6 @@ void Vocabulary::learn(const std::string& word, const std::string& name, const T
     for (const auto& made : lexicon_->learned)
       if (made.type == type) add_word(form, {made.category, applied(made.term, constant), made.cost});
   for (auto& sense : as_name(word, true).senses) add_word(word, std::move(sense));
-  add_parts(word);
 }
 
 // The verb in the form that was taught, and in those with other endings: capping, cap, capped. Other words keep their
@@ -111,7 +113,6 @@ void Vocabulary::learn_noun(const std::string& name, const Term& condition) {
   if (one && entries(*one).empty()) add_noun(*one, false, constant, 0);
   if (const auto many = plural(name); !one && entries(many).empty()) add_noun(many, true, constant, 0);
   for (auto& sense : as_name(name, true).senses) add_word(name, std::move(sense));
-  add_parts(name);
 }
 
 void Vocabulary::add_noun(const std::string& word, bool plural, const Term& constant, double cost) {
@@ -175,9 +176,10 @@ std::optional<Vocabulary::Resemblance> Vocabulary::resembling_word(const std::st
 }
 
 std::vector<const WordEntry*> Vocabulary::Walk::step(std::string_view word) {
+  is_known_ = is_known_ && known_.step(word);
+  if (++count_ > vocabulary_.most_scene_words_) return is_known_ ? known_.entries() : std::vector<const WordEntry*>();
   if (!text_.empty()) text_ += ' ';
   text_ += word;
-  is_known_ = is_known_ && known_.step(word);
   const auto& of_scene = vocabulary_.scene_words_;
   const auto found = of_scene.find(text_);
   const bool alone = found != of_scene.end() && found->second.alone;
@@ -240,7 +242,7 @@ void Vocabulary::add_parts(std::string_view words) {
   const auto parts = parts_of_entry(words);
   for (const auto part : parts)
     if (!lexicon_->words.parts().contains(part)) parts_.emplace(part);
-  most_words_ = std::max(most_words_, parts.size());
+  most_scene_words_ = std::max(most_scene_words_, parts.size());
 }
 
 std::optional<std::string> Vocabulary::singular(const std::string& word) const {

@@ -1,6 +1,7 @@
 // The words that can be understood in a scene: the lexicon's words, and words from the attributes of the scene.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -34,11 +35,14 @@ class Vocabulary {
     explicit Walk(const Vocabulary& vocabulary) : vocabulary_(vocabulary), known_(vocabulary.lexicon_->words) {}
     /// One word further: what is known of all words so far.
     std::vector<const WordEntry*> step(std::string_view word);
+    /// Whether nothing is known of these words and any more.
+    bool is_over() const { return !is_known_ && count_ >= vocabulary_.most_scene_words_; }
 
    private:
     const Vocabulary& vocabulary_;
     WordTable::Walk known_;
     std::string text_;
+    std::size_t count_ = 0;
     bool is_known_ = true;
   };
   /// The senses of entries.
@@ -65,7 +69,7 @@ class Vocabulary {
   /// only left out, has no meaning to lose.
   bool means(std::string_view word) const;
   /// Number of words of the longest entry.
-  std::size_t most_words() const { return most_words_; }
+  std::size_t most_words() const { return std::max(lexicon_->words.most_words(), most_scene_words_); }
 
   /// Types of all names that readings may contain. Attributes of the scene are included, its objects are not.
   const Signature& names() const { return names_; }
@@ -97,7 +101,7 @@ class Vocabulary {
   std::map<std::string, Term, std::less<>> definitions_;
   std::set<std::string, std::less<>> parts_;  ///< of entries that the lexicon lacks, but the parts that it has
   std::set<std::string> said_of_scene_;       ///< single words for what the objects of the scene are
-  std::size_t most_words_ = 1;
+  std::size_t most_scene_words_ = 0;          ///< number of words of the longest of scene_words_
 };
 
 }  // namespace continua

@@ -84,5 +84,19 @@ TEST_CASE("atoms of different names settle their features apart") {
 TEST_CASE("types follow from categories") {
   CHECK(type_of(category("S/N/NP"), atoms()).text() == "e -> (e -> t) -> t");
   CHECK(type_of(category("NP/NP"), atoms(), 1).text() == "e -> e*");
-  CHECK(target(category("NP/N/S")).text() == "NP");
+}
+
+TEST_CASE("a category has the name and the number of the atom that remains of it") {
+  const auto is_of = [](const Category& of, const char* name, std::size_t number) {
+    CAPTURE(of.text());
+    CHECK(of.target().text() == name);
+    CHECK(of.target_number() == number);
+  };
+  is_of(category("N[many]"), "N", 0);
+  is_of(category("NP/N/S"), "NP", 1);
+  is_of(category("S\\(NP/N)"), "S", 2);
+  is_of(Category::function(category("S/NP"), Category::Slash::backward, category("N")), "S", 2);
+  Agreement agreement;
+  CHECK(agreement.agree(category("N"), category("N[one]")));
+  is_of(agreement.settled_one(category("N/NP")), "N", 0);
 }
