@@ -1,4 +1,4 @@
-// The lexicon's own examples.
+// The lexicon's own examples. They are read in replay/knowledge_test.cpp, as those of all lexicons are.
 #include <algorithm>
 #include <string>
 #include <unordered_set>
@@ -35,10 +35,9 @@ class Sequences {
 
 }  // namespace
 
-TEST_CASE("the lexicon's examples are read as they say, and every word is in one") {
+TEST_CASE("every word of the lexicon is in one of its examples") {
   const auto examples = load_examples(*english());
   REQUIRE(examples.ok());
-  for (const auto& error : check_examples(*examples, *english())) FAIL_CHECK(error.text());
   Sequences all(english()->words.most_words());
   std::size_t count = 0;
   for (const auto& example : *examples)
