@@ -1,7 +1,6 @@
 // The words that can be understood in a scene: the lexicon's words, and words from the attributes of the scene.
 #pragma once
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -68,8 +67,6 @@ class Vocabulary {
   /// Whether the word by itself means something. One that is only part of other entries ("wait a minute"), or that is
   /// only left out, has no meaning to lose.
   bool means(std::string_view word) const;
-  /// Number of words of the longest entry.
-  std::size_t most_words() const { return std::max(lexicon_->words.most_words(), most_scene_words_); }
 
   /// Types of all names that readings may contain. Attributes of the scene are included, its objects are not.
   const Signature& names() const { return names_; }

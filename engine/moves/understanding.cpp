@@ -120,7 +120,7 @@ Term Understanding::noun_in(const WordSpan& words, const Utterance& utterance) c
   for (auto at = words.begin; at < words.end; ++at) {
     Vocabulary::Walk walk(*vocabulary_);
     const WordSense* noun = nullptr;
-    for (auto end = at; end < std::min(words.end, at + vocabulary_->most_words()); ++end) {
+    for (auto end = at; end < words.end && !walk.is_over(); ++end) {
       const auto senses = Vocabulary::senses(walk.step(utterance.words[end]));
       if (std::any_of(senses.begin(), senses.end(), has_type(modifier))) continue;
       const auto sense = std::find_if(senses.begin(), senses.end(), has_type(property()));

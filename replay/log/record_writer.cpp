@@ -44,7 +44,7 @@ void add_whole(RecordText& out, const T& value) {
   }
 }
 
-// A line and its decision, which lacks parts of the line and else has the same bytes.
+// A line, and its decision: the same bytes without some of the members.
 struct Texts {
   RecordText& line;
   RecordText* decision = nullptr;  // null: nothing counts for it
