@@ -11,7 +11,7 @@ using Slash = Category::Slash;
 constexpr auto nowhere = std::numeric_limits<std::size_t>::max();
 
 // Calls `note(argument, to the right)` for each argument of a category.
-void for_each_need(const Category& category, const auto& note) {
+void for_each_argument(const Category& category, const auto& note) {
   for (const auto* part = &category; !part->is_atom(); part = &part->result())
     note(part->argument(), part->slash() == Slash::forward);
 }
@@ -62,7 +62,7 @@ class Market {
     made.made = true;
     made.last_begin = std::max(made.last_begin, offer.words.begin);
     made.first_end = std::min(made.first_end, offer.words.end);
-    for_each_need(*offer.category, [&](const Category& need, bool to_the_right) {
+    for_each_argument(*offer.category, [&](const Category& need, bool to_the_right) {
       auto& taken = trade_in(need);
       if (to_the_right) {
         taken.first_taker_end = std::min(taken.first_taker_end, offer.words.end);
@@ -76,7 +76,7 @@ class Market {
 
   // Whoever takes a function gives its arguments to it.
   void note_given(const Category& need) {
-    for_each_need(need, [&](const Category& given, bool) { trade_in(given).made_anywhere = true; });
+    for_each_argument(need, [&](const Category& given, bool) { trade_in(given).made_anywhere = true; });
   }
 
   // A rule that has its phrase makes another one, wherever it stands.
@@ -87,10 +87,10 @@ class Market {
         auto& had = trade_in(rule.from);
         if (!had.made && !had.made_anywhere) continue;
         had.taken_anywhere = true;
-        for_each_need(rule.from, [&](const Category& need, bool) { trade_in(need).made_anywhere = true; });
+        for_each_argument(rule.from, [&](const Category& need, bool) { trade_in(need).made_anywhere = true; });
         grows = grows || !trade_in(rule.to).made_anywhere;
         trade_in(rule.to).made_anywhere = true;
-        for_each_need(rule.to, [&](const Category& need, bool) {
+        for_each_argument(rule.to, [&](const Category& need, bool) {
           trade_in(need).taken_anywhere = true;
           note_given(need);
         });
@@ -107,7 +107,7 @@ class Market {
 
   bool has_all(const Offer& offer) const {
     bool has = true;
-    for_each_need(*offer.category, [&](const Category& need, bool to_the_right) {
+    for_each_argument(*offer.category, [&](const Category& need, bool to_the_right) {
       const auto& trade = trade_in(need);
       if (trade.made_anywhere || atoms_[need.target_number()]->open) return;
       has = has && trade.made &&

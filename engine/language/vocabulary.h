@@ -34,7 +34,7 @@ class Vocabulary {
     explicit Walk(const Vocabulary& vocabulary) : vocabulary_(vocabulary), known_(vocabulary.lexicon_->words) {}
     /// One word further: what is known of all words so far.
     std::vector<const WordEntry*> step(std::string_view word);
-    /// Whether nothing is known of these words and any more.
+    /// True: further words find nothing.
     bool is_over() const { return !is_known_ && count_ >= vocabulary_.most_scene_words_; }
 
    private:
